@@ -1,4 +1,4 @@
-/** Lightning: ray-traced scenes, relit exactly in a fraction of a full trace. */
+/** Lightning: interactive relighting of ray-traced scenes, exact in a fraction of a full render's time. */
 module lightning {
     requires java.desktop;
     requires java.logging;
@@ -16,7 +16,7 @@ module lightning {
     requires org.kordamp.ikonli.javafx;
     requires org.kordamp.ikonli.materialdesign2;
     requires org.jgroups;
-    // Annotations of the compiler alone: the program runs without these.
+    // Compile-time annotations only; not needed at run time.
     requires static io.soabase.recordbuilder.core;
     requires static java.compiler;
 

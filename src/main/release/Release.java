@@ -29,16 +29,16 @@ import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 
 /**
- * Makes of the assembled program an image that needs no Java: {@code mvn -Prelease package} runs it, with the program's folder, the folder of
- * the release, version, time of the sources, and the kind of package ({@code deb}, {@code rpm}, {@code msi}, {@code dmg}). The same sources and the same Java give the same bytes: all files bear the sources' time, and the
- * archive of classes is made of a sorted list.
+ * Builder of an installable image that includes Java, run by {@code mvn -Prelease package}. Arguments: the program's folder, the release
+ * folder, version, time of the sources, and package type ({@code deb}, {@code rpm}, {@code msi}, {@code dmg}). The build is reproducible:
+ * all files have the sources' time, and the class archive comes from a sorted list.
  */
 final class Release {
-    /** What the program and its libraries ask of Java; the last has how other countries write numbers. */
+    /** Java modules of the program and its libraries; the last has the number formats of other countries. */
     private static final String MODULES = "java.desktop,java.logging,java.management,java.sql,java.xml,jdk.incubator.vector,"
             + "jdk.management,jdk.unsupported,jdk.localedata";
-    private static final String SUMMARY = "Lights ray-traced scenes: the exact picture in a fraction of a full trace";
-    /** What JavaFX opens by name, which no program can find out; the second names are those of 64 bits of time. */
+    private static final String SUMMARY = "Interactive lighting of ray-traced scenes";
+    /** Packages that JavaFX loads by name, which no tool can detect; the second names are those with 64-bit time. */
     private static final String DEBIAN = "libgtk-3-0 | libgtk-3-0t64, libfreetype6, libpangoft2-1.0-0, libxtst6, libxxf86vm1";
     private static final int[] ICON_SIDES = {16, 32, 48, 64, 128, 256};
 
@@ -68,7 +68,7 @@ final class Release {
         release.sum();
     }
 
-    /** Takes away what an earlier run left; what others put beside it, as the bill of materials, stays. */
+    /** Removes the output of an earlier run; keeps files of other tools, such as the bill of materials. */
     private void clear() throws IOException {
         for (String folder : List.of("runtime", "shipped", "training", "temporary", "associations")) {
             remove(made.resolve(folder));
@@ -81,13 +81,13 @@ final class Release {
         }
     }
 
-    /** A Java of these modules alone, with the archive of its own classes. */
+    /** Links a Java with only these modules, and the archive of its own classes. */
     private void link() throws IOException, InterruptedException {
         run("jlink", "--add-modules", MODULES, "--output", made.resolve("runtime").toString(), "--no-header-files", "--no-man-pages",
                 "--strip-debug", "--generate-cds-archive");
     }
 
-    /** All that lies in the program's folder once it is installed. */
+    /** Collects the files of the installed program. */
     private void ship() throws IOException {
         copy(program.resolve("lib"), shipped);
         copy(program.resolve("cluster"), shipped);
@@ -101,8 +101,8 @@ final class Release {
     }
 
     /**
-     * Makes the archive of classes that starts load. What they load, a start tells that does what starts do; sorted, and without hints that hang on the
-     * order of its threads, the list is the same each time, and so is what Java makes of it.
+     * Creates the class archive. A training start records the loaded classes. Sorted, and without hints that depend on the order of its
+     * threads, the list is the same each time, and so is the archive.
      */
     private void archive() throws IOException, InterruptedException {
         Path training = Files.createDirectories(made.resolve("training"));
@@ -119,8 +119,8 @@ final class Release {
     }
 
     /**
-     * What lies within the classes of {@code java.util.concurrent} that a start loads: some of it is loaded only by a thread that must wait for another,
-     * as {@code Phaser$QNode}, and so by some starts and not by others.
+     * Returns the nested classes of the loaded {@code java.util.concurrent} classes: some, such as {@code Phaser$QNode}, are loaded only if
+     * a thread must wait for another, and so only by some starts.
      */
     private static Stream<String> waiting(List<String> classes) throws IOException {
         String place = "java/util/concurrent/";
@@ -134,7 +134,7 @@ final class Release {
         return all.stream().filter(name -> name.contains("$") && loaded.contains(name.substring(0, name.indexOf('$'))));
     }
 
-    /** Runs the linked Java in the folder of what is shipped, on the class path that the launcher will give to it. */
+    /** Runs the linked Java in the folder of the shipped files, on the class path of the launcher. */
     private void java(Path logs, String... words) throws IOException, InterruptedException {
         List<String> line = new ArrayList<>(List.of(made.resolve("runtime/bin/java").toAbsolutePath().toString()));
         line.addAll(options());
@@ -144,11 +144,11 @@ final class Release {
         Path log = logs.resolve("log");
         ProcessBuilder builder =
                 new ProcessBuilder(line).directory(shipped.toFile()).redirectErrorStream(true).redirectOutput(log.toFile());
-        // The archive has texts that hang on the user's language and encoding.
+        // The archive contains texts that depend on the user's language and encoding.
         builder.environment().put("LC_ALL", "C.UTF-8");
         Process process = builder.start();
         if (process.waitFor() != 0) {
-            throw new IOException(String.join(" ", line) + " ended with " + process.exitValue() + ":\n" + Files.readString(log));
+            throw new IOException(String.join(" ", line) + " exited with code " + process.exitValue() + ":\n" + Files.readString(log));
         }
     }
 
@@ -173,12 +173,12 @@ final class Release {
                     line.addAll(List.of("--linux-shortcut", "--linux-menu-group", "Graphics", "--resource-dir", "src/main/release/linux"));
             case "msi" -> line.addAll(List.of("--win-menu", "--win-shortcut-prompt", "--win-dir-chooser", "--win-console"));
             case "dmg" -> line.addAll(List.of("--mac-app-category", "graphics-design"));
-            default -> throw new IllegalArgumentException("a package of kind " + kind + "; expected deb, rpm, msi or dmg");
+            default -> throw new IllegalArgumentException("expected a package of kind deb, rpm, msi or dmg, found " + kind);
         }
         run("jpackage", line.toArray(String[]::new));
     }
 
-    /** As people of each system write names of programs. */
+    /** Returns the program's name in each system's convention. */
     private String name() {
         return kind.equals("deb") || kind.equals("rpm") ? "lightning" : "Lightning";
     }
@@ -189,12 +189,12 @@ final class Release {
         line.addAll(List.of("--file-associations", file.toString()));
     }
 
-    /** How Java runs the program: the options of the launcher. */
+    /** Returns the launcher's Java options. */
     private List<String> options() throws IOException {
         return Files.readAllLines(program.resolve("bin/java.options")).stream().filter(line -> line.startsWith("-")).toList();
     }
 
-    /** The class path in the order that jpackage gives to it: the program, and its libraries by their names. */
+    /** Returns the class path in jpackage's order: the program, then its libraries by name. */
     private List<String> jars() throws IOException {
         try (Stream<Path> files = Files.list(shipped)) {
             Stream<String> libraries = files.map(file -> file.getFileName().toString())
@@ -203,7 +203,7 @@ final class Release {
         }
     }
 
-    /** The icon, its corners rounded, in the form that the system reads. */
+    /** Converts the icon, with rounded corners, to the system's format. */
     private Path icon() throws IOException {
         BufferedImage whole = ImageIO.read(Path.of("src/main/release/icon.png").toFile());
         return switch (kind) {
@@ -227,7 +227,7 @@ final class Release {
         return out.toByteArray();
     }
 
-    /** Windows: a directory of 16 bytes for each size, then the sizes as PNG. */
+    /** Encodes Windows' format: a directory of 16 bytes for each size, then the sizes as PNG. */
     private static byte[] ico(BufferedImage whole) throws IOException {
         List<byte[]> pictures = new ArrayList<>();
         for (int side : ICON_SIDES) {
@@ -247,7 +247,7 @@ final class Release {
         return bytes.array();
     }
 
-    /** macOS: each size as PNG after its type and length; ic07 to ic09 are of 128 to 512 pixels. */
+    /** Encodes macOS' format: each size as PNG after its type and length; ic07 to ic09 are 128 to 512 pixels. */
     private static byte[] icns(BufferedImage whole) throws IOException {
         var body = new ByteArrayOutputStream();
         for (int i = 0; i < 3; i++) {
@@ -261,7 +261,7 @@ final class Release {
                 .array();
     }
 
-    /** SHA-256 of all that is given out, as {@code sha256sum --check} reads it. */
+    /** Writes the SHA-256 sums of all released files, for {@code sha256sum --check}. */
     private void sum() throws IOException, NoSuchAlgorithmException {
         Path sums = made.resolve("dist/SHA256SUMS");
         var text = new StringBuilder();
@@ -274,16 +274,16 @@ final class Release {
         Files.writeString(sums, text);
     }
 
-    /** Runs a tool of this Java in a process of its own: jlink makes other bytes in one that has run other code. */
+    /** Runs a tool of this Java in its own process: jlink writes other bytes in a process that has run other code. */
     private void run(String tool, String... words) throws IOException, InterruptedException {
         List<String> line = new ArrayList<>(List.of(Path.of(System.getProperty("java.home"), "bin", tool).toString()));
         line.addAll(List.of(words));
         ProcessBuilder process = new ProcessBuilder(line).inheritIO();
-        // What packs it gives no file a later time than this.
+        // Packaging tools limit file times to this.
         process.environment().put("SOURCE_DATE_EPOCH", Long.toString(time.to(TimeUnit.SECONDS)));
         int code = process.start().waitFor();
         if (code != 0) {
-            throw new IOException(tool + " ended with " + code);
+            throw new IOException(tool + " exited with code " + code);
         }
     }
 

@@ -7,8 +7,8 @@ import lightning.cli.Lightning;
 import lightning.editor.window.StartupTraining;
 
 /**
- * Does what starts do, while Java takes down which classes that needs: a picture by the command, and the editor's first
- * one. Called by {@code make-archive}, with a picture file to write.
+ * Training run for the class archive: renders an image with the command and opens the editor once, while the JVM records the classes
+ * loaded. Called by {@code make-archive} with the image file to write.
  */
 public final class ArchiveTraining {
     private ArchiveTraining() {}

@@ -10,16 +10,15 @@ import lightning.editor.window.LightningApp;
 
 /** Starts the program. */
 public final class Main {
-    /** How long Ctrl-C waits for a command to put away what it was writing. */
+    /** Seconds that Ctrl-C waits for a command to clean up its output files. */
     private static final int CANCEL_TIMEOUT_SECONDS = 5;
     private static final int BAD_INPUT = 2;
 
     private Main() {}
 
     /**
-     * Opens the editor where there are no arguments but a file that it opens, with or without the word {@code edit}; else runs the
-     * command that they name; exits with its code. Where no window can be opened, the tour of the same scene takes the
-     * editor's place.
+     * Opens the editor if there are no arguments or one file that it can open, with or without the word {@code edit}; otherwise runs the
+     * named command. Exits with its code. If no window can be opened, runs the tour of the same scene instead.
      */
     public static void main(String[] args) {
         if (!opensEditor(args)) {
@@ -31,10 +30,10 @@ public final class Main {
             System.exit(0);
         }
         if (file.stream().allMatch(name -> name.endsWith(".jen"))) {
-            System.err.println("lightning: " + reason.get() + "; here is the tour of the scene instead.");
+            System.err.println("lightning: " + reason.get() + "; running 'lightning tour' instead.");
             runCommand(Stream.concat(Stream.of("tour"), file.stream()).toArray(String[]::new));
         }
-        System.err.println("lightning: " + reason.get() + "; 'lightning import' makes a scene of the file without one.");
+        System.err.println("lightning: " + reason.get() + "; 'lightning import' converts the file without a window.");
         System.exit(BAD_INPUT);
     }
 
@@ -43,7 +42,7 @@ public final class Main {
         return file.isEmpty() || file.size() == 1 && LightningApp.canOpen(file.getFirst()) && !file.getFirst().startsWith("-");
     }
 
-    /** The arguments without the word that names the editor. */
+    /** Returns the arguments without the word {@code edit}. */
     private static List<String> fileArguments(String... args) {
         return List.of(args).subList(args.length > 0 && args[0].equals("edit") ? 1 : 0, args.length);
     }
@@ -61,14 +60,14 @@ public final class Main {
         try {
             return Lightning.run(System.out, System.err, args);
         } catch (LinkageError e) {
-            // Not even the class that explains problems could be loaded.
-            System.err.println("lightning: a part of the program cannot be read (" + e.getMessage()
-                    + "); if file handles are short, raise their limit, as with 'ulimit -n 4096', and start again");
+            // Not even the class that formats errors could be loaded.
+            System.err.println("lightning: cannot load a part of the program (" + e.getMessage()
+                    + "); if too many files are open, raise the limit, for example with 'ulimit -n 4096', and restart");
             return BAD_INPUT;
         }
     }
 
-    /** An interrupted command removes its temporary file before the process ends. */
+    /** Lets an interrupted command remove its temporary file before the process ends. */
     private static void awaitCancellation(Thread command, CountDownLatch finished) {
         if (finished.getCount() == 0) {
             return;

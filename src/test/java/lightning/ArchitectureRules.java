@@ -27,8 +27,8 @@ import java.util.Set;
 import lightning.base.text.UserFacingException;
 
 /**
- * Who may know whom: a row for each package, with all that it may import. Nothing is known that is not told here, and no
- * row is told a later one, so that all ways go in one direction. A package without a row is a fault.
+ * Rules of the package architecture: for each package the packages that it may import. Rows are in order of dependency, so imports go only
+ * downwards. Every package needs a row.
  */
 final class ArchitectureRules {
     private static final String ENGINE =
@@ -40,10 +40,10 @@ final class ArchitectureRules {
             ENGINE + " base.file scene.shot format.jen format.image bench.accuracy editor.loop editor.document";
     private static final String WINDOW = DOCUMENT + " editor.window.widget editor.window.model editor.window.command";
 
-    /** The groups from the bottom of the program up: a package imports from its own group and from those before it. */
+    /** Groups from the bottom up: a package imports from its own group and from those before it. */
     private static final List<String> GROUPS = List.of("base", "scene", "render", "format", "shot", "bench", "editor", "cli");
 
-    /** The rows from the bottom of the program up. */
+    /** Packages from the bottom up. */
     private static final List<Layer> LAYERS = List.of(
             row("base.text", ""),
             row("base.math", ""),
@@ -135,9 +135,9 @@ final class ArchitectureRules {
                             + " shot shot.cluster shot.movie bench.accuracy bench bench.report"),
             row("", "editor.window cli"));
 
-    /** @param dependencies the packages that it may import, beside itself */
+    /** @param dependencies packages that it may import, in addition to itself */
     private record Layer(String name, Set<String> dependencies) {
-        /** What starts the program stands above all packages. */
+        /** Classes of the root package start the program and may use all packages. */
         String packageName() {
             return name.isEmpty() ? "lightning" : "lightning." + name;
         }
@@ -147,12 +147,12 @@ final class ArchitectureRules {
         return new Layer(name, known.isEmpty() ? Set.of() : Set.of(known.split(" ")));
     }
 
-    /** The class that no reader may have to doubt: the oracle of every equality test. */
+    /** The reference tracer: the oracle of every equality test, kept simple enough to trust. */
     private static final String REFERENCE = "lightning\\.render\\.shading\\.ReferenceTracer(\\$.*)?";
 
     private ArchitectureRules() {}
 
-    /** One rule for each row: it knows nothing but the rows that it may know. */
+    /** Returns a rule for each row: it imports only the listed packages. */
     static ArchRule layersDependOnlyOnLowerLayers() {
         CompositeArchRule all = CompositeArchRule.of(everyClassHasALayer());
         for (Layer row : LAYERS) {
@@ -160,13 +160,13 @@ final class ArchitectureRules {
                     .map(Layer::packageName).toArray(String[]::new);
             all = all.and(noClasses().that().resideInAPackage(row.packageName())
                     .should().dependOnClassesThat(resideInAnyPackage(unknown))
-                    .as(row.packageName() + " knows only rows above it")
+                    .as(row.packageName() + " depends only on rows above it")
                     .allowEmptyShould(true));
         }
         return all;
     }
 
-    /** The rows that stand before one of a lower group, or belong to none: none. */
+    /** Returns rows that precede one of a lower group, or belong to no group; must be empty. */
     static List<String> layersOutOfOrder() {
         List<String> wrong = new ArrayList<>();
         int highest = 0;
@@ -180,7 +180,7 @@ final class ArchitectureRules {
         return wrong;
     }
 
-    /** The rows that are told one that comes after them, or that there is not: none. */
+    /** Returns rows that depend on a later or missing row; must be empty. */
     static List<String> layersWithForwardDependency() {
         List<String> wrong = new ArrayList<>();
         Set<String> before = new HashSet<>();
@@ -194,7 +194,7 @@ final class ArchitectureRules {
     private static ArchRule everyClassHasALayer() {
         return classes().that(not(nameMatching("module-info")))
                 .should().resideInAnyPackage(LAYERS.stream().map(Layer::packageName).toArray(String[]::new))
-                .as("every class lives in a package that has a row in this test")
+                .as("every class is in a package that has a row in this test")
                 .allowEmptyShould(true);
     }
 
@@ -205,12 +205,12 @@ final class ArchitectureRules {
                 .allowEmptyShould(true);
     }
 
-    /** Whatever a menu offers is made of a command. A menu within a menu and a line between items do nothing. */
+    /** Menu items are created only from commands. Submenus and separators have no action. */
     static ArchRule onlyCommandItemsCreateMenuItems() {
         return noClasses().that(not(nameMatching("lightning\\.editor\\.window\\.command\\.CommandMenuItems")))
                 .should().callConstructorWhere(target(owner(assignableTo("javafx.scene.control.MenuItem")
                         .and(not(nameMatching("javafx\\.scene\\.control\\.(Menu|SeparatorMenuItem)").forSubtype())))))
-                .as("only CommandMenuItems makes items of menus")
+                .as("only CommandMenuItems creates menu items")
                 .allowEmptyShould(true);
     }
 
@@ -222,8 +222,8 @@ final class ArchitectureRules {
     }
 
     /**
-     * A pipe that is opened waits for ever, and some devices never end: what users and their files name is opened where that is checked. The
-     * other rows read what the program itself has written, or found to be a file.
+     * Opening a pipe may block forever, and some devices never end, so one class opens all files named by users or their files. The other
+     * listed classes read files that the program wrote, or found to be regular.
      */
     static ArchRule userFilesAreOpenedByOneClass() {
         DescribedPredicate<JavaClass> own =
@@ -233,39 +233,39 @@ final class ArchitectureRules {
                 .of(noClasses().that(not(own))
                         .should().callMethodWhere(target(owner(assignableTo(Files.class)))
                                 .and(target(nameMatching("newInputStream|newBufferedReader|readAll.*|readString|lines|copy|mismatch"))))
-                        .as("only RegularFile opens files that users name")
+                        .as("only RegularFile opens files named by users")
                         .allowEmptyShould(true))
                 .and(noClasses().that(not(own))
                         .should().callConstructorWhere(target(owner(assignableTo(FileInputStream.class)
                                 .or(assignableTo(RandomAccessFile.class)).or(assignableTo(FileReader.class)))))
-                        .as("only RegularFile opens files that users name")
+                        .as("only RegularFile opens files named by users")
                         .allowEmptyShould(true));
     }
 
-    /** What is thrown to be caught by others reaches a user somewhere, and must not be taken there for a fault of the program. */
+    /** Checked exceptions reach the user and must not look like internal errors. */
     static ArchRule checkedExceptionsAreUserFacing() {
         return classes()
                 .that(assignableTo(Exception.class).and(not(assignableTo(RuntimeException.class)))
                         .and(not(assignableTo(IOException.class))))
                 .should().beAssignableTo(UserFacingException.class)
-                .as("checked exceptions are for users to read")
+                .as("checked exceptions are user-facing")
                 .allowEmptyShould(true);
     }
 
     /**
-     * The oracle stays independent of what it judges. Through its helpers it reaches no kernel and no
-     * cache; the tree, which the geometry of a scene keeps ready for the kernels, it never names itself.
+     * The oracle stays independent of the tested code. Through its helpers it uses no kernel and no cache; it never uses the BVH, which a
+     * scene's geometry holds for the kernels.
      */
     static ArchRule referenceTracerIsIndependent() {
         return CompositeArchRule
                 .of(noClasses().that(nameMatching(REFERENCE))
                         .should().transitivelyDependOnClassesThat(resideInAnyPackage(packageOf("render.cache"),
                                 packageOf("render.relight"), packageOf("render.engine")).or(kernel(".*(Packet|Lanes).*")))
-                        .as("the reference tracer knows neither cache nor relight nor engine nor fast kernels")
+                        .as("the reference tracer uses no cache, relighting, engine or fast kernel")
                         .allowEmptyShould(true))
                 .and(noClasses().that(nameMatching(REFERENCE))
                         .should().dependOnClassesThat(kernel(".*Bvh.*"))
-                        .as("the reference tracer asks every shape, and no tree of boxes")
+                        .as("the reference tracer tests every shape, without a BVH")
                         .allowEmptyShould(true));
     }
 

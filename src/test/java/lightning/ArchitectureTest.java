@@ -19,7 +19,7 @@ import lightning.sample.Slow;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** The program keeps the rules of {@link ArchitectureRules}, and the rules catch what breaks them. */
+/** Checks that the program follows {@link ArchitectureRules}, and that the rules detect violations. */
 @Slow
 class ArchitectureTest {
     private static final JavaClasses PROGRAM = new ClassFileImporter()
@@ -68,7 +68,7 @@ class ArchitectureTest {
 
     @Test
     void internalCheckedException_isReported() throws IOException {
-        assertReported(ArchitectureRules.checkedExceptionsAreUserFacing(), "checked exceptions are for users to read",
+        assertReported(ArchitectureRules.checkedExceptionsAreUserFacing(), "checked exceptions are user-facing",
                 "package lightning.format.mesh; class Bad extends Exception {}");
     }
 
@@ -79,10 +79,10 @@ class ArchitectureTest {
 
     @Test
     void uncheckedFileOpen_isReported() throws IOException {
-        assertReported(ArchitectureRules.userFilesAreOpenedByOneClass(), "only RegularFile opens files that users name",
+        assertReported(ArchitectureRules.userFilesAreOpenedByOneClass(), "only RegularFile opens files named by users",
                 "package lightning.format.mesh; class Bad { Object in(java.nio.file.Path file) throws java.io.IOException {"
                         + " return java.nio.file.Files.newInputStream(file); } }");
-        assertReported(ArchitectureRules.userFilesAreOpenedByOneClass(), "only RegularFile opens files that users name",
+        assertReported(ArchitectureRules.userFilesAreOpenedByOneClass(), "only RegularFile opens files named by users",
                 "package lightning.format.mesh; class Bad { Object in(String file) throws java.io.IOException {"
                         + " return new java.io.FileInputStream(file); } }");
     }
@@ -99,7 +99,7 @@ class ArchitectureTest {
 
     @Test
     void menuItemWithoutCommand_isReported() throws IOException {
-        assertReported(ArchitectureRules.onlyCommandItemsCreateMenuItems(), "only CommandMenuItems makes items of menus",
+        assertReported(ArchitectureRules.onlyCommandItemsCreateMenuItems(), "only CommandMenuItems creates menu items",
                 "package javafx.scene.control; public class MenuItem {}",
                 "package javafx.scene.control; public class RadioMenuItem extends MenuItem {}",
                 "package lightning.editor.window.property; class Bad { Object item = new javafx.scene.control.RadioMenuItem(); }");
@@ -107,49 +107,49 @@ class ArchitectureTest {
 
     @Test
     void lowerLayerUsingHigher_isReported() throws IOException {
-        assertReported(ArchitectureRules.layersDependOnlyOnLowerLayers(), "lightning.base.math knows only rows above it",
+        assertReported(ArchitectureRules.layersDependOnlyOnLowerLayers(), "lightning.base.math depends only on rows above it",
                 "package lightning.scene; public class Thing {}",
                 "package lightning.base.math; class Bad { lightning.scene.Thing thing; }");
     }
 
     @Test
     void undeclaredDependency_isReported() throws IOException {
-        assertReported(ArchitectureRules.layersDependOnlyOnLowerLayers(), "lightning.render.image knows only rows above it",
+        assertReported(ArchitectureRules.layersDependOnlyOnLowerLayers(), "lightning.render.image depends only on rows above it",
                 "package lightning.scene; public class Thing {}",
                 "package lightning.render.image; class Bad { lightning.scene.Thing thing; }");
     }
 
     @Test
     void commandUsingEditor_isReported() throws IOException {
-        assertReported(ArchitectureRules.layersDependOnlyOnLowerLayers(), "lightning.cli knows only rows above it",
+        assertReported(ArchitectureRules.layersDependOnlyOnLowerLayers(), "lightning.cli depends only on rows above it",
                 "package lightning.editor.window; public class Window {}",
                 "package lightning.cli; class Bad { lightning.editor.window.Window window; }");
     }
 
     @Test
     void planUsingTiles_isReported() throws IOException {
-        assertReported(ArchitectureRules.layersDependOnlyOnLowerLayers(), "lightning.render.relight.plan knows only rows above it",
+        assertReported(ArchitectureRules.layersDependOnlyOnLowerLayers(), "lightning.render.relight.plan depends only on rows above it",
                 "package lightning.render.relight.tile; public class Worker {}",
                 "package lightning.render.relight.plan; class Bad { lightning.render.relight.tile.Worker worker; }");
     }
 
     @Test
     void paneUsingOtherPane_isReported() throws IOException {
-        assertReported(ArchitectureRules.layersDependOnlyOnLowerLayers(), "lightning.editor.window.traced knows only rows above it",
+        assertReported(ArchitectureRules.layersDependOnlyOnLowerLayers(), "lightning.editor.window.traced depends only on rows above it",
                 "package lightning.editor.window.preview; public class Pane {}",
                 "package lightning.editor.window.traced; class Bad { lightning.editor.window.preview.Pane pane; }");
     }
 
     @Test
     void packageUsingMain_isReported() throws IOException {
-        assertReported(ArchitectureRules.layersDependOnlyOnLowerLayers(), "lightning.cli knows only rows above it",
+        assertReported(ArchitectureRules.layersDependOnlyOnLowerLayers(), "lightning.cli depends only on rows above it",
                 "package lightning; public class Main {}",
                 "package lightning.cli; class Bad { lightning.Main main; }");
     }
 
     @Test
     void packageWithoutLayer_isReported() throws IOException {
-        assertReported(ArchitectureRules.layersDependOnlyOnLowerLayers(), "lives in a package that has a row",
+        assertReported(ArchitectureRules.layersDependOnlyOnLowerLayers(), "is in a package that has a row",
                 "package lightning.util; class Bad {}");
     }
 
@@ -182,7 +182,7 @@ class ArchitectureTest {
 
     @Test
     void referenceTracerUsingFastCodeIndirectly_isReported() throws IOException {
-        assertReported(ArchitectureRules.referenceTracerIsIndependent(), "the reference tracer knows neither",
+        assertReported(ArchitectureRules.referenceTracerIsIndependent(), "the reference tracer uses no cache",
                 "package lightning.render.trace.solid; public class SphereLanes {}",
                 "package lightning.render.trace; public class Nearest { lightning.render.trace.solid.SphereLanes lanes; }",
                 "package lightning.render.shading; class ReferenceTracer { lightning.render.trace.Nearest nearest; }");
@@ -190,21 +190,21 @@ class ArchitectureTest {
 
     @Test
     void referenceTracerUsingEngine_isReported() throws IOException {
-        assertReported(ArchitectureRules.referenceTracerIsIndependent(), "the reference tracer knows neither",
+        assertReported(ArchitectureRules.referenceTracerIsIndependent(), "the reference tracer uses no cache",
                 "package lightning.render.engine; public class EngineWorkers {}",
                 "package lightning.render.shading; class ReferenceTracer { lightning.render.engine.EngineWorkers workers; }");
     }
 
     @Test
     void referenceTracerUsingBvh_isReported() throws IOException {
-        assertReported(ArchitectureRules.referenceTracerIsIndependent(), "asks every shape, and no tree of boxes",
+        assertReported(ArchitectureRules.referenceTracerIsIndependent(), "tests every shape, without a BVH",
                 "package lightning.render.trace.tree; public class Bvh {}",
                 "package lightning.render.shading; class ReferenceTracer { lightning.render.trace.tree.Bvh bvh; }");
     }
 
     @Test
     void referenceTracerUsingCache_isReported() throws IOException {
-        assertReported(ArchitectureRules.referenceTracerIsIndependent(), "the reference tracer knows neither",
+        assertReported(ArchitectureRules.referenceTracerIsIndependent(), "the reference tracer uses no cache",
                 "package lightning.render.cache; public class Rows {}",
                 "package lightning.render.shading; class ReferenceTracer { void use() { new lightning.render.cache.Rows(); } }");
     }
@@ -216,7 +216,7 @@ class ArchitectureTest {
                 .hasMessageContaining(sentence);
     }
 
-    /** Compiles classes, each given as its source on one line, in a folder of their own. */
+    /** Compiles classes, each given as its source on one line, in a separate folder. */
     private JavaClasses compile(String... sources) throws IOException {
         var compiler = ToolProvider.getSystemJavaCompiler();
         List<Path> files = new ArrayList<>();

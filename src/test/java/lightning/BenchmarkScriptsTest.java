@@ -22,13 +22,13 @@ import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
-/** The programs of {@code benchmarks}, which are compiled against a build when they are used, long after it was made. */
+/** Tests the programs of {@code benchmarks}, which are compiled against a build when they are used. */
 @Slow
 class BenchmarkScriptsTest {
     @TempDir
     private Path classes;
 
-    /** Together, as some know others. */
+    /** Compiles them together, because some use others. */
     @Test
     void programs_compileAgainstTheBuild() throws IOException {
         JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
@@ -41,7 +41,7 @@ class BenchmarkScriptsTest {
         assertThat(problems.getDiagnostics()).filteredOn(problem -> problem.getKind() == Diagnostic.Kind.ERROR).isEmpty();
     }
 
-    /** As where neither JAVA_HOME nor JAVA25_HOME is set: Java is in a usual place. */
+    /** Neither JAVA_HOME nor JAVA25_HOME is set; Java is in a standard location. */
     @Test
     @DisabledOnOs(OS.WINDOWS)
     void scripts_findJavaLikeTheLauncher() throws Exception {

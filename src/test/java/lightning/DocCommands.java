@@ -6,8 +6,8 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * The commands that a page of documentation shows: the lines of its fenced blocks of language
- * {@code sh}. A line that ends with a backslash goes on in the next one; a comment ends a line.
+ * Commands in a documentation page: the lines of its fenced {@code sh} blocks. A line that ends with a backslash continues in the next one;
+ * a comment ends a line.
  */
 final class DocCommands {
     private static final Pattern BLOCK = Pattern.compile("(?ms)^```sh\\s*?\\n(.*?)^```");
@@ -15,10 +15,10 @@ final class DocCommands {
     private static final Pattern EXIT = Pattern.compile("#.*\\bexit (\\d+)\\b");
 
     /**
-     * One command.
+     * Command.
      *
-     * @param words its name and arguments, without their quotes
-     * @param exit the exit code that its comment promises ("# exit 2"), else 0
+     * @param words name and arguments, without quotes
+     * @param exit  exit code in its comment ("# exit 2"), else 0
      */
     record Command(List<String> words, int exit) {
         String name() {
@@ -32,7 +32,7 @@ final class DocCommands {
 
     private DocCommands() {}
 
-    /** Returns the commands of the page in their order. */
+    /** Returns the commands of the page in order. */
     static List<Command> of(String markdown) {
         List<Command> commands = new ArrayList<>();
         Matcher block = BLOCK.matcher(markdown);
@@ -48,7 +48,7 @@ final class DocCommands {
         return commands;
     }
 
-    /** Splits a command line as a shell does, as far as quotes and comments go. */
+    /** Splits a command line as a shell does, with quotes and comments. */
     static List<String> words(String line) {
         List<String> words = new ArrayList<>();
         Matcher word = WORD.matcher(line);

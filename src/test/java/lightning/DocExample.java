@@ -8,22 +8,22 @@ import java.util.stream.Stream;
 import lightning.cli.HelpPages;
 
 /**
- * A command that the help or a document shows.
+ * Example command from the help or a document.
  *
- * @param source     the command whose help shows it, or the document
- * @param arguments without {@code lightning}
- * @param testArguments    those that a test runs
- * @param exit      the exit code that it promises
+ * @param source        the command whose help shows it, or the document
+ * @param arguments     arguments without {@code lightning}
+ * @param testArguments arguments that a test runs
+ * @param exit          expected exit code
  */
 record DocExample(String source, List<String> arguments, List<String> testArguments, int exit) {
     private static final String MAVEN_ARGUMENTS = "-Dlightning.args=";
-    /** Options that every command which has them gets here, in place of what it says itself. */
+    /** Options replaced in every command that has them. */
     private static final Map<String, String> SMALL_OPTIONS = Map.of("--size", "60x40", "--repetitions", "1", "--figure", "24");
     private static final List<String> SHORT_OPTIONS = List.of("--no-savings", "--quick");
-    /** With them others do the work. */
+    /** Options with which other machines do the work. */
     private static final Set<String> CLUSTER_OPTIONS = Set.of("--cluster", "--certificate", "--bind");
 
-    /** Returns those of the help of all commands: the lines that two spaces and the program's name begin. */
+    /** Returns the examples in the help of all commands: lines that begin with two spaces and the program's name. */
     static List<DocExample> fromHelp() {
         List<DocExample> all = new ArrayList<>();
         for (HelpPages.Page page : HelpPages.all()) {
@@ -32,7 +32,7 @@ record DocExample(String source, List<String> arguments, List<String> testArgume
         return all;
     }
 
-    /** Returns those that a document shows indented: they name files of a user's own, or take long. */
+    /** Returns the indented examples of a document: they name a user's own files, or take long. */
     static List<DocExample> fromIndentedLines(String document, String markdown) {
         return markdown.lines().filter(line -> line.startsWith("    lightning ")).map(line -> of(document, line)).toList();
     }
@@ -43,7 +43,7 @@ record DocExample(String source, List<String> arguments, List<String> testArgume
         return new DocExample(where, arguments, shrink(arguments), 0);
     }
 
-    /** Returns those in the blocks of a document for a shell, which run as they stand, also those that Maven hands on. */
+    /** Returns the examples in a document's shell blocks, which run unchanged, including those that Maven runs. */
     static List<DocExample> inBlocks(String document, String markdown) {
         List<DocExample> all = new ArrayList<>();
         for (DocCommands.Command command : DocCommands.of(markdown)) {
@@ -55,17 +55,17 @@ record DocExample(String source, List<String> arguments, List<String> testArgume
         return all;
     }
 
-    /** Whether it would open a window or wait for others. */
+    /** Returns whether it opens a window or waits for other processes. */
     boolean runsUntilStopped() {
         return arguments.getFirst().equals("edit") || arguments.getFirst().equals("node") && arguments.contains("--bind");
     }
 
-    /** Whether it may end with 1 too: times, and what it compares with, are as they are. */
+    /** Returns whether exit code 1 is also accepted, because its check depends on times or compared files. */
     boolean mayFailCheck() {
         return arguments.contains("--baseline");
     }
 
-    /** The same arguments on this machine, at a small size, and with nothing measured for long. */
+    /** Returns the arguments for a fast run on this machine: a small size and no long measurements. */
     static List<String> shrink(List<String> arguments) {
         boolean atPixel = arguments.getFirst().equals("explain");
         var words = new ArrayList<String>();

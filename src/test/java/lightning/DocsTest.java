@@ -13,7 +13,7 @@ import java.util.stream.Stream;
 import lightning.DocCommands.Command;
 import org.junit.jupiter.api.Test;
 
-/** The commands of README.md and the pages in docs are read as they are meant, and the {@code mvn …} lines are those that the project promises. */
+/** Tests that the commands of README.md and docs are parsed as intended, and that the {@code mvn …} lines are the expected ones. */
 class DocsTest {
     private static final Path README = Path.of("README.md");
     /** Without {@code -q}, which hides Maven's own output and changes nothing else. */

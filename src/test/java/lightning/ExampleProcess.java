@@ -16,11 +16,11 @@ import java.util.stream.Stream;
 import lightning.cli.Lightning;
 
 /**
- * A process that runs commands of the program in a folder, one after the other: as a user does who has the program installed and
- * works elsewhere, but with one start of Java for all of them.
+ * Process that runs the program's commands in a folder one after the other, like a user with an installed program, but with a single start
+ * of Java.
  */
 final class ExampleProcess implements AutoCloseable {
-    /** Where the program counts as installed: this folder has its scenes and textures. */
+    /** Installation folder: this folder has the program's scenes and textures. */
     private static final Path HOME = Path.of("").toAbsolutePath();
 
     private final Process process;
@@ -28,13 +28,13 @@ final class ExampleProcess implements AutoCloseable {
     private final BufferedReader output;
 
     /**
-     * How a command ended.
+     * Result of a command.
      *
-     * @param text what it printed, complaints behind results
+     * @param text its output, errors after results
      */
     record Result(int exit, String text) {}
 
-    /** @param folder the working directory of the commands */
+    /** @param folder working directory of the commands */
     ExampleProcess(Path folder) throws IOException {
         process = new ProcessBuilder(Path.of(System.getProperty("java.home"), "bin", "java").toString(), "--add-modules",
                 "jdk.incubator.vector", "--enable-native-access=ALL-UNNAMED", "-Xmx1g", "-XX:+UseSerialGC", "-Dlightning.home=" + HOME,
@@ -67,7 +67,7 @@ final class ExampleProcess implements AutoCloseable {
         process.destroyForcibly();
     }
 
-    /** Runs what the lines of the standard input say. */
+    /** Runs the commands on standard input, one per line. */
     public static void main(String... args) throws IOException {
         PrintStream answers = System.out;
         System.setOut(System.err);

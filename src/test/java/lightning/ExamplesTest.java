@@ -25,15 +25,14 @@ import org.junit.jupiter.api.TestFactory;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * The examples of the help, README.md and the pages in docs work for a user who has the program installed: each is run in a folder that
- * holds nothing but the files that the examples take for the user's own. Those of the help, and those that a document shows indented, are
- * run small.
+ * Tests that the examples of the help, README.md and docs work for a user of the installed program. Each runs in a folder with only the
+ * files that the examples expect. Examples of the help and indented ones run at a small size.
  */
 @Slow
 class ExamplesTest {
-    /** What is said where another program is not installed. */
-    private static final Pattern MISSING_PROGRAM = Pattern.compile("no program povray|program ffmpeg, which is not installed");
-    /** A user's files that examples read. */
+    /** Messages for optional programs that are not installed. */
+    private static final Pattern MISSING_PROGRAM = Pattern.compile("no program povray|needs ffmpeg, which is not installed");
+    /** User files that examples read. */
     private static final List<String> PICTURES = List.of("before.png", "after.png", "before.pfm", "after.pfm");
 
     @TempDir

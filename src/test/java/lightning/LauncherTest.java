@@ -24,7 +24,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** The launcher script, with scripts in place of Java that say what they were called with. */
+/** Tests the launcher script, with scripts in place of Java that report their arguments. */
 @DisabledOnOs(OS.WINDOWS)
 @Slow
 class LauncherTest {
@@ -86,8 +86,8 @@ class LauncherTest {
         Path java = java("25", "echo started");
         Path there = Files.move(launcher.getParent().getParent(), folder.resolve("a:b"));
         Result result = run(Map.of("JAVA_HOME", java), "", there.resolve("bin/lightning"));
-        assertThat(result).isEqualTo(new Result(2, "", "lightning: Java cannot run from a folder with ':' in its path, which is "
-                + there.toRealPath() + "; move or rename it.\n"));
+        assertThat(result).isEqualTo(new Result(2, "", "lightning: " + there.toRealPath()
+                + ": Java cannot run from a folder with ':' in its path; move or rename it.\n"));
     }
 
     @ParameterizedTest
@@ -95,7 +95,7 @@ class LauncherTest {
     void userCollector_replacesDefault(String variable) throws Exception {
         Path options = Path.of("-XX:+UseSerialGC");
         Result result = run(Map.of("JAVA_HOME", realJava(), variable, options), "", launcher, "--version");
-        // There is no program beside the launcher: Java itself got as far as to look for it.
+        // The program is not next to the launcher; Java itself got as far as looking for it.
         assertThat(result.out() + result.err()).contains("lightning").doesNotContain("Conflicting", "does not start");
     }
 
@@ -192,7 +192,7 @@ class LauncherTest {
         assertThat(run(Map.of("JAVA_HOME", java, "LC_ALL", Path.of("de_DE.UTF-8")), "", launcher).out()).isEqualTo("de_DE.UTF-8");
     }
 
-    /** Says with what it was called; makes what is asked for. */
+    /** Reports its arguments; creates the requested archive. */
     private static final String ARCHIVING_JAVA = """
             for option in "$@"; do
               case $option in -XX:ArchiveClassesAtExit=* | -XX:AOTCacheOutput=*) archive=${option#*=} ;; esac
@@ -209,7 +209,7 @@ class LauncherTest {
         return Map.of("JAVA_HOME", java("25", ARCHIVING_JAVA), "XDG_CACHE_HOME", folder.resolve("cache"), "PATH", toolsOfArchives());
     }
 
-    /** The archive that a first start has made beside it. */
+    /** Returns the archive that a first start created in the background. */
     private Path archiveOf(Map<String, Path> variables) throws Exception {
         assertThat(run(variables, "", launcher).out()).doesNotContain("SharedArchive");
         Await.until("an archive is made", () -> archives().size() == 1 && !Files.exists(Path.of(archives().getFirst() + ".making")));
@@ -226,7 +226,7 @@ class LauncherTest {
         }
     }
 
-    /** What makes an archive goes on beside the test; its folder goes only when that has ended. */
+    /** An archive is created in the background; wait for its end before removing its folder. */
     @AfterEach
     void awaitBackgroundProcesses() throws Exception {
         Await.until("no process works in the folder", () -> ProcessHandle.allProcesses().noneMatch(this::runsInThisFolder));
@@ -338,13 +338,13 @@ class LauncherTest {
         assertThat(folder.resolve("making")).content().hasLineCount(1);
     }
 
-    /** Nothing goes on beside a start. */
+    /** Runs without background work. */
     private static Map<String, Path> withoutMaker(Map<String, Path> variables) throws IOException {
         Files.delete(variables.get("PATH").resolve("mkdir"));
         return variables;
     }
 
-    /** The tools that archives take; nobody waits. */
+    /** Returns the tools for archives, without pauses. */
     private Path toolsOfArchives() throws IOException {
         Path tools = toolsWithoutJava();
         for (String tool : List.of("stat", "cksum", "renice", "mkdir", "find", "rm", "mv", "ls", "tail")) {
@@ -416,14 +416,14 @@ class LauncherTest {
         assertThat(result.err()).startsWith("lightning: needs Java 25 or newer and found none; install ").hasLineCount(1);
     }
 
-    /** The script does what it does on a terminal, which a test has none of. */
+    /** Makes the script behave as on a terminal, which a test does not have. */
     private void pretendTerminal() throws IOException {
         String script = Files.readString(launcher);
         assertThat(script).containsOnlyOnce("[[ -t 2 ]]");
         Files.writeString(launcher, script.replace("[[ -t 2 ]]", "true"));
     }
 
-    /** The tools that the script calls, and no Java. */
+    /** Returns the tools that the script calls, without Java. */
     private Path toolsWithoutJava() throws IOException {
         Path tools = Files.createDirectory(folder.resolve("tools"));
         for (String tool : List.of("bash", "env", "cat", "grep", "dirname", "readlink")) {
@@ -439,7 +439,7 @@ class LauncherTest {
         assertThat(call.toFile().setExecutable(true)).isTrue();
     }
 
-    /** Makes a Java home of the version whose java runs the shell commands. */
+    /** Creates a Java home of the version whose java runs the shell commands. */
     private Path java(String version, String commands) throws IOException {
         Path home = Files.createTempDirectory(folder, "java");
         Files.writeString(home.resolve("release"), "IMPLEMENTOR=\"Test\"\nJAVA_VERSION=\"" + version + "\"\n");
@@ -449,7 +449,7 @@ class LauncherTest {
         return home;
     }
 
-    /** Runs a command where the only Java is the one that the variables name. */
+    /** Runs a command with only the Java that the variables name. */
     private Result run(Map<String, Path> variables, String input, Path command, String... arguments)
             throws IOException, InterruptedException {
         List<String> line = new ArrayList<>(List.of("bash", "-c", STDERR_OF_LAST_START, "bash", command.toString()));

@@ -23,20 +23,20 @@ import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
-/** What the assembled program ships. */
+/** Tests the assembled program folder. */
 @Packaged
 class ProgramFolderIT {
     private static final Path PROGRAM = Path.of("target/lightning");
     /** {@code javafx-base-26.0.2-linux.jar}: name, version, and for some the platform. */
     private static final Pattern LIBRARY = Pattern.compile("(.+?)-(\\d.*?)(?:-(?:linux|mac|win)(?:-aarch64)?)?\\.jar");
 
-    /** The archives are made at the lowest priority: on a busy machine that takes long. */
+    /** Archives are created at the lowest priority, which takes long on a busy machine. */
     private static final int TIMEOUT_SECONDS = 900;
 
-    /** A cache that cannot be written: no archive is found there, and none is made. */
+    /** Unwritable cache: no archive is found or created there. */
     private static final Path NO_CACHE = Path.of("/dev/null");
 
-    /** A Java that logs its options, and the archives that the program made with it, made once for all tests. */
+    /** Java that logs its options, with the archives created by it, shared by all tests. */
     @TempDir
     private static Path shared;
 
@@ -87,7 +87,7 @@ class ProgramFolderIT {
     @EnabledOnOs(OS.LINUX)
     void nonAsciiSceneName_isReadInLocaleC() throws Exception {
         String name = "Käfer-光.jen";
-        // Java of a test may be in the locale C itself, and could not name the file; a shell can.
+        // The test's Java may run in the locale C and could not name the file; a shell can.
         Path script = Files.writeString(folder.resolve("copy.sh"), "cp \"$1\" '" + name + "' && exec \"$2\" check '" + name + "'\n");
         Path scene = Files.writeString(folder.resolve("plain.jen"), "jen 1\nsphere ball { }\nlight lamp point { at 0 3 3 }\n");
         Path out = folder.resolve("out");
@@ -120,7 +120,7 @@ class ProgramFolderIT {
         Path archive = copyArchives();
         var java = new ArrayList<>(List.of(System.getProperty("java.home") + "/bin/java"));
         java.addAll(Files.readAllLines(PROGRAM.resolve("bin/java.options")).stream().filter(line -> line.startsWith("-")).toList());
-        // With -Xshare:on Java ends where it cannot take the archive.
+        // With -Xshare:on Java exits if it cannot use the archive.
         java.addAll(List.of("-XX:SharedArchiveFile=" + archive, "-Xshare:on", "-cp", PROGRAM.toRealPath() + "/lib/*", "lightning.Main",
                 "--version"));
         assertThat(new ProcessBuilder(java).redirectErrorStream(true).start().waitFor()).isZero();
@@ -147,7 +147,7 @@ class ProgramFolderIT {
         assertBrokenArchiveIsIgnored(archive, what -> assertThat(rendered(few)).as(what).isEqualTo(plain));
     }
 
-    /** Checks with the archive broken in some ways; the check is given a name of each. */
+    /** Runs a check with the archive broken in several ways; the check receives a name of each. */
     private static void assertBrokenArchiveIsIgnored(Path archive, ThrowingConsumer<String> check) throws IOException {
         byte[] whole = Files.readAllBytes(archive);
         Files.write(archive, Arrays.copyOf(whole, whole.length / 2));
@@ -173,7 +173,7 @@ class ProgramFolderIT {
         return home;
     }
 
-    /** With what Java was started for a render, since this was asked last. */
+    /** Returns Java's arguments for renders since the last call. */
     private List<String> startedCommands() throws IOException {
         Path starts = folder.resolve("starts");
         List<String> lines = Files.readAllLines(starts).stream().filter(line -> line.contains("lightning.Main render")).toList();
@@ -181,7 +181,7 @@ class ProgramFolderIT {
         return lines;
     }
 
-    /** The picture of a ball in some lights, as the program writes it; it has nothing to complain of. */
+    /** Returns the program's image of a ball in some lights; expects no errors. */
     private byte[] rendered(String lights) throws Exception {
         Path scene = Files.writeString(folder.resolve("scene.jen"), "jen 1\nsphere ball { }\n" + lights);
         Path picture = folder.resolve("picture.pfm");
@@ -192,12 +192,12 @@ class ProgramFolderIT {
         return bytes;
     }
 
-    /** What the program says of a scene, on both outputs. */
+    /** Returns both outputs of checking a scene. */
     private String checked() throws Exception {
         return output("check", Path.of("scenes/bird.jen").toAbsolutePath().toString());
     }
 
-    /** What the program says, on both outputs, where it does what it is asked for. */
+    /** Returns both outputs of a successful command. */
     private String output(String... arguments) throws Exception {
         Path out = folder.resolve("out");
         ProcessBuilder program = launcher(folder, arguments).redirectErrorStream(true).redirectOutput(out.toFile());
@@ -208,7 +208,7 @@ class ProgramFolderIT {
         return Files.readString(out);
     }
 
-    /** Gives this test a cache of its own with the archives that a first start makes; returns that of the editor's classes. */
+    /** Creates a separate cache with the archives of a first start; returns that of the editor's classes. */
     private Path copyArchives() throws Exception {
         Path made = shared.resolve("cache/lightning");
         if (Files.notExists(made)) {
@@ -231,7 +231,7 @@ class ProgramFolderIT {
                     return archive.get();
                 }
             } catch (NoSuchFileException e) {
-                // It is just being begun.
+                // The process is just starting.
             }
             Thread.sleep(1000);
         }
@@ -246,7 +246,7 @@ class ProgramFolderIT {
         return program;
     }
 
-    /** Name and version, as in {@code picocli:4.7.7}, but the program's own. */
+    /** Returns name and version, as in {@code picocli:4.7.7}, without the program's own. */
     private static List<String> libraries() throws IOException {
         try (Stream<Path> shared = Files.list(PROGRAM.resolve("lib")); Stream<Path> apart = Files.list(PROGRAM.resolve("cluster"))) {
             return Stream.concat(shared, apart).map(jar -> jar.getFileName().toString()).filter(jar -> !jar.equals("lightning.jar"))

@@ -3,13 +3,13 @@ package lightning.scene;
 import java.util.Optional;
 
 /**
- * Which points of a surface are not there: rays pass them, be they the eye's, mirrored, refracted, or on their way to a light.
+ * Opacity cutout of a surface. Camera, mirror, refraction and shadow rays pass through the points that it removes.
  *
- * @param map how much is there, by the first of its channels, 0 … 1
- * @param cutoff where less is there, nothing is
+ * @param map    opacity in the map's first channel, 0 … 1
+ * @param cutoff opacity below which a point is removed
  */
 public record AlphaCutout(Optional<TextureMap> map, double cutoff) {
-    /** A surface of which all is there. */
+    /** No cutout: the whole surface is present. */
     public static final AlphaCutout NONE = new AlphaCutout(MaterialAttribute.CUTOUT.initial(), MaterialAttribute.CUTOFF.initial());
 
     public AlphaCutout {
@@ -24,12 +24,12 @@ public record AlphaCutout(Optional<TextureMap> map, double cutoff) {
         return new AlphaCutout(map, v);
     }
 
-    /** Whether any point may be missing. */
+    /** Returns whether any point may be removed. */
     public boolean isActive() {
         return map.isPresent() && cutoff > 0;
     }
 
-    /** Whether the same points of every surface are missing by another. */
+    /** Returns whether both remove the same points of every surface. */
     public boolean hasSameHoles(AlphaCutout o) {
         return this == o || isActive() == o.isActive() && (!isActive() || cutoff == o.cutoff && map.get().hasSameTexels(o.map.get()));
     }

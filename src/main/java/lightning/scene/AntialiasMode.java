@@ -1,11 +1,11 @@
 package lightning.scene;
 
-/** Which pixels are made of several samples. */
+/** Pixels that receive several samples. */
 public enum AntialiasMode {
-    /** None: a pixel is what its center shows. */
+    /** None: each pixel has one sample, at its center. */
     OFF,
-    /** Those where an edge of a shape, shadow, texture, highlight or mirror image passes. */
+    /** Pixels at an edge of a shape, shadow, texture, highlight or mirror image. */
     EDGES,
-    /** All. */
+    /** All pixels. */
     EVERY
 }

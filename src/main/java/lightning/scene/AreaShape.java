@@ -4,25 +4,25 @@ import io.soabase.recordbuilder.core.RecordBuilder;
 import lightning.base.math.Vec3;
 
 /**
- * How large a light is. Its type decides which of these act; {@link LightAttribute} tells their ranges and units.
+ * Size of an area light. The light's type decides which values act; {@link LightAttribute} has their ranges and units.
  *
- * @param radius  of the ball that a point or spot light is, and of a disc
- * @param spread  the angle between a directional light's direction and the farthest from which it shines too
- * @param width   of a rectangle, across {@code up}
- * @param height  of a rectangle, along {@code up}
- * @param up      to where a rectangle's height goes, as far as its direction lets it, any length
- * @param samples of how many points, or directions, its light is the mean
+ * @param radius  radius of a point or spot light's ball, or of a disc
+ * @param spread  half-angle of a directional light's cone of directions
+ * @param width   width of a rectangle, across {@code up}
+ * @param height  height of a rectangle, along {@code up}
+ * @param up      direction of a rectangle's height, projected perpendicular to its direction; any length
+ * @param samples number of points or directions that are averaged
  */
 @RecordBuilder
 public record AreaShape(double radius, double spread, double width, double height, Vec3 up, int samples) implements AreaShapeBuilder.With {
-    /** What a light has of which nothing else was said. */
+    /** Initial values of a light. */
     public static final AreaShape DEFAULT = new AreaShape(0, 0, 1, 1, Vec3.Y, 16);
 
     /**
-     * The unit vector along a rectangle's width: across its direction and {@link #up}, or across the direction and that axis which
-     * lies least along it where {@code up} lies along it.
+     * Returns the unit vector along a rectangle's width, perpendicular to its direction and {@link #up}. If these are parallel, uses the
+     * axis that is least parallel to the direction.
      *
-     * @param direction of unit length
+     * @param direction direction of unit length
      */
     public Vec3 right(Vec3 direction) {
         Vec3 right = direction.cross(up.normalized());

@@ -1,13 +1,13 @@
 package lightning.scene;
 
 /**
- * The four leaves before a spot light or a rectangle, each by the angle from the light's axis at which it cuts the light off, in degrees,
- * −90 … 90; at 90 it is open. Left, right and top are as the light looks out, with y upwards, or with the rectangle's {@code up}.
+ * Four barn doors of a spot or rectangle light. Each is the angle from the light's axis at which it cuts the light off, in degrees, −90 …
+ * 90; 90 is open. Left, right and top are seen from the light, with y or the rectangle's {@code up} upwards.
  */
 public record BarnDoors(double left, double right, double bottom, double top) {
-    /** The angle of a leaf that cuts nothing off. */
+    /** Angle of an open door. */
     public static final double OPEN_ANGLE = 90;
-    /** They cut nothing off. */
+    /** All doors open. */
     public static final BarnDoors OPEN = new BarnDoors(OPEN_ANGLE, OPEN_ANGLE, OPEN_ANGLE, OPEN_ANGLE);
 
     public BarnDoors {

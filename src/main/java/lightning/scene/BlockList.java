@@ -11,15 +11,15 @@ import java.util.RandomAccess;
 import java.util.stream.Stream;
 
 /**
- * An immutable list of many elements, in blocks: one that is made of another by an edit shares all blocks but those that are edited, so
- * that an edit takes little time and little memory however long the list is. None is null. Short lists are plain ones.
+ * Immutable list in blocks. A list made by an edit shares all unedited blocks with the original, so that an edit of a long list takes
+ * little time and memory. Null elements are not allowed. Short lists are plain ones.
  */
 final class BlockList<E> extends AbstractList<E> implements RandomAccess {
-    /** The elements of a block; near the square root of the longest lists. */
+    /** Elements per block; near the square root of the longest lists. */
     static final int BLOCK_SIZE = 512;
 
     private final Object[][] blocks;
-    /** Where each block begins, and last how many elements there are: {@code int[blocks.length + 1]}. */
+    /** Start of each block, then the number of elements: {@code int[blocks.length + 1]}. */
     private final int[] starts;
 
     private BlockList(Object[][] blocks) {
@@ -30,7 +30,7 @@ final class BlockList<E> extends AbstractList<E> implements RandomAccess {
         }
     }
 
-    /** The same elements; the list itself where it is immutable. */
+    /** Returns a list of the same elements; the list itself if it is immutable. */
     static <E> List<E> copyOf(Collection<? extends E> elements) {
         if (elements.size() <= BLOCK_SIZE && !(elements instanceof BlockList)) {
             return List.copyOf(elements);
@@ -38,13 +38,13 @@ final class BlockList<E> extends AbstractList<E> implements RandomAccess {
         return elements instanceof BlockList<?> known ? castUnchecked(known) : new BlockList<>(split(elements.toArray()));
     }
 
-    /** Nobody writes to the list, so that it is one of whatever all elements are. */
+    /** Safe because the list is immutable. */
     @SuppressWarnings("unchecked")
     private static <E> List<E> castUnchecked(List<?> list) {
         return (List<E>) list;
     }
 
-    /** An immutable list that has others in place of the elements {@code from} to {@code to − 1} of one. */
+    /** Returns an immutable list in which {@code replacement} replaces the elements {@code from} to {@code to − 1}. */
     static <E> List<E> splice(List<E> list, int from, int to, Collection<? extends E> replacement) {
         if (list instanceof BlockList<E> blocks && list.size() - (to - from) + replacement.size() > BLOCK_SIZE / 2) {
             return blocks.splice(from, to, replacement.toArray());
@@ -56,7 +56,7 @@ final class BlockList<E> extends AbstractList<E> implements RandomAccess {
         int first = blockOf(from);
         int end = blockOf(Math.max(from, to - 1)) + 1;
         if (starts[end] - starts[first] - (to - from) + replacement.length < BLOCK_SIZE / 4) {
-            // A block that has become small is joined to those beside it.
+            // Merges a block that has become small with its neighbors.
             first = Math.max(0, first - 1);
             end = Math.min(blocks.length, end + 1);
         }
@@ -72,7 +72,7 @@ final class BlockList<E> extends AbstractList<E> implements RandomAccess {
         return result;
     }
 
-    /** Blocks of nearly the same length. */
+    /** Splits into blocks of nearly equal length. */
     private static Object[][] split(Object[] elements) {
         int count = (elements.length + BLOCK_SIZE - 1) / BLOCK_SIZE;
         Object[][] blocks = new Object[count][];
@@ -90,7 +90,10 @@ final class BlockList<E> extends AbstractList<E> implements RandomAccess {
         return (int) ((long) length * block / count);
     }
 
-    /** The block of an element; the last one's of what is behind all. Blocks are nearly as long, so it is near where it would be then. */
+    /**
+     * Returns the block of an element; the last block for an index after the end. Searches from the position that equal block lengths would
+     * give.
+     */
     private int blockOf(int index) {
         int last = blocks.length - 1;
         int block = Math.min(last, (int) ((long) index * blocks.length / size()));
@@ -144,7 +147,7 @@ final class BlockList<E> extends AbstractList<E> implements RandomAccess {
         };
     }
 
-    /** How many elements two lists have alike at the start, as far as it is known without a look at them. */
+    /** Returns the length of a common prefix, as far as it is known without comparing elements. */
     static int sharedStart(List<?> a, List<?> b) {
         if (!(a instanceof BlockList<?> one) || !(b instanceof BlockList<?> other)) {
             return 0;
@@ -157,7 +160,7 @@ final class BlockList<E> extends AbstractList<E> implements RandomAccess {
         return one.starts[shared];
     }
 
-    /** The same at the end. */
+    /** Returns the length of a common suffix, as far as it is known without comparing elements. */
     static int sharedEnd(List<?> a, List<?> b) {
         if (!(a instanceof BlockList<?> one) || !(b instanceof BlockList<?> other)) {
             return 0;

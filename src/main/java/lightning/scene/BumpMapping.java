@@ -4,17 +4,17 @@ import io.soabase.recordbuilder.core.RecordBuilder;
 import java.util.Optional;
 
 /**
- * How a surface is shaded as if it were not smooth: only its normals change, no point of it moves.
+ * Bump and normal mapping of a surface: changes its normals, but moves no point.
  *
- * @param bump     a picture of heights, by their luminance, 0 … 1
- * @param height   how much higher white is than black, scene units; below 0 black is higher
- * @param normalMap  a picture of normals, as glTF 2.0 has them
- * @param strength a factor on how far these lean
+ * @param bump      height map, by luminance, 0 … 1
+ * @param height    height of white above black, scene units; negative values invert the map
+ * @param normalMap tangent-space normal map as in glTF 2.0
+ * @param strength  factor of the normal map's tilt
  */
 @RecordBuilder
 public record BumpMapping(Optional<TextureMap> bump, double height, Optional<TextureMap> normalMap, double strength)
         implements BumpMappingBuilder.With {
-    /** A smooth surface. */
+    /** Smooth surface. */
     public static final BumpMapping NONE = new BumpMapping(MaterialAttribute.BUMP.initial(), MaterialAttribute.BUMP_HEIGHT.initial(),
             MaterialAttribute.NORMAL_MAP.initial(), MaterialAttribute.NORMAL_STRENGTH.initial());
 
@@ -23,22 +23,22 @@ public record BumpMapping(Optional<TextureMap> bump, double height, Optional<Tex
         MaterialAttribute.NORMAL_STRENGTH.check(strength);
     }
 
-    /** Whether there are heights that differ. */
+    /** Returns whether a bump map changes any height. */
     public boolean hasBumpMap() {
         return bump.isPresent() && height != 0;
     }
 
-    /** Whether there are normals that lean. */
+    /** Returns whether a normal map tilts any normal. */
     public boolean hasNormalMap() {
         return normalMap.isPresent() && strength != 0;
     }
 
-    /** Whether it leaves every normal as it is. */
+    /** Returns whether all normals stay unchanged. */
     public boolean isFlat() {
         return !hasBumpMap() && !hasNormalMap();
     }
 
-    /** Whether it gives every surface the normals that another gives it. */
+    /** Returns whether both give every surface the same normals. */
     public boolean hasSameNormals(BumpMapping o) {
         return this == o || hasBumpMap() == o.hasBumpMap() && hasNormalMap() == o.hasNormalMap()
                 && (!hasBumpMap() || height == o.height && bump.get().hasSameTexels(o.bump.get()))

@@ -4,15 +4,15 @@ import java.util.List;
 import lightning.base.math.Vec3;
 
 /**
- * A pinhole camera.
+ * Pinhole camera.
  *
- * @param from where it stands
- * @param to   what it looks at, another point than {@code from}
- * @param up   the direction that is up in the picture, not along the view
- * @param fov  the vertical opening angle, degrees
- * @param origin where render space begins, in which rays and shapes are computed: {@code from} for every picture. A camera that
- *               is moved all the time, as a preview's, may keep another, so that nothing of the shapes is computed anew;
- *               its pictures then differ in their last bits.
+ * @param from   position
+ * @param to     target, different from {@code from}
+ * @param up     up direction of the image, not parallel to the view direction
+ * @param fov    vertical field of view, degrees
+ * @param origin origin of render space, in which rays and shapes are computed: {@code from} for every final image. A camera that moves
+ *     continuously, such as a preview's, may keep another origin to avoid recomputing the shapes; its images then differ in their last
+ *     bits.
  */
 public record Camera(Vec3 from, Vec3 to, Vec3 up, double fov, Vec3 origin) {
     public static final Camera DEFAULT = new Camera(new Vec3(0, 0, 10), Vec3.ZERO, Vec3.Y, 40);
@@ -24,16 +24,16 @@ public record Camera(Vec3 from, Vec3 to, Vec3 up, double fov, Vec3 origin) {
             new SceneAttribute<>("to", "to", NumericKind.position(), DEFAULT.to, "scene units",
                     Camera::to, (c, v) -> new Camera(c.from, v, c.up, c.fov));
     public static final SceneAttribute<Camera, Vec3> UP =
-            new SceneAttribute<>("up", "up", NumericKind.direction(), DEFAULT.up, "any length but 0",
+            new SceneAttribute<>("up", "up", NumericKind.direction(), DEFAULT.up, "any nonzero vector",
                     Camera::up, (c, v) -> new Camera(c.from, c.to, v, c.fov));
     public static final SceneAttribute<Camera, Double> FOV = new SceneAttribute<>("fov", "fov",
             NumericKind.degrees(SceneLimits.MIN_FOV, SceneLimits.MAX_FOV, 1), DEFAULT.fov, "degrees, vertical", Camera::fov,
             (c, v) -> new Camera(c.from, c.to, c.up, v));
 
-    /** All of them, in the order in which a file writes them. What goes together must be set together. */
+    /** All attributes, in file order. Dependent values must be set together. */
     public static final List<SceneAttribute<Camera, ?>> ATTRIBUTES = List.of(FROM, TO, UP, FOV);
 
-    /** Where it stands, render space begins. */
+    /** Creates a camera with render space at its position. */
     public Camera(Vec3 from, Vec3 to, Vec3 up, double fov) {
         this(from, to, up, fov, from);
     }
@@ -46,14 +46,14 @@ public record Camera(Vec3 from, Vec3 to, Vec3 up, double fov, Vec3 origin) {
         SceneLimits.checkPosition("origin", origin);
         Vec3 view = to.minus(from);
         if (!(view.maxAbs() >= 1e-12)) {
-            throw new IllegalArgumentException("from and to must be two different points");
+            throw new IllegalArgumentException("from and to must be different points");
         }
         if (!(view.normalized().cross(up.normalized()).length() >= 1e-9)) {
-            throw new IllegalArgumentException("up must not be along the view");
+            throw new IllegalArgumentException("up must not be parallel to the view direction");
         }
     }
 
-    /** The same view, computed in the space that begins at another place. */
+    /** Returns the same view with another origin of render space. */
     public Camera withOrigin(Vec3 v) {
         return new Camera(from, to, up, fov, v);
     }

@@ -4,28 +4,28 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * One of a few words.
+ * Value kind with a fixed set of words.
  *
- * @param values   the values
- * @param words what a file writes for each, in the same order
+ * @param values the values
+ * @param words  the word of each in a file, in the same order
  */
 public record ChoiceKind<V>(List<V> values, List<String> words) implements ValueKind.LightKind<V>, ValueKind.MaterialKind<V> {
     static final ChoiceKind<Boolean> YES_OR_NO = new ChoiceKind<>(List.of(true, false), List.of("yes", "no"));
 
-    /** The constants of an enum, in lower case. */
+    /** Returns a kind for an enum's constants, in lower case. */
     static <E extends Enum<E>> ChoiceKind<E> of(Class<E> type) {
         List<E> constants = List.of(type.getEnumConstants());
         return new ChoiceKind<>(constants, constants.stream().map(e -> e.name().toLowerCase(Locale.ROOT)).toList());
     }
 
-    /** The value of one of the words. */
+    /** Returns the value of a word. */
     public V parse(String word) {
         return values.get(words.indexOf(word));
     }
 
     @Override
     public void check(String name, V value) {
-        // The type has no other values.
+        // A Boolean has no other values.
     }
 
     @Override

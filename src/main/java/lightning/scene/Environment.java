@@ -1,10 +1,10 @@
 package lightning.scene;
 
 /**
- * A picture of all that is far around a scene.
+ * Environment map of a scene, with its file.
  *
- * @param file the name as written in the scene file
- * @param map  what it shows
+ * @param file name as written in the scene file
+ * @param map  the decoded image
  */
 public record Environment(String file, EnvironmentMap map) implements FileAsset {
     @Override

@@ -3,10 +3,12 @@ package lightning.scene;
 import lightning.base.math.Vec3;
 
 /**
- * A directional lamp that stands for a part of a sky.
+ * Directional light that represents a region of an environment map.
  *
- * @param direction the unit direction to it, before the sky is turned
- * @param spread  degrees, 0 … 90: of the even cap of sky whose light has as long a mean direction as the part's
- * @param red     radiance over its solid angle, over π: what white paper that faces it shines with; likewise {@code green}, {@code blue}
+ * @param direction unit direction to the light, before the environment's rotation
+ * @param spread    degrees, 0 … 90: half-angle of the uniform cap whose mean direction is as long as the region's
+ * @param red       radiance times solid angle over π: the radiance of white paper that faces the light
+ * @param green     as {@code red}
+ * @param blue      as {@code red}
  */
 public record EnvironmentLight(Vec3 direction, double spread, double red, double green, double blue) {}

@@ -5,10 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 
-/**
- * Linear radiances from all directions, an equirectangular picture: its top is up, its middle −z, its right half x. Never changed after
- * construction.
- */
+/** Equirectangular map of linear radiance: its top is up, its middle −z, its right half x. Immutable. */
 public final class EnvironmentMap {
     private final int width;
     private final int height;
@@ -16,7 +13,8 @@ public final class EnvironmentMap {
     private final Map<Integer, List<EnvironmentLight>> lights = new ConcurrentHashMap<>();
 
     /**
-     * @param rgb {@code float[3 * width * height]}, row by row from the top, each 0 … {@link SceneLimits#MAX_EMISSION}; taken over, not copied
+     * @param rgb {@code float[3 * width * height]}, row by row from the top, each 0 … {@link SceneLimits#MAX_EMISSION}; owned by the map,
+     *     not copied
      */
     public EnvironmentMap(int width, int height, float[] rgb) {
         if (width < 1 || height < 1 || rgb.length != 3 * width * height) {
@@ -35,29 +33,29 @@ public final class EnvironmentMap {
         return height;
     }
 
-    /** One channel (0 red, 1 green, 2 blue) of a pixel. */
+    /** Returns one channel (0 red, 1 green, 2 blue) of a pixel. */
     public float channel(int x, int y, int channel) {
         return rgb[3 * (y * width + x) + channel];
     }
 
-    /** The solid angle of a pixel of a row, steradians: the picture's rows together have 4π. */
+    /** Returns the solid angle of a pixel of a row, in steradians; all pixels together have 4π. */
     public double solidAngle(int y) {
         return 2 * Math.PI / width * (StrictMath.cos(Math.PI * y / height) - StrictMath.cos(Math.PI * (y + 1) / height));
     }
 
-    /** The directional lamps that stand for it ({@link MedianCut}); the same list for the same number. */
+    /** Returns the directional lights that represent the map ({@link MedianCut}); the same list for the same number. */
     public List<EnvironmentLight> lights(int maxLights) {
         return lights.computeIfAbsent(maxLights, n -> new MedianCut(this).lights(n));
     }
 
     /**
-     * The radiance from a direction, bilinear between the pixels' centers, around the picture's sides, and at its top and bottom as there.
+     * Computes the radiance from a direction, bilinear between pixel centers; wraps at the sides and clamps at the top and bottom.
      *
-     * @param rotation degrees that the picture is turned by about y, as {@code rotate} turns a shape
-     * @param result   gets linear RGB, {@code double[3]}
+     * @param rotation rotation of the map about y in degrees, as {@code rotate} of a shape
+     * @param result   receives linear RGB, {@code double[3]}
      */
     public void radiance(double x, double y, double z, double rotation, double[] result) {
-        // The same on every machine, which the quicker ones of Math are not held to.
+        // StrictMath gives the same bits on every machine; Math does not guarantee it.
         double u = 0.5 + StrictMath.atan2(x, -z) / (2 * Math.PI) + rotation / 360;
         double v = StrictMath.acos(Math.clamp(y, -1, 1)) / Math.PI;
         double column = (u - Math.floor(u)) * width - 0.5;

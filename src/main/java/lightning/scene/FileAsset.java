@@ -1,10 +1,10 @@
 package lightning.scene;
 
-/** What a scene names by a file, with what that holds. */
+/** File referenced by a scene, with its decoded content. */
 public sealed interface FileAsset permits Gobo, IesProfile, Environment {
-    /** The name as written in the scene file. */
+    /** Returns the name as written in the scene file. */
     String file();
 
-    /** What it holds: two that hold the same are alike, whatever their files are called. */
+    /** Returns the content; assets with equal content are equivalent, whatever their file names. */
     Object content();
 }

@@ -1,10 +1,10 @@
 package lightning.scene;
 
 /**
- * A picture that a spot light projects: what is white lets the light through, what is black holds it back.
+ * Image projected by a spot light: white passes the light, black blocks it.
  *
- * @param file  the name as written in the scene file
- * @param image the decoded picture
+ * @param file  name as written in the scene file
+ * @param image the decoded image
  */
 public record Gobo(String file, Texture image) implements FileAsset {
     @Override

@@ -1,10 +1,10 @@
 package lightning.scene;
 
 /**
- * How strongly a light shines in each direction, as a goniometer measured it.
+ * Measured light distribution from an IES file.
  *
- * @param file       the name as written in the scene file
- * @param photometry what the file holds
+ * @param file       name as written in the scene file
+ * @param photometry the decoded data
  */
 public record IesProfile(String file, Photometry photometry) implements FileAsset {
     @Override

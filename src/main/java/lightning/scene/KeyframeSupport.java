@@ -1,11 +1,11 @@
 package lightning.scene;
 
-/** What an attribute's values do between two keys of a shot. */
+/** Behavior of an attribute's values between two keyframes. */
 public enum KeyframeSupport {
-    /** Numbers, which may go from one key to the next. */
+    /** Numbers, which can be interpolated. */
     INTERPOLATED,
-    /** Words and whole numbers, which stay what they are until the next key. */
+    /** Words and whole numbers, which hold until the next keyframe. */
     STEPPED,
-    /** Names, links and files, which have no keys. */
+    /** Names, links and files, which cannot be animated. */
     NONE
 }

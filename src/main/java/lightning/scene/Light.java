@@ -7,20 +7,19 @@ import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 
 /**
- * A light with all attributes, whatever its type; the type decides which of them act (paper §4.5). {@link LightAttribute}
- * tells their ranges and units.
+ * Light with the attributes of all types; its type decides which act (paper §4.5). {@link LightAttribute} has their ranges and units.
  *
  * @param name        unique among all shapes, groups and lights
- * @param color       linear
- * @param direction   where it shines to, any length
- * @param angle       half the opening of a spot's cone
- * @param dropoff     the exponent of a spot's fall from its axis
- * @param area        how large it is
- * @param on          whether it shines
- * @param solo        whether it shines alone: where any light is solo, the others are dark
- * @param lightGroup       the name of the bank that it belongs to; empty where it belongs to none
- * @param illuminates which shapes it shines on
- * @param shadowedBy  which shapes throw shadows in its light
+ * @param color       linear color
+ * @param direction   direction in which it shines, any length
+ * @param angle       half-angle of a spot's cone
+ * @param dropoff     exponent of a spot's falloff from its axis
+ * @param area        size of an area light
+ * @param on          true if switched on
+ * @param solo        true if soloed: if any light is solo, all others are dark
+ * @param lightGroup  name of its light group; empty for none
+ * @param illuminates shapes that it illuminates
+ * @param shadowedBy  shapes that cast shadows in its light
  */
 @RecordBuilder
 public record Light(String name, LightType type, Rgb color, double intensity, Vec3 position, Vec3 direction,
@@ -48,7 +47,7 @@ public record Light(String name, LightType type, Rgb color, double intensity, Ve
         LightAttribute.SHADOWED_BY.check(shadowedBy);
     }
 
-    /** A light of which nothing else was said. */
+    /** Returns a light with initial values. */
     public static Light of(String name, LightType type) {
         return new Light(name, type, LightAttribute.COLOR.initial(), LightAttribute.INTENSITY.initial(),
                 LightAttribute.POSITION.initial(), LightAttribute.DIRECTION.initial(), LightAttribute.ATTENUATION.initial(),
@@ -59,12 +58,12 @@ public record Light(String name, LightType type, Rgb color, double intensity, Ve
                 LightAttribute.SHADOWED_BY.initial());
     }
 
-    /** Color times intensity, with which all that the light adds is multiplied while it shines. */
+    /** Returns color times intensity, the factor of all its contributions. */
     public Rgb weight() {
         return color.times(intensity);
     }
 
-    /** Whether it is larger than a point, so that its shadows are soft. */
+    /** Returns whether it is larger than a point, so that its shadows are soft. */
     public boolean isArea() {
         return switch (type) {
             case DIRECTIONAL -> area.spread() > 0;
@@ -73,12 +72,12 @@ public record Light(String name, LightType type, Rgb color, double intensity, Ve
         };
     }
 
-    /** Whether it shines on some shapes only, or only some throw shadows in its light. */
+    /** Returns whether it illuminates only some shapes, or only some cast shadows in its light. */
     public boolean isLinked() {
         return !illuminates.isAll() || !shadowedBy.isAll();
     }
 
-    /** This light with other links of both kinds. */
+    /** Returns this light with both kinds of links mapped. */
     Light mapLinks(UnaryOperator<ShapeLinks> links) {
         ShapeLinks illuminated = links.apply(illuminates);
         ShapeLinks shadowing = links.apply(shadowedBy);

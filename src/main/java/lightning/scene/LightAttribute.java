@@ -16,17 +16,14 @@ import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.base.text.Messages;
 
-/**
- * The attributes of lights, each described here and nowhere else, in the order in which a file writes them. What a light does
- * with them is told by the lighting equation.
- */
+/** Attributes of lights, in file order. The lighting equation defines their effect. */
 public final class LightAttribute<V> extends SceneAttribute<Light, V> {
 
-    /** What people find together. */
+    /** Section of the attribute in the editor. */
     public enum Section {
-        /** What it is. */
+        /** Type of the light. */
         KIND,
-        /** Whether it shines, and with which others. */
+        /** On, solo and light group. */
         SWITCHES,
         COLOR,
         CONE,
@@ -48,20 +45,20 @@ public final class LightAttribute<V> extends SceneAttribute<Light, V> {
             "scene units", Light::position, Light::withPosition, Section.PLACE,
             Map.of(POINT, LightTerm.SOURCE, SPOT, LightTerm.SOURCE, RECT, LightTerm.SOURCE, DISC, LightTerm.SOURCE));
     public static final LightAttribute<Vec3> DIRECTION = of("direction", NumericKind.direction(), new Vec3(0, -1, 0),
-            "any length but 0", Light::direction, Light::withDirection, Section.PLACE,
+            "any nonzero vector", Light::direction, Light::withDirection, Section.PLACE,
             Map.of(DIRECTIONAL, LightTerm.SOURCE, SPOT, LightTerm.CONE_AXIS, RECT, LightTerm.SOURCE, DISC, LightTerm.SOURCE));
     public static final LightAttribute<Attenuation> ATTENUATION = of("attenuation", NumericKind.attenuation(), Attenuation.NONE,
             "per scene unit to the power 0, 1, 2", Light::attenuation, Light::withAttenuation, Section.ATTENUATION,
             Map.of(POINT, LightTerm.FALLOFF, SPOT, LightTerm.FALLOFF, RECT, LightTerm.FALLOFF, DISC, LightTerm.FALLOFF));
     public static final LightAttribute<Double> ANGLE = of("angle", NumericKind.degrees(0, SceneLimits.MAX_ANGLE, 1), 30.0,
-            "degrees from the axis", Light::angle, Light::withAngle, Section.CONE, Map.of(SPOT, LightTerm.CONE_ANGLE));
+            "degrees, half-angle", Light::angle, Light::withAngle, Section.CONE, Map.of(SPOT, LightTerm.CONE_ANGLE));
     public static final LightAttribute<Double> DROPOFF = of("dropoff", NumericKind.number(0, SceneLimits.MAX_DROPOFF, 0.1), 0.0,
             "exponent", Light::dropoff, Light::withDropoff, Section.CONE, Map.of(SPOT, LightTerm.FALLOFF));
     public static final LightAttribute<BarnDoors> DOORS =
-            of("doors", NumericKind.doors(), BarnDoors.OPEN, "degrees from the axis, 90 is open",
+            of("doors", NumericKind.doors(), BarnDoors.OPEN, "degrees from the axis, 90 = open",
                     Light::doors, Light::withDoors, Section.CONE, Map.of(SPOT, LightTerm.FALLOFF, RECT, LightTerm.FALLOFF));
     public static final LightAttribute<Double> FEATHER = of("feather", NumericKind.degrees(0, SceneLimits.MAX_FEATHER, 1), 0.0,
-            "degrees inside the edge of a door", Light::feather, Light::withFeather, Section.CONE,
+            "degrees inside the door's edge", Light::feather, Light::withFeather, Section.CONE,
             Map.of(SPOT, LightTerm.FALLOFF, RECT, LightTerm.FALLOFF));
     public static final LightAttribute<Optional<Gobo>> GOBO = of("gobo", new ValueKind.GoboKind(), Optional.empty(), "a PNG or JPEG file",
             Light::gobo, Light::withGobo, Section.CONE, Map.of(SPOT, LightTerm.FALLOFF));
@@ -74,7 +71,7 @@ public final class LightAttribute<V> extends SceneAttribute<Light, V> {
                     Map.of(POINT, LightTerm.SOURCE, SPOT, LightTerm.SOURCE, DISC, LightTerm.SOURCE));
     public static final LightAttribute<Double> SPREAD =
             of("spread", NumericKind.degrees(0, SceneLimits.MAX_SPREAD, 0.5), AreaShape.DEFAULT.spread(),
-                    "degrees from the direction", l -> l.area().spread(), (l, v) -> l.withArea(l.area().withSpread(v)), Section.AREA,
+                    "degrees, half-angle", l -> l.area().spread(), (l, v) -> l.withArea(l.area().withSpread(v)), Section.AREA,
                     Map.of(DIRECTIONAL, LightTerm.SOURCE));
     public static final LightAttribute<Double> WIDTH =
             of("width", NumericKind.number(0, SceneLimits.MAX_EXTENT, 0.1), AreaShape.DEFAULT.width(),
@@ -84,11 +81,11 @@ public final class LightAttribute<V> extends SceneAttribute<Light, V> {
             of("height", NumericKind.number(0, SceneLimits.MAX_EXTENT, 0.1), AreaShape.DEFAULT.height(),
                     "scene units", l -> l.area().height(), (l, v) -> l.withArea(l.area().withHeight(v)), Section.AREA,
                     Map.of(RECT, LightTerm.SOURCE));
-    public static final LightAttribute<Vec3> UP = of("up", NumericKind.direction(), AreaShape.DEFAULT.up(), "any length but 0",
+    public static final LightAttribute<Vec3> UP = of("up", NumericKind.direction(), AreaShape.DEFAULT.up(), "any nonzero vector",
             l -> l.area().up(), (l, v) -> l.withArea(l.area().withUp(v)), Section.AREA, Map.of(RECT, LightTerm.SOURCE));
     public static final LightAttribute<Integer> SAMPLES =
             of("samples", NumericKind.integer(SceneLimits.MIN_LIGHT_SAMPLES, SceneLimits.MAX_LIGHT_SAMPLES),
-                    AreaShape.DEFAULT.samples(), "of a light that is larger than a point", l -> l.area().samples(),
+                    AreaShape.DEFAULT.samples(), "soft shadow samples", l -> l.area().samples(),
                     (l, v) -> l.withArea(l.area().withSamples(v)), Section.AREA, forAllTypes(LightTerm.SOURCE));
     public static final LightAttribute<Boolean> ON = of("on", ChoiceKind.YES_OR_NO, true, "", Light::on, Light::withOn,
             Section.SWITCHES, Map.of());
@@ -96,17 +93,18 @@ public final class LightAttribute<V> extends SceneAttribute<Light, V> {
             Section.SWITCHES, Map.of());
     public static final LightAttribute<String> LIGHT_GROUP =
             of("bank", new ValueKind.NameKind(scene -> scene.rig().lightGroups().stream().map(LightGroup::name).toList(),
-                    Messages.key("The bank that the light belongs to")), "", "the name of a bank", Light::lightGroup, Light::withLightGroup,
+                    Messages.key("Light group of this light")), "", "name of a bank", Light::lightGroup, Light::withLightGroup,
                     Section.SWITCHES, Map.of());
     public static final LightAttribute<ShapeLinks> ILLUMINATES = of("illuminates", new ValueKind.LinksKind(
-            Messages.key("Shines on"), Messages.key("The shapes and groups that the light shines on")), ShapeLinks.ALL, "shapes and groups",
-            Light::illuminates, Light::withIlluminates, Section.LINKS, forAllTypes(LightTerm.ILLUMINATION_LINKS));
+            Messages.key("Illuminates"), Messages.key("Objects and groups that the light illuminates")),
+            ShapeLinks.ALL, "shapes and groups", Light::illuminates, Light::withIlluminates, Section.LINKS,
+            forAllTypes(LightTerm.ILLUMINATION_LINKS));
     public static final LightAttribute<ShapeLinks> SHADOWED_BY = new LightAttribute<>("shadowed_by", "shadowed by", new ValueKind.LinksKind(
-            Messages.key("Shadowed by"), Messages.key("The shapes and groups that throw shadows in its light")),
+            Messages.key("Casts shadows from"), Messages.key("Objects and groups that cast shadows from this light")),
             ShapeLinks.ALL, "shapes and groups", Light::shadowedBy, Light::withShadowedBy, Section.LINKS,
             forAllTypes(LightTerm.SHADOW_LINKS));
 
-    /** All of them, as they are declared above. */
+    /** All attributes, in declaration order. */
     public static final List<LightAttribute<?>> ALL = List.copyOf(REGISTRY);
 
     private final ValueKind.LightKind<V> kind;
@@ -114,8 +112,8 @@ public final class LightAttribute<V> extends SceneAttribute<Light, V> {
     private final Map<LightType, LightTerm> terms;
 
     /**
-     * @param terms what it changes of a light of each type that has it; none where it decides which others act, or
-     *              whether any does
+     * @param terms terms that it changes for each type of light that has it; none for attributes that only decide which others or which
+     *     lights act
      */
     private LightAttribute(String name, String title, ValueKind.LightKind<V> kind, V initial, String unit, Function<Light, V> get,
             BiFunction<Light, V, Light> with, Section section, Map<LightType, LightTerm> terms) {
@@ -144,28 +142,28 @@ public final class LightAttribute<V> extends SceneAttribute<Light, V> {
         return section;
     }
 
-    /** What it changes of a light of this type; empty where it does not act, and for those that decide about others. */
+    /** Returns the term that it changes for this type of light; empty if it has no effect, or only decides about other attributes. */
     public Optional<LightTerm> term(LightType type) {
         return Optional.ofNullable(terms.get(type));
     }
 
-    /** What it changes of this light; samples change nothing of one that is a point. */
+    /** Returns the term that it changes for this light; the number of samples has no effect on a point light. */
     public Optional<LightTerm> term(Light light) {
         return this == SAMPLES && !light.isArea() ? Optional.empty() : term(light.type());
     }
 
-    /** Whether it acts on the picture of a light of this type. The value is kept all the same (paper §4.5). */
+    /** Returns whether it affects the image for this type of light. The value is kept in any case (paper §4.5). */
     public boolean appliesTo(LightType type) {
         return terms.isEmpty() || terms.containsKey(type);
     }
 
-    /** Why it does nothing for a light of this type: a clause; empty where it acts. */
+    /** Returns a clause that says why it has no effect for this type of light; empty if it has. */
     public Optional<String> inactiveReason(LightType type) {
         return appliesTo(type) ? Optional.empty()
                 : Optional.of(Messages.tr("a {0} light has no {1}", TYPE.kind().format(type), Messages.tr(title())));
     }
 
-    /** Whether a light takes it over from another whose settings it is given: all but where it is and whether it shines. */
+    /** Returns whether copying a light's settings includes it: all except its placement and switches. */
     public boolean isSetting() {
         return switch (section) {
             case KIND, COLOR, CONE, AREA, ATTENUATION -> true;

@@ -5,21 +5,21 @@ import java.util.List;
 import lightning.base.math.Rgb;
 
 /**
- * Lights that are mastered together, as by one fader of a lighting desk: a light may belong to one, by its name
- * ({@link Light#lightGroup}), and each light's own settings stay what they are. {@link LightRig#effectiveLights} tells what the lights become.
+ * Light group: a master for several lights, like a fader of a lighting desk ({@code bank} in a scene file). A light belongs to at most one
+ * group, by name ({@link Light#lightGroup}); its own settings stay unchanged. {@link LightRig#effectiveLights} applies the groups.
  *
- * @param name      unique among all shapes, groups, lights and banks
- * @param color     a gel before all of its lights: linear factors of their colors, 0 … 1
- * @param intensity the master: a factor of their intensities, 0 … 1000
- * @param on        whether any of them shines
- * @param solo      whether they are all solo
+ * @param name      unique among all shapes, groups, lights and light groups
+ * @param color     gel for all of its lights: linear factors of their colors, 0 … 1
+ * @param intensity master intensity: factor of their intensities, 0 … 1000
+ * @param on        false switches all of its lights off
+ * @param solo      true solos all of its lights
  */
 @RecordBuilder
 public record LightGroup(String name, Rgb color, double intensity, boolean on, boolean solo) implements LightGroupBuilder.With {
     public static final SceneAttribute<LightGroup, Rgb> COLOR = new SceneAttribute<>("color", "color", NumericKind.color(1), Rgb.WHITE,
-            "linear factors of the lights' colors", LightGroup::color, LightGroup::withColor);
+            "linear, multiplies the lights' colors", LightGroup::color, LightGroup::withColor);
     public static final SceneAttribute<LightGroup, Double> INTENSITY = new SceneAttribute<>("intensity", "intensity",
-            NumericKind.number(0, SceneLimits.MAX_GROUP_INTENSITY, 0.1), 1.0, "factor of the lights' intensities", LightGroup::intensity,
+            NumericKind.number(0, SceneLimits.MAX_GROUP_INTENSITY, 0.1), 1.0, "multiplies the lights' intensities", LightGroup::intensity,
             LightGroup::withIntensity);
     public static final SceneAttribute<LightGroup, Boolean> ON =
             new SceneAttribute<>("on", "on", ChoiceKind.YES_OR_NO, true, "", LightGroup::on, LightGroup::withOn);
@@ -27,7 +27,7 @@ public record LightGroup(String name, Rgb color, double intensity, boolean on, b
             new SceneAttribute<>("solo", "solo", ChoiceKind.YES_OR_NO, false, "", LightGroup::solo,
                     LightGroup::withSolo);
 
-    /** All of them, in the order in which a file writes them. */
+    /** All attributes, in file order. */
     public static final List<SceneAttribute<LightGroup, ?>> ATTRIBUTES = List.of(COLOR, INTENSITY, ON, SOLO);
 
     public LightGroup {
@@ -36,14 +36,14 @@ public record LightGroup(String name, Rgb color, double intensity, boolean on, b
         INTENSITY.check(intensity);
     }
 
-    /** A bank that leaves its lights as they are. */
+    /** Returns a neutral light group. */
     public static LightGroup of(String name) {
         return new LightGroup(name, COLOR.initial(), INTENSITY.initial(), ON.initial(), SOLO.initial());
     }
 
     /**
-     * A light as it shines in this bank, and in none: the factors are multiplied into its color and its intensity, which stays at
-     * most {@link SceneLimits#MAX_INTENSITY}.
+     * Returns a light with this group's settings applied and its group cleared. Multiplies the factors into its color and its intensity,
+     * which is limited to {@link SceneLimits#MAX_INTENSITY}.
      */
     Light applyTo(Light light) {
         return light.withLightGroup("").withColor(light.color().times(color))

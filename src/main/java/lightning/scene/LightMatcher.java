@@ -9,11 +9,10 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * Which light of an edited list goes on from which light of the list before: the one rule by which renders, undo and words
- * tell an edited light from a new one.
+ * Matching of lights between two lists, the only rule by which renders, undo and descriptions tell an edited light from a new one.
  *
- * <p>The name decides. A light whose name is new goes on from the first light whose name is gone and that is alike but for
- * the name; else, in a list as long as before, from the one at the same place if its name is gone: it was renamed.
+ * <p>Lights match by name. A light with a new name matches the first removed light that is equal except for its name. Otherwise, in a list
+ * of the same length, it matches the removed light at the same index: it was renamed.
  */
 public final class LightMatcher {
     private final List<Light> before;
@@ -76,12 +75,12 @@ public final class LightMatcher {
         return after;
     }
 
-    /** The place before of the light that is now at {@code index}, or −1 if it is new. */
+    /** Returns the old index of the light that is now at {@code index}, or −1 if it is new. */
     public int originIndex(int index) {
         return origins[index];
     }
 
-    /** The places before of the lights that are gone, ascending. */
+    /** Returns the old indices of removed lights, ascending. */
     public List<Integer> removedIndices() {
         List<Integer> removed = new ArrayList<>();
         for (int i = 0; i < used.length; i++) {
@@ -92,7 +91,7 @@ public final class LightMatcher {
         return removed;
     }
 
-    /** Whether every light is at the place that it had, and none was added or deleted. */
+    /** Returns whether every light kept its index and none was added or deleted. */
     public boolean keepsOrder() {
         boolean unchanged = origins.length == used.length;
         for (int i = 0; unchanged && i < origins.length; i++) {

@@ -8,25 +8,25 @@ import java.util.stream.Stream;
 import lightning.base.text.Quote;
 
 /**
- * The lights of a scene, in the order in which their contributions are summed, and the banks that master some of them. Immutable;
- * an edit of one light or bank shares what is known of the names of all.
+ * Lights of a scene, in the order in which their contributions are summed, and their light groups. Immutable; an edit of one light or group
+ * shares the table of names.
  */
 public final class LightRig {
-    /** No light at all. */
+    /** No lights. */
     public static final LightRig EMPTY = LightRig.of(List.of());
 
     private final List<Light> lights;
     private final List<LightGroup> lightGroups;
     private final LightRigNames names;
-    /** The directional lights that an environment is made of. */
+    /** Directional lights that represent the environment. */
     private final List<Light> environmentLights;
     private final List<Light> effectiveLights;
-    /** Whether any light is solo and on, so that the others are dark. */
+    /** True if any light is solo and on, so that the others are dark. */
     private final boolean anySolo;
 
-    private LightRig(List<Light> lights, List<LightGroup> banks, LightRigNames names, List<Light> sky) {
+    private LightRig(List<Light> lights, List<LightGroup> lightGroups, LightRigNames names, List<Light> sky) {
         this.lights = lights;
-        this.lightGroups = banks;
+        this.lightGroups = lightGroups;
         this.names = names;
         this.environmentLights = sky;
         List<Light> grouped =
@@ -35,20 +35,20 @@ public final class LightRig {
         anySolo = effectiveLights.stream().anyMatch(l -> l.solo() && l.on());
     }
 
-    /** Lights without banks; see {@link #of(List, List)}. */
+    /** Creates a rig without light groups; see {@link #of(List, List)}. */
     public static LightRig of(List<Light> lights) {
         return of(lights, List.of());
     }
 
     /**
-     * @param lights names unique among themselves and the banks'; the bank of each is one of the banks, or none
-     * @param banks  names unique too
-     * @throws IllegalArgumentException if a name is taken or a bank missing, or if there are more lights or banks than
-     *                                  {@link SceneLimits} allows
+     * @param lights lights with names unique among lights and groups; the group of each is one of {@code lightGroups}, or none
+     * @param lightGroups light groups with unique names
+     * @throws IllegalArgumentException if a name is taken or a group missing, or if there are more lights or groups than {@link
+     *     SceneLimits} allows
      */
-    public static LightRig of(List<Light> lights, List<LightGroup> banks) {
+    public static LightRig of(List<Light> lights, List<LightGroup> lightGroups) {
         List<Light> lightList = List.copyOf(lights);
-        List<LightGroup> groups = List.copyOf(banks);
+        List<LightGroup> groups = List.copyOf(lightGroups);
         SceneLimits.checkRange("the number of lights", lightList.size(), 0, SceneLimits.MAX_LIGHTS);
         SceneLimits.checkRange("the number of banks", groups.size(), 0, SceneLimits.MAX_LIGHT_GROUPS);
         return new LightRig(lightList, groups, new LightRigNames(lightList, groups), List.of());
@@ -62,7 +62,7 @@ public final class LightRig {
         return lightGroups;
     }
 
-    /** This rig in a world, whose environment's lights come last among those that act. */
+    /** Returns this rig in a world; the environment's lights come last among the effective ones. */
     LightRig withEnvironment(World world) {
         if (world.environment().isEmpty() && environmentLights.isEmpty()) {
             return this;
@@ -71,18 +71,15 @@ public final class LightRig {
         return environment.equals(environmentLights) ? this : new LightRig(lights, lightGroups, names, environment);
     }
 
-    /**
-     * The lights as their banks make them, each in none, in the same order, and behind them those of the environment: those that a picture is
-     * made of.
-     */
+    /** Returns the lights that are rendered: all lights in the same order with their groups applied, then those of the environment. */
     public List<Light> effectiveLights() {
         return effectiveLights;
     }
 
     /**
-     * A light as its bank makes it: itself where it is in none.
+     * Returns a light with its group applied; the light itself if it has none.
      *
-     * @throws IllegalArgumentException if it is in a bank that is not here
+     * @throws IllegalArgumentException if its group does not exist
      */
     public Light effectiveLight(Light light) {
         if (light.lightGroup().isEmpty()) {
@@ -96,38 +93,38 @@ public final class LightRig {
         return names;
     }
 
-    /** The place of the light of that name, or −1. */
+    /** Returns the index of the light of that name, or −1. */
     public int indexOf(String name) {
         return names.lightIndex(name);
     }
 
-    /** The light of that name. */
+    /** Returns the light of that name. */
     public Optional<Light> light(String name) {
         int index = indexOf(name);
         return index < 0 ? Optional.empty() : Optional.of(lights.get(index));
     }
 
-    /** The bank of that name. */
+    /** Returns the light group of that name. */
     public Optional<LightGroup> lightGroup(String name) {
         int index = names.groupIndex(name);
         return index < 0 ? Optional.empty() : Optional.of(lightGroups.get(index));
     }
 
-    /** Whether a light or a bank has the name. */
+    /** Returns whether a light or a light group has the name. */
     public boolean isNameUsed(String name) {
         return indexOf(name) >= 0 || names.groupIndex(name) >= 0;
     }
 
-    /** Whether a light of this rig contributes: it is on, and solo if any light is; what its bank says counts. */
+    /** Returns whether a light contributes: it is on, and solo if any light is, with its group applied. */
     public boolean isActive(Light light) {
         Light effective = effectiveLight(light);
         return effective.on() && (effective.solo() || !anySolo);
     }
 
     /**
-     * This rig with the light of the same name replaced.
+     * Returns this rig with the light of the same name replaced.
      *
-     * @throws IllegalArgumentException if no light has that name, or if its bank is missing
+     * @throws IllegalArgumentException if no light has that name, or if its group is missing
      */
     public LightRig with(Light light) {
         int index = indexOf(light.name());
@@ -139,68 +136,68 @@ public final class LightRig {
         return new LightRig(List.copyOf(updated), lightGroups, names, environmentLights);
     }
 
-    /** This rig with other lights and the same banks. */
+    /** Returns this rig with other lights and the same groups. */
     public LightRig withLights(List<Light> v) {
         return of(v, lightGroups);
     }
 
     /**
-     * This rig with the bank of the same name replaced.
+     * Returns this rig with the light group of the same name replaced.
      *
-     * @throws IllegalArgumentException if no bank has that name
+     * @throws IllegalArgumentException if no group has that name
      */
-    public LightRig with(LightGroup bank) {
+    public LightRig with(LightGroup group) {
         List<LightGroup> updated = new ArrayList<>(lightGroups);
-        updated.set(groupIndex(bank.name()), bank);
+        updated.set(groupIndex(group.name()), group);
         return new LightRig(lights, List.copyOf(updated), names, environmentLights);
     }
 
-    /** This rig with one bank more, the last. */
-    public LightRig addLightGroup(LightGroup bank) {
+    /** Returns this rig with one more light group, at the end. */
+    public LightRig addLightGroup(LightGroup group) {
         List<LightGroup> updated = new ArrayList<>(lightGroups);
-        updated.add(bank);
+        updated.add(group);
         return of(lights, updated);
     }
 
     /**
-     * This rig with a bank at another place among the banks.
+     * Returns this rig with a light group moved.
      *
-     * @param before the bank that it stands before then; empty for the last place
-     * @throws IllegalArgumentException if no bank has one of these names
+     * @param before group that follows it afterwards; empty to move it to the end
+     * @throws IllegalArgumentException if no group has one of these names
      */
-    public LightRig moveLightGroup(String bank, Optional<String> before) {
+    public LightRig moveLightGroup(String group, Optional<String> before) {
         List<LightGroup> updated = new ArrayList<>(lightGroups);
-        LightGroup moved = updated.get(groupIndex(bank));
+        LightGroup moved = updated.get(groupIndex(group));
         int index = before.map(this::groupIndex).orElse(updated.size());
         updated.add(index, moved);
-        updated.remove(groupIndex(bank) + (index <= groupIndex(bank) ? 1 : 0));
+        updated.remove(groupIndex(group) + (index <= groupIndex(group) ? 1 : 0));
         return of(lights, updated);
     }
 
     /**
-     * This rig with a bank of another name; its lights follow.
+     * Returns this rig with a light group renamed, also in its lights.
      *
-     * @throws IllegalArgumentException if there is no such bank, or if the new name is taken
+     * @throws IllegalArgumentException if the group does not exist, or if the new name is taken
      */
-    public LightRig renameLightGroup(String bank, String newName) {
+    public LightRig renameLightGroup(String group, String newName) {
         List<LightGroup> updated = new ArrayList<>(lightGroups);
-        int index = groupIndex(bank);
+        int index = groupIndex(group);
         updated.set(index, updated.get(index).withName(newName));
-        return of(reassign(bank, newName), updated);
+        return of(reassign(group, newName), updated);
     }
 
     /**
-     * This rig without a bank; its lights stay, in none.
+     * Returns this rig without a light group; its lights stay, without a group.
      *
-     * @throws IllegalArgumentException if there is no such bank
+     * @throws IllegalArgumentException if the group does not exist
      */
-    public LightRig removeLightGroup(String bank) {
+    public LightRig removeLightGroup(String group) {
         List<LightGroup> updated = new ArrayList<>(lightGroups);
-        updated.remove(groupIndex(bank));
-        return of(reassign(bank, ""), updated);
+        updated.remove(groupIndex(group));
+        return of(reassign(group, ""), updated);
     }
 
-    /** This rig with other links of all its lights. */
+    /** Returns this rig with the links of all its lights mapped. */
     LightRig mapLinks(UnaryOperator<ShapeLinks> links) {
         List<Light> updated = null;
         for (int i = 0; i < lights.size(); i++) {
@@ -213,14 +210,14 @@ public final class LightRig {
         return updated == null ? this : new LightRig(List.copyOf(updated), lightGroups, names, environmentLights);
     }
 
-    private List<Light> reassign(String bank, String newGroup) {
-        return lights.stream().map(l -> l.lightGroup().equals(bank) ? l.withLightGroup(newGroup) : l).toList();
+    private List<Light> reassign(String group, String newGroup) {
+        return lights.stream().map(l -> l.lightGroup().equals(group) ? l.withLightGroup(newGroup) : l).toList();
     }
 
-    private int groupIndex(String bank) {
-        int index = names.groupIndex(bank);
+    private int groupIndex(String group) {
+        int index = names.groupIndex(group);
         if (index < 0) {
-            throw new IllegalArgumentException("there is no bank " + Quote.of(bank));
+            throw new IllegalArgumentException("there is no bank " + Quote.of(group));
         }
         return index;
     }

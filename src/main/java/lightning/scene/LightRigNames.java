@@ -5,49 +5,47 @@ import java.util.List;
 import java.util.Map;
 import lightning.base.text.Quote;
 
-/** The names of a rig's lights and banks, shared by all rigs that differ in their attributes alone. */
+/** Table of the names of a rig's lights and groups, shared by all rigs with the same names. */
 final class LightRigNames {
     private final List<Light> lights;
     private final List<LightGroup> lightGroups;
     private final Map<String, Integer> lightIndices;
     private final Map<String, Integer> groupIndices;
-    /** A stage that has none of the names; null where none was asked. Any thread may set it: each that does is right. */
+    /** Last stage found to have none of the names; null for none. Any thread may set it to any such stage. */
     private Stage disjointStage;
 
-    /**
-     * @throws IllegalArgumentException if two of them have the same name
-     */
-    LightRigNames(List<Light> lights, List<LightGroup> banks) {
+    /** @throws IllegalArgumentException if two of them have the same name */
+    LightRigNames(List<Light> lights, List<LightGroup> lightGroups) {
         this.lights = lights;
-        this.lightGroups = banks;
+        this.lightGroups = lightGroups;
         lightIndices = HashMap.newHashMap(lights.size());
-        groupIndices = HashMap.newHashMap(banks.size());
+        groupIndices = HashMap.newHashMap(lightGroups.size());
         for (Light light : lights) {
             if (lightIndices.putIfAbsent(light.name(), lightIndices.size()) != null) {
                 throw duplicateName("light", light.name());
             }
         }
-        for (LightGroup bank : banks) {
-            if (lightIndices.containsKey(bank.name()) || groupIndices.putIfAbsent(bank.name(), groupIndices.size()) != null) {
-                throw duplicateName("bank", bank.name());
+        for (LightGroup group : lightGroups) {
+            if (lightIndices.containsKey(group.name()) || groupIndices.putIfAbsent(group.name(), groupIndices.size()) != null) {
+                throw duplicateName("bank", group.name());
             }
         }
     }
 
-    /** The place of the bank of that name, or −1. */
+    /** Returns the index of the light group of that name, or −1. */
     int groupIndex(String name) {
         return groupIndices.getOrDefault(name, -1);
     }
 
-    /** The place of the light of that name, or −1. */
+    /** Returns the index of the light of that name, or −1. */
     int lightIndex(String name) {
         return lightIndices.getOrDefault(name, -1);
     }
 
     /**
-     * Asks a stage for the names, unless the one asked last has the same shapes.
+     * Checks a stage for name conflicts, unless the last one checked has the same names.
      *
-     * @throws IllegalArgumentException if a shape or a group has the name of a light or a bank
+     * @throws IllegalArgumentException if a shape or a group has the name of a light or a light group
      */
     void checkDisjoint(Stage stage) {
         Stage checked = disjointStage;
@@ -59,9 +57,9 @@ final class LightRigNames {
                 throw duplicateName("light", light.name());
             }
         }
-        for (LightGroup bank : lightGroups) {
-            if (stage.hasNode(bank.name())) {
-                throw duplicateName("bank", bank.name());
+        for (LightGroup group : lightGroups) {
+            if (stage.hasNode(group.name())) {
+                throw duplicateName("bank", group.name());
             }
         }
         disjointStage = stage;

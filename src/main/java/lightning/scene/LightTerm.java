@@ -1,19 +1,19 @@
 package lightning.scene;
 
-/** What of the lighting equation a light's attribute changes, from the cheapest change to the dearest. */
+/** Term of the lighting equation that a light's attribute changes, from the cheapest change to the most expensive. */
 public enum LightTerm {
-    /** Color times intensity, with which all that a light adds is multiplied. */
+    /** Color times intensity, the factor of all contributions. */
     WEIGHT,
-    /** How it fades with distance and with the direction in which it shines. */
+    /** Falloff with distance and direction. */
     FALLOFF,
-    /** How wide its cone is: a larger value lets points in, a smaller one puts points out. */
+    /** Cone angle: a larger one adds points, a smaller one removes points. */
     CONE_ANGLE,
-    /** Which points are in its cone, whatever the opening. */
+    /** Cone axis: changes which points are in the cone. */
     CONE_AXIS,
-    /** Which shapes it shines on. */
+    /** Shapes that it illuminates. */
     ILLUMINATION_LINKS,
-    /** Which shapes throw shadows in its light. */
+    /** Shapes that cast shadows in its light. */
     SHADOW_LINKS,
-    /** Where it shines from: which points face it and which see it. */
+    /** Position or direction: changes which points face the light and see it. */
     SOURCE
 }

@@ -1,19 +1,19 @@
 package lightning.scene;
 
-/** The kinds of light, the paper's three (§2.2) and two that are surfaces; the kind decides which attributes act. */
+/** Types of light: the paper's three (§2.2) and two area lights. The type decides which attributes act. */
 public enum LightType {
-    /** Infinitely far away: intensity, color, direction. */
+    /** Infinitely distant light: intensity, color, direction. */
     DIRECTIONAL,
-    /** Shines everywhere from one place: intensity, color, position, attenuation. */
+    /** Shines in all directions from one point: intensity, color, position, attenuation. */
     POINT,
-    /** A cone from one place: all attributes. */
+    /** Shines in a cone from one point: all attributes. */
     SPOT,
-    /** A rectangle that shines to one side, as a softbox does. */
+    /** Rectangle that shines to one side, like a softbox. */
     RECT,
-    /** A disc that shines to one side. */
+    /** Disc that shines to one side. */
     DISC;
 
-    /** Whether the light shines from its position. */
+    /** Returns whether the light has a position. */
     public boolean hasPosition() {
         return this != DIRECTIONAL;
     }
@@ -22,12 +22,12 @@ public enum LightType {
         return this != POINT;
     }
 
-    /** Whether it shines to one side of a surface alone: most along its direction, and as the cosine of the angle from it elsewhere. */
+    /** Returns whether it is a one-sided area light: its intensity is proportional to the cosine of the angle from its direction. */
     public boolean isSurface() {
         return this == RECT || this == DISC;
     }
 
-    /** Whether angle and dropoff act. */
+    /** Returns whether angle and dropoff act. */
     public boolean hasCone() {
         return this == SPOT;
     }

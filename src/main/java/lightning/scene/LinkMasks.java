@@ -6,18 +6,18 @@ import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 
-/** Which visible shapes links name: found when it is asked for, and kept. Shared between threads. */
+/** Cache of link masks over the visible shapes, filled on demand. Thread-safe. */
 final class LinkMasks {
-    /** Of so many links it is kept which shapes they are. */
+    /** Maximum number of cached masks. */
     private static final int MAX_CACHED = 64;
 
     private final Map<ShapeLinks, boolean[]> cache = new ConcurrentHashMap<>();
 
     /**
-     * Of each visible shape, in the order of the file, whether it is among those linked; not to be written to.
+     * Returns for each visible shape, in file order, whether it is linked; read-only.
      *
-     * @param nodes always the same
-     * @param count how many visible shapes there are in them
+     * @param nodes the same list in every call
+     * @param count number of visible shapes in the nodes
      */
     boolean[] get(List<SceneNode> nodes, int count, ShapeLinks links) {
         if (cache.size() > MAX_CACHED) {
@@ -30,7 +30,7 @@ final class LinkMasks {
         });
     }
 
-    /** @return the place of the shape behind those of the nodes */
+    /** @return the index after the last shape of the nodes */
     private static int fill(List<SceneNode> nodes, Set<String> names, boolean only, boolean parentNamed, boolean[] mask, int start) {
         int index = start;
         for (SceneNode node : nodes) {

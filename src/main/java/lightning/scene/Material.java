@@ -5,24 +5,24 @@ import java.util.Optional;
 import lightning.base.math.Rgb;
 
 /**
- * How a surface answers light. All colors are linear; {@link MaterialAttribute} tells the ranges, and which attributes act by
- * which model: those of the other model have their initial values, whatever was said.
+ * Material of a surface. All colors are linear. {@link MaterialAttribute} has the ranges and says which attributes belong to which shading
+ * model; those of the other model always have their initial values.
  *
- * @param name       unique among the materials
- * @param ambient    k<sub>ambient</sub>, also what the surface emits
- * @param model      by which equation
- * @param diffuse    of Phong: k<sub>diffuse</sub>, multiplied by the texture where there is one
- * @param specular   of Phong: k<sub>specular</sub>
- * @param shininess  of Phong: the exponent of the highlight
- * @param base       metallic: what scatters, and what a metal mirrors, each multiplied by the texture where there is one
- * @param metalness  metallic: 0 where it is no metal, 1 where it is one
- * @param roughness  metallic: 0 is smooth; its square is the width α of the highlight
- * @param f0         metallic: which part of the light the surface mirrors head-on where it is no metal
- * @param reflective k<sub>reflect</sub> per channel
- * @param texture    the picture on the surface
- * @param bumpMapping     what its normals are bent by
- * @param transmission    what passes through it
- * @param cutout     which points of it are not there
+ * @param name         unique among the materials
+ * @param ambient      k<sub>ambient</sub>, also the emitted color
+ * @param model        shading model
+ * @param diffuse      Phong: k<sub>diffuse</sub>, multiplied by the texture, if any
+ * @param specular     Phong: k<sub>specular</sub>
+ * @param shininess    Phong: exponent of the highlight
+ * @param base         metallic: diffuse color, and reflection color of a metal, each multiplied by the texture, if any
+ * @param metalness    metallic: 0 for a nonmetal, 1 for a metal
+ * @param roughness    metallic: 0 is smooth; its square is the width α of the highlight
+ * @param f0           metallic: reflectance of a nonmetal at normal incidence
+ * @param reflective   k<sub>reflect</sub> per channel
+ * @param texture      color texture
+ * @param bumpMapping  bump and normal map
+ * @param transmission light that passes through it
+ * @param cutout       opacity cutout
  */
 @RecordBuilder
 public record Material(String name, Rgb ambient, ShadingModel model, Rgb diffuse, Rgb specular, double shininess, Rgb base,
@@ -30,12 +30,12 @@ public record Material(String name, Rgb ambient, ShadingModel model, Rgb diffuse
         BumpMapping bumpMapping, Transmission transmission, AlphaCutout cutout) implements MaterialBuilder.With {
 
     /**
-     * Less rough is no surface here: what smaller ones show of a light that is a point is less than a pixel mostly, and digits fail
-     * (Guy and Agopian, Physically Based Rendering in Filament, §4.8.3.3, names this value).
+     * Minimum effective roughness. Highlights of a point light on smoother surfaces are mostly smaller than a pixel and lose precision (Guy
+     * and Agopian, Physically Based Rendering in Filament, §4.8.3.3, use this value).
      */
     public static final double MIN_ROUGHNESS = 0.045;
 
-    /** What a shape without a material gets: plain gray. */
+    /** Material of shapes without a material: plain gray. */
     public static final Material DEFAULT = of("default");
 
     public Material {
@@ -51,7 +51,7 @@ public record Material(String name, Rgb ambient, ShadingModel model, Rgb diffuse
         MaterialAttribute.REFLECTIVE.check(reflective);
     }
 
-    /** A material of which nothing else was said. */
+    /** Returns a material with initial values. */
     public static Material of(String name) {
         return new Material(name, MaterialAttribute.AMBIENT.initial(), MaterialAttribute.MODEL.initial(),
                 MaterialAttribute.DIFFUSE.initial(), MaterialAttribute.SPECULAR.initial(), MaterialAttribute.SHININESS.initial(),
@@ -60,27 +60,27 @@ public record Material(String name, Rgb ambient, ShadingModel model, Rgb diffuse
                 BumpMapping.NONE, Transmission.NONE, AlphaCutout.NONE);
     }
 
-    /** Whether it is of the model {@link ShadingModel#METALLIC}. */
+    /** Returns whether its shading model is {@link ShadingModel#METALLIC}. */
     public boolean isMetallic() {
         return model == ShadingModel.METALLIC;
     }
 
-    /** The width α of the highlights of a metallic material: the square of its roughness. */
+    /** Returns the width α of a metallic material's highlights: the square of its roughness. */
     public double alpha() {
         double clamped = Math.max(roughness, MIN_ROUGHNESS);
         return clamped * clamped;
     }
 
     /**
-     * What no term of a light of weight 1 is above on it: 1, or for metallic ones 1/(2α³) and a rounding
-     * (shading.LightingEquation tells why).
+     * Returns an upper bound of any term of a light of weight 1: 1, or for metallic materials 1/(2α³) plus rounding (see
+     * shading.LightingEquation).
      */
     public double maxTerm() {
         double alpha = alpha();
         return isMetallic() ? Math.max(1, (1 + 0x1p-20) / (2 * alpha * alpha * alpha)) : 1;
     }
 
-    /** The color that it has at first sight: what its texture multiplies. */
+    /** Returns its main color, which its texture multiplies. */
     public Rgb albedo() {
         return switch (model) {
             case PHONG -> diffuse;
@@ -88,7 +88,7 @@ public record Material(String name, Rgb ambient, ShadingModel model, Rgb diffuse
         };
     }
 
-    /** The same with another such color. */
+    /** Returns this material with another main color. */
     public Material withAlbedo(Rgb v) {
         return switch (model) {
             case PHONG -> withDiffuse(v);
@@ -96,13 +96,13 @@ public record Material(String name, Rgb ambient, ShadingModel model, Rgb diffuse
         };
     }
 
-    /** The same by another model: its color is kept, all else of the model is as if nothing was said. */
+    /** Returns this material with another shading model. Keeps the main color and resets all other attributes of the model. */
     @Override
     public Material withModel(ShadingModel v) {
         return v == model ? this : with(m -> m.model(v).diffuse(base).base(diffuse));
     }
 
-    /** Whether surfaces of it have the same holes, bend normals, lead rays on and throw shadows as those of another material do. */
+    /** Returns whether cutouts, normals, secondary rays and shadows are the same for both materials. */
     public boolean hasSameRays(Material o) {
         return bumpMapping.hasSameNormals(o.bumpMapping) && transmission.refractsLike(o.transmission)
                 && transmission.shadows() == o.transmission.shadows()
@@ -110,18 +110,18 @@ public record Material(String name, Rgb ambient, ShadingModel model, Rgb diffuse
                 && cutout.hasSameHoles(o.cutout);
     }
 
-    /** Whether light on its way to a point passes surfaces of it as it passes those of another. */
+    /** Returns whether light on its way to a shading point passes both materials in the same way. */
     public boolean hasSameShadowTint(Material o) {
         return this == o || transmission.tintsShadows() == o.transmission.tintsShadows()
                 && (!transmission.tintsShadows() || transmission.equals(o.transmission) && reflective.equals(o.reflective));
     }
 
-    /** Whether it mirrors by its own color; a clear material mirrors by its angle too. */
+    /** Returns whether its own color reflects; a transparent material also reflects, depending on the angle. */
     public boolean isMirror() {
         return (float) reflective.max() > 0;
     }
 
-    /** Whether rays that meet it are followed further: it mirrors, or something is seen through it. */
+    /** Returns whether rays that hit it are traced further: it reflects or is transparent. */
     public boolean spawnsSecondaryRays() {
         return isMirror() || transmission.isTransparent();
     }

@@ -8,10 +8,10 @@ import java.util.function.Function;
 import lightning.base.math.Rgb;
 import lightning.base.text.Messages;
 
-/** The attributes of materials, each described here and nowhere else, in the order in which a file writes them. */
+/** Attributes of materials, in file order. */
 public final class MaterialAttribute<V> extends SceneAttribute<Material, V> {
 
-    /** What people find together, in this order. */
+    /** Section of the attribute in the editor, in this order. */
     public enum Section {
         MODEL,
         DIFFUSE,
@@ -29,87 +29,87 @@ public final class MaterialAttribute<V> extends SceneAttribute<Material, V> {
     private static final List<MaterialAttribute<?>> REGISTRY = new ArrayList<>();
 
     public static final MaterialAttribute<Rgb> AMBIENT = colorAttribute("ambient", SceneLimits.MAX_EMISSION, Rgb.BLACK, Material::ambient,
-            Material::withAmbient, null, Section.AMBIENT, "What the surface shows without a light: times the scene's ambience, 0 or more");
+            Material::withAmbient, null, Section.AMBIENT, "Color emitted without any light; multiplied by the scene's ambience");
     public static final MaterialAttribute<ShadingModel> MODEL = new MaterialAttribute<>("model", ChoiceKind.of(ShadingModel.class),
             ShadingModel.PHONG, "", Material::model, Material::withModel, MaterialTerm.MODEL, null, Section.MODEL,
-            "By which equation the surface answers light: the paper's, or that of base color, metalness and roughness");
+            "Shading model: Phong, or base color with metalness and roughness");
     public static final MaterialAttribute<Rgb> DIFFUSE = colorAttribute("diffuse", 1, Rgb.gray(0.8), Material::diffuse,
             Material::withDiffuse, ShadingModel.PHONG, Section.DIFFUSE,
-            "The light that the surface scatters; times the texture where there is one");
+            "Diffuse color; multiplied by the texture, if any");
     public static final MaterialAttribute<Rgb> BASE = colorAttribute("base", 1, Rgb.gray(0.8), Material::base, Material::withBase,
             ShadingModel.METALLIC, Section.BASE,
-            "What the surface scatters, or mirrors where it is a metal; times the texture where there is one");
+            "Diffuse color, or reflection color of a metal; multiplied by the texture, if any");
     public static final MaterialAttribute<Optional<TextureMap>> TEXTURE =
             new MaterialAttribute<>("texture", new ValueKind.TextureKind("repeat", TextureUsage.COLOR),
                     Optional.empty(), "", Material::texture, Material::withTexture, MaterialTerm.TEXEL, null, Section.TEXTURE,
-                    "The picture on the surface");
+                    "Color texture of the surface");
     public static final MaterialAttribute<Optional<TextureMap>> CUTOUT = cutoutAttribute("cutout",
             new ValueKind.TextureKind("cutout_repeat", TextureUsage.OPACITY), Optional.empty(), "", AlphaCutout::map, AlphaCutout::withMap,
-            "A picture of what is there, by its alpha, or by its luminance where it has none: the rest is cut out");
+            "Opacity map: uses alpha, or luminance if the image has no alpha");
     public static final MaterialAttribute<Double> CUTOFF =
             cutoutAttribute("cutoff", NumericKind.number(0, 1, 0.05), 0.5, "", AlphaCutout::cutoff,
-                    AlphaCutout::withCutoff, "Where less than this is there by the cutout picture, the surface is cut out");
+                    AlphaCutout::withCutoff, "Opacity below which the surface is cut out");
     public static final MaterialAttribute<Optional<TextureMap>> BUMP =
             bumpAttribute("bump", "bump", new ValueKind.TextureKind("bump_repeat", TextureUsage.DATA),
-                    Optional.empty(), "", BumpMapping::bump, BumpMapping::withBump, "A picture of heights: white is above black");
+                    Optional.empty(), "", BumpMapping::bump, BumpMapping::withBump, "Bump map: white is high, black is low");
     public static final MaterialAttribute<Double> BUMP_HEIGHT = bumpAttribute("height", "height",
-            NumericKind.number(-SceneLimits.MAX_HEIGHT, SceneLimits.MAX_HEIGHT, 0.01), 0.05, "scene units, of white above black",
+            NumericKind.number(-SceneLimits.MAX_HEIGHT, SceneLimits.MAX_HEIGHT, 0.01), 0.05, "scene units, from black to white",
             BumpMapping::height,
-            BumpMapping::withHeight, "How much higher the bump picture's white is than its black");
+            BumpMapping::withHeight, "Height difference between white and black in the bump map");
     public static final MaterialAttribute<Optional<TextureMap>> NORMAL_MAP = bumpAttribute("normal_map", "normals",
             new ValueKind.TextureKind("normal_repeat", TextureUsage.DATA), Optional.empty(), "", BumpMapping::normalMap,
             BumpMapping::withNormalMap,
-            "A picture of normals, as glTF has them");
+            "Tangent-space normal map, as in glTF");
     public static final MaterialAttribute<Double> NORMAL_STRENGTH = bumpAttribute("strength", "strength",
-            NumericKind.number(-SceneLimits.MAX_STRENGTH, SceneLimits.MAX_STRENGTH, 0.1), 1.0, "factor on how far normals lean",
+            NumericKind.number(-SceneLimits.MAX_STRENGTH, SceneLimits.MAX_STRENGTH, 0.1), 1.0, "scales the normals' tilt",
             BumpMapping::strength,
-            BumpMapping::withStrength, "How far the normals of the picture of normals lean");
+            BumpMapping::withStrength, "Strength of the normal map");
     public static final MaterialAttribute<Rgb> SPECULAR = colorAttribute("specular", 1, Rgb.BLACK, Material::specular,
-            Material::withSpecular, ShadingModel.PHONG, Section.SPECULAR, "The color of highlights; black for none");
+            Material::withSpecular, ShadingModel.PHONG, Section.SPECULAR, "Color of highlights; black for none");
     public static final MaterialAttribute<Double> SHININESS = numberAttribute("shininess", SceneLimits.MAX_SHININESS, 1, 16, "exponent",
             Material::shininess, Material::withShininess, MaterialTerm.HIGHLIGHT, ShadingModel.PHONG, Section.SPECULAR,
-            "How small highlights are");
+            "Phong exponent; higher values give smaller highlights");
     public static final MaterialAttribute<Double> METALNESS = numberAttribute("metalness", 1, 0.1, 0, "", Material::metalness,
             Material::withMetalness, MaterialTerm.COLOR, ShadingModel.METALLIC, Section.SURFACE,
-            "How far the surface is a metal: 0 for none, 1 for one");
+            "0 for a nonmetal, 1 for a metal");
     public static final MaterialAttribute<Double> ROUGHNESS = numberAttribute("roughness", 1, 0.05, 0.5, "", Material::roughness,
             Material::withRoughness, MaterialTerm.HIGHLIGHT, ShadingModel.METALLIC, Section.SURFACE,
-            "How wide highlights are: 0 for a smooth surface");
-    public static final MaterialAttribute<Double> F0 = numberAttribute("f0", 1, 0.01, 0.04, "part of the light head-on", Material::f0,
+            "Width of highlights; 0 for a smooth surface");
+    public static final MaterialAttribute<Double> F0 = numberAttribute("f0", 1, 0.01, 0.04, "reflectance at normal incidence", Material::f0,
             Material::withF0, MaterialTerm.COLOR, ShadingModel.METALLIC, Section.SURFACE,
-            "Which part of the light a surface that is no metal mirrors head-on: 0.02 for water, 0.04 for plastic, 0.17 for diamond");
+            "Reflectance of a nonmetal at normal incidence: 0.02 for water, 0.04 for plastic, 0.17 for diamond");
     public static final MaterialAttribute<Rgb> REFLECTIVE = colorAttribute("reflective", 1, Rgb.BLACK, Material::reflective,
-            Material::withReflective, null, Section.REFLECTIVE, "How much the surface mirrors; black for no mirror");
+            Material::withReflective, null, Section.REFLECTIVE, "Mirror reflection per channel; black for none");
 
     public static final MaterialAttribute<Rgb> TRANSMISSION_COLOR = colorAttribute("clear", 1, Rgb.BLACK, m -> m.transmission().color(),
             (m, v) -> m.withTransmission(m.transmission().withColor(v)), null, Section.CLEAR,
-            "The color of what is seen through the surface; black where nothing is");
+            "Transmission color; black for an opaque surface");
     public static final MaterialAttribute<Double> IOR =
             transmissionAttribute("ior", "ior", NumericKind.number(1, SceneLimits.MAX_IOR, 0.01), 1.5,
                     "index of refraction", Transmission::ior, Transmission::withIor, MaterialTerm.REFRACTION,
-                    "How far rays bend where they pass: 1.33 for water, 1.5 for glass, 2.42 for diamond");
+                    "Index of refraction: 1.33 for water, 1.5 for glass, 2.42 for diamond");
     public static final MaterialAttribute<Boolean> THIN =
             transmissionAttribute("thin", "thin", ChoiceKind.YES_OR_NO, false, "", Transmission::thin,
                     Transmission::withThin, MaterialTerm.REFRACTION,
-                    "Whether the surface is a pane, which bends no ray and has no inside");
+                    "Thin sheet: does not refract and has no interior");
     public static final MaterialAttribute<Rgb> TINT = colorAttribute("tint", 1, Rgb.WHITE, m -> m.transmission().tint(),
             (m, v) -> m.withTransmission(m.transmission().withTint(v)), null, Section.CLEAR,
-            "What is left of white after the tint distance inside");
+            "Color of white light after the tint distance inside the material");
     public static final MaterialAttribute<Double> TINT_DISTANCE = transmissionAttribute("tint_distance", "tint distance",
             NumericKind.number(SceneLimits.MIN_TINT_DISTANCE, SceneLimits.MAX_TINT_DISTANCE, 0.1), 1.0, "scene units",
             Transmission::tintDistance,
-            Transmission::withTintDistance, MaterialTerm.COLOR, "The way inside after which white has become the tint");
+            Transmission::withTintDistance, MaterialTerm.COLOR, "Distance inside the material after which white light has the tint color");
     public static final MaterialAttribute<ShadowCasting> SHADOWS =
             transmissionAttribute("shadows", "shadows", ChoiceKind.of(ShadowCasting.class),
                     ShadowCasting.FULL, "", Transmission::shadows, Transmission::withShadows, MaterialTerm.SHADOW,
-                    "Which shadows shapes of the material throw: full ones, those of the color of the light that passes, or none");
+                    "Shadows of objects with this material: full, tinted by the transmitted color, or none");
 
-    /** All of them, as they are declared above; that which decides about others before these. */
+    /** All attributes, in declaration order; the model comes before the attributes that depend on it. */
     public static final List<MaterialAttribute<?>> ALL = List.copyOf(REGISTRY);
 
     private final ValueKind.MaterialKind<V> kind;
     private final MaterialTerm term;
-    /** The only one by which it acts; null where it acts by all. */
+    /** The only shading model that has it; null if all have it. */
     private final ShadingModel model;
     private final Section section;
     private final String help;
@@ -142,21 +142,21 @@ public final class MaterialAttribute<V> extends SceneAttribute<Material, V> {
         return new MaterialAttribute<>(name, NumericKind.number(0, max, step), initial, unit, get, with, term, model, section, help);
     }
 
-    /** Whether it acts on a material of this model; else it has its initial value there. */
+    /** Returns whether it acts on materials of this model; otherwise it has its initial value there. */
     public boolean appliesTo(ShadingModel materialModel) {
         return model == null || model == materialModel;
     }
 
-    /** Why a material of this model does not have it: a clause; empty where it acts. */
+    /** Returns a clause that says why materials of this model do not have it; empty if they do. */
     public Optional<String> inactiveReason(ShadingModel materialModel) {
         return appliesTo(materialModel) ? Optional.empty()
                 : Optional.of(Messages.tr("a material of model {0} has no {1}", MODEL.kind().format(materialModel), Messages.tr(title())));
     }
 
     /**
-     * The value as a material of this model has it.
+     * Returns the value for a material of this model.
      *
-     * @throws IllegalArgumentException if no record may have the value; the message says why
+     * @throws IllegalArgumentException if no material may have the value; the message says why
      */
     V checkFor(ShadingModel materialModel, V value) {
         check(value);
@@ -183,7 +183,7 @@ public final class MaterialAttribute<V> extends SceneAttribute<Material, V> {
                 (m, v) -> m.withTransmission(with.apply(m.transmission(), v)), term, null, Section.CLEAR, help);
     }
 
-    /** Colors are alike where they are as floats, which rows are colored with. */
+    /** Colors are equivalent if equal as floats, the precision of shading. */
     @Override
     public boolean isEquivalent(Material a, Material b) {
         return super.isEquivalent(a, b) || get(a) instanceof Rgb before && get(b) instanceof Rgb after && equalsAsFloat(before, after);
@@ -198,7 +198,7 @@ public final class MaterialAttribute<V> extends SceneAttribute<Material, V> {
         return kind;
     }
 
-    /** What it changes. */
+    /** Returns the term that it changes. */
     public MaterialTerm term() {
         return term;
     }
@@ -207,7 +207,7 @@ public final class MaterialAttribute<V> extends SceneAttribute<Material, V> {
         return section;
     }
 
-    /** What it does, a sentence without a full stop. */
+    /** Returns its help text, a sentence without a full stop. */
     public String help() {
         return help;
     }

@@ -1,21 +1,21 @@
 package lightning.scene;
 
-/** What of the picture's rows a material's attribute changes. */
+/** Part of the shading points that a material's attribute changes. */
 public enum MaterialTerm {
-    /** Which attributes act, and with them each light's diffuse and specular terms. */
+    /** Active attributes, and with them each light's diffuse and specular terms. */
     MODEL,
-    /** A factor that the equation is closed with: no row keeps anything of it. */
+    /** Factor applied last; not cached in any row. */
     COLOR,
-    /** Each light's specular term, where highlights are. */
+    /** Specular term of each light, within highlights. */
     HIGHLIGHT,
-    /** The texel of each row, and the color with it. */
+    /** Texel of each row, and its color. */
     TEXEL,
-    /** Which rows there are: where the surface is at all. */
+    /** Set of rows: the extent of the surface. */
     COVERAGE,
-    /** The normal of each row, and all that follows from it. */
+    /** Normal of each row, and all values that depend on it. */
     NORMAL,
-    /** Which way rays go on behind the surface. */
+    /** Direction of rays after the surface. */
     REFRACTION,
-    /** Which ways to lights are blocked. */
+    /** Occlusion of shadow rays. */
     SHADOW
 }

@@ -8,7 +8,7 @@ import java.util.Optional;
 import java.util.Set;
 import lightning.base.text.Quote;
 
-/** For each material of some shapes the first of these that has it, in the order of the shapes. */
+/** First user of each material among some shapes, in the order of the shapes. */
 final class MaterialUsers {
     private final Map<String, String> users;
 
@@ -22,14 +22,14 @@ final class MaterialUsers {
         return new MaterialUsers(users);
     }
 
-    /** The names of the materials, in that order. */
+    /** Returns the names of the materials, in that order. */
     Set<String> materials() {
         return Collections.unmodifiableSet(users.keySet());
     }
 
     /**
-     * Those of all shapes where some came in the place of others; empty where only a walk tells. Of a material that shapes came
-     * with, and went with, the first of all stands before them, or among them.
+     * Returns the users after replacing some shapes; empty if only a full walk can find them. For a material that was both added and
+     * removed, the first user of all shapes precedes the change or is within it.
      */
     Optional<MaterialUsers> replace(MaterialUsers removed, MaterialUsers added) {
         Map<String, String> merged = new LinkedHashMap<>(users);
@@ -49,9 +49,9 @@ final class MaterialUsers {
     }
 
     /**
-     * Checks that there are the materials.
+     * Checks that all materials exist.
      *
-     * @throws IllegalArgumentException if one is not
+     * @throws IllegalArgumentException if one does not
      */
     void check(Set<String> materialNames) {
         users.forEach((material, shape) -> {

@@ -5,9 +5,10 @@ import java.util.List;
 import lightning.base.math.Vec3;
 
 /**
- * Cuts a sky into parts of about the same light, each of which becomes a lamp at its middle (Debevec, A Median Cut Algorithm for Light Probe
- * Sampling, 2005). There all parts are cut at once; here always the brightest, so that any number of parts can be had. A part is cut across its longer side,
- * where both halves have light as alike as can be; light is luminance over solid angle. Large pictures are summed in cells of some pixels first.
+ * Median cut of an environment map into regions of about equal energy, each represented by a directional light at its center (Debevec, A
+ * Median Cut Algorithm for Light Probe Sampling, 2005). Unlike Debevec's method, which cuts all regions per step, it cuts the brightest
+ * one, so that any number of regions is possible. Cuts a region across its longer side, where both halves have the most similar energy:
+ * luminance times solid angle. Large maps are first summed in cells of several pixels.
  */
 final class MedianCut {
     private static final int MAX_COLUMNS = 256;
@@ -15,9 +16,9 @@ final class MedianCut {
 
     private final int columns;
     private final int rows;
-    /** Red, green, blue over solid angle, and luminance, of each cell. */
+    /** Red, green, blue times solid angle, and luminance, of each cell. */
     private final double[][] energy;
-    /** Sums of luminance over all cells to the left and above. */
+    /** Summed-area table of luminance over all cells to the left and above. */
     private final double[] sums;
 
     private record Region(int left, int top, int right, int bottom, double luminance) {
@@ -48,7 +49,7 @@ final class MedianCut {
         }
     }
 
-    /** At most so many lamps, fewer where there are not as many cells with light. */
+    /** Returns at most {@code maxLights} lights, fewer if fewer cells are bright. */
     List<EnvironmentLight> lights(int maxLights) {
         List<Region> regions = new ArrayList<>(List.of(region(0, 0, columns, rows)));
         while (regions.size() < maxLights) {
@@ -89,7 +90,7 @@ final class MedianCut {
         parts.add(second);
     }
 
-    /** Where the middle of a part's light is; of a dark part, of its cells. */
+    /** Returns the light at a region's center of energy; for a dark region, at the center of its cells. */
     private EnvironmentLight light(Region p) {
         double[] sum = new double[3];
         Vec3 weightedDirection = Vec3.ZERO;
@@ -118,10 +119,10 @@ final class MedianCut {
     }
 
     /**
-     * The even cap of half angle a has a mean direction as long as (1 + cos a) / 2, its integral of cosines over its solid angle; so a cell, whose
-     * solid angle is 2π(1 − cos a), shortens it by a share of that over 4π.
+     * Returns the half-angle of the equivalent uniform cap. A uniform cap of half-angle a has a mean direction of length (1 + cos a) / 2,
+     * the integral of cosines over its solid angle. A cell's solid angle is 2π(1 − cos a), so it shortens the mean by its share of 4π.
      *
-     * @param length of the mean direction, 0 … 1
+     * @param length length of the mean direction, 0 … 1
      */
     private static double spread(double length) {
         return Math.toDegrees(StrictMath.acos(Math.clamp(2 * length - 1, 0, 1)));

@@ -5,21 +5,21 @@ import java.util.Locale;
 import lightning.base.text.DecimalNumber;
 
 /**
- * Triangles over shared vertices. Its arrays are handed out as they are and never written after construction, by anyone.
+ * Triangle mesh over shared vertices. Hands out its arrays without copying; nothing may write to them after construction.
  *
- * <p>A triangle is seen and lit from both sides. Its front is where its vertices go round counter-clockwise. Triangles may be
- * degenerate, may be there twice and may share an edge with any number of others.
+ * <p>A triangle is visible and lit from both sides; its front has counter-clockwise vertices. Triangles may be degenerate or duplicate and
+ * may share an edge with any number of others.
  */
 public final class Mesh {
-    /** Positions, either sign, as those of a scene. */
+    /** Positions, either sign, as in a scene. */
     public static final double MAX_COORDINATE = 1e12;
-    /** Texture coordinates, either sign: beyond it a float no longer tells neighboring pixels apart. */
+    /** Texture coordinates, either sign: above it a float no longer separates neighboring pixels. */
     public static final double MAX_TEXTURE_COORDINATE = 1e6;
-    /** Linear colors: factors on a material's. */
+    /** Linear vertex colors, factors of the material's color. */
     public static final double MAX_COLOR = 1;
-    /** How far the square of a normal's length may be from 1; rounding to float takes less than 1e-6. */
+    /** Tolerance of the squared length of a normal around 1; rounding to float needs less than 1e-6. */
     private static final double UNIT_TOLERANCE = 1e-5;
-    /** How many coordinates tell meshes of one size apart in tables. */
+    /** Number of coordinates hashed to distinguish meshes of the same size. */
     private static final int HASH_SAMPLES = 64;
 
     private final float[] positions;
@@ -29,23 +29,23 @@ public final class Mesh {
     private final float[] colors;
     private final float[] tangents;
 
-    /** Without tangents. */
+    /** Creates a mesh without tangents. */
     public Mesh(float[] positions, int[] triangles, float[] normals, float[] coordinates, float[] colors) {
         this(positions, triangles, normals, coordinates, colors, null);
     }
 
     /**
-     * @param positions   x, y, z of each vertex, {@code float[3 * vertices]}, each of at most 1e12 in absolute value; taken over,
-     *                    not copied, like all other arrays
+     * @param positions   x, y, z of each vertex, {@code float[3 * vertices]}, each of at most 1e12 in absolute value; owned by the mesh,
+     *     not copied, like all other arrays
      * @param triangles   three vertices of each triangle, {@code int[3 * triangles]}
-     * @param normals     x, y, z of each vertex's normal, of length 1, {@code float[3 * vertices]}; null where all triangles are flat
-     * @param coordinates u, v of each vertex in a texture, v upwards, {@code float[2 * vertices]}, each of at most 1e6 in
-     *                    absolute value; null where there are none
-     * @param colors      linear red, green, blue of each vertex, {@code float[3 * vertices]}, from 0 to 1; null where there are none
-     * @param tangents    x, y, z of a direction along the surface in which u grows, of length 1 or 0 where there is none, and 1, or −1 where
-     *                    v grows against normal × tangent, {@code float[4 * vertices]}; null where a normal map goes by the texture coordinates
-     * @throws IllegalArgumentException if an array has another length, a triangle names a vertex that there is not, or a number is
-     *                                  out of its range or no number, or there are tangents without normals; the message says which
+     * @param normals     x, y, z of each vertex's normal, of length 1, {@code float[3 * vertices]}; null if all triangles are flat
+     * @param coordinates u, v of each vertex in a texture, v upwards, {@code float[2 * vertices]}, each of at most 1e6 in absolute value;
+     *     null for none
+     * @param colors      linear red, green, blue of each vertex, {@code float[3 * vertices]}, from 0 to 1; null for none
+     * @param tangents    x, y, z of the direction in which u grows along the surface, of length 1, or 0 for none, and the sign of v's
+     *     direction against normal × tangent, 1 or −1, {@code float[4 * vertices]}; null if a normal map uses the texture coordinates
+     * @throws IllegalArgumentException if an array has the wrong length, a triangle names a missing vertex, a number is out of range or
+     *     NaN, or there are tangents without normals; the message says which
      */
     public Mesh(float[] positions, int[] triangles, float[] normals, float[] coordinates, float[] colors, float[] tangents) {
         if (positions.length % 3 != 0) {
@@ -68,7 +68,7 @@ public final class Mesh {
         }
         if (tangents != null) {
             if (normals == null) {
-                throw new IllegalArgumentException("tangents must have normals beside them, were alone");
+                throw new IllegalArgumentException("tangents need normals, found none");
             }
             checkLength("tangents", tangents, 4);
             checkUnitLength("tangent", tangents, 4, true);
@@ -92,37 +92,37 @@ public final class Mesh {
         return triangles.length / 3;
     }
 
-    /** x, y, z of each vertex, {@code float[3 * vertexCount()]}; not to be written. */
+    /** Returns x, y, z of each vertex, {@code float[3 * vertexCount()]}; read-only. */
     public float[] positions() {
         return positions;
     }
 
-    /** Three vertices of each triangle, {@code int[3 * triangleCount()]}; not to be written. */
+    /** Returns three vertices of each triangle, {@code int[3 * triangleCount()]}; read-only. */
     public int[] triangles() {
         return triangles;
     }
 
-    /** x, y, z of each vertex's normal, of length 1, {@code float[3 * vertexCount()]}, or null; not to be written. */
+    /** Returns x, y, z of each vertex's normal, of length 1, {@code float[3 * vertexCount()]}, or null; read-only. */
     public float[] normals() {
         return normals;
     }
 
-    /** u, v of each vertex, v upwards, {@code float[2 * vertexCount()]}, or null; not to be written. */
+    /** Returns u, v of each vertex, v upwards, {@code float[2 * vertexCount()]}, or null; read-only. */
     public float[] coordinates() {
         return textureCoordinates;
     }
 
-    /** Linear red, green, blue of each vertex, {@code float[3 * vertexCount()]}, or null; not to be written. */
+    /** Returns linear red, green, blue of each vertex, {@code float[3 * vertexCount()]}, or null; read-only. */
     public float[] colors() {
         return colors;
     }
 
-    /** x, y, z of a direction in which u grows and 1 or −1, {@code float[4 * vertexCount()]}, or null; not to be written. */
+    /** Returns x, y, z of the direction in which u grows and 1 or −1, {@code float[4 * vertexCount()]}, or null; read-only. */
     public float[] tangents() {
         return tangents;
     }
 
-    /** Whether all numbers are the same, 0 and −0 told apart. */
+    /** Compares all numbers bitwise: 0 and −0 differ. */
     @Override
     public boolean equals(Object o) {
         return this == o || o instanceof Mesh m && Arrays.equals(positions, m.positions) && Arrays.equals(triangles, m.triangles)
@@ -134,7 +134,7 @@ public final class Mesh {
     @Override
     public int hashCode() {
         int hash = 31 * positions.length + triangles.length;
-        // A few of the numbers: meshes of one size are many, and a mesh has millions.
+        // Hashes only some numbers: many meshes have the same size, and a mesh has millions of numbers.
         for (int i = 0; i < positions.length; i += positions.length / HASH_SAMPLES + 1) {
             hash = 31 * hash + Float.floatToIntBits(positions[i]);
         }

@@ -6,18 +6,18 @@ import java.util.Map;
 import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
 
-/** A box that holds some shapes and groups with all that is in them, those included that are not visible; no tighter than is quick to find. */
+/** Bounding box of shapes and groups, including hidden ones; conservative, because it is found quickly. */
 public final class NodeBounds {
-    /** How many corners a box has. */
+    /** Number of corners of a box. */
     public static final int CORNERS = 8;
 
     private final Map<Mesh, double[]> meshes = new IdentityHashMap<>();
-    /** Least x, y, z and greatest x, y, z; the least above the greatest where there is nothing. */
+    /** Minimum x, y, z and maximum x, y, z; inverted if empty. */
     private final double[] bounds = emptyBox();
 
     private NodeBounds() {}
 
-    /** In the space that the nodes are placed in. */
+    /** Computes the bounds in the space in which the nodes are placed. */
     public static NodeBounds of(List<SceneNode> nodes) {
         var bounds = new NodeBounds();
         bounds.includeNodes(nodes, Transform.IDENTITY);
@@ -30,12 +30,12 @@ public final class NodeBounds {
         return new double[] {inf, inf, inf, -inf, -inf, -inf};
     }
 
-    /** Whether it holds nothing. */
+    /** Returns whether it is empty. */
     public boolean isEmpty() {
         return bounds[0] > bounds[3];
     }
 
-    /** The corner that has the greatest coordinate along each axis whose bit is set, x the lowest. */
+    /** Returns a corner, with the maximum coordinate along each axis whose bit is set; x is the lowest bit. */
     public Vec3 corner(int bits) {
         return corner(bounds, bits);
     }

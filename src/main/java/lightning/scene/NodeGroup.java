@@ -3,9 +3,9 @@ package lightning.scene;
 import java.util.List;
 
 /**
- * Nodes that are placed together: their placements are inside the group's.
+ * Group of nodes; the placements of its children are relative to the group's.
  *
- * @param visible whether what is in it is there at all, as far as that is visible itself
+ * @param visible false hides all children
  */
 public record NodeGroup(String name, Placement placement, List<SceneNode> children, boolean visible) implements SceneNode {
     public NodeGroup {
@@ -13,7 +13,7 @@ public record NodeGroup(String name, Placement placement, List<SceneNode> childr
         children = BlockList.copyOf(children);
     }
 
-    /** A visible one. */
+    /** Creates a visible group. */
     public NodeGroup(String name, Placement placement, List<SceneNode> children) {
         this(name, placement, children, true);
     }

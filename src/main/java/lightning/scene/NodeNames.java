@@ -7,9 +7,9 @@ import java.util.HashSet;
 import java.util.List;
 import lightning.base.text.Quote;
 
-/** The names of shapes and groups, each of which one has, sorted: a table of hashes would be slow where a file chose names that collide. */
+/** Sorted table of the names of shapes and groups. Sorted rather than hashed, because a file could choose names whose hashes collide. */
 final class NodeNames {
-    /** More names are not exchanged one by one. */
+    /** Maximum number of names replaced one by one. */
     private static final int MAX_INCREMENTAL = 64;
 
     private final List<String> sorted;
@@ -19,9 +19,9 @@ final class NodeNames {
     }
 
     /**
-     * Names in any order.
+     * Creates a table from names in any order.
      *
-     * @throws IllegalArgumentException if two are the same
+     * @throws IllegalArgumentException if two are equal
      */
     static NodeNames of(List<String> names) {
         String[] sorted = names.toArray(String[]::new);
@@ -47,9 +47,9 @@ final class NodeNames {
     }
 
     /**
-     * These names without some that are among them, and with others; themselves where both are the same.
+     * Returns this table without some of its names and with others; itself if both lists are equal.
      *
-     * @throws IllegalArgumentException if two are the same then
+     * @throws IllegalArgumentException if two names are then equal
      */
     NodeNames replace(List<String> removed, List<String> added) {
         if (removed.equals(added)) {

@@ -3,26 +3,26 @@ package lightning.scene;
 import java.util.List;
 
 /**
- * Where nodes stand in a tree: each by its place in the scene or in its group, the outermost group first. Who is asked for again, or stands
- * beside the one asked for last, is found without a walk: an edit asks for one node many times.
+ * Paths of nodes in a tree, as child indices from the outermost group. Remembers the last path, because an edit looks up one node many
+ * times; finds that node and its siblings without a walk.
  */
 final class NodePaths {
-    /** Of what was found last; empty for nothing. Whoever finds something else replaces it. */
+    /** Last path found; empty for none. Any thread may replace it. */
     private volatile int[] lastPath;
-    /** How many nodes were looked at. */
+    /** Number of nodes visited. */
     private long visitedCount;
 
-    /** @param hint where the one that will be asked for may stand; empty for nothing known */
+    /** @param hint likely path of the next node; empty if unknown */
     NodePaths(int... hint) {
         lastPath = hint;
     }
 
-    /** The nodes looked at so far, about. */
+    /** Returns the approximate number of nodes visited so far. */
     long visitedCount() {
         return visitedCount;
     }
 
-    /** The places of the node of that name; null where there is none. */
+    /** Returns the path of the node of that name; null if there is none. */
     int[] find(List<SceneNode> nodes, String name) {
         int[] previous = lastPath;
         for (int attempt = 0; previous.length > 0 && attempt < 3; attempt++) {
@@ -40,7 +40,7 @@ final class NodePaths {
         return found;
     }
 
-    /** What stands at some places; null where nothing does. */
+    /** Returns the node at a path; null if there is none. */
     static SceneNode nodeAt(List<SceneNode> nodes, int... path) {
         List<SceneNode> siblings = nodes;
         SceneNode node = null;

@@ -2,17 +2,17 @@ package lightning.scene;
 
 import java.util.List;
 
-/** Nodes in place of one. */
+/** Replacement of one node by several. */
 final class NodeSplice {
     final int[] path;
     final List<? extends SceneNode> replacement;
-    /** The node that goes. */
+    /** The replaced node. */
     final SceneNode removed;
-    /** The products of the scales of the groups around it. */
+    /** Products of the scales of the enclosing groups. */
     final double minScale;
     final double maxScale;
 
-    /** @param path where the node stands that goes */
+    /** @param path path of the replaced node */
     NodeSplice(List<SceneNode> nodes, int[] path, List<? extends SceneNode> replacement) {
         this.path = path;
         this.replacement = replacement;
@@ -30,12 +30,12 @@ final class NodeSplice {
         maxScale = outerMax;
     }
 
-    /** In how many groups it happens. */
+    /** Returns the number of enclosing groups. */
     int nesting() {
         return path.length - 1;
     }
 
-    /** The nodes then. */
+    /** Returns the nodes with the replacement applied. */
     List<SceneNode> applyTo(List<SceneNode> nodes) {
         return applyTo(nodes, 0);
     }

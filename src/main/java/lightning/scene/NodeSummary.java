@@ -4,13 +4,13 @@ import java.util.ArrayList;
 import java.util.List;
 import lightning.base.text.Quote;
 
-/** All that is in some nodes, checked for limits: in the order of the file. */
+/** Flat summary of all nodes of a tree, in file order, checked against the limits. */
 final class NodeSummary {
     final List<String> names = new ArrayList<>();
     final List<Shape> shapes = new ArrayList<>();
-    /** How many shapes and groups are not visible by themselves. */
+    /** Number of nodes that are hidden themselves. */
     int hiddenCount;
-    /** A sum over the nodes, each by itself. */
+    /** Sum of the hashes of the nodes. */
     long hash;
 
     NodeSummary(List<? extends SceneNode> nodes, int nesting, double minScale, double maxScale) {
@@ -38,7 +38,7 @@ final class NodeSummary {
         }
     }
 
-    /** So that sums of few bits tell nodes apart. */
+    /** Mixes the bits, so that sums distinguish nodes whose hashes have few set bits. */
     private static long mixHash(int hash, boolean visible) {
         long mixed = (hash * 2L + (visible ? 1 : 0)) * 0x9E3779B97F4A7C15L;
         return (mixed ^ mixed >>> 32) * 0xD6E8FEB86659FD93L;

@@ -3,25 +3,25 @@ package lightning.scene;
 import java.util.ArrayList;
 import java.util.List;
 
-/** The nodes, checked, with what must be known of them when materials or lights change. */
+/** Checked tree of nodes, with the data needed when materials or lights change. */
 final class NodeTree {
     final List<SceneNode> nodes;
     final NodeNames names;
-    /** How many shapes there are. */
+    /** Number of shapes. */
     final int shapeCount;
-    /** How many shapes and groups are not visible by themselves. */
+    /** Number of shapes and groups that are hidden themselves. */
     private final int hiddenCount;
     final MaterialUsers materialUsers;
-    /** Stands for the groups with their names, and the places of all that is in them, told by identity. */
+    /** Identity of the tree's structure: its groups with their names and the positions of their children. */
     final Object structure;
-    /** Equal for equal nodes. */
+    /** Hash, equal for equal nodes. */
     final long hash;
     final NodePaths paths;
     private final LinkMasks linkMasks = new LinkMasks();
-    /** Found when it is asked for; whoever finds it finds the same. */
+    /** Computed on demand; a race between threads computes the same list twice. */
     private List<Shape> shapes;
 
-    /** @throws IllegalArgumentException as {@link Stage#Stage(List, List)}, but for materials */
+    /** @throws IllegalArgumentException as {@link Stage#Stage(List, List)}, except for materials */
     NodeTree(List<SceneNode> nodes) {
         this.nodes = BlockList.copyOf(nodes);
         var summary = new NodeSummary(this.nodes, 0, 1, 1);
@@ -35,9 +35,9 @@ final class NodeTree {
     }
 
     /**
-     * Those of another with some in place of one.
+     * Creates a tree from another by replacing one node.
      *
-     * @throws IllegalArgumentException likewise
+     * @throws IllegalArgumentException as {@link #NodeTree(List)}
      */
     NodeTree(NodeTree before, NodeSplice splice) {
         nodes = splice.applyTo(before.nodes);
@@ -69,7 +69,7 @@ final class NodeTree {
         return linkMasks.get(nodes, shapes().size(), links);
     }
 
-    /** All visible shapes in the order of the file; the nodes themselves where none is a group or hidden. */
+    /** Returns all visible shapes in file order; the nodes themselves if none is a group or hidden. */
     List<Shape> shapes() {
         List<Shape> found = shapes;
         if (found == null) {
@@ -80,7 +80,7 @@ final class NodeTree {
         return found;
     }
 
-    /** Nobody writes to the list: it is immutable. */
+    /** Safe because the list is immutable. */
     @SuppressWarnings("unchecked")
     private static List<Shape> allShapes(List<? extends SceneNode> nodes) {
         return (List<Shape>) nodes;

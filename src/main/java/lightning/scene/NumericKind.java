@@ -11,18 +11,18 @@ import lightning.base.math.Vec3;
 import lightning.base.text.NumberUnit;
 
 /**
- * A value made of one or several numbers, each with the same range.
+ * Value kind made of one or several numbers with a common range.
  *
- * @param form   what the numbers are together
- * @param labels the name of each; empty where there is one and the attribute's own name says it
- * @param min    the least value of each
- * @param max    the largest value of each
- * @param step   what one click of a widget adds
- * @param integer  whether they are whole
- * @param unit what they are measured in
- * @param components  the numbers of a value, as many as labels
- * @param compose   the value of as many numbers
- * @param rangeCheck  refuses a value with a number out of range, or whose numbers do not go together
+ * @param form       meaning of the numbers together
+ * @param labels     name of each number; empty for a single one
+ * @param min        minimum of each
+ * @param max        maximum of each
+ * @param step       increment of a click in a widget
+ * @param integer    true for whole numbers
+ * @param unit       unit of each
+ * @param components numbers of a value, as many as labels
+ * @param compose    value of as many numbers
+ * @param rangeCheck rejects a value with a number out of range, or with inconsistent numbers
  */
 public record NumericKind<V>(Form form, List<String> labels, double min, double max, double step, boolean integer,
         NumberUnit unit,
@@ -33,30 +33,30 @@ public record NumericKind<V>(Form form, List<String> labels, double min, double 
     private static final List<String> AXES = List.of("x", "y", "z");
     private static final MathContext DISPLAY_PRECISION = new MathContext(4);
 
-    /** What the numbers of a value are together. */
+    /** Meaning of the numbers of a value together. */
     public enum Form {
-        /** A linear color. */
+        /** Linear color. */
         COLOR,
-        /** A place. */
+        /** Position. */
         POSITION,
-        /** A direction, whose length does not matter. */
+        /** Direction of any length. */
         DIRECTION,
-        /** Each is set for itself. */
+        /** Independent numbers. */
         INDEPENDENT
     }
 
-    /** Refuses values. */
+    /** Range check of values. */
     @FunctionalInterface
     public interface RangeCheck<V> {
         void check(String name, V value);
     }
 
-    /** One number. */
+    /** Returns a kind for one number. */
     static NumericKind<Double> number(double min, double max, double step) {
         return number(min, max, step, NumberUnit.FACTOR);
     }
 
-    /** One number of degrees. */
+    /** Returns a kind for one angle in degrees. */
     static NumericKind<Double> degrees(double min, double max, double step) {
         return number(min, max, step, NumberUnit.DEGREES);
     }
@@ -66,14 +66,14 @@ public record NumericKind<V>(Form form, List<String> labels, double min, double 
                 (what, v) -> SceneLimits.checkRange(what, v, min, max));
     }
 
-    /** One whole number. */
+    /** Returns a kind for one whole number. */
     static NumericKind<Integer> integer(int min, int max) {
         return new NumericKind<>(Form.INDEPENDENT, List.of(""), min, max, 1, true, NumberUnit.FACTOR, v -> List.of((double) v),
                 n -> n.getFirst().intValue(),
                 (what, v) -> SceneLimits.checkRange(what, v, min, max));
     }
 
-    /** Red, green and blue, from 0. */
+    /** Returns a kind for red, green and blue, from 0. */
     static NumericKind<Rgb> color(double max) {
         return new NumericKind<>(Form.COLOR, CHANNELS, 0, max, 0.1, false, NumberUnit.FACTOR, c -> List.of(c.r(), c.g(), c.b()),
                 n -> new Rgb(n.get(0), n.get(1), n.get(2)), (what, c) -> SceneLimits.checkRange(what, c, max));
@@ -91,7 +91,7 @@ public record NumericKind<V>(Form form, List<String> labels, double min, double 
         return vector(form, SceneLimits.MAX_COORDINATE, 0.1, NumberUnit.FACTOR, rangeCheck);
     }
 
-    /** A number for each axis, either sign. */
+    /** Returns a kind for x, y and z of either sign. */
     static NumericKind<Vec3> axes(double max, double step, NumberUnit unit, RangeCheck<Vec3> rangeCheck) {
         return vector(Form.INDEPENDENT, max, step, unit, rangeCheck);
     }
@@ -122,10 +122,10 @@ public record NumericKind<V>(Form form, List<String> labels, double min, double 
     }
 
     /**
-     * Refuses a number that is out of range, or not whole where it must be.
+     * Checks that a number is in range and, if required, whole.
      *
      * @param name the number's name in the message
-     * @throws IllegalArgumentException that says what was expected and found
+     * @throws IllegalArgumentException with the expected and the actual value
      */
     public void check(String name, double number) {
         if (integer && number != Math.rint(number)) {
@@ -134,24 +134,24 @@ public record NumericKind<V>(Form form, List<String> labels, double min, double 
         SceneLimits.checkRange(name, number, min, max);
     }
 
-    /** Whether the numbers are x, y and z. */
+    /** Returns whether the numbers are x, y and z. */
     public boolean isVector() {
         return form == Form.POSITION || form == Form.DIRECTION;
     }
 
-    /** The number at a place among the labels. */
+    /** Returns the number at an index of the labels. */
     public double number(V value, int index) {
         return components.apply(value).get(index);
     }
 
-    /** The value with another number at a place among the labels. */
+    /** Returns the value with the number at an index of the labels replaced. */
     public V with(V value, int index, double number) {
         List<Double> numbers = new ArrayList<>(components.apply(value));
         numbers.set(index, number);
         return compose.apply(numbers);
     }
 
-    /** Directions are alike whatever their length. */
+    /** Directions are equivalent if parallel, whatever their length. */
     @Override
     public boolean isEquivalent(V a, V b) {
         return a.equals(b) || switch (form) {
@@ -161,13 +161,13 @@ public record NumericKind<V>(Form form, List<String> labels, double min, double 
         };
     }
 
-    /** The first three numbers of a value as x, y and z. */
+    /** Returns the first three numbers of a value as x, y and z. */
     public Vec3 vector(V value) {
         List<Double> n = components.apply(value);
         return new Vec3(n.get(0), n.get(1), n.get(2));
     }
 
-    /** The first three numbers of a value as red, green and blue. */
+    /** Returns the first three numbers of a value as red, green and blue. */
     public Rgb color(V value) {
         List<Double> n = components.apply(value);
         return new Rgb(n.get(0), n.get(1), n.get(2));
@@ -177,7 +177,7 @@ public record NumericKind<V>(Form form, List<String> labels, double min, double 
         return a.x() == b.x() && a.y() == b.y() && a.z() == b.z();
     }
 
-    /** Four digits of each, enough to recognize a value. */
+    /** Formats each number with four digits, enough to recognize a value. */
     @Override
     public String format(V value) {
         return components.apply(value).stream().map(NumericKind::formatShort).collect(Collectors.joining(" "));

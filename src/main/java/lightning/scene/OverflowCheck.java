@@ -7,19 +7,19 @@ import java.util.Optional;
 import lightning.base.text.Quote;
 
 /**
- * Lights that are too bright together for a metallic material: its sharp highlights are brighter than the light is, so that sums of
- * contributions could overflow a float. The weights of all lights times the greatest term of any material add up to at most
- * {@link SceneLimits#MAX_TOTAL_LIGHT}, which lights without such a material never exceed. Lights count whether they are on or not, and as they are
- * or as their banks make them, whichever is brighter: so neither a switch nor a bank that goes makes a scene too bright.
+ * Check that the sum of contributions cannot overflow a float. Sharp highlights of a metallic material are brighter than the light itself.
+ * The weights of all lights times the largest term of any material may sum to at most {@link SceneLimits#MAX_TOTAL_LIGHT}, which scenes
+ * without such a material never exceed. Includes lights that are off, and counts each light with or without its group, whichever is
+ * brighter, so that neither a switch nor the removal of a group can exceed the limit.
  *
- * @param light    the brightest of them
- * @param material the one whose highlights are the sharpest
- * @param limit     what the greatest channels of the lights' colors times intensities may add up to
- * @param sum      what they add up to
+ * @param light    the brightest light
+ * @param material the material with the sharpest highlights
+ * @param limit    maximum sum of the largest channels of color times intensity
+ * @param sum      actual sum
  */
 public record OverflowCheck(Light light, Material material, double limit, double sum) {
 
-    /** What is too bright on a stage; empty where nothing is. Lamps of an environment never are. */
+    /** Returns the violation of a stage and its lights, if any. Environment lights never cause one. */
     public static Optional<OverflowCheck> of(Stage stage, LightRig rig) {
         if (stage.sharpestMaterial().isEmpty()) {
             return Optional.empty();
@@ -38,22 +38,22 @@ public record OverflowCheck(Light light, Material material, double limit, double
         return sum > limit ? Optional.of(new OverflowCheck(light, material, limit, sum)) : Optional.empty();
     }
 
-    /** @throws IllegalArgumentException if anything is too bright; the message says what */
+    /** @throws IllegalArgumentException if the lights are too bright; the message says which */
     static void check(Stage stage, LightRig rig) {
         of(stage, rig).ifPresent(overflow -> {
             throw new IllegalArgumentException(overflow.message());
         });
     }
 
-    /** What may be, and what was found: a clause. */
+    /** Returns a clause with the limit and the actual sum. */
     public String message() {
         return "light " + Quote.of(light.name()) + ": color times intensity of all lights must add up to at most "
                 + SceneLimits.format(rounded(limit, RoundingMode.DOWN))
-                + " before metallic material " + Quote.of(material.name()) + ", which has highlights so sharp, was "
+                + " for metallic material " + Quote.of(material.name()) + ", whose highlights are this sharp, was "
                 + SceneLimits.format(rounded(sum, RoundingMode.HALF_EVEN));
     }
 
-    /** To three digits. */
+    /** Rounds to three digits. */
     private static double rounded(double v, RoundingMode mode) {
         return BigDecimal.valueOf(v).round(new MathContext(3, mode)).doubleValue();
     }

@@ -3,14 +3,14 @@ package lightning.scene;
 import java.util.Arrays;
 
 /**
- * Luminous intensities over two angles, each over the largest of all: 0…1, never changed after construction.
+ * Luminous intensities over two angles, relative to the maximum: 0…1. Immutable.
  *
- * <p>Half planes go through a common axis, the planes; a direction lies at an angle in one of them. For {@link Type#C} the axis is that of the light, a plane
- * has an angle of 0 … 360 degrees and a direction 0 … 180 from the axis. For {@link Type#A} and {@link Type#B} both are −90 … 90 (ANSI/IESNA
+ * <p>Half planes share a common axis; a direction is an angle in one of them. For {@link Type#C} the axis is that of the light, the plane's
+ * angle is 0 … 360 degrees and the direction's 0 … 180 from the axis. For {@link Type#A} and {@link Type#B} both are −90 … 90 (ANSI/IESNA
  * LM-63-02, 3 and 5).
  */
 public final class Photometry {
-    /** Which axis the planes share: upright, lying, that of the light. */
+    /** Axis shared by the planes: vertical, horizontal, or that of the light. */
     public enum Type {
         A,
         B,
@@ -24,8 +24,9 @@ public final class Photometry {
 
     /**
      * @param vertical   degrees, increasing
-     * @param horizontal degrees, increasing; of type C from 0 to 0, 90, 180, 360, or from 90 to 270; of the others −90 or 0 to 90, or 0 alone
-     * @param candela    ≥ 0, finite, one above 0: all of the first horizontal angle, then of the next; not kept
+     * @param horizontal degrees, increasing; for type C from 0 to 0, 90, 180, 360, or from 90 to 270; for the others −90 or 0 to 90, or 0
+     *     alone
+     * @param candela    ≥ 0, finite, at least one above 0: all values of the first horizontal angle, then of the next; copied
      */
     public Photometry(Type type, double[] vertical, double[] horizontal, double[] candela) {
         if (candela.length != vertical.length * horizontal.length || vertical.length == 0) {
@@ -46,10 +47,10 @@ public final class Photometry {
     }
 
     /**
-     * The share of the largest intensity in a direction, bilinear between the angles; 0 where no vertical angle reaches.
+     * Returns the relative intensity in a direction, bilinear between the angles; 0 outside the vertical range.
      *
-     * @param verticalAngle     the direction's vertical angle in degrees: type C 0…180, others −180…180
-     * @param horizontalAngle its horizontal angle in degrees: type C 0…360, others −180…180
+     * @param verticalAngle   vertical angle in degrees: type C 0…180, others −180…180
+     * @param horizontalAngle horizontal angle in degrees: type C 0…360, others −180…180
      */
     public double sample(double verticalAngle, double horizontalAngle) {
         double v = type != Type.C && vertical[0] >= 0 ? Math.abs(verticalAngle) : verticalAngle;
@@ -70,7 +71,7 @@ public final class Photometry {
         return t == 0 ? relative[i] : relative[i] * (1 - t) + relative[i + 1] * t;
     }
 
-    /** The horizontal angle that was measured in place of another, by the symmetry of what was. */
+    /** Returns the measured horizontal angle that represents another by symmetry. */
     private double foldHorizontal(double angle) {
         double last = horizontal[horizontal.length - 1];
         if (type != Type.C) {
@@ -83,13 +84,13 @@ public final class Photometry {
         return last <= 90 && half > 90 ? 180 - half : half;
     }
 
-    /** The last of the angles that is not above one, and of a single angle that. */
+    /** Returns the index of the last angle that is not above {@code angle}; 0 for a single angle. */
     private static int indexBelow(double[] angles, double angle) {
         int index = Arrays.binarySearch(angles, angle);
         return Math.clamp(index >= 0 ? index : -index - 2, 0, angles.length - 1);
     }
 
-    /** How far an angle is from that at a place to the next, 0…1. */
+    /** Returns the position of an angle between those at an index and the next, 0…1. */
     private static double fraction(double[] angles, int index, double angle) {
         return index + 1 == angles.length ? 0 : Math.clamp((angle - angles[index]) / (angles[index + 1] - angles[index]), 0, 1);
     }

@@ -1,20 +1,20 @@
 package lightning.scene;
 
 /**
- * The picture that a scene asks for.
+ * Image settings of a scene.
  *
  * @param width    pixels
  * @param height   pixels
- * @param depth    how many mirror bounces are followed, 0 to 10
- * @param sampling how many samples its pixels have
+ * @param depth    maximum reflection bounces, 0 to 10
+ * @param sampling samples per pixel
  */
 public record PictureSettings(int width, int height, int depth, SamplingSettings sampling) {
     public static final SceneAttribute<PictureSettings, Integer> DEPTH = new SceneAttribute<>("depth", "depth",
-            NumericKind.integer(0, SceneLimits.MAX_DEPTH), 3, "mirror bounces", PictureSettings::depth, PictureSettings::withDepth);
+            NumericKind.integer(0, SceneLimits.MAX_DEPTH), 3, "reflection bounces", PictureSettings::depth, PictureSettings::withDepth);
 
     public static final PictureSettings DEFAULT = new PictureSettings(200, 200, DEPTH.initial());
 
-    /** One sample a pixel. */
+    /** Creates settings with one sample per pixel. */
     public PictureSettings(int width, int height, int depth) {
         this(width, height, depth, SamplingSettings.DEFAULT);
     }

@@ -3,10 +3,10 @@ package lightning.scene;
 import lightning.base.math.Transform;
 
 /**
- * A shape of the tree with its material looked up and all the groups around it multiplied in.
+ * Shape with its material resolved and the transforms of all enclosing groups applied.
  *
- * @param toWorld        maps the shape's own coordinates to the scene's
- * @param directionsToLocal maps directions in the scene to the shape's own: the inverse without translation
- * @param error          how far both may be off
+ * @param toWorld           map from shape coordinates to the scene's
+ * @param directionsToLocal map of directions from the scene to the shape: the inverse without translation
+ * @param error             error bounds of both maps
  */
 public record PlacedShape(Shape shape, Material material, Transform toWorld, Transform directionsToLocal, PlacementError error) {}

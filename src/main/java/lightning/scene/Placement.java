@@ -4,9 +4,8 @@ import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
 
 /**
- * Where a shape or a group stands: scaled first, then rotated about x, y and z in this order, then
- * moved. Its numbers are its own fields: of a million shapes each would take 40 bytes more with its scale as an object beside it. Two are
- * equal when all bits are.
+ * Placement of a shape or a group: scale, then rotation about x, y and z in this order, then translation. The numbers are fields of this
+ * class: a separate scale object would take 40 more bytes for each of a million shapes. Equality compares all bits.
  */
 public final class Placement {
     public static final Placement IDENTITY = new Placement(Vec3.ZERO, Vec3.ZERO, Vec3.ONE);
@@ -17,16 +16,16 @@ public final class Placement {
     private final double scaleX;
     private final double scaleY;
     private final double scaleZ;
-    /** Most things are not turned: what a million of them have in common they share. */
+    /** Most shapes are not rotated; they share one vector. */
     private final Vec3 rotation;
 
     /**
-     * A placement within all limits.
+     * Creates a placement within all limits.
      *
-     * @param position     position, scene units
+     * @param position position, scene units
      * @param rotation angles about x, y, z, degrees
-     * @param scale  factors along the shape's own axes, none of them 0 (negative mirrors)
-     * @throws IllegalArgumentException if one is beyond what {@link SceneLimits} allows
+     * @param scale    factors along the shape's own axes, none of them 0 (negative mirrors)
+     * @throws IllegalArgumentException if one is beyond the limits of {@link SceneLimits}
      */
     public Placement(Vec3 position, Vec3 rotation, Vec3 scale) {
         SceneLimits.checkPosition("at", position);
@@ -46,17 +45,17 @@ public final class Placement {
         this.rotation = rotation.equals(Vec3.ZERO) ? Vec3.ZERO : rotation;
     }
 
-    /** Position, scene units. */
+    /** Returns the position, scene units. */
     public Vec3 position() {
         return new Vec3(x, y, z);
     }
 
-    /** Angles about x, y, z, degrees. */
+    /** Returns the angles about x, y, z, degrees. */
     public Vec3 rotation() {
         return rotation;
     }
 
-    /** Factors along the shape's own axes. */
+    /** Returns the factors along the shape's own axes. */
     public Vec3 scale() {
         return new Vec3(scaleX, scaleY, scaleZ);
     }
@@ -73,12 +72,12 @@ public final class Placement {
         return new Placement(position(), rotation, v);
     }
 
-    /** The smallest absolute scale factor. */
+    /** Returns the smallest absolute scale factor. */
     public double minScale() {
         return minAbs(scale());
     }
 
-    /** The largest absolute scale factor. */
+    /** Returns the largest absolute scale factor. */
     public double maxScale() {
         return scale().maxAbs();
     }
@@ -88,9 +87,8 @@ public final class Placement {
     }
 
     /**
-     * The inverse of {@link #transform}, without translation: turned back, then scaled back. Nothing is
-     * subtracted on the way, so that it exists and is accurate where the determinant of the map, or of a
-     * product of such maps, is lost in rounding.
+     * Returns the inverse of {@link #transform} without translation: inverse rotation, then inverse scale. Subtracts nothing, so it is
+     * accurate even if the determinant of the map, or of a product of such maps, is lost in rounding.
      */
     public Transform directionsToLocal() {
         Vec3 inverseScale = new Vec3(1 / scaleX, 1 / scaleY, 1 / scaleZ);

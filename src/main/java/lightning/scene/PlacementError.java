@@ -4,30 +4,30 @@ import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
 
 /**
- * Bounds on the error of a placed shape's maps against those that its numbers mean, group by group: a running error
- * analysis (Higham, Accuracy and Stability of Numerical Algorithms, §3.3).
+ * Error bounds of a placed shape's maps against exact arithmetic, accumulated over its groups: a running error analysis (Higham, Accuracy
+ * and Stability of Numerical Algorithms, §3.3).
  *
- * @param toWorld        how far each number of the map to the scene may be off
- * @param directionsToLocal how far each number of the map of directions back may be off
+ * @param toWorld           error bound of each number of the map to the scene
+ * @param directionsToLocal error bound of each number of the inverse map of directions
  */
 public record PlacementError(Transform toWorld, Transform directionsToLocal) {
     private static final Transform ZERO = Transform.IDENTITY.times(0);
     static final PlacementError NONE = new PlacementError(ZERO, ZERO);
 
-    /** How far a decimal may be off as a double, as a share of itself, or a product. */
+    /** Relative error of a decimal stored as a double, or of a product. */
     private static final double UNIT_ROUNDOFF = 0x1p-53;
-    /** Of a sum of three products and a fourth term, as a share of the sizes of all: 4 units, and a little for the units' units. */
+    /** Error of a sum of three products and a fourth term, relative to the sum of their sizes: 4 units and second-order terms. */
     private static final double SUM_ERROR = 4.125 * UNIT_ROUNDOFF;
-    /** Of a sum of two products, as about an axis: 2 units and a little. */
+    /** Error of a sum of two products, as in a rotation about an axis: 2 units and second-order terms. */
     private static final double TURN_ERROR = 2.125 * UNIT_ROUNDOFF;
-    /** Of a factor: a decimal, its inverse, and the product with it, and a little. */
+    /** Error of a factor: a decimal, its inverse, the product with it, and second-order terms. */
     private static final double FACTOR_ERROR = 3.125 * UNIT_ROUNDOFF;
 
     /**
-     * The bounds for something placed within groups.
+     * Returns the bounds for a placement within groups.
      *
-     * @param outer the product of the maps of the groups around it
-     * @param outerInverse   the product of their inverses
+     * @param outer        product of the maps of the enclosing groups
+     * @param outerInverse product of their inverses
      */
     PlacementError compose(Transform outer, Transform outerInverse, Placement placement) {
         Transform rotationError = rotationError(placement.rotation());
@@ -44,18 +44,18 @@ public record PlacementError(Transform toWorld, Transform directionsToLocal) {
                         productError(inverse, inverseError, outerInverse, directionsToLocal, SUM_ERROR));
     }
 
-    /** A bound on how far the shape's own origin may be off, scene units. */
+    /** Returns an error bound of the shape's origin, scene units. */
     public double positionError() {
         return Math.max(Math.max(toWorld.t0(), toWorld.t1()), toWorld.t2());
     }
 
-    /** The error of a·b where that of a is {@code ea}, that of b is {@code eb}, and each of its sums is rounded. */
+    /** Returns the error of a·b, given the errors {@code ea} and {@code eb} and the rounding of each sum. */
     private static Transform productError(Transform a, Transform ea, Transform b, Transform eb, double rounding) {
         return a.absolute().linearPart().times(eb).plus(ea.times(b.absolute().plus(eb)))
                 .plus(a.absolute().times(b.absolute()).times(rounding));
     }
 
-    /** That of {@link Transform#rotation}. */
+    /** Returns the error of {@link Transform#rotation}. */
     private static Transform rotationError(Vec3 degrees) {
         if (degrees.maxAbs() == 0) {
             return ZERO;
@@ -72,9 +72,9 @@ public record PlacementError(Transform toWorld, Transform directionsToLocal) {
     }
 
     /**
-     * The errors of the cosine and the sine of an angle. In radians it is off by a unit of itself for each of: the decimal,
-     * whole turns included; the quarter turn that makes a cosine of a sine; π/180, and the product with it. The functions are
-     * off by a unit in their last place.
+     * Returns the errors of the cosine and the sine of an angle. The angle in radians has a relative error of one unit each for the decimal
+     * (including whole turns), the quarter turn that makes a cosine of a sine, π/180, and the product. The functions have an error of one
+     * unit in the last place.
      */
     private static double[] trigError(double degrees) {
         if (degrees % 90 == 0) {
@@ -84,7 +84,7 @@ public record PlacementError(Transform toWorld, Transform directionsToLocal) {
         double angle = Math.toRadians(Math.abs(degrees % 360));
         double cosine = Math.abs(Transform.cosDegrees(degrees));
         double sine = Math.abs(Transform.sinDegrees(degrees));
-        // The square of the error is more than what its first order leaves out.
+        // The square of the error bounds the terms beyond first order.
         double first = UNIT_ROUNDOFF * (decimal + 3 * (angle + Math.PI / 2));
         return new double[] {UNIT_ROUNDOFF * ((decimal + 3 * angle) * sine + 2 * cosine) + first * first,
             first * cosine + UNIT_ROUNDOFF * 2 * sine + first * first};

@@ -1,10 +1,10 @@
 package lightning.scene;
 
 /**
- * How a picture is sampled. A pixel with several samples is the mean of a regular grid of them.
+ * Sampling of an image. A pixel with several samples is the mean of a regular grid of them.
  *
- * @param antialias which pixels have several samples
- * @param grid      samples along each side of such a pixel, 2 to 8; kept, without effect, where there are none
+ * @param antialias pixels that have several samples
+ * @param grid      samples along each side of such a pixel, 2 to 8; kept without effect if no pixel has several
  */
 public record SamplingSettings(AntialiasMode antialias, int grid) {
     public static final SamplingSettings DEFAULT = new SamplingSettings(AntialiasMode.OFF, 4);
@@ -13,17 +13,17 @@ public record SamplingSettings(AntialiasMode antialias, int grid) {
         SceneLimits.checkRange("samples", grid, SceneLimits.MIN_SAMPLES, SceneLimits.MAX_SAMPLES);
     }
 
-    /** Whether any pixel may have several samples. */
+    /** Returns whether any pixel may have several samples. */
     public boolean isSupersampled() {
         return antialias != AntialiasMode.OFF;
     }
 
-    /** The samples of a pixel that has several. */
+    /** Returns the samples of a pixel with several. */
     public int samplesPerPixel() {
         return grid * grid;
     }
 
-    /** Whether a picture sampled in this way has the same samples, whatever the scene. */
+    /** Returns whether both settings place the same samples, whatever the scene. */
     public boolean hasSameSamples(SamplingSettings o) {
         return antialias == o.antialias && (!isSupersampled() || grid == o.grid);
     }

@@ -7,11 +7,10 @@ import java.util.Optional;
 import lightning.base.text.Quote;
 
 /**
- * Everything a picture depends on. Two equal scenes give the same picture in every bit.
+ * Complete input of a render. Two equal scenes give the same image in every bit.
  *
  * @param stage shapes and materials
- * @param rig   the lights; no light and no bank has the name of a shape or a group, and together they are not too bright for the
- *              materials ({@link OverflowCheck})
+ * @param rig   lights; no light or light group has the name of a shape or a group, and their total brightness passes {@link OverflowCheck}
  */
 public record Scene(PictureSettings picture, Camera camera, World world, Stage stage, LightRig rig) {
 
@@ -22,10 +21,11 @@ public record Scene(PictureSettings picture, Camera camera, World world, Stage s
     }
 
     /**
-     * A scene made of its parts.
+     * Creates a scene from its parts.
      *
-     * @param materials as {@link Stage} wants them, likewise {@code nodes}
-     * @param lights    as {@link LightRig} wants them
+     * @param materials as {@link Stage} requires
+     * @param nodes     as {@link Stage} requires
+     * @param lights    as {@link LightRig} requires
      */
     public Scene(PictureSettings picture, Camera camera, World world, List<Material> materials, List<SceneNode> nodes, List<Light> lights) {
         this(picture, camera, world, new Stage(materials, nodes), LightRig.of(lights));
@@ -39,17 +39,17 @@ public record Scene(PictureSettings picture, Camera camera, World world, Stage s
         return stage.nodes();
     }
 
-    /** In the order in which their contributions are summed. */
+    /** Returns the lights in the order in which their contributions are summed. */
     public List<Light> lights() {
         return rig.lights();
     }
 
-    /** All visible shapes, in the order of the file, with materials and groups resolved. */
+    /** Returns all visible shapes, in file order, with materials and groups resolved. */
     public List<PlacedShape> placedShapes() {
         return stage.placedShapes();
     }
 
-    /** Every material that a shape may name, {@code default} included. */
+    /** Returns every material that a shape may name, including {@code default}. */
     public Map<String, Material> materialsByName() {
         return stage.materialsByName();
     }
@@ -58,31 +58,31 @@ public record Scene(PictureSettings picture, Camera camera, World world, Stage s
         return rig.light(name);
     }
 
-    /** Whether a light, a bank, a shape or a group has the name. */
+    /** Returns whether a light, a light group, a shape or a group has the name. */
     public boolean isNameUsed(String name) {
         return rig.isNameUsed(name) || stage.hasNode(name);
     }
 
-    /** Whether a light contributes: it is on, and solo if any light is; what its bank says counts. */
+    /** Returns whether a light contributes: it is on, and solo if any light is, with its group applied. */
     public boolean isActive(Light light) {
         return rig.isActive(light);
     }
 
     /**
-     * Whether both show the same shapes from the same camera at the same size, so that what is known of the one's picture
-     * serves the other's: they differ in lights, materials, the world and how deep mirrors are followed at most.
+     * Returns whether both show the same shapes from the same camera at the same size, so that one can reuse the other's cache. They may
+     * differ in lights, materials, the world and the reflection depth.
      */
     public boolean hasSameShapes(Scene o) {
         return hasSameView(o) && stage.hasSameNodes(o.stage);
     }
 
-    /** Whether both are seen by the same camera at the same size. */
+    /** Returns whether both have the same camera and image size. */
     public boolean hasSameView(Scene o) {
         return picture.width() == o.picture.width() && picture.height() == o.picture.height() && camera.equals(o.camera);
     }
 
     /**
-     * This scene with the light of the same name replaced.
+     * Returns this scene with the light of the same name replaced.
      *
      * @throws IllegalArgumentException if no light has that name
      */
@@ -90,7 +90,7 @@ public record Scene(PictureSettings picture, Camera camera, World world, Stage s
         return withRig(rig.with(light));
     }
 
-    /** This scene with other lights and the same banks. */
+    /** Returns this scene with other lights and the same light groups. */
     public Scene withLights(List<Light> v) {
         return withRig(rig.withLights(v));
     }
@@ -104,8 +104,8 @@ public record Scene(PictureSettings picture, Camera camera, World world, Stage s
     }
 
     /**
-     * This scene with the material of the same name replaced; the first of the name {@code default}, which shapes without a
-     * material have, is added as the last.
+     * Returns this scene with the material of the same name replaced. Adds the first material named {@code default}, which shapes without a
+     * material use, at the end.
      *
      * @throws IllegalArgumentException if no material has that name
      */
@@ -129,14 +129,14 @@ public record Scene(PictureSettings picture, Camera camera, World world, Stage s
         return withStage(stage.withNodes(v));
     }
 
-    /** This scene with a shape or a group in place of that name's; what links of lights name follows where it has another name. */
+    /** Returns this scene with the shape or group of that name replaced; links of lights follow a new name. */
     public Scene withNode(String name, SceneNode node) {
         return replaceNode(name, List.of(node));
     }
 
     /**
-     * This scene with none, one or several nodes in place of that name's: see {@link Stage#replaceNode}. Where it is one, links of lights
-     * follow its name.
+     * Returns this scene with the node of that name replaced by none, one or several: see {@link Stage#replaceNode}. If it is one, links of
+     * lights follow its name.
      */
     public Scene replaceNode(String node, List<? extends SceneNode> replacement) {
         return replacement.size() != 1 ? withStage(stage.replaceNode(node, replacement))
@@ -144,7 +144,7 @@ public record Scene(PictureSettings picture, Camera camera, World world, Stage s
                         .withStage(stage.replaceNode(node, replacement));
     }
 
-    /** This scene with another stage; links of lights lose the names of shapes and groups that are gone. */
+    /** Returns this scene with another stage; links of lights lose the names of removed shapes and groups. */
     public Scene withStage(Stage v) {
         return new Scene(picture, camera, world, v, v.sharesNames(stage) ? rig : rig.mapLinks(links -> links.retain(v::hasNode)));
     }

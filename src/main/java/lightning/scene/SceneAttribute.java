@@ -4,11 +4,11 @@ import java.util.function.BiFunction;
 import java.util.function.Function;
 
 /**
- * One attribute of a record of the scene: everything that is known of it but what it means. The format's blocks, the edits
- * of the command line, the editor's widgets, the words of undo and the tables of the documents follow from it.
+ * Descriptor of one attribute of a scene record: name, kind, initial value, unit and access. The file format, the command line's edits, the
+ * editor's widgets, undo descriptions and the tables of the documents use it.
  *
- * @param <T> the record that has it
- * @param <V> the type of its values
+ * @param <T> type of the record
+ * @param <V> type of the values
  */
 public sealed class SceneAttribute<T, V> permits LightAttribute, MaterialAttribute {
     private final String name;
@@ -20,10 +20,10 @@ public sealed class SceneAttribute<T, V> permits LightAttribute, MaterialAttribu
     private final BiFunction<T, V, T> setter;
 
     /**
-     * @param name    as a scene file writes it
-     * @param title   as people are told it, lower case
-     * @param initial the value where a file does not say
-     * @param unit    for the documents; empty where there is none
+     * @param name    keyword in a scene file
+     * @param title   name for the user, lower case
+     * @param initial value if a file does not set it
+     * @param unit    unit for the documents; empty for none
      */
     SceneAttribute(String name, String title, ValueKind<V> kind, V initial, String unit, Function<T, V> getter,
             BiFunction<T, V, T> setter) {
@@ -61,25 +61,25 @@ public sealed class SceneAttribute<T, V> permits LightAttribute, MaterialAttribu
     }
 
     /**
-     * The record with another value.
+     * Returns the record with another value.
      *
-     * @throws IllegalArgumentException if the record may not have it; the message says why
+     * @throws IllegalArgumentException if the record may not have the value; the message says why
      */
     public final T with(T record, V value) {
         return setter.apply(record, value);
     }
 
-    /** {@code to} with the value that {@code from} has. */
+    /** Returns {@code to} with the value of {@code from}. */
     public final T copy(T from, T to) {
         return with(to, get(from));
     }
 
-    /** Whether the values of two records do the same wherever they act. */
+    /** Returns whether the values of both records have the same effect. */
     public boolean isEquivalent(T a, T b) {
         return kind.isEquivalent(get(a), get(b));
     }
 
-    /** The value for people, in a few digits. */
+    /** Formats the value for the user, with few digits. */
     public final String format(T record) {
         return kind.format(get(record));
     }

@@ -9,15 +9,15 @@ import java.util.stream.Collectors;
 import lightning.base.math.Vec3;
 import lightning.base.text.Messages;
 
-/** Says what changed from one scene to another: {@code key: intensity 1 → 1.2}. */
+/** Description of the changes between two scenes: {@code key: intensity 1 → 1.2}. */
 public final class SceneDiff {
-    /** Of more shapes and groups than this it is not told what changed. */
+    /** Above this many nodes, changes are not described. */
     private static final int MAX_NODES = 3;
 
     private final boolean brief;
     private final List<String> parts = new ArrayList<>();
 
-    /** One attribute with its values, for people. */
+    /** Change of one attribute, for the user. */
     private record Change(String title, String before, String after) {
         boolean isVisible() {
             return !before.equals(after);
@@ -36,17 +36,19 @@ public final class SceneDiff {
         this.brief = brief;
     }
 
-    /** All of it: {@code key: color 1 1 1 → 1 0 0, intensity 1 → 0.3}. Never empty. */
+    /** Describes all changes: {@code key: color 1 1 1 → 1 0 0, intensity 1 → 0.3}. Never empty. */
     public static String describe(Scene before, Scene after) {
         return new SceneDiff(false).describeChanges(before, after);
     }
 
-    /** One line for a menu: {@code key: color, intensity} where several attributes of a light or material changed. Never empty. */
+    /**
+     * Summarizes the changes for a menu: {@code key: color, intensity} if several attributes of a light or material changed. Never empty.
+     */
     public static String summarize(Scene before, Scene after) {
         return new SceneDiff(true).describeChanges(before, after);
     }
 
-    /** The edit of one light, in one line for a menu. */
+    /** Summarizes the edit of one light for a menu. */
     public static String summarize(Light before, Light after) {
         return new SceneDiff(true).describeChanges(before, after);
     }
@@ -99,34 +101,34 @@ public final class SceneDiff {
         }
     }
 
-    /** A bank goes on from the one of its name, or where their number is the same from the one at its place. */
+    /** Matches light groups by name, or by index if their number is unchanged. */
     private void addLightGroups(LightRig before, LightRig after) {
         boolean renames = before.lightGroups().size() == after.lightGroups().size();
-        for (LightGroup bank : before.lightGroups()) {
-            if (!renames && after.lightGroup(bank.name()).isEmpty()) {
-                parts.add(Messages.tr("delete {0}", bank.name()));
+        for (LightGroup group : before.lightGroups()) {
+            if (!renames && after.lightGroup(group.name()).isEmpty()) {
+                parts.add(Messages.tr("delete {0}", group.name()));
             }
         }
         for (int i = 0; i < after.lightGroups().size(); i++) {
-            LightGroup bank = after.lightGroups().get(i);
-            Optional<LightGroup> old = before.lightGroup(bank.name())
-                    .or(renames ? () -> Optional.of(before.lightGroups().get(after.lightGroups().indexOf(bank)))
+            LightGroup group = after.lightGroups().get(i);
+            Optional<LightGroup> old = before.lightGroup(group.name())
+                    .or(renames ? () -> Optional.of(before.lightGroups().get(after.lightGroups().indexOf(group)))
                             : Optional::empty);
             if (old.isEmpty()) {
-                parts.add(Messages.tr("add {0}", bank.name()));
-            } else if (!old.get().equals(bank)) {
-                List<Change> changes = new ArrayList<>(List.of(new Change(Messages.key("name"), old.get().name(), bank.name())));
-                changes.addAll(changes(LightGroup.ATTRIBUTES, old.get(), bank));
+                parts.add(Messages.tr("add {0}", group.name()));
+            } else if (!old.get().equals(group)) {
+                List<Change> changes = new ArrayList<>(List.of(new Change(Messages.key("name"), old.get().name(), group.name())));
+                changes.addAll(changes(LightGroup.ATTRIBUTES, old.get(), group));
                 parts.add(join(old.get().name(), changes));
             }
         }
         if (!names(before.lightGroups(), after).equals(names(after.lightGroups(), before))) {
-            parts.add(Messages.tr("order of banks"));
+            parts.add(Messages.tr("order of light groups"));
         }
     }
 
-    private static List<String> names(List<LightGroup> banks, LightRig among) {
-        return banks.stream().map(LightGroup::name).filter(name -> among.lightGroup(name).isPresent()).toList();
+    private static List<String> names(List<LightGroup> groups, LightRig among) {
+        return groups.stream().map(LightGroup::name).filter(name -> among.lightGroup(name).isPresent()).toList();
     }
 
     private String describeChanges(Light before, Light after) {
@@ -135,7 +137,7 @@ public final class SceneDiff {
         return join(before.name(), changes);
     }
 
-    /** Adds what changed of each material; false if the change is more than values of theirs. */
+    /** Adds the changes of each material; returns false if more than attribute values changed. */
     private boolean addMaterials(Scene before, Scene after) {
         if (before.materials().equals(after.materials())) {
             return true;
@@ -144,7 +146,7 @@ public final class SceneDiff {
         for (Material material : after.materials()) {
             Material old = previous.get(material.name());
             if (old != null && !old.equals(material)) {
-                // Another model has other attributes, which is not told.
+                // Attributes that only one of the models has are not described.
                 parts.add(join(old.name(), changes(MaterialAttribute.ALL.stream()
                         .filter(a -> a.appliesTo(old.model()) && a.appliesTo(material.model())).toList(), old, material)));
             }
@@ -152,7 +154,7 @@ public final class SceneDiff {
         return names(after).equals(names(before)) || addsDefault(before, after);
     }
 
-    /** Adds what changed of each shape and group; false if the change is more than values of theirs, or of too many to tell. */
+    /** Adds the changes of each shape and group; returns false if more than attribute values changed, or too many nodes. */
     private boolean addNodes(Scene before, Scene after) {
         List<String> changed = new ArrayList<>();
         if (!addNodes(before.nodes(), after.nodes(), changed) || changed.size() > MAX_NODES) {
@@ -162,7 +164,7 @@ public final class SceneDiff {
         return true;
     }
 
-    /** What is the same at both ends is passed over; between, nodes came, or went, or are others in the same places. */
+    /** Skips a common prefix and suffix; the nodes between were added, removed, or edited in place. */
     private boolean addNodes(List<SceneNode> before, List<SceneNode> after, List<String> changed) {
         int begin = BlockList.sharedStart(before, after);
         int shared = Math.min(BlockList.sharedEnd(before, after), Math.min(before.size(), after.size()) - begin);
@@ -186,7 +188,7 @@ public final class SceneDiff {
         return describable;
     }
 
-    /** Of very many nodes all but a few are the very same. */
+    /** Tests identity first, because almost all of very many nodes are identical. */
     private static boolean same(SceneNode a, SceneNode b) {
         return a == b || a.equals(b);
     }
@@ -249,7 +251,7 @@ public final class SceneDiff {
         return changes;
     }
 
-    /** Nothing for a value that is the same: to write numbers takes long. */
+    /** Returns empty for an unchanged value, before formatting its numbers. */
     private static <T> Optional<Change> change(SceneAttribute<T, ?> attribute, T before, T after) {
         return attribute.get(before).equals(attribute.get(after)) ? Optional.empty()
                 : Optional.of(new Change(attribute.title(), attribute.format(before), attribute.format(after)));

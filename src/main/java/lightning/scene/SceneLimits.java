@@ -8,13 +8,12 @@ import lightning.base.text.PrintableText;
 import lightning.base.text.Quote;
 
 /**
- * The ranges of everything that a scene may hold, stated once.
+ * Limits of all values in a scene.
  *
- * <p>They are wide enough for any picture and narrow enough that no product in the lighting
- * equation overflows a float: a light's weight is at most 1e3·1e30 = 1e33, whatever its bank, terms are at most 1, a thousand
- * lights sum to 1e36 ({@link #MAX_TOTAL_LIGHT}), material factors are at most 1, and ten mirrors add at most eleven such sums, each of a
- * diffuse, a specular and a grazing one: 3.3e37. Terms of metallic materials can be larger, up to 6.1e7; where a scene has such a
- * material, {@link OverflowCheck} holds the sum over its lights to the same bound.
+ * <p>They are wide enough for any image, and narrow enough that no product in the lighting equation overflows a float. A light's weight is
+ * at most 1e3·1e30 = 1e33, including its group. Terms are at most 1, so a thousand lights sum to 1e36 ({@link #MAX_TOTAL_LIGHT}). Material
+ * factors are at most 1. Ten mirrors add at most eleven such sums, each of a diffuse, a specular and a grazing one: 3.3e37. Terms of
+ * metallic materials can reach 6.1e7; for such scenes {@link OverflowCheck} limits the sum over the lights to the same bound.
  */
 public final class SceneLimits {
     public static final int MAX_SIZE = 16384;
@@ -23,7 +22,7 @@ public final class SceneLimits {
     public static final int MAX_SAMPLES = 8;
     public static final int MAX_LIGHTS = 1000;
     public static final int MAX_LIGHT_GROUPS = 1000;
-    /** Shapes and groups that one link of a light names. */
+    /** Number of shapes and groups in one link of a light. */
     public static final int MAX_LINKS = 1000;
     public static final int MAX_SHAPES = 1_000_000;
     public static final int MAX_MATERIALS = 32_000;
@@ -33,22 +32,22 @@ public final class SceneLimits {
     /** Absolute scale factors of a shape or a group. */
     public static final double MIN_SCALE = 1e-9;
     public static final double MAX_SCALE = 1e9;
-    /** The radius of a frustum's top, that of its base being 1. */
+    /** Radius of a frustum's top, relative to its base. */
     public static final double MAX_TOP = 1e6;
     public static final double MAX_EMISSION = 1e6;
     public static final double MAX_AMBIENCE = 1e6;
     public static final double MAX_LIGHT_COLOR = 1e3;
     public static final double MAX_INTENSITY = 1e30;
-    /** Of a lamp of an environment: so little beside {@link #MAX_TOTAL_LIGHT} that no environment is too bright for any material. */
+    /** Intensity of an environment light: so far below {@link #MAX_TOTAL_LIGHT} that no environment is too bright for any material. */
     public static final double MAX_ENVIRONMENT_LIGHT_INTENSITY = 1e22;
-    /** What the weights of all lights times the greatest term of any material add up to. */
+    /** Sum of the weights of all lights times the largest term of any material. */
     public static final double MAX_TOTAL_LIGHT = 1e36;
     public static final double MAX_GROUP_INTENSITY = 1e3;
     public static final double MAX_ATTENUATION = 1e30;
     public static final double MAX_ANGLE = 180;
     public static final double MAX_FEATHER = 90;
     public static final double MAX_DROPOFF = 1e6;
-    /** The radius, width and height of a light. */
+    /** Radius, width and height of a light. */
     public static final double MAX_EXTENT = 1e9;
     public static final double MAX_SPREAD = 90;
     public static final int MIN_LIGHT_SAMPLES = 4;
@@ -69,7 +68,7 @@ public final class SceneLimits {
     private SceneLimits() {}
 
     /**
-     * Returns {@code value} if it is a number within the two bounds.
+     * Returns {@code value} if it is within the bounds.
      *
      * @throws IllegalArgumentException if it is NaN or outside; the message says which
      */
@@ -86,7 +85,7 @@ public final class SceneLimits {
     }
 
     static Vec3 checkRange(String name, Vec3 v, double min, double max) {
-        // Words only where they are needed: a scene may have a million positions.
+        // Builds names only for an error: a scene may have a million positions.
         if (!(isWithin(v.x(), min, max) && isWithin(v.y(), min, max) && isWithin(v.z(), min, max))) {
             checkRange(name + " x", v.x(), min, max);
             checkRange(name + " y", v.y(), min, max);
@@ -110,7 +109,7 @@ public final class SceneLimits {
         return checkRange(name, p, -MAX_COORDINATE, MAX_COORDINATE);
     }
 
-    /** A direction: within the coordinate range and not so short that its length is lost. */
+    /** Checks a direction: within the coordinate range, and long enough to be normalized. */
     public static Vec3 checkDirection(String name, Vec3 d) {
         checkPosition(name, d);
         if (!(d.maxAbs() >= 1e-12)) {
@@ -121,12 +120,12 @@ public final class SceneLimits {
     }
 
     /**
-     * The scale of a shape times that of all groups around it must be within the range for one
-     * placement, so that its transform can be inverted however deep it is nested.
+     * Checks that the scale of a shape times that of all enclosing groups is within the range of a single placement, so that its transform
+     * can be inverted at any depth.
      *
-     * @param name  the shape's or group's name in messages
-     * @param min the product of the smallest absolute factors
-     * @param max  the product of the largest
+     * @param name the shape's or group's name in messages
+     * @param min  product of the smallest absolute factors
+     * @param max  product of the largest absolute factors
      */
     public static void checkCombinedScale(Supplier<String> name, double min, double max) {
         if (min < MIN_SCALE || max > MAX_SCALE) {
@@ -136,8 +135,8 @@ public final class SceneLimits {
     }
 
     /**
-     * A name: 1 to 100 code points, all of which a line shows, neither a space nor a joiner at its ends. Two names are the same if
-     * all their code points are.
+     * Checks a name: 1 to 100 printable code points, with neither a space nor a joiner at its ends. Names are equal if all their code
+     * points are.
      */
     public static String checkName(String name) {
         if (name.isEmpty() || name.codePointCount(0, name.length()) > MAX_NAME || !PrintableText.isPrintable(name)
@@ -152,7 +151,7 @@ public final class SceneLimits {
         return Character.getType(c) == Character.SPACE_SEPARATOR || Character.getType(c) == Character.FORMAT;
     }
 
-    /** A number as the file writes it; zero has no sign here. */
+    /** Formats a number as in a scene file; zero has no sign here. */
     public static String format(double v) {
         return DecimalNumber.format(v == 0 ? 0 : v);
     }

@@ -5,7 +5,7 @@ import java.util.stream.Stream;
 import lightning.base.math.Vec3;
 import lightning.base.text.NumberUnit;
 
-/** One entry of the scene's tree: a shape, or a group that places several nodes together. */
+/** Node of the scene tree: a shape, or a group of nodes. */
 public sealed interface SceneNode permits Shape, NodeGroup {
     SceneAttribute<SceneNode, Vec3> AT = new SceneAttribute<>("at", "position", NumericKind.position(), Vec3.ZERO, "scene units",
             n -> n.placement().position(), (n, v) -> n.withPlacement(n.placement().withPosition(v)));
@@ -18,22 +18,22 @@ public sealed interface SceneNode permits Shape, NodeGroup {
     SceneAttribute<SceneNode, Boolean> VISIBLE =
             new SceneAttribute<>("visible", "visible", ChoiceKind.YES_OR_NO, true, "", SceneNode::visible, SceneNode::withVisible);
 
-    /** Those that shapes and groups have, in the order in which a file writes them. */
+    /** Common attributes of shapes and groups, in file order. */
     List<SceneAttribute<SceneNode, ?>> ATTRIBUTES = List.of(AT, ROTATE, SCALE, VISIBLE);
 
-    /** Unique among all shapes, groups and lights. */
+    /** Unique name among all shapes, groups and lights. */
     String name();
 
     Placement placement();
 
-    /** Whether it is there at all; what is in a group that is not is not either. */
+    /** Returns whether it is visible; a hidden group hides its children. */
     boolean visible();
 
     SceneNode withPlacement(Placement v);
 
     SceneNode withVisible(boolean v);
 
-    /** All that can be said of it by numbers and words: of a shape those of its solid first. */
+    /** Returns all attributes with numbers or words; those of a shape's solid come first. */
     default List<SceneAttribute<SceneNode, ?>> attributes() {
         return this instanceof Shape s && s.solid() instanceof Solid.Canonical solid && !solid.attributes().isEmpty()
                 ? Stream.<SceneAttribute<SceneNode, ?>>concat(solid.attributes().stream().map(Shape::attribute), ATTRIBUTES.stream())

@@ -1,9 +1,9 @@
 package lightning.scene;
 
-/** By which equation a surface answers light. */
+/** Shading model of a material. */
 public enum ShadingModel {
-    /** Lambert and Phong, as the paper has them (§2.2). */
+    /** Lambert and Phong, as in the paper (§2.2). */
     PHONG,
-    /** Lambert and GGX, as glTF 2.0 has materials: a base color, how metallic, how rough. */
+    /** Lambert and GGX with base color, metalness and roughness, as in glTF 2.0. */
     METALLIC
 }

@@ -1,11 +1,11 @@
 package lightning.scene;
 
-/** Which shadows the shapes of a material throw. */
+/** Shadows cast by shapes with a material. */
 public enum ShadowCasting {
-    /** As if the material let no light through. */
+    /** Opaque shadows, even if the material is transparent. */
     FULL,
-    /** Of the color of the light that passes; full ones where none does. */
+    /** Shadows tinted by the transmitted color; opaque if the material is. */
     TINTED,
-    /** None: lights shine through. */
+    /** No shadows. */
     NONE
 }

@@ -1,22 +1,22 @@
 package lightning.scene;
 
 /**
- * A solid that is put into the scene by its placement.
+ * Solid with a placement and a material.
  *
- * @param material the name of a material of the scene
- * @param visible  whether it is there at all: a shape that is not is neither seen nor throws a shadow
+ * @param material name of a material of the scene
+ * @param visible  false if it is neither visible nor casts shadows
  */
 public record Shape(Solid solid, String name, String material, Placement placement, boolean visible) implements SceneNode {
     public Shape {
         SceneLimits.checkName(name);
     }
 
-    /** A visible one. */
+    /** Creates a visible shape. */
     public Shape(Solid solid, String name, String material, Placement placement) {
         this(solid, name, material, placement, true);
     }
 
-    /** An attribute of a solid as one of the shape that has it. */
+    /** Adapts an attribute of a solid to the shape that has it. */
     static <V> SceneAttribute<SceneNode, V> attribute(SceneAttribute<Solid.Canonical, V> a) {
         return new SceneAttribute<>(a.name(), a.title(), a.kind(), a.initial(), a.unit(), n -> a.get((Solid.Canonical) ((Shape) n).solid),
                 (n, v) -> ((Shape) n).withSolid(a.with((Solid.Canonical) ((Shape) n).solid, v)));

@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.function.BiFunction;
 import java.util.function.Function;
 
-/** The form of a shape: of a canonical size, or as large as its triangles are. All that a file may say of a solid stands here. */
+/** Geometry of a shape: a canonical solid of fixed size, or a triangle mesh. */
 public sealed interface Solid {
     Canonical SPHERE = new Sphere();
     Canonical CONE = new Cone(true);
@@ -12,20 +12,20 @@ public sealed interface Solid {
     Canonical FRUSTUM = new Frustum(0.5, true);
     Canonical PLANE = new Plane();
 
-    /** Each of those that a formula describes, as a file has it that says nothing more. */
+    /** Canonical solids with initial attributes, one of each type. */
     List<Canonical> CANONICAL = List.of(SPHERE, CONE, CYLINDER, FRUSTUM, PLANE);
 
-    /** What a formula describes, in a canonical size of its own. */
+    /** Solid defined by a formula, in a canonical size. */
     sealed interface Canonical extends Solid {
-        /** What can be said of such a solid, in the order in which a file writes it. */
+        /** Returns the attributes of this solid, in file order. */
         default List<SceneAttribute<Canonical, ?>> attributes() {
             return List.of();
         }
 
-        /** The smallest box that holds it, in its own space: least x, y, z, greatest x, y, z. */
+        /** Returns the bounding box in local space: minimum x, y, z, maximum x, y, z. */
         double[] bounds();
 
-        /** How a texture lies on it, but for the discs that close it. */
+        /** Returns the texture mapping, except for caps. */
         default Wrap wrap() {
             return switch (this) {
                 case Sphere _ -> Wrap.SPHERICAL;
@@ -34,7 +34,7 @@ public sealed interface Solid {
             };
         }
 
-        /** Whether discs close it, which have texture coordinates of their own. */
+        /** Returns whether it has caps, which have their own texture coordinates. */
         default boolean hasCaps() {
             return switch (this) {
                 case AxialSolid s -> s.caps();
@@ -42,7 +42,7 @@ public sealed interface Solid {
             };
         }
 
-        /** What POV-Ray calls it, left open for texture and placing. */
+        /** Returns the POV-Ray object, left open for texture and placement. */
         default String toPovRay() {
             return switch (this) {
                 case Sphere _ -> "sphere { <0, 0, 0>, 1";
@@ -58,7 +58,7 @@ public sealed interface Solid {
         }
     }
 
-    /** How texture coordinates go around a solid. */
+    /** Texture mapping of a solid. */
     enum Wrap {
         /** Along x and z. */
         FLAT,
@@ -68,13 +68,13 @@ public sealed interface Solid {
         CYLINDRICAL
     }
 
-    /** What stands on y = 0 around the y axis, 1 high. */
+    /** Solid around the y axis from y = 0 to y = 1. */
     sealed interface AxialSolid extends Canonical {
-        /** Whether discs close it; without them the inside of the side is seen. */
+        /** Returns whether discs close it; otherwise the inside is visible. */
         boolean caps();
     }
 
-    /** Radius 1 about the origin. */
+    /** Sphere of radius 1 about the origin. */
     record Sphere() implements Canonical {
         @Override
         public double[] bounds() {
@@ -83,9 +83,9 @@ public sealed interface Solid {
     }
 
     /**
-     * A base of radius 1 at y = 0, and the apex at y = 1.
+     * Cone with a base of radius 1 at y = 0 and its apex at y = 1.
      *
-     * @param caps whether a disc closes the base; without it the inside of the side is seen
+     * @param caps true if a disc closes the base; otherwise the inside is visible
      */
     record Cone(boolean caps) implements AxialSolid {
         @Override
@@ -100,9 +100,9 @@ public sealed interface Solid {
     }
 
     /**
-     * Radius 1 about the y axis, from y = 0 to y = 1.
+     * Cylinder of radius 1 about the y axis, from y = 0 to y = 1.
      *
-     * @param caps whether two discs close it; without them the inside of the side is seen
+     * @param caps true if two discs close it; otherwise the inside is visible
      */
     record Cylinder(boolean caps) implements AxialSolid {
         @Override
@@ -117,10 +117,10 @@ public sealed interface Solid {
     }
 
     /**
-     * A cone cut parallel to its base: radius 1 at y = 0, another at y = 1.
+     * Frustum of a cone: radius 1 at y = 0, another at y = 1.
      *
-     * @param top  the radius at y = 1
-     * @param caps whether two discs close it; without them the inside of the side is seen
+     * @param top  radius at y = 1
+     * @param caps true if two discs close it; otherwise the inside is visible
      */
     record Frustum(double top, boolean caps) implements AxialSolid {
         public Frustum {
@@ -130,7 +130,7 @@ public sealed interface Solid {
         @Override
         public List<SceneAttribute<Canonical, ?>> attributes() {
             return List.of(
-                    attribute(Frustum.class, "top", NumericKind.number(0, SceneLimits.MAX_TOP, 0.1), 0.5, "radius, that of the base is 1",
+                    attribute(Frustum.class, "top", NumericKind.number(0, SceneLimits.MAX_TOP, 0.1), 0.5, "radius; the base has radius 1",
                             Frustum::top, (f, v) -> new Frustum(v, f.caps)),
                     capsAttribute(Frustum.class, Frustum::caps, (f, v) -> new Frustum(f.top, v)));
         }
@@ -141,7 +141,7 @@ public sealed interface Solid {
         }
     }
 
-    /** A patch of the plane y = 0: the unit square, x and z from −½ to ½. */
+    /** Unit square in the plane y = 0, x and z from −½ to ½. */
     record Plane() implements Canonical {
         @Override
         public double[] bounds() {
@@ -150,20 +150,20 @@ public sealed interface Solid {
     }
 
     /**
-     * Triangles of a file.
+     * Triangle mesh from a file.
      *
-     * @param file   the name as written in the scene file
-     * @param part   the name of the part of the file; empty for all that it holds
-     * @param showsColors whether the colors of its vertices are shown, where it has any
-     * @param mesh   what was read: shared by all shapes that show it
+     * @param file        name as written in the scene file
+     * @param part        name of the file's part; empty for the whole file
+     * @param showsColors true if vertex colors are used
+     * @param mesh        the decoded mesh, shared by all shapes that show it
      */
     record TriangleMesh(String file, String part, boolean showsColors, Mesh mesh) implements Solid {
-        /** With the colors of its vertices. */
+        /** Creates a mesh that uses its vertex colors. */
         public TriangleMesh(String file, String part, Mesh mesh) {
             this(file, part, true, mesh);
         }
 
-        /** Whether colors of vertices are a factor on its material's diffuse color. */
+        /** Returns whether vertex colors multiply the material's diffuse color. */
         public boolean hasVertexColors() {
             return showsColors && mesh.colors() != null;
         }
@@ -173,7 +173,7 @@ public sealed interface Solid {
         }
     }
 
-    /** The box of what stands on y = 0, 1 high. */
+    /** Returns the box of a solid on y = 0 of height 1. */
     private static double[] axialBox(double radius) {
         return new double[] {-radius, 0, -radius, radius, 1, radius};
     }
@@ -188,7 +188,7 @@ public sealed interface Solid {
         return new SceneAttribute<>(name, name, kind, initial, unit, s -> get.apply(type.cast(s)), (s, v) -> with.apply(type.cast(s), v));
     }
 
-    /** What files and people call it, in the singular. */
+    /** Returns the type's name in files and in the UI, in the singular. */
     default String typeName() {
         return switch (this) {
             case Sphere _ -> "sphere";

@@ -13,26 +13,24 @@ import lightning.base.math.Transform;
 import lightning.base.text.Quote;
 
 /**
- * What stands before the camera: shapes, in groups, and their materials. Checked once, when it is made, and shared by all
- * scenes that differ in lights or views only. Two stages are equal when their nodes and materials are; the same one is
- * known at once.
+ * Shapes and materials of a scene, with the tree of groups. Checked once at construction, and shared by all scenes that differ only in
+ * lights or views. Stages are equal if their nodes and materials are; identical ones compare quickly.
  */
 public final class Stage {
-    /** Nothing at all. */
+    /** Empty stage. */
     public static final Stage EMPTY = new Stage(List.of(), List.of());
 
     private final NodeTree tree;
     private final List<Material> materials;
     private final Map<String, Material> materialsByName;
-    /** Of those with the sharpest highlights the first; {@code null} where no light's term can be above 1. */
+    /** First material with the sharpest highlights; {@code null} if no light's term can exceed 1. */
     private final Material sharpestMaterial;
 
     /**
-     * @param materials names unique among themselves
-     * @param nodes     shapes and groups, names unique; each shape's material is the name of one of {@code materials}, or
-     *                  {@code default} where none has that name
-     * @throws IllegalArgumentException if a name is taken or a material missing, if there are more shapes, materials or
-     *                                  nested groups than {@link SceneLimits} allows, or if scales multiply beyond its range
+     * @param materials materials with unique names
+     * @param nodes     shapes and groups with unique names; each shape's material is one of {@code materials}, or {@code default}
+     * @throws IllegalArgumentException if a name is taken or a material missing, if there are more shapes, materials or nested groups than
+     *     {@link SceneLimits} allows, or if combined scales are out of range
      */
     public Stage(List<Material> materials, List<SceneNode> nodes) {
         this(materials, new NodeTree(nodes));
@@ -56,12 +54,12 @@ public final class Stage {
         tree.materialUsers.check(materialsByName.keySet());
     }
 
-    /** These shapes with other materials. */
+    /** Returns these shapes with other materials. */
     public Stage withMaterials(List<Material> v) {
         return v.equals(materials) ? this : new Stage(v, tree);
     }
 
-    /** These materials on other shapes. */
+    /** Returns these materials with other shapes. */
     public Stage withNodes(List<SceneNode> v) {
         return v.equals(nodes()) ? this : new Stage(materials, new NodeTree(v));
     }
@@ -74,58 +72,58 @@ public final class Stage {
         return tree.nodes;
     }
 
-    /** Every material that a shape may name, {@code default} included. */
+    /** Returns every material that a shape may name, including {@code default}. */
     public Map<String, Material> materialsByName() {
         return materialsByName;
     }
 
-    /** The material whose highlights multiply a light the most, of several the first; empty where none makes it brighter than it is. */
+    /** Returns the first material whose highlights amplify a light the most; empty if none amplifies it. */
     Optional<Material> sharpestMaterial() {
         return Optional.ofNullable(sharpestMaterial);
     }
 
-    /** The names of the materials that shapes have, in the order of the first shapes that have them; nothing is walked. */
+    /** Returns the names of used materials, in the order of their first shapes, without a walk. */
     public Set<String> usedMaterials() {
         return tree.materialUsers.materials();
     }
 
-    /** How many shapes there are, those in groups and those that are not visible included. */
+    /** Returns the number of shapes, including those in groups and hidden ones. */
     public int shapeCount() {
         return tree.shapeCount;
     }
 
-    /** Whether a shape or a group has the name. */
+    /** Returns whether a shape or a group has the name. */
     public boolean hasNode(String name) {
         return tree.names.contains(name);
     }
 
-    /** The shape or the group of that name. */
+    /** Returns the shape or the group of that name. */
     public Optional<SceneNode> node(String name) {
         return path(name).map(places -> NodePaths.nodeAt(nodes(), places));
     }
 
     /**
-     * Where the shape or the group of that name stands: its places in the groups around it, the outermost first, and in the innermost; at
-     * least one. Empty where there is none.
+     * Returns the path of the shape or group of that name: child indices from the outermost group, at least one. Empty if it does not
+     * exist.
      */
     public Optional<int[]> path(String name) {
         return hasNode(name) ? Optional.of(tree.paths.find(nodes(), name)) : Optional.empty();
     }
 
-    /** The groups around the shape or the group of that name, the outermost first; none where there is none of that name. */
+    /** Returns the groups that enclose the node of that name, the outermost first; empty if it does not exist. */
     public List<NodeGroup> enclosingGroups(String name) {
         int[] path = path(name).orElse(new int[1]);
         return IntStream.range(1, path.length).mapToObj(n -> (NodeGroup) NodePaths.nodeAt(nodes(), Arrays.copyOf(path, n))).toList();
     }
 
-    /** How many nodes were looked at to find some by their names. */
+    /** Returns the number of nodes visited to look up names. */
     long visitedNodes() {
         return tree.paths.visitedCount();
     }
 
     /**
-     * This stage with none, one or several nodes in place of that name's; itself where there is none of that name. What is known of all
-     * others serves on, so that it takes little time however many there are.
+     * Returns this stage with the node of that name replaced by none, one or several; itself if the node does not exist. Reuses the data of
+     * all other nodes, so that it takes little time in any scene.
      *
      * @throws IllegalArgumentException as {@link #Stage(List, List)}
      */
@@ -138,40 +136,40 @@ public final class Stage {
         return replacement.equals(List.of(splice.removed)) ? this : new Stage(materials, new NodeTree(tree, splice));
     }
 
-    /** Whether both have the same names of shapes and groups, because the one was made of the other. */
+    /** Returns whether both share their table of names, because one was made from the other. */
     boolean sharesNames(Stage o) {
         return tree.names == o.tree.names;
     }
 
-    /** Whether both have the same groups, and as many shapes in the same places of the tree, because the one was made of the other. */
+    /** Returns whether both have the same groups, with as many shapes at the same paths, because one was made from the other. */
     public boolean sharesStructure(Stage o) {
         return tree.structure == o.tree.structure;
     }
 
-    /** Whether both have equal shapes and groups in the same order. Where one of them was edited this is known without a walk. */
+    /** Returns whether both have equal shapes and groups in the same order. Needs no walk if one was made from the other. */
     public boolean hasSameNodes(Stage o) {
         return tree == o.tree || tree.hash == o.tree.hash && nodes().equals(o.nodes());
     }
 
-    /** All visible shapes, in the order of the file, with materials and groups resolved. */
+    /** Returns all visible shapes, in file order, with materials and groups resolved. */
     public List<PlacedShape> placedShapes() {
         List<PlacedShape> placed = new ArrayList<>(tree.shapeCount);
         forEachPlacedShape(placed::add);
         return placed;
     }
 
-    /** Hands over the same, one after the other: a list of a million of them takes half a gigabyte. */
+    /** Passes each placed shape to a consumer, because a list of a million takes half a gigabyte. */
     public void forEachPlacedShape(Consumer<PlacedShape> consumer) {
         forEachPlacedShape(tree.nodes, Transform.IDENTITY, Transform.IDENTITY, PlacementError.NONE, consumer);
     }
 
-    /** All visible shapes, in the order of the file, as they stand there. */
+    /** Returns all visible shapes, in file order, as they are in the tree. */
     public List<Shape> shapes() {
         return tree.shapes();
     }
 
     /**
-     * Of each of the {@link #shapes} whether it is among those linked; not to be written to.
+     * Returns for each of the {@link #shapes} whether it is linked; read-only.
      *
      * @return {@code boolean[shapes().size()]}
      */

@@ -2,35 +2,31 @@ package lightning.scene;
 
 import java.util.Arrays;
 
-/**
- * A decoded picture: linear RGB in 0…1, rows from the top, never changed after construction. It multiplies a material's diffuse
- * color, holds back a light, or tells heights or normals.
- */
+/** Decoded image: linear RGB in 0…1, rows from the top, immutable. Used as a color texture, gobo, bump map or normal map. */
 public final class Texture {
     private final int width;
     private final int height;
-    /** Linear values, or nothing where there are codes. */
+    /** Linear values; null if it stores codes. */
     private final float[] rgb;
     private final byte[] codes;
     private final float[] values;
 
     /**
-     * Of linear values.
+     * Creates a texture of linear values.
      *
      * @param width  pixels, ≥ 1
      * @param height pixels, ≥ 1
-     * @param rgb    linear values, {@code float[3 * width * height]}, row by row from the top; taken
-     *               over, not copied
+     * @param rgb    linear values, {@code float[3 * width * height]}, row by row from the top; owned by the texture, not copied
      */
     public Texture(int width, int height, float[] rgb) {
         this(width, height, rgb.length, rgb, null, null);
     }
 
     /**
-     * Of codes of 8 bits, as most files have: a quarter of the bytes.
+     * Creates a texture of 8-bit codes, as in most files: a quarter of the bytes.
      *
-     * @param codes  {@code byte[3 * width * height]}, each from 0 to 255 without a sign, row by row from the top; taken over, not copied
-     * @param values the linear value of each code, {@code float[256]}; taken over, not copied
+     * @param codes  {@code byte[3 * width * height]}, unsigned, row by row from the top; owned by the texture, not copied
+     * @param values linear value of each code, {@code float[256]}; owned by the texture, not copied
      */
     public Texture(int width, int height, byte[] codes, float[] values) {
         this(width, height, values.length == 256 ? codes.length : -1, null, codes, values);
@@ -55,7 +51,7 @@ public final class Texture {
         return height;
     }
 
-    /** One channel (0 red, 1 green, 2 blue) of the pixel in column {@code x}, row {@code y}. */
+    /** Returns one channel (0 red, 1 green, 2 blue) of the pixel in column {@code x}, row {@code y}. */
     public float channel(int x, int y, int channel) {
         return value(3 * (y * width + x) + channel);
     }
@@ -65,11 +61,11 @@ public final class Texture {
     }
 
     /**
-     * Mixes four pixels bilinearly.
+     * Interpolates four pixels bilinearly.
      *
-     * @param u the share of column {@code x1} against {@code x0}, 0…1
-     * @param v  the share of row {@code y1} against {@code y0}, 0…1
-     * @param result     gets the linear RGB, {@code float[3]}
+     * @param u      weight of column {@code x1} against {@code x0}, 0…1
+     * @param v      weight of row {@code y1} against {@code y0}, 0…1
+     * @param result receives linear RGB, {@code float[3]}
      */
     public void interpolate(int x0, int y0, int x1, int y1, double u, double v, float[] result) {
         int upperLeft = 3 * (y0 * width + x0);
@@ -85,7 +81,7 @@ public final class Texture {
         }
     }
 
-    /** One channel of {@link #interpolate(int, int, int, int, double, double, float[])}. */
+    /** Computes one channel of {@link #interpolate(int, int, int, int, double, double, float[])}. */
     public float interpolate(int x0, int y0, int x1, int y1, double u, double v, int channel) {
         double above = channel(x0, y0, channel) * (1 - u) + channel(x1, y0, channel) * u;
         double below = channel(x0, y1, channel) * (1 - u) + channel(x1, y1, channel) * u;
@@ -93,9 +89,10 @@ public final class Texture {
     }
 
     /**
-     * The luminance of four pixels mixed bilinearly, 0.2126 R + 0.7152 G + 0.0722 B (ITU-R BT.709), in double.
+     * Interpolates the luminance of four pixels, 0.2126 R + 0.7152 G + 0.0722 B (ITU-R BT.709), in double.
      *
-     * @param u as {@link #interpolate} has it, and so is {@code v}
+     * @param u weight of column {@code x1}, as in {@link #interpolate}
+     * @param v weight of row {@code y1}
      */
     public double luminance(int x0, int y0, int x1, int y1, double u, double v) {
         double above = luminance(x0, y0) * (1 - u) + luminance(x1, y0) * u;
@@ -108,7 +105,7 @@ public final class Texture {
         return 0.2126 * value(i) + 0.7152 * value(i + 1) + 0.0722 * value(i + 2);
     }
 
-    /** Whether both have the same size and were made of the same values, or of the same codes with the same values. */
+    /** Returns whether both have the same size and the same values, or the same codes with the same values. */
     @Override
     public boolean equals(Object o) {
         return this == o || o instanceof Texture t && width == t.width && Arrays.equals(rgb, t.rgb) && Arrays.equals(codes, t.codes)

@@ -1,12 +1,12 @@
 package lightning.scene;
 
 /**
- * A texture and how often it repeats over a shape's texture coordinates.
+ * Texture with its repetition over a shape's texture coordinates.
  *
- * @param file    the name as written in the scene file
- * @param repeatU how often it repeats around the shape, not 0 (negative mirrors it)
- * @param repeatV how often it repeats along the shape, not 0
- * @param image   the decoded picture
+ * @param file    name as written in the scene file
+ * @param repeatU repetitions around the shape, not 0 (negative mirrors it)
+ * @param repeatV repetitions along the shape, not 0
+ * @param image   the decoded image
  */
 public record TextureMap(String file, double repeatU, double repeatV, Texture image) {
     public TextureMap {
@@ -14,7 +14,7 @@ public record TextureMap(String file, double repeatU, double repeatV, Texture im
         checkRepeat("repeat v", repeatV);
     }
 
-    /** Whether it shows the same on every surface: another file name alone shows nothing. */
+    /** Returns whether both look the same on every surface; the file name does not matter. */
     boolean hasSameTexels(TextureMap o) {
         return repeatU == o.repeatU && repeatV == o.repeatV && image.equals(o.image);
     }

@@ -1,11 +1,11 @@
 package lightning.scene;
 
-/** What the samples of a picture's file stand for. */
+/** Meaning of the samples of an image file. */
 public enum TextureUsage {
-    /** Colors, which are made linear. */
+    /** Colors, which are converted to linear. */
     COLOR,
-    /** Numbers, which no curve bends. */
+    /** Linear data, not converted. */
     DATA,
-    /** How much is there: the alpha of a picture that has it, else the luminance of its samples as they are. */
+    /** Opacity: the alpha of an image that has it, else the luminance of its unconverted samples. */
     OPACITY
 }

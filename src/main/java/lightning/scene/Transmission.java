@@ -4,19 +4,19 @@ import io.soabase.recordbuilder.core.RecordBuilder;
 import lightning.base.math.Rgb;
 
 /**
- * What passes through a surface, and what a body made of the material does to light inside.
+ * Transparency of a material, and absorption inside it.
  *
- * @param color        the color that what is seen through the surface is multiplied by; black where nothing is
- * @param ior          the index of refraction, that of what is around being 1
- * @param thin         whether the surface is a pane: it bends no ray, and has no inside
- * @param tint         what is left of white after {@code tintDistance} inside
+ * @param color        factor of the transmitted light; black for an opaque surface
+ * @param ior          index of refraction, relative to the surroundings
+ * @param thin         true for a thin sheet, which does not refract and has no interior
+ * @param tint         color of white light after {@code tintDistance} inside
  * @param tintDistance scene units
- * @param shadows      which shadows shapes of the material throw, whether it is clear or not
+ * @param shadows      shadows cast by shapes with the material, transparent or not
  */
 @RecordBuilder
 public record Transmission(Rgb color, double ior, boolean thin, Rgb tint, double tintDistance, ShadowCasting shadows)
         implements TransmissionBuilder.With {
-    /** A surface that nothing passes through. */
+    /** Opaque surface. */
     public static final Transmission NONE =
             new Transmission(MaterialAttribute.TRANSMISSION_COLOR.initial(), MaterialAttribute.IOR.initial(),
                     MaterialAttribute.THIN.initial(), MaterialAttribute.TINT.initial(), MaterialAttribute.TINT_DISTANCE.initial(),
@@ -29,17 +29,17 @@ public record Transmission(Rgb color, double ior, boolean thin, Rgb tint, double
         MaterialAttribute.TINT_DISTANCE.check(tintDistance);
     }
 
-    /** Whether anything is seen through the surface. */
+    /** Returns whether the surface is transparent. */
     public boolean isTransparent() {
         return (float) color.max() > 0;
     }
 
-    /** Whether light loses anything on its way inside. */
+    /** Returns whether light is absorbed inside. */
     public boolean isTinted() {
         return isTransparent() && !thin && (float) tint.min() < 1;
     }
 
-    /** Whether shapes of the material keep light back in all. */
+    /** Returns whether shapes with the material block light. */
     public boolean castsShadows() {
         return switch (shadows) {
             case FULL -> true;
@@ -48,12 +48,12 @@ public record Transmission(Rgb color, double ior, boolean thin, Rgb tint, double
         };
     }
 
-    /** Whether light on its way to a point passes shapes of the material, and takes their color. */
+    /** Returns whether shapes with the material tint the light that passes them on its way to a shading point. */
     public boolean tintsShadows() {
         return shadows == ShadowCasting.TINTED && isTransparent();
     }
 
-    /** Whether rays go on behind every surface as they do by another. */
+    /** Returns whether both refract every ray in the same way. */
     public boolean refractsLike(Transmission o) {
         return this == o || isTransparent() == o.isTransparent() && (!isTransparent() || ior == o.ior && thin == o.thin);
     }

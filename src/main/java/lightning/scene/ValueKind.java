@@ -6,33 +6,33 @@ import java.util.function.Function;
 import lightning.base.text.Messages;
 
 /**
- * What values an {@link SceneAttribute} has.
+ * Kind of values of a {@link SceneAttribute}: range, comparison and format.
  *
- * @param <V> the type of a value
+ * @param <V> type of the values
  */
 public sealed interface ValueKind<V> permits ValueKind.LightKind, ValueKind.MaterialKind {
 
-    /** Values that a light can have: each kind has a control in the editor. */
+    /** Kinds of a light's attributes; the editor has a control for each. */
     sealed interface LightKind<V> extends ValueKind<V> permits NumericKind, ChoiceKind, AssetKind, LinksKind, NameKind {}
 
-    /** Values that a material can have: each kind has a control in the editor. */
+    /** Kinds of a material's attributes; the editor has a control for each. */
     sealed interface MaterialKind<V> extends ValueKind<V> permits NumericKind, ChoiceKind, TextureKind {}
 
     /**
-     * Refuses a value that no scene may hold.
+     * Checks that a scene may hold a value.
      *
      * @param name the attribute's name in the message
-     * @throws IllegalArgumentException if it is out of its range; the message says what was expected and found
+     * @throws IllegalArgumentException if it is out of range; the message has the expected and the actual value
      */
     void check(String name, V value);
 
-    /** Whether two values do the same wherever they act. */
+    /** Returns whether two values have the same effect. */
     boolean isEquivalent(V a, V b);
 
-    /** A value for people. */
+    /** Formats a value for the user. */
     String format(V value);
 
-    /** What values of this kind do between two keys of a shot. */
+    /** Returns the behavior of values of this kind between keyframes. */
     default KeyframeSupport keyframeSupport() {
         return switch (this) {
             case NumericKind<V> n -> n.integer() ? KeyframeSupport.STEPPED : KeyframeSupport.INTERPOLATED;
@@ -42,9 +42,9 @@ public sealed interface ValueKind<V> permits ValueKind.LightKind, ValueKind.Mate
     }
 
     /**
-     * The name of something in the scene, or none, which is empty.
+     * Name of an object in the scene; empty for none.
      *
-     * @param names the names in a scene
+     * @param names names in a scene
      * @param help  a key of {@link Messages}: a sentence without a full stop
      */
     record NameKind(Function<Scene, List<String>> names, String help) implements LightKind<String> {
@@ -67,15 +67,15 @@ public sealed interface ValueKind<V> permits ValueKind.LightKind, ValueKind.Mate
     }
 
     /**
-     * Some of the scene's shapes.
+     * Links to shapes of the scene.
      *
-     * @param caption a key of {@link Messages}: what stands above the control
+     * @param caption a key of {@link Messages}: the label above the control
      * @param help    a key of {@link Messages}: a sentence without a full stop
      */
     record LinksKind(String caption, String help) implements LightKind<ShapeLinks> {
         @Override
         public void check(String name, ShapeLinks value) {
-            // All links have checked themselves.
+            // The constructor of the links checks them.
         }
 
         @Override
@@ -89,11 +89,11 @@ public sealed interface ValueKind<V> permits ValueKind.LightKind, ValueKind.Mate
         }
     }
 
-    /** What a file holds, or none. */
+    /** Optional file with its content. */
     sealed interface AssetKind<F extends FileAsset> extends LightKind<Optional<F>> {
         @Override
         default void check(String name, Optional<F> value) {
-            // Every file was checked when it was read.
+            // Every file is checked when it is read.
         }
 
         @Override
@@ -107,25 +107,25 @@ public sealed interface ValueKind<V> permits ValueKind.LightKind, ValueKind.Mate
         }
     }
 
-    /** A picture that is projected, or none. */
+    /** Optional gobo image. */
     record GoboKind() implements AssetKind<Gobo> {}
 
-    /** How strongly a light shines in each direction, or the same in all. */
+    /** Optional IES profile; without it the light is uniform. */
     record ProfileKind() implements AssetKind<IesProfile> {}
 
-    /** A picture of all that is far around, or none. */
+    /** Optional environment map. */
     record EnvironmentKind() implements AssetKind<Environment> {}
 
     /**
-     * A picture on a surface, or none.
+     * Optional texture.
      *
-     * @param repeatName  what a file calls how often it repeats
-     * @param usage what its samples stand for
+     * @param repeatName keyword of its repetition in a file
+     * @param usage      meaning of its samples
      */
     record TextureKind(String repeatName, TextureUsage usage) implements MaterialKind<Optional<TextureMap>> {
         @Override
         public void check(String name, Optional<TextureMap> value) {
-            // Every map has checked itself.
+            // The constructor of the map checks it.
         }
 
         @Override

@@ -4,20 +4,19 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * What of a scene the picture shows. Two scenes with equal visible parts give the same picture in every bit: moving a
- * directional light, renaming a light, or turning the cone of a point light is an edit of the document and none of the
- * picture.
+ * Normal form of a scene that keeps only what affects the image. Scenes with equal normal forms give the same image in every bit. Moving a
+ * directional light, renaming a light, or rotating a point light edits the document, but not the image.
  */
 public final class VisibleState {
     private VisibleState() {}
 
-    /** The scene with everything that does not act set to one fixed value, without its shapes: only lights take part in this. */
+    /** Returns the scene without shapes and with all ineffective attributes of lights set to fixed values; normalizes only lights. */
     public static Scene of(Scene scene) {
-        // Without shapes their names are out of the way of the lights'.
+        // Removes the shapes, so that the lights' fixed names cannot conflict with theirs.
         return scene.withRig(LightRig.EMPTY).withNodes(List.of()).withLights(lights(scene));
     }
 
-    /** Whether two scenes give the same picture for sure. */
+    /** Returns whether two scenes certainly give the same image. */
     public static boolean isSame(Scene a, Scene b) {
         return a.stage().equals(b.stage()) && a.picture().equals(b.picture()) && a.camera().equals(b.camera())
                 && a.world().equals(b.world()) && sameLights(a, b);
@@ -36,7 +35,7 @@ public final class VisibleState {
         return same;
     }
 
-    /** The lights with everything that does not act set to one fixed value, their names and banks included; an environment brings its own. */
+    /** Returns the lights with all ineffective attributes, names and groups set to fixed values; the environment adds its own lights. */
     private static List<Light> lights(Scene scene) {
         List<Light> lights = new ArrayList<>();
         for (Light light : scene.lights()) {
@@ -46,7 +45,7 @@ public final class VisibleState {
     }
 
     private static Light light(Scene scene, Light light, String name) {
-        // A solo light darkens what stays of the environment, even if it is dark itself.
+        // A solo light darkens the environment even if it is dark itself.
         boolean solo = light.on() && light.solo() && scene.world().environment().isPresent();
         if (!scene.isActive(light) || light.weight().isBlack()) {
             return Light.of(name, LightType.POINT).withIntensity(0).withOn(solo).withSolo(solo);

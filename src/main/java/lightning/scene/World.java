@@ -11,15 +11,15 @@ import lightning.base.math.Vec3;
 import lightning.base.text.Messages;
 
 /**
- * What surrounds the shapes.
+ * Surroundings of the shapes.
  *
- * @param ambience    the factor on every material's ambient color, ≥ 0
- * @param background  the linear color where a ray hits nothing, ≥ 0; an environment takes its place
- * @param environment what is far around, seen where a ray hits nothing, and a light
- * @param rotation    how far the environment is turned about y, degrees
- * @param intensity   a factor of all that comes from the environment
- * @param lightCount       how many directional lamps its light is made of
- * @param softness    how far each lamp is spread over the part that it stands for, 0 … 1
+ * @param ambience    factor of every material's ambient color, ≥ 0
+ * @param background  linear color of rays that hit nothing, ≥ 0; replaced by an environment
+ * @param environment environment map, visible in the background and used as a light
+ * @param rotation    rotation of the environment about y, degrees
+ * @param intensity   factor of all light from the environment
+ * @param lightCount  number of directional lights that represent it
+ * @param softness    spread of each light over its region, 0 … 1
  */
 @RecordBuilder
 public record World(double ambience, Rgb background, Optional<Environment> environment, double rotation, double intensity, int lightCount,
@@ -34,21 +34,21 @@ public record World(double ambience, Rgb background, Optional<Environment> envir
             NumericKind.degrees(-SceneLimits.MAX_ROTATION, SceneLimits.MAX_ROTATION, 5), 0.0, "degrees about y", World::rotation,
             World::withRotation);
     public static final SceneAttribute<World, Double> INTENSITY = new SceneAttribute<>("intensity", "environment intensity",
-            NumericKind.number(0, SceneLimits.MAX_GROUP_INTENSITY, 0.1), 1.0, "factor of the environment", World::intensity,
+            NumericKind.number(0, SceneLimits.MAX_GROUP_INTENSITY, 0.1), 1.0, "multiplies the environment", World::intensity,
             World::withIntensity);
-    public static final SceneAttribute<World, Integer> LIGHT_COUNT = new SceneAttribute<>("lamps", "environment lamps",
+    public static final SceneAttribute<World, Integer> LIGHT_COUNT = new SceneAttribute<>("lamps", "environment samples",
             NumericKind.integer(SceneLimits.MIN_LIGHT_SAMPLES, SceneLimits.MAX_LIGHT_SAMPLES), 16,
-            "that the environment's light is made of", World::lightCount,
+            "directional lights", World::lightCount,
             World::withLightCount);
 
-    public static final SceneAttribute<World, Double> SOFTNESS = new SceneAttribute<>("softness", "environment softness",
-            NumericKind.number(0, 1, 0.1), 0.0, "share of the parts that the lamps stand for", World::softness, World::withSoftness);
+    public static final SceneAttribute<World, Double> SOFTNESS = new SceneAttribute<>("softness", "environment shadow smoothing",
+            NumericKind.number(0, 1, 0.1), 0.0, "0 = sharp shadows, 1 = smooth", World::softness, World::withSoftness);
 
-    /** All of them, in the order in which a file writes them. */
+    /** All attributes, in file order. */
     public static final List<SceneAttribute<World, ?>> ATTRIBUTES =
             List.of(AMBIENCE, BACKGROUND, ENVIRONMENT, ROTATION, INTENSITY, LIGHT_COUNT, SOFTNESS);
 
-    /** Of a lamp that is spread: the least, as there are many lamps. */
+    /** Samples of a spread environment light: the minimum, because there are many lights. */
     private static final int SAMPLES_PER_LIGHT = SceneLimits.MIN_LIGHT_SAMPLES;
 
     public static final World DEFAULT = new World(AMBIENCE.initial(), BACKGROUND.initial());
@@ -62,22 +62,22 @@ public record World(double ambience, Rgb background, Optional<Environment> envir
         SOFTNESS.check(softness);
     }
 
-    /** A world without an environment. */
+    /** Creates a world without an environment. */
     public World(double ambience, Rgb background) {
         this(ambience, background, ENVIRONMENT.initial(), ROTATION.initial(), INTENSITY.initial(), LIGHT_COUNT.initial(),
                 SOFTNESS.initial());
     }
 
-    /** Why a value of an attribute does nothing in this world: a clause; empty where it acts. */
+    /** Returns a clause that says why an attribute has no effect in this world; empty if it has. */
     public Optional<String> inactiveReason(SceneAttribute<World, ?> attribute) {
         boolean needsEnvironment = attribute == ROTATION || attribute == INTENSITY || attribute == LIGHT_COUNT || attribute == SOFTNESS;
         return needsEnvironment && environment.isEmpty() ? Optional.of(Messages.tr("the scene has no environment")) : Optional.empty();
     }
 
     /**
-     * The directional lights that its environment is made of, none without one.
+     * Returns the directional lights of its environment; none without one.
      *
-     * @param isUsed whether a name is another light's
+     * @param isUsed test for names of other lights
      */
     List<Light> environmentLights(Predicate<String> isUsed) {
         if (environment.isEmpty()) {

@@ -1,10 +1,9 @@
 /**
- * The document: what a {@code .jen} file says, as immutable records.
+ * Scene description: the content of a {@code .jen} file as immutable records.
  *
- * <p>Angles are in degrees and lengths in scene units, exactly as written in the file. Every
- * constructor rejects values outside the ranges of {@link lightning.scene.SceneLimits} with an
- * {@link java.lang.IllegalArgumentException} whose message names the property, what was expected
- * and what was found; whoever holds a scene need not check again.
+ * <p>Angles are in degrees and lengths in scene units, exactly as written in the file. Every constructor rejects values outside the ranges
+ * of {@link lightning.scene.SceneLimits} with an {@link java.lang.IllegalArgumentException} whose message names the property, the expected
+ * and the actual value, so users of a scene need no further checks.
  *
  * <pre>{@code
  * Light key = scene.light("key").orElseThrow();

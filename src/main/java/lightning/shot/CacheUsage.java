@@ -1,12 +1,12 @@
 package lightning.shot;
 
 /**
- * How much is kept of a shot.
+ * Cache usage of a shot.
  *
  * @param memoryFrames frames in memory
- * @param memoryBytes   bytes of these
+ * @param memoryBytes  bytes of the frames in memory
  * @param diskFrames   frames on disk
- * @param diskBytes     bytes of these
+ * @param diskBytes    bytes of the frames on disk
  */
 public record CacheUsage(int memoryFrames, long memoryBytes, int diskFrames, long diskBytes) {
     public static final CacheUsage NONE = new CacheUsage(0, 0, 0, 0);

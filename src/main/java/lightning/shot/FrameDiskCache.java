@@ -16,8 +16,8 @@ import lightning.render.column.ColumnReader;
 import lightning.render.column.ColumnWriter;
 
 /**
- * The rows and colors of frames as files, mapped for reading. A file is never written twice; what is damaged, or could not be written,
- * is as if it were not there. Any thread may call.
+ * Disk cache for the rows and colors of frames, in memory-mapped files. Writes each file once; a damaged or failed file counts as missing.
+ * Thread-safe.
  */
 final class FrameDiskCache implements AutoCloseable {
     private final ScratchFolder folder;
@@ -26,99 +26,99 @@ final class FrameDiskCache implements AutoCloseable {
     private final AtomicLong fileCount = new AtomicLong();
     private final AtomicReference<String> problem = new AtomicReference<>();
 
-    /** A file that was written. */
+    /** A written file. */
     record CacheFile(Path file, long bytes) {}
 
-    /** What writes columns. */
+    /** Writer of cache columns. */
     @FunctionalInterface
     private interface ColumnsWriter {
         void write(PixelCache cache, ColumnWriter out) throws IOException;
     }
 
     /**
-     * @param parent where the folder of these files is made
-     * @param maxBytes  bytes that all files may take
-     * @throws IOException if it cannot be made
+     * @param parent   parent of the folder for these files
+     * @param maxBytes maximum bytes of all files
+     * @throws IOException if the folder cannot be created
      */
     FrameDiskCache(Path parent, long maxBytes) throws IOException {
         folder = ScratchFolder.createIn(parent);
         this.maxBytes = maxBytes;
     }
 
-    /** Bytes that files may still take. */
+    /** Returns the bytes still available. */
     long freeBytes() {
         return Math.max(0, maxBytes - usedBytes.get());
     }
 
-    /** Writes rows, layers and codes; null where there is no room, or that fails. */
+    /** Writes rows, layers and codes; returns null without space or on failure. */
     CacheFile writeRows(PixelCache cache) {
         return write("rows-", cache, CacheSerializer::writeRows);
     }
 
-    /** Writes the colors likewise. */
+    /** Writes the colors; returns null without space or on failure. */
     CacheFile writeColors(PixelCache cache) {
         return write("colors-", cache, CacheSerializer::writeColors);
     }
 
     private CacheFile write(String name, PixelCache cache, ColumnsWriter columns) {
         if (usedBytes.get() >= maxBytes) {
-            reportProblem(Messages.tr("the frames took all of the disk's room that they may take"));
+            reportProblem(Messages.tr("the frame cache has reached its disk limit"));
             return null;
         }
         Path file = folder.file(name + fileCount.incrementAndGet());
         try {
             folder.write(file, channel -> columns.write(cache, new ColumnWriter(channel)));
-            CacheFile part = new CacheFile(file, Files.size(file));
-            usedBytes.addAndGet(part.bytes);
-            return part;
+            CacheFile cacheFile = new CacheFile(file, Files.size(file));
+            usedBytes.addAndGet(cacheFile.bytes);
+            return cacheFile;
         } catch (IOException e) {
-            reportProblem(Messages.tr("frames could not be written to disk: {0}", e.getMessage()));
+            reportProblem(Messages.tr("cannot cache frames on disk: {0}", e.getMessage()));
             return null;
         }
     }
 
     /**
-     * The picture of two files.
+     * Reads a cache from two files.
      *
-     * @throws IOException if they are not as they were written
+     * @throws IOException if they changed since they were written
      */
     PixelCache read(CacheMetadata outline, CacheFile rows, CacheFile colors) throws IOException {
         try (Arena arena = Arena.ofConfined()) {
             return CacheSerializer.read(outline, reader(rows, arena), reader(colors, arena));
         } catch (InternalError e) {
-            // A page that the disk does not give.
+            // The disk failed to read a page of the mapping.
             throw new IOException(e.getMessage(), e);
         }
     }
 
-    private static ColumnReader reader(CacheFile part, Arena arena) throws IOException {
-        try (FileChannel channel = FileChannel.open(part.file)) {
-            if (channel.size() != part.bytes) {
-                throw new IOException("it has " + channel.size() + " bytes in place of " + part.bytes);
+    private static ColumnReader reader(CacheFile cacheFile, Arena arena) throws IOException {
+        try (FileChannel channel = FileChannel.open(cacheFile.file)) {
+            if (channel.size() != cacheFile.bytes) {
+                throw new IOException("expected " + cacheFile.bytes + " bytes, found " + channel.size());
             }
-            return new ColumnReader(channel.map(FileChannel.MapMode.READ_ONLY, 0, part.bytes, arena));
+            return new ColumnReader(channel.map(FileChannel.MapMode.READ_ONLY, 0, cacheFile.bytes, arena));
         }
     }
 
-    /** Removes a file; null is none. */
-    void remove(CacheFile part) {
-        if (part == null) {
+    /** Removes a file; null for none. */
+    void remove(CacheFile cacheFile) {
+        if (cacheFile == null) {
             return;
         }
         try {
-            Files.deleteIfExists(part.file);
+            Files.deleteIfExists(cacheFile.file);
         } catch (IOException e) {
-            // It goes with the folder.
+            // It is removed with the folder.
         }
-        usedBytes.addAndGet(-part.bytes);
+        usedBytes.addAndGet(-cacheFile.bytes);
     }
 
-    /** Something went wrong, in a sentence without its full stop. */
+    /** Records a problem, in a sentence without its full stop. */
     void reportProblem(String message) {
         problem.compareAndSet(null, message);
     }
 
-    /** What went wrong first; null for nothing. */
+    /** Returns the first problem; null for none. */
     String problem() {
         return problem.get();
     }

@@ -7,48 +7,49 @@ import lightning.render.image.Downscale;
 import lightning.render.image.Film;
 
 /**
- * What holds frames: the caches of some of them, from which it relights. Here in this process ({@link LocalFrameHost}), or anywhere else:
- * a scene, its keys and a frame's number go there, and a film comes back.
+ * Owner of frames: keeps the caches of some frames and relights them. A host may run in this process ({@link LocalFrameHost}) or elsewhere:
+ * it receives a scene, its keyframes and a frame number, and returns a film.
  *
- * <p>Two threads of {@link ShotRelighter} call {@link #update} at once, never for the same frame; all else is called from any thread. Which
- * frame is next, and who is told, is not its affair.
+ * <p>Two threads of {@link ShotRelighter} call {@link #update} concurrently, never for the same frame; any thread may call the other
+ * methods. Scheduling and notification are not the host's task.
  */
 public interface FrameHost extends AutoCloseable {
     /**
-     * Makes a frame show a take: relights what is kept of the frame as far as that serves, and traces what does not. The film has the
-     * bits of a full trace of {@link ShotRevision#sceneAt}, whatever was kept.
+     * Updates a frame to a revision: relights its cache as far as possible and traces the rest. The film has the bits of a full trace of
+     * {@link ShotRevision#sceneAt}, whatever the cache held.
      *
-     * @param progress asked before each tile; it may keep its caller waiting while something is more urgent
-     * @throws CancellationException                if {@code progress} asked to stop; what is kept is as before
-     * @throws IllegalArgumentException             if the take has no such frame, or its scene cannot be
+     * @param progress polled before each tile; may block while more urgent work runs
+     * @throws CancellationException                if {@code progress} canceled the update; the cache is then unchanged
+     * @throws IllegalArgumentException             if the revision has no such frame, or its scene is invalid
      * @throws lightning.render.relight.PictureTooLargeException    if it does not fit into memory
-     * @throws FrameRejectedException                if it cannot be held here; nothing is kept of it, and others are asked
-     * @throws HostLostException                  if frames are held here no more; nobody asks again
+     * @throws FrameRejectedException                if this host cannot keep it; keeps nothing of the frame, and other hosts are tried
+     * @throws HostLostException                  if the host is gone; it is not called again
      */
     FrameUpdate update(int frame, ShotRevision revision, Progress progress) throws HostLostException;
 
-    /** The film that {@link #update} made last; empty where nothing is kept. */
+    /** Returns the film of the last {@link #update}; empty if it is not cached. */
     Optional<Film> film(int frame);
 
     /**
-     * The same, made smaller so as to have room: see {@link Downscale#fit}.
+     * Returns the last film, downscaled to fit: see {@link Downscale#fit}.
      *
-     * @param maxWidth pixels, ≥ 1; likewise {@code maxHeight}
+     * @param maxWidth  pixels, ≥ 1
+     * @param maxHeight pixels, ≥ 1
      */
     default Optional<Film> film(int frame, int maxWidth, int maxHeight) {
         return film(frame).map(film -> Downscale.fit(film.width(), film.height(), maxWidth, maxHeight).apply(film));
     }
 
-    /** Tells which frame is looked at: those near it are wanted first, so they are kept where they are at hand. */
+    /** Sets the focused frame; frames near it are kept in the fastest storage. */
     void focus(int frame);
 
-    /** Drops what is kept of a frame. */
+    /** Drops the cache of a frame. */
     void drop(int frame);
 
-    /** What is kept. */
+    /** Returns the cache usage. */
     CacheUsage usage();
 
-    /** Drops all; nobody is in {@link #update} by then. */
+    /** Drops all caches; no {@link #update} may be running. */
     @Override
     void close();
 }

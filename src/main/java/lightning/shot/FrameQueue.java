@@ -7,31 +7,31 @@ import java.util.List;
 import lightning.base.work.Progress;
 
 /**
- * Which frame is worked on next, and what work is of no use any more: the frame that is looked at first, then its neighbors outwards,
- * each brought to the newest take at once. Knows no renderer; any thread may call.
+ * Scheduler of frames: the focused frame first, then its neighbors outwards, each updated directly to the newest revision. Cancels work
+ * that has become useless. Independent of any renderer; thread-safe.
  *
- * <p>A keeper has two lanes. Its front lane does nothing but the frame in focus; the other lane's work rests from tile to tile while the
- * front lane has some, so that what it has traced by then is not lost.
+ * <p>Each host has two lanes. The foreground lane only works on the focused frame. The background lane pauses between tiles while the
+ * foreground lane works, so that its traced tiles are not lost.
  */
 final class FrameQueue {
-    /** Who does work of a keeper. */
+    /** Lanes of a host. */
     enum Lane { FOREGROUND, BACKGROUND }
 
-    /** Nobody holds the frame. */
+    /** No host has the frame. */
     private static final int NO_HOST = -1;
-    /** No take: they are numbered from 1. */
+    /** No revision; revisions are numbered from 1. */
     private static final long NO_REVISION = 0;
 
-    /** Shows a take in a frame. */
+    /** Update of a frame to a revision. */
     final class Job implements Progress {
         final int host;
         final Lane lane;
         final int frame;
         final ShotRevision revision;
         private final long revisionNumber;
-        /** Whether nothing is kept of the frame. */
+        /** True if nothing of the frame is cached. */
         private final boolean traced;
-        /** The newest take that was looked at, and whether the work serves it. */
+        /** Newest revision compared, and whether the work still serves it. */
         private long checkedRevision;
         private boolean reusable = true;
 
@@ -48,7 +48,7 @@ final class FrameQueue {
         @Override
         public void report(int done, int total) {}
 
-        /** Keeps its caller waiting while the front lane works. */
+        /** Blocks while the foreground lane works. */
         @Override
         public boolean isCanceled() {
             return shouldStop(this);
@@ -56,14 +56,14 @@ final class FrameQueue {
     }
 
     private final int firstFrame;
-    /** Of each frame the number of the take that its film shows, likewise of the one that could not be made there. */
+    /** For each frame the number of the revision that its film shows, and of the last one that failed. */
     private final long[] shownRevision;
     private final long[] failedRevision;
     private final boolean[] busy;
     private final int[] hosts;
-    /** Of each frame the keepers that have no room for it, as far as they were asked since the newest take. */
+    /** For each frame the hosts that rejected it since the newest revision. */
     private final BitSet[] rejectedBy;
-    /** Of each keeper whether it is there, and what its front lane does. */
+    /** For each host its presence, and the work of its foreground lane. */
     private final List<Boolean> present = new ArrayList<>();
     private final List<Job> foreground = new ArrayList<>();
     private ShotRevision newestRevision;
@@ -85,13 +85,13 @@ final class FrameQueue {
         focus = firstFrame;
     }
 
-    /** Another keeper works too; returns its number. */
+    /** Adds a host; returns its number. */
     synchronized int addHost() {
         present.add(true);
         foreground.add(null);
         for (int i = 0; i < failedRevision.length; i++) {
             if (!rejectedBy[i].isEmpty()) {
-                // It may have room for what nobody else had room for.
+                // It may have memory for frames that all others rejected.
                 failedRevision[i] = NO_REVISION;
             }
         }
@@ -99,25 +99,25 @@ final class FrameQueue {
         return present.size() - 1;
     }
 
-    /** A keeper is gone, and with it all frames that it held. Returns whether that was news. */
-    synchronized boolean removeHost(int keeper) {
-        boolean news = present.set(keeper, false);
+    /** Removes a host with all its frames. Returns false if it was removed before. */
+    synchronized boolean removeHost(int host) {
+        boolean wasPresent = present.set(host, false);
         for (int i = 0; i < hosts.length; i++) {
-            if (hosts[i] == keeper) {
+            if (hosts[i] == host) {
                 hosts[i] = NO_HOST;
                 shownRevision[i] = NO_REVISION;
             }
             retryRejected(i);
         }
         notifyAll();
-        return news;
+        return wasPresent;
     }
 
-    synchronized void setRevision(ShotRevision take) {
-        newestRevision = take;
+    synchronized void setRevision(ShotRevision revision) {
+        newestRevision = revision;
         newestRevisionNumber++;
-        for (BitSet keepers : rejectedBy) {
-            keepers.clear();
+        for (BitSet rejected : rejectedBy) {
+            rejected.clear();
         }
         notifyAll();
     }
@@ -139,21 +139,21 @@ final class FrameQueue {
                 : FrameState.STALE;
     }
 
-    /** Which keeper has a frame's film, or −1. */
+    /** Returns the host of a frame's film, or −1. */
     synchronized int hostOf(int frame) {
         return hosts[frame - firstFrame];
     }
 
-    /** Waits for work of a keeper's lane; null when there will be none. */
-    synchronized Job nextJob(int keeper, Lane lane) throws InterruptedException {
-        while (!closed && present.get(keeper)) {
-            int frame = nextFrame(keeper, lane);
+    /** Waits for work for a host's lane; returns null when the queue is closed or the host removed. */
+    synchronized Job nextJob(int host, Lane lane) throws InterruptedException {
+        while (!closed && present.get(host)) {
+            int frame = nextFrame(host, lane);
             if (frame >= 0) {
-                Job work = new Job(keeper, lane, frame);
+                Job work = new Job(host, lane, frame);
                 busy[frame - firstFrame] = true;
                 activeJobs++;
                 if (lane == Lane.FOREGROUND) {
-                    foreground.set(keeper, work);
+                    foreground.set(host, work);
                 }
                 return work;
             }
@@ -162,18 +162,18 @@ final class FrameQueue {
         return null;
     }
 
-    private int nextFrame(int keeper, Lane lane) {
-        boolean focused = canStart(focus - firstFrame, keeper);
+    private int nextFrame(int host, Lane lane) {
+        boolean focused = canStart(focus - firstFrame, host);
         if (lane == Lane.FOREGROUND) {
             return focused ? focus : -1;
         }
-        if (focused || foreground.get(keeper) != null) {
+        if (focused || foreground.get(host) != null) {
             return -1;
         }
         for (int distance = 0; distance < shownRevision.length; distance++) {
-            // What comes later first, as it is played.
+            // Later frames first, in playback order.
             for (int frame : new int[] {focus + distance, focus - distance}) {
-                if (canStart(frame - firstFrame, keeper)) {
+                if (canStart(frame - firstFrame, host)) {
                     return frame;
                 }
             }
@@ -181,16 +181,16 @@ final class FrameQueue {
         return -1;
     }
 
-    /** Whether a keeper may begin with a frame: nobody is at it, and nobody else holds what it can be made from. */
-    private boolean canStart(int i, int keeper) {
-        return isPending(i) && !busy[i] && !rejectedBy[i].get(keeper) && (hosts[i] == keeper || hosts[i] == NO_HOST);
+    /** Returns whether a host may start a frame: no host works on it, and no other host has its cache. */
+    private boolean canStart(int i, int host) {
+        return isPending(i) && !busy[i] && !rejectedBy[i].get(host) && (hosts[i] == host || hosts[i] == NO_HOST);
     }
 
     private boolean isPending(int i) {
         return i >= 0 && i < shownRevision.length && shownRevision[i] != newestRevisionNumber && failedRevision[i] != newestRevisionNumber;
     }
 
-    /** Where whoever was left to be asked is gone, it is for the others to say again that they have no room. */
+    /** If the last host that was not tried is gone, lets the others decide again. */
     private void retryRejected(int i) {
         if (isPending(i) && !busy[i] && isRejectedByAll(i)) {
             rejectedBy[i].clear();
@@ -198,8 +198,8 @@ final class FrameQueue {
     }
 
     private boolean isRejectedByAll(int i) {
-        for (int keeper = 0; keeper < present.size(); keeper++) {
-            if (present.get(keeper) && !rejectedBy[i].get(keeper)) {
+        for (int host = 0; host < present.size(); host++) {
+            if (present.get(host) && !rejectedBy[i].get(host)) {
                 return false;
             }
         }
@@ -229,7 +229,7 @@ final class FrameQueue {
         if (work.revisionNumber == newestRevisionNumber) {
             return false;
         }
-        // What is relit is soon there, and who drags a light sees it move; of what is traced the rays serve the newer take.
+        // A relit frame finishes soon, and a dragged light must appear to move; the rays of a traced frame serve the newer revision.
         return work.traced ? !isReusable(work) : work.frame != focus;
     }
 
@@ -239,31 +239,31 @@ final class FrameQueue {
             try {
                 work.reusable = work.revision.sceneAt(work.frame).hasSameShapes(newestRevision.sceneAt(work.frame));
             } catch (IllegalArgumentException e) {
-                // There is no such scene: whoever begins with it says so.
+                // The scene is invalid; the next update of the frame reports it.
                 work.reusable = false;
             }
         }
         return work.reusable;
     }
 
-    /** A frame has its film, which its keeper holds; nobody else begins with it before {@link #finish}. Returns what it is now. */
+    /** Records a frame's film on its host; no other work on the frame starts before {@link #finish}. Returns the frame's new state. */
     synchronized FrameState complete(Job work) {
         int i = work.frame - firstFrame;
-        // Of a keeper that left meanwhile the film may be anywhere.
+        // If the host was removed meanwhile, its film is lost.
         shownRevision[i] = present.get(work.host) ? work.revisionNumber : NO_REVISION;
         hosts[i] = present.get(work.host) ? work.host : NO_HOST;
         return state(work.frame);
     }
 
-    /** The take of a work cannot be made in its frame. Returns whether that is still of interest. */
+    /** Records that a revision cannot be rendered at its frame. Returns whether the revision is still the newest. */
     synchronized boolean markFailed(Job work) {
         failedRevision[work.frame - firstFrame] = work.revisionNumber;
         return work.revisionNumber == newestRevisionNumber;
     }
 
     /**
-     * A work's keeper cannot hold the frame, and keeps nothing of it: others are asked. Returns whether there is nobody else, and that is of
-     * interest.
+     * Records that the host cannot keep the frame, so that others are tried. Returns whether no other host is left and the revision is
+     * still the newest.
      */
     synchronized boolean reject(Job work) {
         int i = work.frame - firstFrame;
@@ -276,7 +276,7 @@ final class FrameQueue {
         return isRejectedByAll(i) && markFailed(work);
     }
 
-    /** A work is over, whatever came of it. Returns whether there is nothing left to do. */
+    /** Ends a job, whatever its result. Returns whether no work is left. */
     synchronized boolean finish(Job work) {
         busy[work.frame - firstFrame] = false;
         retryRejected(work.frame - firstFrame);
@@ -288,7 +288,7 @@ final class FrameQueue {
         return isIdle();
     }
 
-    /** Whether nothing is worked on and every frame is current or failed. */
+    /** Returns whether no job runs and every frame is current or failed. */
     synchronized boolean isIdle() {
         if (activeJobs > 0) {
             return false;
@@ -301,7 +301,7 @@ final class FrameQueue {
         return true;
     }
 
-    /** Waits until {@link #isIdle}, or until it is closed or nobody is there to work. */
+    /** Waits until {@link #isIdle}, or until the queue is closed or has no hosts. */
     synchronized void awaitIdle() throws InterruptedException {
         while (!closed && !isIdle() && present.contains(true)) {
             wait();

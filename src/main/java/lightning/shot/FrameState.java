@@ -1,13 +1,13 @@
 package lightning.shot;
 
-/** What there is of a frame. */
+/** State of a frame. */
 public enum FrameState {
     /** No film yet. */
     MISSING,
-    /** A film of an older edit. */
+    /** Film of an older revision. */
     STALE,
-    /** The film of the newest edit. */
+    /** Film of the newest revision. */
     CURRENT,
-    /** The newest edit could not be made here; what there was may still be shown. */
+    /** The newest revision failed; an older film may still be shown. */
     FAILED
 }

@@ -10,24 +10,24 @@ import lightning.render.cache.PixelCache;
 import lightning.render.relight.MemoryEstimate;
 
 /**
- * The caches of frames: in memory as far as they have room there, those nearest to the focus; the others on disk; and where that has no
- * room either, nowhere. Any thread may call, of one frame one at a time.
+ * Two-level cache of frames. Frames nearest to the focus stay in memory, the others are moved to disk, and dropped if the disk is full. Any
+ * thread may call, but only one at a time for each frame.
  */
 final class FrameStore implements AutoCloseable {
     private final long memory;
-    /** Null where nothing is kept on disk. */
+    /** Null without a disk cache. */
     private final FrameDiskCache diskCache;
     private final boolean pinned;
     private final Map<Integer, StoredFrame> frames = new TreeMap<>();
     private long bytes;
     private int focus;
 
-    /** A frame that nobody works on: in memory, on disk, or in both while it goes from one to the other. */
+    /** Cached frame that no job uses: in memory, on disk, or in both while it is moved. */
     private static final class StoredFrame {
         final int frame;
         final CacheMetadata outline;
         final long bytes;
-        /** Null where it is on disk alone. */
+        /** Null if it is on disk only. */
         PixelCache cache;
         FrameDiskCache.CacheFile rows;
         FrameDiskCache.CacheFile colors;
@@ -42,9 +42,9 @@ final class FrameStore implements AutoCloseable {
     }
 
     /**
-     * @param memory bytes that frames may take in memory
+     * @param memory    bytes for frames in memory
      * @param diskCache closed with this; null for none
-     * @param pinned   whether what is kept stays: a frame that comes finds no room, in place of those that go
+     * @param pinned    true to reject new frames instead of evicting cached ones
      */
     FrameStore(long memory, FrameDiskCache diskCache, boolean pinned) {
         this.memory = memory;
@@ -52,18 +52,18 @@ final class FrameStore implements AutoCloseable {
         this.pinned = pinned;
     }
 
-    /** Whether what is kept stays. */
+    /** Returns whether cached frames are never evicted. */
     boolean isPinned() {
         return pinned;
     }
 
-    /** Bytes that frames may still take. */
+    /** Returns the bytes still available. */
     synchronized long freeBytes() {
         long half = Long.MAX_VALUE / 2;
         return Math.min(half, memory - bytes) + (diskCache == null ? 0 : Math.min(half, diskCache.freeBytes()));
     }
 
-    /** What is kept of a frame; null for nothing. */
+    /** Returns the cache of a frame; null for none. */
     PixelCache get(int frame) {
         while (true) {
             StoredFrame stored;
@@ -87,21 +87,21 @@ final class FrameStore implements AutoCloseable {
         }
     }
 
-    /** What cannot be read is nothing any more, unless somebody put the frame there anew meanwhile. */
+    /** Drops an unreadable frame, unless it was stored again meanwhile. */
     private synchronized boolean dropUnreadable(StoredFrame stored, IOException e) {
         if (frames.get(stored.frame) != stored) {
             return false;
         }
-        diskCache.reportProblem(Messages.tr("a frame's file could not be read: {0}", e.getMessage()));
+        diskCache.reportProblem(Messages.tr("cannot read a cached frame: {0}", e.getMessage()));
         remove(stored.frame);
         return true;
     }
 
     /**
-     * Keeps a frame in place of what was kept of it, if there is room.
+     * Stores a frame in place of its old cache, if there is space.
      *
-     * @param previous what {@link #get} gave of it; may be null
-     * @return whether nothing had to go for it that should stay; else nothing is kept of the frame
+     * @param previous result of {@link #get}; may be null
+     * @return false if a pinned frame would have to be evicted; the frame is then not cached
      */
     boolean put(int frame, PixelCache cache, PixelCache previous) {
         StoredFrame stored = new StoredFrame(frame, cache);
@@ -126,7 +126,7 @@ final class FrameStore implements AutoCloseable {
         return true;
     }
 
-    /** The frame that must leave memory next, which is about to; null where all have room. */
+    /** Returns the next frame to evict from memory, marked as leaving; null if all fit. */
     private synchronized StoredFrame evictFarthest() {
         if (bytes <= memory) {
             return null;
@@ -145,7 +145,7 @@ final class FrameStore implements AutoCloseable {
         return farthest;
     }
 
-    /** Nobody waits for the disk but who put the frame here. Returns whether the disk took it. */
+    /** Writes a frame to disk; only the thread that stored the frame waits for it. Returns whether it succeeded. */
     private boolean writeToDisk(StoredFrame stored) {
         FrameDiskCache.CacheFile rows = diskCache == null || stored.rows != null ? stored.rows : diskCache.writeRows(stored.cache);
         FrameDiskCache.CacheFile colors = rows == null ? null : diskCache.writeColors(stored.cache);
@@ -168,7 +168,7 @@ final class FrameStore implements AutoCloseable {
         }
     }
 
-    /** Whether its files are being written: whoever does that looks after them. */
+    /** Returns whether its files are being written; the writer then takes care of them. */
     private static boolean isBeingWritten(StoredFrame stored) {
         return stored.evicting && stored.cache != null;
     }
@@ -202,7 +202,7 @@ final class FrameStore implements AutoCloseable {
         return sum;
     }
 
-    /** What went wrong on disk first; null for nothing. */
+    /** Returns the first disk problem; null for none. */
     String problem() {
         return diskCache == null ? null : diskCache.problem();
     }

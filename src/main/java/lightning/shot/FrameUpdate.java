@@ -5,20 +5,20 @@ import java.util.function.Supplier;
 import lightning.render.image.Film;
 
 /**
- * What was done for a frame.
+ * Result of a frame's update.
  *
- * @param traced      whether it began with a first pass; else it was relit
- * @param plan        what was done, in words
- * @param rays        cast
- * @param nanoseconds from the wish to the finished film
- * @param filmSource      gives the film, from afar where it is kept there
+ * @param traced      true for a full trace, false for a relight
+ * @param plan        description of the update
+ * @param rays        number of rays
+ * @param nanoseconds from the request to the finished film
+ * @param filmSource  supplier of the film, which may fetch it from a remote host
  */
 public record FrameUpdate(int frame, boolean traced, String plan, long rays, long nanoseconds, Supplier<Film> filmSource) {
 
     /**
-     * The film of the whole frame; nobody writes to it any more. May wait for another machine.
+     * Returns the film of the whole frame, which is not written any more. May wait for another machine.
      *
-     * @throws CancellationException if it is there no more: a newer edit took its place, or what held it is lost
+     * @throws CancellationException if the film is gone: replaced by a newer revision, or lost with its host
      */
     public Film film() {
         return filmSource.get();

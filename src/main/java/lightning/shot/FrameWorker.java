@@ -3,7 +3,7 @@ package lightning.shot;
 import java.util.concurrent.CancellationException;
 import lightning.base.text.Messages;
 
-/** One frame after the other, for one lane of one keeper, until the queue is closed or the keeper is gone. */
+/** Worker loop for one lane of a host: runs jobs until the queue is closed or the host is gone. */
 record FrameWorker(FrameQueue queue, int hostIndex, FrameQueue.Lane lane, FrameHost host, ShotListener listener) implements Runnable {
     @Override
     public void run() {
@@ -24,17 +24,18 @@ record FrameWorker(FrameQueue queue, int hostIndex, FrameQueue.Lane lane, FrameH
             FrameUpdate update = host.update(job.frame, job.revision, job);
             listener.frameUpdated(update, queue.complete(job));
         } catch (CancellationException e) {
-            // Something else is wanted.
+            // The job was canceled for more urgent work.
         } catch (FrameRejectedException e) {
             if (queue.reject(job)) {
-                listener.frameFailed(job.frame, new FrameRejectedException(Messages.tr("nobody has room for it: {0}", e.getMessage())));
+                listener.frameFailed(job.frame,
+                        new FrameRejectedException(Messages.tr("no node has enough memory for it: {0}", e.getMessage())));
             }
         } catch (HostLostException e) {
             if (queue.removeHost(hostIndex)) {
                 listener.hostLost(e);
             }
         } catch (Throwable e) {
-            // Whatever it is, the other frames go on.
+            // Any other failure concerns only this frame.
             if (queue.markFailed(job)) {
                 listener.frameFailed(job.frame, e);
             }

@@ -2,7 +2,9 @@ package lightning.shot;
 
 import lightning.base.text.UserFacingException;
 
-/** What held frames is there no more, as when its process ended: others trace them again. The message is a sentence. */
+/**
+ * Thrown if a host of frames is gone, for example because its process ended; other hosts trace its frames again. The message is a sentence.
+ */
 public final class HostLostException extends Exception implements UserFacingException {
     private static final long serialVersionUID = 1;
 

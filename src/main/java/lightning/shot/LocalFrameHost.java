@@ -19,39 +19,39 @@ import lightning.render.relight.tile.RenderOptions;
 import lightning.render.trace.Geometry;
 import lightning.scene.Scene;
 
-/** Holds frames in this process. */
+/** Frame host in this process. */
 public final class LocalFrameHost implements FrameHost {
     private final RenderOptions options;
     private final FrameStore store;
-    /** Those that nobody works with. */
+    /** Renderers that no job uses. */
     private final ArrayDeque<Renderer> idleRenderers = new ArrayDeque<>();
-    /** Of the frame that was made last: most frames show the same shapes. */
+    /** Geometry of the last frame, because most frames show the same shapes. */
     private Geometry sharedGeometry;
     private boolean closed;
 
     /**
-     * A keeper of what memory holds; frames farther from the focus are traced again for each edit.
+     * Creates a host that keeps frames in memory only; frames farther from the focus are traced again for each edit.
      *
-     * @param options threads, engines, and the bytes that a frame may take while it is worked on; all frames are exact
-     * @param memoryBytes  bytes that frames may take which nobody works on
+     * @param options     threads, engines, and bytes for a frame in progress; all frames are exact
+     * @param memoryBytes bytes for frames not in progress
      */
     public LocalFrameHost(RenderOptions options, long memoryBytes) {
         this(options, new FrameStore(memoryBytes, null, false));
     }
 
     /**
-     * A keeper of what memory holds, and of the rest on disk.
+     * Creates a host that keeps further frames on disk.
      *
-     * @param parent where a folder of files is made that is removed in the end
-     * @param diskBytes  bytes that these may take
-     * @throws IOException if it cannot be made; a sentence that begins with {@code parent}
+     * @param parent    parent of the cache folder, which is removed at the end
+     * @param diskBytes bytes for files
+     * @throws IOException if the folder cannot be created; the message begins with {@code parent}
      */
     public LocalFrameHost(RenderOptions options, long memoryBytes, Path parent, long diskBytes) throws IOException {
         this(options, new FrameStore(memoryBytes, new FrameDiskCache(parent, diskBytes), false));
     }
 
     /**
-     * A keeper that never drops a frame for another, as those need who look at films later: a frame for which it has no room it refuses.
+     * Creates a host that never evicts a frame, for callers that fetch films later; rejects frames that do not fit.
      *
      * @throws IOException as the constructor
      */
@@ -65,9 +65,9 @@ public final class LocalFrameHost implements FrameHost {
     }
 
     @Override
-    public FrameUpdate update(int frame, ShotRevision take, Progress progress) {
+    public FrameUpdate update(int frame, ShotRevision revision, Progress progress) {
         long start = System.nanoTime();
-        Scene scene = take.sceneAt(frame);
+        Scene scene = revision.sceneAt(frame);
         Renderer renderer = borrow();
         try {
             PixelCache cached = store.get(frame);
@@ -90,7 +90,7 @@ public final class LocalFrameHost implements FrameHost {
         }
     }
 
-    /** Before anything is traced in vain. */
+    /** Checks the space before tracing. */
     private void checkRoom(Scene scene) {
         long freeBytes = store.freeBytes();
         if (MemoryEstimate.upperBound(scene, options) > freeBytes) {
@@ -103,7 +103,7 @@ public final class LocalFrameHost implements FrameHost {
 
     private FrameRejectedException rejection(long requiredBytes) {
         return new FrameRejectedException(
-                Messages.tr("the frame takes about {0}, and there is room for {1} more", ShotMemoryEstimate.formatBytes(requiredBytes),
+                Messages.tr("the frame needs about {0}, but only {1} is free", ShotMemoryEstimate.formatBytes(requiredBytes),
                         ShotMemoryEstimate.formatBytes(Math.max(0, store.freeBytes()))));
     }
 
@@ -147,7 +147,7 @@ public final class LocalFrameHost implements FrameHost {
         return store.usage();
     }
 
-    /** Why frames are not on disk that should be, the first reason; a sentence without its full stop. */
+    /** Returns the first problem that kept frames from the disk; a sentence without its full stop. */
     public Optional<String> problem() {
         return Optional.ofNullable(store.problem());
     }

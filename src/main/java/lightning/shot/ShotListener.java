@@ -1,29 +1,29 @@
 package lightning.shot;
 
 /**
- * Hears of frames. Called on the shot's own threads, of one frame in the order of its films, and of several frames at once: whoever
- * shows them hands on to a thread of its own. A call that takes long keeps other frames waiting.
+ * Listener for frames of a shot. Called on the shot's threads, in order for each frame and concurrently for different frames; a UI must
+ * forward to its own thread. A slow call delays other frames.
  */
 public interface ShotListener {
-    /** Hears nothing. */
+    /** Listener that does nothing. */
     ShotListener NONE = new ShotListener() {};
 
     /**
-     * A frame has a new film.
+     * Reports a frame's new film.
      *
-     * @param state {@link FrameState#CURRENT}, or {@link FrameState#STALE} where a newer edit came meanwhile
+     * @param state {@link FrameState#CURRENT}, or {@link FrameState#STALE} if a newer edit came meanwhile
      */
     default void frameUpdated(FrameUpdate update, FrameState state) {}
 
-    /** The newest edit cannot be made in a frame; it is tried again at the next edit. */
+    /** Reports that the newest edit cannot be rendered at a frame; the next edit tries it again. */
     default void frameFailed(int frame, Throwable problem) {}
 
-    /** One more holds frames from here on. */
+    /** Reports a new host. */
     default void hostAdded() {}
 
-    /** What held frames is gone; these are missing, and others trace them, if there are any. */
+    /** Reports the loss of a host; its frames are missing, and other hosts, if any, trace them. */
     default void hostLost(HostLostException problem) {}
 
-    /** All frames are current or failed. */
+    /** Reports that all frames are current or failed. */
     default void shotIdle() {}
 }

@@ -9,22 +9,22 @@ import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
 
 /**
- * How much it takes to keep the frames of a shot, before any of them is traced.
+ * Estimated memory for the frames of a shot, before any is traced.
  *
- * @param frameCount  how many
- * @param bytesPerFrame    about the bytes of a frame
- * @param meshBytes  bytes of what all share
- * @param picture of each
+ * @param frameCount    number of frames
+ * @param bytesPerFrame approximate bytes of a frame
+ * @param meshBytes     bytes shared by all frames
+ * @param picture       image settings of each frame
  */
 public record ShotMemoryEstimate(int frameCount, long bytesPerFrame, long meshBytes, PictureSettings picture) {
-    /** Frames of which small pictures are made. */
+    /** Number of frames rendered as small images. */
     private static final int SAMPLED_FRAMES = 3;
-    /** Frames that two lanes work on, each beside what was known of it. */
+    /** Frames in progress in two lanes, each with its old cache. */
     private static final int ACTIVE_FRAMES = 4;
     private static final double GB = 1e9;
 
     /**
-     * What the frames from {@code first} to {@code last} take, by the largest of some of them.
+     * Estimates the frames from {@code first} to {@code last} by the largest of a few samples.
      *
      * @throws IllegalArgumentException as {@link ShotRevision#sceneAt}
      */
@@ -36,25 +36,26 @@ public record ShotMemoryEstimate(int frameCount, long bytesPerFrame, long meshBy
         return new ShotMemoryEstimate(last - first + 1, bytesPerFrame, MeshMemory.bytes(scene), scene.picture());
     }
 
-    /** The bytes of all frames. */
+    /** Returns the bytes of all frames. */
     public long totalBytes() {
         return frameCount * bytesPerFrame;
     }
 
     /**
-     * The bytes that frames which nobody works on may take in memory.
+     * Returns the bytes in memory for frames not in progress.
      *
-     * @param memory bytes that pictures may take in this Java
+     * @param memory bytes for images in this JVM
      */
     public long frameBudget(long memory) {
         return Math.max(0, memory - meshBytes - ACTIVE_FRAMES * bytesPerFrame);
     }
 
     /**
-     * Refuses a shot that does not fit.
+     * Checks that the shot fits.
      *
-     * @param memory bytes that resting frames may take in memory, likewise {@code disk}
-     * @throws ShotTooLargeException if it takes more than both; the message says what would fit
+     * @param memory bytes in memory for frames not in progress
+     * @param disk   bytes on disk
+     * @throws ShotTooLargeException if it needs more than both; the message says what would fit
      */
     public void check(long memory, long disk) {
         long available = memory + disk;
@@ -66,15 +67,15 @@ public record ShotMemoryEstimate(int frameCount, long bytesPerFrame, long meshBy
         int width = (int) (picture.width() * scale);
         int height = (int) (picture.height() * scale);
         throw new ShotTooLargeException(String.format(Locale.ROOT,
-                "%d frames of about %s take %s, and there is room for %s in memory and for %s on disk; %s",
+                "%d frames of about %s need %s, but only %s of memory and %s of disk space are free; %s",
                 frameCount, formatBytes(bytesPerFrame), formatBytes(totalBytes()), formatBytes(memory), formatBytes(disk),
-                Math.min(width, height) < 1 ? "nothing would fit"
+                Math.min(width, height) < 1 ? "no frame would fit"
                         : (fittingFrames == 0 ? "" : fittingFrames == 1 ? "one frame would fit, or "
                                 : fittingFrames + " frames would fit, or ")
                                 + "a size of " + width + "x" + height + (fittingFrames > 0 ? "" : " would fit")));
     }
 
-    /** Bytes, for people. */
+    /** Formats bytes for the user. */
     public static String formatBytes(long bytes) {
         return bytes < GB / 10 ? String.format(Locale.ROOT, "%.1f MB", bytes / 1e6) : String.format(Locale.ROOT, "%.1f GB", bytes / GB);
     }

@@ -7,15 +7,15 @@ import lightning.base.work.DedicatedThread;
 import lightning.render.image.Film;
 
 /**
- * The frames of a shot, each brought to the newest edit: the one in focus first, then its neighbors outwards. An edit replaces the one
- * before; a frame that missed some is brought to the newest at once. All is done on threads of its own, and any thread may call.
+ * Relighter of all frames of a shot: updates the focused frame first, then its neighbors outwards. A new edit replaces the previous one; a
+ * frame that missed some is updated directly to the newest. Works on its own threads; thread-safe.
  */
 public final class ShotRelighter implements AutoCloseable {
     private final int first;
     private final int last;
     private final FrameQueue queue;
     private final ShotListener listener;
-    /** By their numbers. */
+    /** Hosts by number. */
     private final List<FrameHost> hosts = new ArrayList<>();
     private final List<Thread> threads = new ArrayList<>();
     private boolean closed;
@@ -28,10 +28,10 @@ public final class ShotRelighter implements AutoCloseable {
     }
 
     /**
-     * Frames that nothing is known of; work begins with the first {@link #setRevision}, and the first frame is in focus.
+     * Creates a relighter without caches. Work begins with the first {@link #setRevision}; the first frame is focused.
      *
-     * @param host   closed with this
-     * @param listener hears of frames, on other threads
+     * @param host     closed with this
+     * @param listener called on other threads
      * @throws IllegalArgumentException if the last frame is before the first
      */
     public static ShotRelighter of(int first, int last, FrameHost host, ShotListener listener) {
@@ -41,7 +41,7 @@ public final class ShotRelighter implements AutoCloseable {
     }
 
     /**
-     * The same without a keeper: nothing is done before one joins.
+     * Creates a relighter without a host; work begins when one is added.
      *
      * @throws IllegalArgumentException if the last frame is before the first
      */
@@ -52,7 +52,7 @@ public final class ShotRelighter implements AutoCloseable {
         return new ShotRelighter(first, last, listener);
     }
 
-    /** Lets another keeper hold some of the frames; it is closed with this. Frames stay with whoever holds them. */
+    /** Adds a host, which is closed with this. Frames stay on their hosts. */
     public void addHost(FrameHost host) {
         if (register(host)) {
             listener.hostAdded();
@@ -75,7 +75,7 @@ public final class ShotRelighter implements AutoCloseable {
         return true;
     }
 
-    /** A keeper is known to be gone, though nobody asked it: the frames that it held are missing, and others trace them. */
+    /** Removes a host found to be gone outside of an update; its frames are missing, and other hosts trace them. */
     public void removeHost(FrameHost host, HostLostException problem) {
         int number;
         synchronized (this) {
@@ -94,19 +94,19 @@ public final class ShotRelighter implements AutoCloseable {
         return last;
     }
 
-    /** Wants all frames to show a take; returns at once. */
+    /** Requests all frames in a revision; returns immediately. */
     public void setRevision(ShotRevision revision) {
         queue.setRevision(revision);
     }
 
-    /** Wants a frame before all others, and its neighbors next; outside the shot it is the nearest that there is. */
+    /** Focuses a frame: it is updated before all others, and its neighbors next. Clamped to the shot. */
     public void focus(int frame) {
         queue.focus(frame);
-        hosts().forEach(keeper -> keeper.focus(queue.focus()));
+        hosts().forEach(host -> host.focus(queue.focus()));
     }
 
     /**
-     * What there is of a frame.
+     * Returns the state of a frame.
      *
      * @throws IndexOutOfBoundsException if the shot has no such frame
      */
@@ -115,17 +115,17 @@ public final class ShotRelighter implements AutoCloseable {
     }
 
     /**
-     * The newest film of a frame, as far as it is kept; may read it from disk, so not for the thread of a window.
+     * Returns the newest cached film of a frame; may read from disk, so do not call it on a window's thread.
      *
      * @throws IndexOutOfBoundsException if the shot has no such frame
      */
     public Optional<Film> film(int frame) {
-        return hostOf(frame).flatMap(keeper -> keeper.film(frame));
+        return hostOf(frame).flatMap(host -> host.film(frame));
     }
 
-    /** The same, made smaller so as to have room: see {@link FrameHost#film(int, int, int)}. */
+    /** Returns the newest film, downscaled to fit: see {@link FrameHost#film(int, int, int)}. */
     public Optional<Film> film(int frame, int maxWidth, int maxHeight) {
-        return hostOf(frame).flatMap(keeper -> keeper.film(frame, maxWidth, maxHeight));
+        return hostOf(frame).flatMap(host -> host.film(frame, maxWidth, maxHeight));
     }
 
     private Optional<FrameHost> hostOf(int frame) {
@@ -133,17 +133,17 @@ public final class ShotRelighter implements AutoCloseable {
         return index < 0 ? Optional.empty() : Optional.of(hosts().get(index));
     }
 
-    /** What all keepers keep. */
+    /** Returns the cache usage of all hosts. */
     public CacheUsage usage() {
         return hosts().stream().map(FrameHost::usage).reduce(CacheUsage.NONE, CacheUsage::plus);
     }
 
-    /** Whether all frames are current or failed. */
+    /** Returns whether all frames are current or failed. */
     public boolean isIdle() {
         return queue.isIdle();
     }
 
-    /** Waits for that, or until nobody is there who could work. */
+    /** Waits until idle, or until no host is left. */
     public void awaitIdle() throws InterruptedException {
         queue.awaitIdle();
     }
@@ -152,7 +152,7 @@ public final class ShotRelighter implements AutoCloseable {
         return List.copyOf(hosts);
     }
 
-    /** Stops what is under way, waits for its end and drops all that is kept. */
+    /** Cancels running work, waits for its end and drops all caches. */
     @Override
     public void close() {
         List<Thread> running;

@@ -4,14 +4,13 @@ import lightning.scene.Scene;
 import lightning.scene.shot.Shot;
 
 /**
- * What all frames shall show: a scene, and the keys that make each frame's scene of it. It is all that must travel to where frames
- * are held.
+ * Version of a shot to render: a scene and its keyframes. It contains everything that a remote host needs.
  *
- * @param shot one that {@link Shot#check} takes for the scene
+ * @param shot a shot that passes {@link Shot#check} for the scene
  */
 public record ShotRevision(Scene scene, Shot shot) {
     /**
-     * The scene of a frame.
+     * Returns the scene of a frame.
      *
      * @throws IllegalArgumentException as {@link Shot#sceneAt}
      */

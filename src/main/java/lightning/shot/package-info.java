@@ -1,15 +1,15 @@
 /**
- * All frames of a shot kept and relit: an edit goes to every frame, the one that is looked at first.
+ * Relighting of all frames of a shot: an edit updates every frame, the focused one first.
  *
  * <pre>{@code
  * try (ShotRelighter shot = ShotRelighter.of(first, last, new LocalFrameHost(RenderOptions.DEFAULT, bytes), listener)) {
- *     shot.edit(new ShotRevision(scene, keys));
+ *     shot.setRevision(new ShotRevision(scene, keys));
  *     shot.focus(17);
- *     shot.edit(new ShotRevision(brighter, keys));
+ *     shot.setRevision(new ShotRevision(brighter, keys));
  * }
  * }</pre>
  *
- * <p>What decides which frame is next ({@link lightning.shot.FrameQueue}) knows no renderer; what holds frames
- * ({@link lightning.shot.FrameHost}) knows no order.
+ * <p>The scheduler ({@link lightning.shot.FrameQueue}) is independent of renderers; frame hosts ({@link lightning.shot.FrameHost}) are
+ * independent of the order.
  */
 package lightning.shot;

@@ -82,7 +82,7 @@ class BenchCommandTest {
         Path bad = Files.writeString(folder.resolve("bad.jen"), "jen 1\nlight b laser {}\n");
         CliResult run = bench(bad, scene, folder.resolve("none.jen"), "--figure", 21);
         assertThat(run.exit()).isEqualTo(2);
-        assertThat(run.err()).contains(bad + ":2:9: light 'b': type", "none.jen: there is no such file").doesNotContain("Exception");
+        assertThat(run.err()).contains(bad + ":2:9: light 'b': type", "none.jen: file not found").doesNotContain("Exception");
         assertThat(results().scenes()).extracting(SceneResult::scene).containsExactly("a");
         assertThat(results().problems()).hasSize(2);
         assertThat(results().problems().getFirst().what()).contains("light 'b': type");
@@ -130,9 +130,9 @@ class BenchCommandTest {
                 "--figure must be one that shows measured edits (6 to 11, 13 to 26, B1 to B4 or B for Appendix B), was '12'");
         bench(scene, "--repetitions", 0).assertRejected("repetitions");
         bench(scene, "--size", "0x5").assertRejected("width and height must be from 1");
-        bench(scene, "--baseline", folder.resolve("no.json")).assertRejected("no.json: there is no such file");
+        bench(scene, "--baseline", folder.resolve("no.json")).assertRejected("no.json: file not found");
         bench(scene, "--baseline", scene).assertRejected("no results of 'lightning bench'");
-        bench(folder.resolve("no.jen")).assertRejected("no.jen: there is no such file", "there is no scene to measure");
+        bench(folder.resolve("no.jen")).assertRejected("no.jen: file not found", "there is no scene to measure");
     }
 
     @Test
@@ -160,7 +160,7 @@ class BenchCommandTest {
     void reportWithScene_isRejected() throws Exception {
         bench(scene, "--figure", 21).assertSuccess();
         CliResult.run("bench", scene, "--report", out.resolve("results.json")).assertRejected("--report", "measures no scene");
-        CliResult.run("bench", "--report", folder.resolve("none.json")).assertRejected("none.json: there is no such file");
+        CliResult.run("bench", "--report", folder.resolve("none.json")).assertRejected("none.json: file not found");
     }
 
     @Test

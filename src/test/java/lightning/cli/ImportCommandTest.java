@@ -58,7 +58,7 @@ class ImportCommandTest {
     void invalidInput_isRejected() throws Exception {
         Path wrong = Files.writeString(folder.resolve("a.obj"), TRIANGLE.replace("1 2 3", "1 2 4"));
         CliResult.run("import", wrong, "-o", folder.resolve("a.jen")).assertRejected("a.obj: line 4: a corner must name one of 3 vertices");
-        CliResult.run("import", folder.resolve("b.obj"), "-o", folder.resolve("a.jen")).assertRejected("b.obj: there is no such file");
+        CliResult.run("import", folder.resolve("b.obj"), "-o", folder.resolve("a.jen")).assertRejected("b.obj: file not found");
         CliResult.run("import", folder, "-o", folder.resolve("a.jen")).assertRejected("is a folder");
         CliResult.run("import", wrong, "-o", folder.resolve("a.png")).assertRejected("a scene's name must end in .jen");
         CliResult.run("import", wrong, "-o", folder.resolve("a.jen"), "--light-units", "lumen").assertRejected("--light-units");

@@ -42,12 +42,12 @@ class IrregularFilesTest {
 
     @Test
     void pipeAsScene_isRejected() throws Exception {
-        CliResult.run("check", pipe("pipe.jen")).assertRejected("pipe.jen: is no file but a pipe or a device");
+        CliResult.run("check", pipe("pipe.jen")).assertRejected("pipe.jen: is a pipe or a device");
     }
 
     @Test
     void deviceAsScene_isRejected() {
-        CliResult.run("check", "/dev/zero").assertRejected("/dev/zero: is no file but a pipe or a device");
+        CliResult.run("check", "/dev/zero").assertRejected("/dev/zero: is a pipe or a device");
     }
 
     private Path pipe(String name) throws Exception {

@@ -60,7 +60,7 @@ class LightningTest {
 
     @Test
     void missingScene_isReportedByName() {
-        CliResult.run("check", folder.resolve("no.jen")).assertRejected(folder.resolve("no.jen") + ": there is no such file");
+        CliResult.run("check", folder.resolve("no.jen")).assertRejected(folder.resolve("no.jen") + ": file not found");
     }
 
     @Test

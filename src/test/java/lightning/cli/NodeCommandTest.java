@@ -37,7 +37,7 @@ final class NodeCommandTest {
     @Test
     void invalidHost_isRejected() {
         for (String word : new String[] {"", "a b", "host:", "host:0", "host:70000", "a:b:c", "[::1"}) {
-            CliResult.run("node", "--certificate", "c.p12", "--join", word).assertRejected("expected a machine and a port from 1 to 65535");
+            CliResult.run("node", "--certificate", "c.p12", "--join", word).assertRejected("expected a host and a port from 1 to 65535");
         }
     }
 
@@ -45,12 +45,12 @@ final class NodeCommandTest {
     void existingCertificate_isNotOverwritten() {
         Path file = folder.resolve("c.p12");
         CliResult.run("node", "--make-certificate", file).assertSuccess();
-        CliResult.run("node", "--make-certificate", file).assertRejected("c.p12: is there already");
+        CliResult.run("node", "--make-certificate", file).assertRejected("c.p12: already exists");
     }
 
     @Test
     void missingCertificateFile_isNamed() {
-        CliResult.run("node", "--certificate", folder.resolve("none.p12")).assertRejected("none.p12: there is no such file",
+        CliResult.run("node", "--certificate", folder.resolve("none.p12")).assertRejected("none.p12: file not found",
                 "--make-certificate");
     }
 }

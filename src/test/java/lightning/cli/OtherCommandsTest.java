@@ -178,7 +178,7 @@ class OtherCommandsTest {
     @Test
     void exportToOtherExtension_isRejected() {
         CliResult.run("export", scene, "-o", folder.resolve("a.png")).assertRejected("must end in .pov");
-        CliResult.run("export", scene, "-o", folder.resolve("no/a.pov")).assertRejected("there is no folder");
+        CliResult.run("export", scene, "-o", folder.resolve("no/a.pov")).assertRejected("folder not found");
     }
 
     @Test
@@ -233,7 +233,7 @@ class OtherCommandsTest {
     @Test
     void tourWithInvalidInput_isRejected() throws Exception {
         CliResult.run("tour", scene, "--repetitions", "0").assertRejected("--repetitions must be from 1 to 1000, was 0");
-        CliResult.run("tour", folder.resolve("no.jen")).assertRejected("no.jen: there is no such file");
-        CliResult.run("tour", scene, "-o", scene).assertRejected("a.jen: is there already and is no folder");
+        CliResult.run("tour", folder.resolve("no.jen")).assertRejected("no.jen: file not found");
+        CliResult.run("tour", scene, "-o", scene).assertRejected("a.jen: already exists and is not a folder");
     }
 }

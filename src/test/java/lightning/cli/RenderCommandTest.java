@@ -147,7 +147,7 @@ class RenderCommandTest {
         // A socket stands for devices: a real one would be lost if this ever failed for an administrator.
         Path socket = folder.resolve("s");
         Path link = Files.createSymbolicLink(folder.resolve("a.png"), socket);
-        String sentence = link + ": is a device, a pipe or a socket, expected a file";
+        String sentence = link + ": expected a file, found a device, a pipe or a socket";
         try (var server = ServerSocketChannel.open(StandardProtocolFamily.UNIX)) {
             server.bind(UnixDomainSocketAddress.of(socket));
             CliResult.run("render", scene, "-o", link).assertRejected(sentence);
@@ -212,7 +212,7 @@ class RenderCommandTest {
     @Test
     void unwritableOutput_isRejectedBeforeTracing() {
         CliResult.run("render", scene, "-o", folder.resolve("a.gif")).assertRejected("must end in .png, .xpm, .pfm, .exr or .hdr");
-        CliResult.run("render", scene, "-o", folder.resolve("no/a.png")).assertRejected("there is no folder " + folder.resolve("no"));
+        CliResult.run("render", scene, "-o", folder.resolve("no/a.png")).assertRejected("folder not found: " + folder.resolve("no"));
     }
 
     @Test

@@ -115,7 +115,7 @@ class ShotRelightCommandTest {
                 .run("shot", "relight", scene, "--frames", "0-99999", "--size", "4000x4000", "--memory", "0", "--set", "sun.intensity=3",
                         "-o",
                         folder.resolve("x"))
-                .assertRejected("100000 frames of about", "on disk;", "frames would fit, or a size of", "--disk");
+                .assertRejected("100000 frames of about", "of disk space are free;", "frames would fit, or a size of", "--disk");
         assertThat(folder.resolve("x")).doesNotExist();
     }
 

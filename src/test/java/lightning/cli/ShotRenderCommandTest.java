@@ -104,7 +104,7 @@ class ShotRenderCommandTest {
     void invalidFrame_isRejectedBeforeWriting() throws Exception {
         Files.writeString(scene, CliResult.SCENE + "shot { frames 1 9  camera { from { 1 0 2 7  9 0 0.5 0 } } }");
         CliResult.run("shot", "render", scene, "-o", folder.resolve("x"))
-                .assertRejected("frame 9: from and to must be two different points");
+                .assertRejected("frame 9: from and to must be different points");
         assertThat(folder.resolve("x")).doesNotExist();
     }
 

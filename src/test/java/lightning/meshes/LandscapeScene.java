@@ -3,7 +3,7 @@ package lightning.meshes;
 import java.util.Locale;
 import java.util.Random;
 
-/** The valley as a scene: its firs stand where the ground is dry and not too steep. */
+/** Generator of the landscape scene: places firs on dry ground that is not too steep. */
 final class LandscapeScene {
     private static final int FIRS = 230;
     private static final String START = """

@@ -4,21 +4,22 @@ import lightning.base.math.Vec3;
 import lightning.meshes.ParametricSurface.SurfaceFunction;
 
 /**
- * A curve through points in the half plane of radius and height, by Catmull and Rom's splines (1974): what a lathe follows.
+ * Profile curve of a lathe: a Catmull-Rom spline (1974) in the half plane of radius and height.
  *
  * @param points radius, height, radius, height …; at least two points
  */
 record LatheProfile(double... points) {
-    /** The body that a lathe makes. */
+    /** Returns the surface of revolution. */
     SurfaceFunction revolve() {
         return fluted(0, 0, 0);
     }
 
     /**
-     * The body whose cross-section is a flower.
+     * Returns a surface with a flower-shaped cross-section.
      *
-     * @param petals how many; {@code depth} is how far they go in and out, as a part of the radius
-     * @param turns  how often a petal goes round from the bottom to the top
+     * @param petals number of petals
+     * @param depth  depth of the petals, relative to the radius
+     * @param turns  turns of a petal from bottom to top
      */
     SurfaceFunction fluted(int petals, double depth, double turns) {
         return (u, v) -> {

@@ -5,7 +5,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Map;
 
-/** Writes all meshes of the scenes, and the landscape. */
+/** Generator of all sample meshes and the landscape. */
 public final class MeshGenerator {
     private MeshGenerator() {}
 

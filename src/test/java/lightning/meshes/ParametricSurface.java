@@ -10,21 +10,21 @@ import lightning.base.file.AtomicFile;
 import lightning.base.math.Vec3;
 
 /**
- * A surface over the unit square, as a grid of quadrilaterals.
+ * Surface over the unit square, tessellated into a grid of quadrilaterals.
  *
  * @param across squares along u
- * @param rows  squares along v
- * @param closed   whether u = 1 is u = 0 again
+ * @param rows   squares along v
+ * @param closed true if u = 1 equals u = 0
  * @param form   the surface
  */
 record ParametricSurface(int across, int rows, boolean closed, SurfaceFunction form) {
-    /** The step of the differences that give normals: the square root of a float's last place. */
+    /** Step of the finite differences for normals: the square root of a float's unit in the last place. */
     private static final double STEP = 0x1p-12;
 
-    /** A surface. */
+    /** Surface function. */
     @FunctionalInterface
     interface SurfaceFunction {
-        /** The point at u and v from 0 to 1; asked a little beyond both for normals, and periodic in u where it is a ring. */
+        /** Returns the point at u and v from 0 to 1. Normals sample slightly outside this range; periodic in u if closed. */
         Vec3 at(double u, double v);
     }
 
@@ -36,7 +36,7 @@ record ParametricSurface(int across, int rows, boolean closed, SurfaceFunction f
         return closed ? across : across + 1;
     }
 
-    /** Writes a binary PLY file with normals at the vertices, counter-clockwise where u × v leads outwards. */
+    /** Writes a binary PLY file with vertex normals; counter-clockwise if u × v points outwards. */
     void write(Path file) throws IOException {
         int vertices = columns() * (rows + 1);
         byte[] header = String.format(Locale.ROOT, """
@@ -72,7 +72,7 @@ record ParametricSurface(int across, int rows, boolean closed, SurfaceFunction f
     }
 
     private Vec3 normal(double u, double v) {
-        // At a pole all u are one point: a little aside of it the surface has a direction.
+        // At a pole all u map to one point; slightly next to it the surface has a normal.
         double w = Math.min(1 - STEP, Math.max(STEP, v));
         Vec3 du = form.at(u + STEP, w).minus(form.at(u - STEP, w));
         Vec3 dv = form.at(u, w + STEP / 2).minus(form.at(u, w - STEP / 2));

@@ -4,7 +4,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import lightning.base.math.Vec3;
 
-/** The bodies of the scenes, by the names of their files. */
+/** Sample solids by file name. */
 final class SampleSolids {
     private SampleSolids() {}
 
@@ -26,7 +26,7 @@ final class SampleSolids {
         return all;
     }
 
-    /** Up the outside, over the rim and down the inside. */
+    /** Profile up the outside, over the rim and down the inside. */
     private static LatheProfile vase() {
         return new LatheProfile(0, 0, 0.34, 0, 0.36, 0.03, 0.3, 0.1, 0.46, 0.45, 0.58, 0.9, 0.5, 1.35, 0.25, 1.7, 0.2, 1.95, 0.3, 2.15,
                 0.31,
@@ -55,7 +55,7 @@ final class SampleSolids {
                 2.05, 0.2, 2.05, 0.11, 1.85, 0.11, 1.55, 0.17, 1.35, 0.4, 1.06, 0.56, 0.73, 0.6, 0.3, 0.52, 0.15, 0.3, 0.12, 0, 0.12);
     }
 
-    /** What fills the decanter, a hair away from its inside. */
+    /** Content of the decanter, slightly smaller than its inside. */
     private static LatheProfile cognac() {
         return new LatheProfile(0, 0.125, 0.3, 0.125, 0.515, 0.155, 0.595, 0.3, 0.555, 0.73, 0.535, 0.78, 0, 0.78);
     }
@@ -66,14 +66,14 @@ final class SampleSolids {
                 0.95, 0.16, 1.05, 0.1, 1.15, 0.11, 1.2, 0.22, 1.27, 0.23, 1.3, 0.12, 1.29, 0.11, 1.25, 0, 1.24);
     }
 
-    /** A shaft with a base and a capital, four units high. */
+    /** Shaft with a base and a capital, four units high. */
     private static LatheProfile column() {
         return new LatheProfile(0, 0, 0.5, 0, 0.52, 0.08, 0.46, 0.16, 0.48, 0.22, 0.4, 0.28, 0.37, 0.4, 0.375, 1.4, 0.36, 2.4, 0.32, 3.4,
                 0.33,
                 3.5, 0.31, 3.54, 0.33, 3.6, 0.48, 3.8, 0.5, 3.86, 0.5, 4, 0, 4);
     }
 
-    /** Leans a little, and bulges more to one side. */
+    /** Pear that leans slightly, and bulges more to one side. */
     private static Vec3 pear(double u, double v) {
         double round = Math.PI * Math.clamp(v, 0, 1);
         double r = 0.42 * StrictMath.sin(round) * (1 + 0.32 * StrictMath.cos(round) + 0.1 * StrictMath.cos(3 * round));
@@ -83,7 +83,7 @@ final class SampleSolids {
         return new Vec3(r * bulge * StrictMath.cos(angle) + 0.08 * y * y, y, -r * bulge * StrictMath.sin(angle));
     }
 
-    /** A snail's: a growing ring that climbs as it goes round. */
+    /** Snail shell: a growing ring that climbs as it turns. */
     private static Vec3 shell(double u, double v) {
         double size = StrictMath.exp(3.4 * (v - 1));
         double round = 2 * Math.PI * 4.2 * v;
@@ -94,7 +94,7 @@ final class SampleSolids {
         return new Vec3(r * StrictMath.cos(round), y, -r * StrictMath.sin(round));
     }
 
-    /** The trefoil, on its torus, as a tube. */
+    /** Trefoil knot on its torus, as a tube. */
     private static Vec3 knot(double u, double v) {
         double t = 2 * Math.PI * (v - Math.floor(v));
         Vec3 centre = trefoil(t);
@@ -110,7 +110,7 @@ final class SampleSolids {
         return new Vec3(r * StrictMath.cos(2 * t), 0.45 * StrictMath.sin(3 * t), -r * StrictMath.sin(2 * t));
     }
 
-    /** Whorls of boughs that hang: one unit high, its trunk hidden. */
+    /** Fir with whorls of hanging boughs, one unit high; its trunk is hidden. */
     private static Vec3 fir(double u, double v) {
         double angle = 2 * Math.PI * (u - Math.floor(u));
         double whorls = 9 * v;

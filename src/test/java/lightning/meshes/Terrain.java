@@ -2,7 +2,7 @@ package lightning.meshes;
 
 import lightning.base.math.Vec3;
 
-/** A valley with a lake, forty units across: hills by waves of many lengths, each turned against the one before. */
+/** Valley with a lake, forty units across: sums waves of many lengths, each rotated against the one before. */
 final class Terrain {
     static final double SIZE = 40;
 
@@ -14,7 +14,7 @@ final class Terrain {
         return new Vec3(x, height(x, z), z);
     }
 
-    /** Below 0 is under water. */
+    /** Returns the height; below 0 is under water. */
     static double height(double x, double z) {
         double rough = 0;
         double a = x + 3.1;

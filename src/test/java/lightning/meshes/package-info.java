@@ -1,2 +1,2 @@
-/** Makes the meshes of the scenes: bodies turned, twisted and grown by formulas, and the scenes that are too long to write. */
+/** Generators of the sample meshes and of scenes that are too long to write by hand. */
 package lightning.meshes;

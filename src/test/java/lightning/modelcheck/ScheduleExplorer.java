@@ -4,17 +4,16 @@ import java.util.concurrent.atomic.AtomicReference;
 import org.jetbrains.lincheck.Lincheck;
 
 /**
- * Runs a story of several threads in one schedule after the other: the model checker decides at each access to shared memory
- * which thread goes on. The same schedules each time; a law that is broken is told with the schedule that broke it, and so is
- * a story that never ends.
+ * Runs a multithreaded scenario in many schedules: the model checker chooses at each access to shared memory which thread continues. The
+ * schedules are deterministic; reports a violated assertion, or a scenario that never ends, with its schedule.
  *
- * <p>Memory is sequentially consistent here: what only a processor's caches could break is not found.
+ * <p>Memory is sequentially consistent here, so errors due to weak memory ordering are not found.
  */
 public final class ScheduleExplorer {
-    /** So many schedules, unless the story has fewer: -Dlightning.schedules=N. */
+    /** Maximum number of schedules: -Dlightning.schedules=N. */
     private static final int MAX_SCHEDULES = Integer.getInteger("lightning.schedules", 50);
 
-    /** What the threads do, and the laws that hold. */
+    /** Actions of the threads, with assertions. */
     @FunctionalInterface
     public interface Scenario {
         void tell() throws InterruptedException;
@@ -22,40 +21,40 @@ public final class ScheduleExplorer {
 
     private ScheduleExplorer() {}
 
-    /** Tells the story in all schedules; fails at the first that breaks a law. Threads must end with the story. */
-    public static void explore(Scenario story) {
-        Lincheck.runConcurrentTest(MAX_SCHEDULES, () -> runScenario(story));
+    /** Runs the scenario in all schedules; fails at the first violated assertion. Its threads must end with it. */
+    public static void explore(Scenario scenario) {
+        Lincheck.runConcurrentTest(MAX_SCHEDULES, () -> runScenario(scenario));
     }
 
-    /** A law. AssertJ's would be looked into by the model checker, step for step. */
+    /** Checks an assertion. The model checker would step through AssertJ's code. */
     public static void check(boolean holds, String law) {
         if (!holds) {
             throw new AssertionError(law);
         }
     }
 
-    /** Starts a thread beside the story's own; {@link ConcurrentRun#end} hands on what it threw. */
-    public static ConcurrentRun startConcurrently(Scenario story) {
-        return new ConcurrentRun(story);
+    /** Starts a further thread; {@link ConcurrentRun#end} rethrows its exception. */
+    public static ConcurrentRun startConcurrently(Scenario scenario) {
+        return new ConcurrentRun(scenario);
     }
 
-    private static void runScenario(Scenario story) {
+    private static void runScenario(Scenario scenario) {
         try {
-            story.tell();
+            scenario.tell();
         } catch (InterruptedException e) {
-            throw new AssertionError("nobody interrupts", e);
+            throw new AssertionError("no interrupt expected", e);
         }
     }
 
-    /** A thread of a story. */
+    /** Thread of a scenario. */
     public static final class ConcurrentRun {
         private final AtomicReference<Throwable> problem = new AtomicReference<>();
         private final Thread thread;
 
-        private ConcurrentRun(Scenario story) {
+        private ConcurrentRun(Scenario scenario) {
             thread = new Thread(() -> {
                 try {
-                    ScheduleExplorer.runScenario(story);
+                    ScheduleExplorer.runScenario(scenario);
                 } catch (Throwable e) {
                     problem.set(e);
                 }

@@ -1,2 +1,2 @@
-/** Threads under a model checker: a story told in many schedules, each of which must keep the laws. */
+/** Model checking of concurrent code: runs scenarios in many schedules and checks their assertions. */
 package lightning.modelcheck;

@@ -15,33 +15,33 @@ import net.jqwik.api.Arbitrary;
 import net.jqwik.api.Combinators;
 import net.jqwik.api.Tuple;
 
-/** Records with one attribute set anew, for each that the tables hold: nothing here names any. */
+/** Arbitrary changes of single attributes, for every attribute in the tables. */
 public final class AttributeArbitraries {
-    /** Values up to here are drawn evenly; what an attribute does shows best where numbers are as large as the scene. */
+    /** Values up to this limit are uniform; attributes have visible effects if numbers are as large as the scene. */
     private static final double ORDINARY_LIMIT = 8;
 
     private AttributeArbitraries() {}
 
     /**
-     * A record before and after one of its attributes was set.
+     * Record before and after a change of one attribute.
      *
-     * @param after perhaps the same as before
+     * @param after possibly equal to before
      */
     public record Changed<T>(SceneAttribute<T, ?> attribute, T before, T after) {}
 
-    /** Lights that stand over the studio's floor and have the name of its light. */
+    /** Returns lights above the studio's floor, with the name of its light. */
     public static Arbitrary<Changed<Light>> lights() {
         return Combinators.combine(LightArbitraries.lights(), attributes()).flatAs((seed, attribute) -> changed(attribute,
                 seed.instantiate(StudioScene.of(seed.attributes().type()), StudioScene.KEY)));
     }
 
-    /** Materials of a name. */
+    /** Returns materials of a name. */
     public static Arbitrary<Changed<Material>> materials(String name) {
         return Combinators.combine(MaterialArbitraries.materials(name), Arbitraries.of(MaterialAttribute.ALL))
                 .flatAs((material, attribute) -> changed(attribute, material));
     }
 
-    /** Edits that set any attribute of a light. */
+    /** Returns edits of any attribute of a light. */
     static Arbitrary<LightChange> lightChanges() {
         return attributes().flatMap(AttributeArbitraries::lightChange);
     }
@@ -58,13 +58,13 @@ public final class AttributeArbitraries {
         return values(attribute, attribute.get(before)).map(v -> new Changed<>(attribute, before, attribute.with(before, v)));
     }
 
-    /** Values of an attribute, sometimes the one that it has already, or is without being said. */
+    /** Returns values of an attribute, sometimes its current or initial value. */
     private static <V> Arbitrary<V> values(SceneAttribute<?, V> attribute, V before) {
         Arbitrary<V> current = Arbitraries.of(List.of(before, attribute.initial()));
         return switch (attribute.kind()) {
             case NumericKind<V> q -> Arbitraries.frequencyOf(Tuple.of(6, numbers(q)), Tuple.of(1, current));
             case ChoiceKind<V> c -> Arbitraries.of(c.values());
-            // Names of the studio's shapes and of others': what a scene lacks is linked to nothing.
+            // Names of the studio's shapes and others; links to missing names have no effect.
             case ValueKind.LinksKind _ -> LightArbitraries.links().map(AttributeArbitraries::valueOf);
             case ValueKind.AssetKind<?> _,ValueKind.NameKind _,ValueKind.TextureKind _ -> current;
         };
@@ -75,7 +75,7 @@ public final class AttributeArbitraries {
         return (V) links;
     }
 
-    /** Edits that set any attribute of a light to anything that it may be. */
+    /** Returns edits of any attribute of a light to any valid value. */
     static Arbitrary<LightChange> extremeLightChanges() {
         return attributes().flatMap(AttributeArbitraries::extremeLightChange);
     }
@@ -84,7 +84,7 @@ public final class AttributeArbitraries {
         return extremes(attribute).map(v -> new LightChange.SetAttribute<>(attribute, v));
     }
 
-    /** Edits that set any attribute of a material to anything that it may be. */
+    /** Returns edits of any attribute of a material to any valid value. */
     static Arbitrary<MaterialChange> extremeMaterialChanges() {
         return Arbitraries.of(MaterialAttribute.ALL).flatMap(AttributeArbitraries::extremeMaterialChange);
     }
@@ -93,7 +93,7 @@ public final class AttributeArbitraries {
         return extremes(attribute).map(v -> new MaterialChange.SetAttribute<>(attribute, v));
     }
 
-    /** Numbers of all magnitudes, each power of ten as likely as any other; what has none as always. */
+    /** Returns numbers of all magnitudes, with each power of ten equally likely; other kinds as usual. */
     private static <V> Arbitrary<V> extremes(SceneAttribute<?, V> attribute) {
         return switch (attribute.kind()) {
             case NumericKind<V> q -> combine(q, magnitudes(q));
@@ -103,7 +103,7 @@ public final class AttributeArbitraries {
         };
     }
 
-    /** Whether numbers that are each in range may stand together, as those of a direction. */
+    /** Returns whether numbers that are each in range form a valid value, for example a direction. */
     private static <V> boolean isAllowed(NumericKind<V> q, V value) {
         try {
             q.check("", value);

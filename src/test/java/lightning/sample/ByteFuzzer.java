@@ -4,28 +4,28 @@ import java.util.List;
 import java.util.SplittableRandom;
 
 /**
- * What the fuzzers share. {@code -Dlightning.tries=N} makes N tries, {@code -Dlightning.fuzz.seed=S} others than the usual ones; a
- * try is told by its number, and made again by the same seed.
+ * Common part of the fuzzers. {@code -Dlightning.tries=N} sets the number of tries, {@code -Dlightning.fuzz.seed=S} another seed; a failed
+ * try is identified by its number and repeated with the same seed.
  */
 public final class ByteFuzzer {
     private static final long SEED = Long.getLong("lightning.fuzz.seed", 1);
 
     private ByteFuzzer() {}
 
-    /** How many tries to make. */
+    /** Returns the number of tries. */
     public static int tryCount(int usual) {
         return Integer.getInteger("lightning.tries", usual);
     }
 
-    /** The random numbers of one try. */
+    /** Returns the random generator of one try. */
     public static SplittableRandom random(int number) {
         return new SplittableRandom(SEED + number);
     }
 
     /**
-     * One of the texts with one to three changes: a byte or a bit put in, some bytes cut out, the end of another text.
+     * Returns one of the texts with one to three mutations: inserts a byte or a bit, deletes bytes, or appends the end of another text.
      *
-     * @param bits what is put in, hostile to the reader
+     * @param bits insertions that are hostile to the reader
      */
     public static byte[] mutate(List<byte[]> pool, SplittableRandom random, List<byte[]> bits) {
         byte[] bytes = pool.get(random.nextInt(pool.size())).clone();

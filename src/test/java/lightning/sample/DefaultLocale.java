@@ -4,18 +4,18 @@ import java.util.Locale;
 import java.util.ResourceBundle;
 import java.util.concurrent.Callable;
 
-/** Another default locale for a while, to show that nothing follows it: the one place that may ask for it. */
+/** Temporary change of the default locale, to show that no code depends on it. */
 public final class DefaultLocale {
     private DefaultLocale() {}
 
-    /** Sets it; returns the one before. */
+    /** Sets it; returns the previous one. */
     public static Locale set(Locale locale) {
         Locale before = Locale.getDefault();
         Locale.setDefault(locale);
         return before;
     }
 
-    /** Does some work under it. */
+    /** Runs work under a locale. */
     public static <T> T during(Locale locale, Callable<T> work) throws Exception {
         Locale before = set(locale);
         try {
@@ -25,7 +25,7 @@ public final class DefaultLocale {
         }
     }
 
-    /** What a bundle of others has for the locale that is the default. */
+    /** Returns a text of a third-party bundle for the default locale. */
     public static String text(String bundle, String key) {
         return ResourceBundle.getBundle(bundle).getString(key);
     }

@@ -27,13 +27,13 @@ import net.jqwik.api.Arbitrary;
 import net.jqwik.api.Combinators;
 
 /**
- * Scenes at the corners of what a file may hold: every number is mostly one of the least, the greatest and
- * the plainest that {@link SceneLimits} allows. The camera looks at the first shape, from as near or as far as may be.
+ * Scenes at the limits of the file format: most numbers are the minimum, the maximum or the simplest that {@link SceneLimits} allows. The
+ * camera looks at the first shape, from as near or as far as possible.
  */
 public final class EdgeCaseScenes {
     private EdgeCaseScenes() {}
 
-    /** Any of them that {@link Scene} accepts. */
+    /** Returns all such scenes that {@link Scene} accepts. */
     public static Arbitrary<Scene> scenes() {
         Arbitrary<List<SceneNode>> nodes = nodes().list().ofMinSize(1).ofMaxSize(4);
         Arbitrary<List<Light>> lights = lights().list().ofMaxSize(4);
@@ -43,7 +43,7 @@ public final class EdgeCaseScenes {
                 .as(EdgeCaseScenes::assemble);
     }
 
-    /** How the camera stands to the first shape's place: from where, in which units. */
+    /** Position of the camera relative to the first shape, and its units. */
     private record View(Vec3 direction, double distance, double fov) {}
 
     private static Scene assemble(List<Light> lights, List<SceneNode> nodes, Material material, World world, View view, int depth) {
@@ -67,7 +67,7 @@ public final class EdgeCaseScenes {
         }
     }
 
-    /** A scene with these lights and banks, or with lights as bright as its materials allow. */
+    /** Returns a scene with these lights and groups, dimmed if necessary to the maximum that its materials allow. */
     public static Scene isTooBright(Scene scene, LightRig rig) {
         Scene dark = scene.withLights(List.of());
         LightRig lit = rig;
@@ -120,7 +120,7 @@ public final class EdgeCaseScenes {
                 Arbitraries.of(0.0, 1.0, SceneLimits.MAX_TOP).map(top -> new Solid.Frustum(top, true)));
     }
 
-    /** A shape in groups that stretch it along axes turned against each other, as far as nesting may. */
+    /** Returns a shape in groups that stretch it along skewed axes, nested as deeply as allowed. */
     private static Arbitrary<SceneNode> skewedNodes() {
         Arbitrary<Vec3> half = vectors(1.0, 3e4, 1 / 3e4, 1e3, 1e-3);
         Arbitrary<Vec3> nodes = vectors(1.0, SceneLimits.MIN_SCALE, SceneLimits.MAX_SCALE);

@@ -22,17 +22,17 @@ import lightning.scene.SceneNode;
 import lightning.scene.Shape;
 import lightning.scene.World;
 
-/** One edit of a scene; in a scene where it makes no sense it changes nothing. Lights are told by their place in the list. */
+/** Edit of a scene; without effect if it does not apply to the scene. Lights are identified by their index. */
 public sealed interface Edit {
 
     /**
-     * The scene after the edit.
+     * Returns the scene after the edit.
      *
-     * @param history all scenes so far, the one to edit last
+     * @param history all scenes so far; the edit applies to the last
      */
     Scene apply(List<Scene> history);
 
-    /** The same; the last scene where the edit would make it too bright, as the editor refuses it. */
+    /** Applies the edit; returns the last scene if the result would be too bright, as the editor rejects it. */
     default Scene applyIfValid(List<Scene> history) {
         try {
             return apply(history);
@@ -59,7 +59,7 @@ public sealed interface Edit {
         return scene.withLights(lights);
     }
 
-    /** An attribute of one light. */
+    /** Changes an attribute of one light. */
     record EditLight(int index, LightChange change) implements Edit {
         @Override
         public Scene apply(List<Scene> history) {
@@ -105,7 +105,7 @@ public sealed interface Edit {
         }
     }
 
-    /** Two lights take each other's name: what they are and where they stand in the sum changes places. */
+    /** Swaps the names of two lights: their settings and positions in the sum are exchanged. */
     record SwapLightNames(int one, int other) implements Edit {
         @Override
         public Scene apply(List<Scene> history) {
@@ -132,7 +132,7 @@ public sealed interface Edit {
         }
     }
 
-    /** A light joins a bank, or leaves the one it is in. */
+    /** Adds a light to a light group, or removes it from its group. */
     record AssignLightGroup(int index, int group) implements Edit {
         @Override
         public Scene apply(List<Scene> history) {
@@ -143,7 +143,7 @@ public sealed interface Edit {
         }
     }
 
-    /** A bank becomes this one; it is added where there are none. */
+    /** Replaces a light group; adds it if there is none. */
     record EditLightGroup(int index, LightGroup to) implements Edit {
         @Override
         public Scene apply(List<Scene> history) {
@@ -153,7 +153,7 @@ public sealed interface Edit {
         }
     }
 
-    /** A bank goes, and its lights stay; or another comes. */
+    /** Deletes a light group and keeps its lights, or adds one. */
     record DeleteLightGroup(int index) implements Edit {
         @Override
         public Scene apply(List<Scene> history) {
@@ -173,7 +173,7 @@ public sealed interface Edit {
         }
     }
 
-    /** Another value of one of the world's attributes. */
+    /** Changes an attribute of the world. */
     record EditWorld<V>(SceneAttribute<World, V> attribute, V to) implements Edit {
         @Override
         public Scene apply(List<Scene> history) {
@@ -209,7 +209,7 @@ public sealed interface Edit {
         }
     }
 
-    /** The camera goes around what it looks at. */
+    /** Orbits the camera around its target. */
     record OrbitCamera(double side) implements Edit {
         @Override
         public Scene apply(List<Scene> history) {
@@ -219,7 +219,7 @@ public sealed interface Edit {
         }
     }
 
-    /** One node goes: another geometry. */
+    /** Removes a node, which changes the geometry. */
     record RemoveNode(int index) implements Edit {
         @Override
         public Scene apply(List<Scene> history) {
@@ -233,7 +233,7 @@ public sealed interface Edit {
         }
     }
 
-    /** A property of one material. */
+    /** Changes a property of one material. */
     record EditMaterial(int index, MaterialChange change) implements Edit {
         @Override
         public Scene apply(List<Scene> history) {
@@ -243,7 +243,7 @@ public sealed interface Edit {
         }
     }
 
-    /** A material that no shape has comes, or goes, and the others stand in another order. */
+    /** Adds or removes an unused material, and reorders the others. */
     record AddUnusedMaterial() implements Edit {
         private static final String NAME = "unused";
 
@@ -259,7 +259,7 @@ public sealed interface Edit {
         }
     }
 
-    /** The scene's own material of the name that shapes without one have, or none again. */
+    /** Overrides the default material of shapes without a material, or removes the override. */
     record OverrideDefaultMaterial(MaterialChange change) implements Edit {
         @Override
         public Scene apply(List<Scene> history) {
@@ -272,7 +272,7 @@ public sealed interface Edit {
         }
     }
 
-    /** One shape of the first level of nodes gets another material. */
+    /** Assigns another material to a top-level shape. */
     record AssignMaterial(int index, String material) implements Edit {
         @Override
         public Scene apply(List<Scene> history) {
@@ -289,7 +289,7 @@ public sealed interface Edit {
         }
     }
 
-    /** A property of one shape or group, which may be within others. */
+    /** Changes a property of one shape or group, possibly nested. */
     record EditNode(int index, NodeChange change) implements Edit {
         @Override
         public Scene apply(List<Scene> history) {
@@ -313,7 +313,7 @@ public sealed interface Edit {
         }
     }
 
-    /** A shape or a group of the first level once more, at some place among the others. */
+    /** Duplicates a top-level shape or group at another index. */
     record DuplicateNode(int index, int at) implements Edit {
         private static final int MOST = 14;
 
@@ -334,7 +334,7 @@ public sealed interface Edit {
         }
     }
 
-    /** A node of the first level joins a group that moves nothing, the last or the first node; where it is the group, it is dissolved. */
+    /** Moves a top-level node into an identity group, the last or first node; dissolves the group if the node is it. */
     record GroupNode(int index, boolean last) implements Edit {
         private static final String NAME = "wrap";
 
@@ -357,7 +357,7 @@ public sealed interface Edit {
         }
     }
 
-    /** Two nodes of the first level change places in the file. */
+    /** Swaps two top-level nodes in the file. */
     record SwapNodes(int one, int other) implements Edit {
         @Override
         public Scene apply(List<Scene> history) {
@@ -370,7 +370,7 @@ public sealed interface Edit {
         }
     }
 
-    /** Back to an earlier scene. */
+    /** Returns to an earlier scene. */
     record Undo(int steps) implements Edit {
         @Override
         public Scene apply(List<Scene> history) {
@@ -378,7 +378,7 @@ public sealed interface Edit {
         }
     }
 
-    /** Several edits at once (paper §4.9). */
+    /** Applies several edits in one step (paper §4.9). */
     record CompositeEdit(List<Edit> edits) implements Edit {
         @Override
         public Scene apply(List<Scene> history) {

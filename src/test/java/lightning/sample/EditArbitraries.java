@@ -9,16 +9,16 @@ import net.jqwik.api.Arbitrary;
 import net.jqwik.api.Combinators;
 import net.jqwik.api.Tuple;
 
-/** Arbitrary edits of every kind that the dispatcher knows. */
+/** Arbitrary edits of every kind that the dispatcher supports. */
 public final class EditArbitraries {
     private EditArbitraries() {}
 
-    /** One to twelve edits. */
+    /** Returns sequences of one to twelve edits. */
     public static Arbitrary<List<Edit>> sequences() {
         return edits().list().ofMinSize(1).ofMaxSize(12);
     }
 
-    /** One to twelve edits of how strongly lights shine and how they fade. */
+    /** Returns sequences of one to twelve edits of light intensity and falloff. */
     static Arbitrary<List<Edit>> scaleSequences() {
         Arbitrary<Edit> edits = Combinators.combine(lights(), scales()).as(Edit.EditLight::new);
         return edits.list().ofMinSize(1).ofMaxSize(12);

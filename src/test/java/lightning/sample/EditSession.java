@@ -7,7 +7,7 @@ import lightning.scene.Scene;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.Combinators;
 
-/** What an artist did: a scene, and edits of it one after the other. */
+/** Editing session: a scene and a sequence of edits. */
 public final class EditSession {
     private final List<Edit> edits;
     private final List<Scene> scenes = new ArrayList<>();
@@ -20,27 +20,27 @@ public final class EditSession {
         }
     }
 
-    /** Sessions of one to twelve edits; in search of the plainest failure, edits are left out first. */
+    /** Returns sessions of one to twelve edits; shrinking removes edits first. */
     public static Arbitrary<EditSession> sessions() {
         return Combinators.combine(EditArbitraries.sequences(), SceneArbitraries.scenes()).as(EditSession::new);
     }
 
-    /** Sessions of one to twelve edits of how strongly lights shine and how they fade. */
+    /** Returns sessions of one to twelve edits of light intensity and falloff. */
     public static Arbitrary<EditSession> scaleSessions() {
         return Combinators.combine(EditArbitraries.scaleSequences(), SceneArbitraries.scenes()).as(EditSession::new);
     }
 
-    /** Sessions of one to ten edits with weights, falloffs and highlights down to what a float can no longer hold. */
+    /** Returns sessions of one to ten edits with weights, falloffs and highlights down to the underflow of a float. */
     public static Arbitrary<EditSession> extremeSessions() {
         return Combinators.combine(ExtremeArbitraries.edits(), ExtremeArbitraries.scenes()).as(EditSession::new);
     }
 
-    /** The first scene and the scene after each edit. */
+    /** Returns the first scene and the scene after each edit. */
     public List<Scene> scenes() {
         return scenes;
     }
 
-    /** The first scene as a file, then the edits. */
+    /** Returns the first scene as a file, then the edits. */
     @Override
     public String toString() {
         StringBuilder text = new StringBuilder("\n").append(JenWriter.write(scenes.getFirst())).append('\n');

@@ -24,8 +24,8 @@ import net.jqwik.api.RandomDistribution;
 import net.jqwik.api.Tuple;
 
 /**
- * Small scenes and edits whose weights, falloffs and highlights lie anywhere between the largest that a scene may hold and
- * what a float can no longer tell from 0: each power of ten is as likely as any other.
+ * Small scenes and edits whose weights, falloffs and highlights range from the maximum of a scene to the underflow of a float; each power
+ * of ten is equally likely.
  */
 final class ExtremeArbitraries {
     private ExtremeArbitraries() {}
@@ -57,7 +57,7 @@ final class ExtremeArbitraries {
                 new Shape(Solid.SPHERE, "ball", "m1", Placement.IDENTITY));
     }
 
-    /** Mostly dark, where nothing hides an error. */
+    /** Mostly dark, so that the world hides no error. */
     private static Arbitrary<World> worlds() {
         return Arbitraries.frequencyOf(Tuple.of(3, Arbitraries.of(new World(0, Rgb.BLACK))), Tuple.of(1, SceneArbitraries.worlds()));
     }
@@ -85,7 +85,7 @@ final class ExtremeArbitraries {
         return powersOrSpecial(-3, 6, 0.0, 1.0, 1e6);
     }
 
-    /** Near, and so far that the square of the distance takes a falloff below the least normal float. */
+    /** Near, or so far that the squared distance makes a falloff subnormal in float. */
     private static Arbitrary<RelativePosition> places() {
         Arbitrary<RelativePosition> near =
                 NumberArbitraries.vectors(NumberArbitraries.range(-4, 4), NumberArbitraries.range(1, 6), NumberArbitraries.range(-4, 4))
@@ -133,7 +133,7 @@ final class ExtremeArbitraries {
                                 .withMetalness(metalness).withRoughness(roughness).withReflective(reflective));
     }
 
-    /** Over all magnitudes, most of them below the least that acts. */
+    /** Over all magnitudes, most of them below the effective minimum. */
     private static Arbitrary<Double> roughness() {
         return powersOrSpecial(-3, 0, 0.0, 0.045, 1.0);
     }

@@ -10,16 +10,16 @@ import lightning.format.jen.JenWriter;
 import lightning.scene.Scene;
 
 /**
- * Leaves the scene of a failed test as a file. In search of the plainest failure a property fails again and again, so
- * that the file holds the plainest scene in the end. Moved into {@link #FOLDER} it is checked by every run.
+ * Stores the scene of a failed test as a file. Shrinking repeats the failure, so the file ends with the simplest scene. Files moved to
+ * {@link #FOLDER} are checked by every run.
  */
 public final class FailedSceneRecorder {
-    /** The scenes that once failed. */
+    /** Scenes that once failed. */
     public static final Path FOLDER = Path.of("src", "test", "resources", "lightning", "numerics");
 
     private FailedSceneRecorder() {}
 
-    /** The files in {@link #FOLDER}, in the order of their names. */
+    /** Returns the files in {@link #FOLDER}, sorted by name. */
     public static Stream<Path> storedScenes() throws IOException {
         try (Stream<Path> files = Files.list(FOLDER)) {
             return files.filter(file -> file.toString().endsWith(".jen")).sorted().toList().stream();
@@ -27,7 +27,7 @@ public final class FailedSceneRecorder {
     }
 
     /**
-     * Checks a scene; a failure says where it was left and what it is.
+     * Checks a scene; a failure reports the scene and its file.
      *
      * @param test the folder's name in {@code target/failures}
      */
@@ -36,18 +36,18 @@ public final class FailedSceneRecorder {
             check.accept(scene);
         } catch (AssertionError | RuntimeException e) {
             String text = JenWriter.write(scene);
-            throw new AssertionError(e + "\nthe scene was left in " + save(test, "scene.jen", text) + " and was\n" + text, e);
+            throw new AssertionError(e + "\nthe scene was saved in " + save(test, "scene.jen", text) + " and was\n" + text, e);
         }
     }
 
-    /** Leaves a text in {@code target/failures/TEST}. */
+    /** Stores a text in {@code target/failures/TEST}. */
     public static Path save(String test, String file, String text) {
         try {
             Path folder = Path.of("target", "failures", test);
             Files.createDirectories(folder);
             return Files.writeString(folder.resolve(file), text);
         } catch (IOException e) {
-            throw new UncheckedIOException("the scene of a failed test could not be written", e);
+            throw new UncheckedIOException("cannot write the scene of a failed test", e);
         }
     }
 }

@@ -15,7 +15,7 @@ class FailedSceneRecorderTest {
     void failingScene_isSavedAndReadable() throws Exception {
         Scene scene = StudioScene.of(LightType.SPOT);
         assertThatThrownBy(() -> FailedSceneRecorder.check("failed-scene", scene, s -> assertThat(s.lights()).isEmpty()))
-                .isInstanceOf(AssertionError.class).hasMessageContaining("the scene was left in").hasMessageContaining("light key spot");
+                .isInstanceOf(AssertionError.class).hasMessageContaining("the scene was saved in").hasMessageContaining("light key spot");
         assertThat(JenReader.read(Path.of("target", "failures", "failed-scene", "scene.jen")).scene()).isEqualTo(scene);
     }
 

@@ -20,7 +20,7 @@ import net.jqwik.api.Arbitrary;
 import net.jqwik.api.Combinators;
 import net.jqwik.api.Tuple;
 
-/** Lights of all types and each of their attributes, with the values at which the equation changes its form. */
+/** Arbitrary lights of all types, including the values at which the equation changes its form. */
 final class LightArbitraries {
     private LightArbitraries() {}
 
@@ -69,7 +69,7 @@ final class LightArbitraries {
                 Tuple.of(1, Arbitraries.of(1.0, 2.0, 0.5, 1e-9, 1e4, 1e6)));
     }
 
-    /** Doors that are open, at angles within a cone, beyond its axis, and shut. */
+    /** Returns doors that are open, at angles within a cone, beyond its axis, and shut. */
     static Arbitrary<BarnDoors> doors() {
         Arbitrary<Double> door = NumberArbitraries.rangeOrSpecial(-20, 40, 90.0, 90.0, 0.0, -90.0);
         return Arbitraries.frequencyOf(Tuple.of(3, Arbitraries.of(BarnDoors.OPEN)),
@@ -81,7 +81,7 @@ final class LightArbitraries {
                 Tuple.of(1, MaterialArbitraries.images().map(image -> Optional.of(new Gobo("sample.png", image)))));
     }
 
-    /** Profiles of all types and symmetries, with steps, and directions that get nothing. */
+    /** Returns profiles of all types and symmetries, with steps and dark directions. */
     static Arbitrary<Optional<IesProfile>> profiles() {
         Arbitrary<Photometry> measured = Arbitraries.of(Photometry.Type.values()).flatMap(type -> Arbitraries.of(type == Photometry.Type.C
                 ? List.of(new double[] {0}, new double[] {0, 90}, new double[] {0, 60, 180}, new double[] {0, 90, 200, 360},
@@ -102,7 +102,7 @@ final class LightArbitraries {
         return Arbitraries.frequencyOf(Tuple.of(2, Arbitraries.of(0.0)), Tuple.of(1, NumberArbitraries.rangeOrSpecial(0, 60, 1e-9, 90.0)));
     }
 
-    /** Banks with every kind of master: dark, as the lights are, a little off, and very bright. */
+    /** Returns light groups with every kind of master: dark, neutral, slightly dimmed, and very bright. */
     static Arbitrary<LightGroup> lightGroupNames(String name) {
         Arbitrary<Double> masters = Arbitraries.frequencyOf(Tuple.of(4, NumberArbitraries.range(0, 2)),
                 Tuple.of(2, Arbitraries.of(0.0, 1.0, 1e-300, 1000.0)));
@@ -111,7 +111,7 @@ final class LightArbitraries {
         return Combinators.combine(gels, masters, on(), solo()).as((gel, master, on, solo) -> new LightGroup(name, gel, master, on, solo));
     }
 
-    /** Names of shapes and groups that scenes of {@link NodeArbitraries} may have. */
+    /** Returns names of shapes and groups that scenes of {@link NodeArbitraries} may have. */
     static Arbitrary<ShapeLinks> links() {
         Arbitrary<List<String>> names = Arbitraries.of("floor", "shell", "n0", "n1", "n1_0", "n2", "n2_1", "n3", "n4", "twin0", "wrap")
                 .list().ofMinSize(0).ofMaxSize(5);
@@ -122,7 +122,7 @@ final class LightArbitraries {
         return Arbitraries.frequencyOf(Tuple.of(5, Arbitraries.of(ShapeLinks.ALL)), Tuple.of(2, links()));
     }
 
-    /** Half of them points. */
+    /** Returns area shapes, half of them points. */
     static Arbitrary<AreaShape> areas() {
         Arbitrary<Double> length = Arbitraries.frequencyOf(Tuple.of(4, Arbitraries.of(0.0)), Tuple.of(3, NumberArbitraries.range(0, 2)),
                 Tuple.of(1, NumberArbitraries.range(-9, 9).map(e -> Math.pow(10, e))));

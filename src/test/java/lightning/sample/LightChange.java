@@ -8,10 +8,10 @@ import lightning.scene.LightAttribute;
 import lightning.scene.LightType;
 import lightning.scene.Scene;
 
-/** A new value for one of a light's attributes. */
+/** New value for one of a light's attributes. */
 sealed interface LightChange {
 
-    /** The light with the new value. */
+    /** Returns the light with the new value. */
     Light on(Light light, Scene scene);
 
     record Color(Rgb to) implements LightChange {
@@ -91,7 +91,7 @@ sealed interface LightChange {
         }
     }
 
-    /** Another length of the direction, which no picture shows. */
+    /** Scales the direction, which does not affect the image. */
     record ScaleDirection(double factor) implements LightChange {
         @Override
         public Light on(Light light, Scene scene) {
@@ -99,7 +99,7 @@ sealed interface LightChange {
         }
     }
 
-    /** Any attribute that the table has. */
+    /** Sets any attribute of the table. */
     record SetAttribute<V>(LightAttribute<V> attribute, V to) implements LightChange {
         @Override
         public Light on(Light light, Scene scene) {

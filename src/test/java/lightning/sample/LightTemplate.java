@@ -8,15 +8,15 @@ import lightning.scene.Scene;
 import lightning.scene.SceneLimits;
 
 /**
- * A light yet to be put into a scene.
+ * Light before its placement in a scene.
  *
- * @param attributes all but name, position and direction
- * @param at         where it stands
- * @param aim        what it shines at
+ * @param attributes all attributes except name, position and direction
+ * @param at         position
+ * @param aim        target
  */
 record LightTemplate(Light attributes, RelativePosition at, RelativePosition aim) {
 
-    /** The light of the given name. */
+    /** Returns the light with the given name. */
     Light instantiate(Scene scene, String name) {
         Vec3 position = at.in(scene);
         return attributes.withName(name).withPosition(position).withDirection(direction(position, aim.in(scene)))
@@ -25,7 +25,7 @@ record LightTemplate(Light attributes, RelativePosition at, RelativePosition aim
                 .withShadowedBy(attributes.shadowedBy().retain(scene.stage()::hasNode));
     }
 
-    /** Sizes are told for a camera 7 units away from what it looks at. */
+    /** Sizes assume a camera 7 units away from its target. */
     private static AreaShape scaleArea(AreaShape area, Camera camera) {
         double unit = camera.from().minus(camera.to()).length() / 7;
         return area.withRadius(length(unit, area.radius())).withWidth(length(unit, area.width())).withHeight(length(unit, area.height()));
@@ -35,7 +35,7 @@ record LightTemplate(Light attributes, RelativePosition at, RelativePosition aim
         return Math.min(unit * length, SceneLimits.MAX_EXTENT);
     }
 
-    /** The direction to what is aimed at; down where there is none. */
+    /** Returns the direction to the target; down if both coincide. */
     static Vec3 direction(Vec3 from, Vec3 to) {
         Vec3 direction = to.minus(from);
         return direction.maxAbs() < 1e-12 ? new Vec3(0, -1, 0) : direction;

@@ -16,7 +16,7 @@ import net.jqwik.api.Arbitrary;
 import net.jqwik.api.Combinators;
 import net.jqwik.api.Tuple;
 
-/** Materials: matt and glossy, mirroring and black, plain and textured. */
+/** Arbitrary materials: matte and glossy, reflective and black, plain and textured. */
 final class MaterialArbitraries {
     private MaterialArbitraries() {}
 
@@ -36,12 +36,12 @@ final class MaterialArbitraries {
                         .withReflective(reflective).withTexture(texture).withBumpMapping(relief));
     }
 
-    /** From 0 to 1, the ends among them. */
+    /** Returns numbers from 0 to 1, including both ends. */
     static Arbitrary<Double> unitValues() {
         return Arbitraries.frequencyOf(Tuple.of(1, Arbitraries.of(0.0, 1.0, 0.04)), Tuple.of(1, NumberArbitraries.range(0, 1)));
     }
 
-    /** Mostly anything, and below and about the least that acts. */
+    /** Returns mostly any roughness, and values around the effective minimum. */
     static Arbitrary<Double> roughness() {
         return Arbitraries.frequencyOf(Tuple.of(1, Arbitraries.of(0.0, 1e-300, 0.045, 1.0)), Tuple.of(1, NumberArbitraries.range(0, 0.1)),
                 Tuple.of(3, NumberArbitraries.range(0, 1)));
@@ -55,7 +55,7 @@ final class MaterialArbitraries {
                                 .withTexture(texture).withBumpMapping(relief));
     }
 
-    /** Colors, shininess and textures that come, go and change. */
+    /** Returns changes of colors, shininess and textures. */
     static Arbitrary<MaterialChange> changes() {
         return Arbitraries.oneOf(List.of(
                 ambient().map(MaterialChange.Ambient::new),
@@ -110,7 +110,7 @@ final class MaterialArbitraries {
                 Tuple.of(1, maps().map(Optional::of)));
     }
 
-    /** None as often as not, flat ones, and bumps that are taller than wide. */
+    /** Returns none in half of the cases, flat maps, and bumps taller than wide. */
     static Arbitrary<BumpMapping> bumpMappings() {
         Arbitrary<BumpMapping> any = Combinators.combine(textures(), heights(), textures(), heights()).as(BumpMapping::new);
         Arbitrary<BumpMapping> bumps =
@@ -121,14 +121,14 @@ final class MaterialArbitraries {
                 Tuple.of(1, normals));
     }
 
-    /** Mostly none, else of any part of the surface. */
+    /** Returns mostly none, else cutouts of any part of the surface. */
     static Arbitrary<AlphaCutout> cutouts() {
         Arbitrary<AlphaCutout> some =
                 Combinators.combine(maps().map(Optional::of), Arbitraries.of(0.5, 0.3, 1.0, 0.0, 0.75)).as(AlphaCutout::new);
         return Arbitraries.frequencyOf(Tuple.of(3, Arbitraries.of(AlphaCutout.NONE)), Tuple.of(1, some));
     }
 
-    /** Opaque as often as not. */
+    /** Returns opaque ones in half of the cases. */
     static Arbitrary<Transmission> transmissions() {
         Arbitrary<Transmission> clear =
                 Combinators.combine(NumberArbitraries.colors(), iors(), Arbitraries.of(true, false, false), tints(), distances(),
@@ -137,7 +137,7 @@ final class MaterialArbitraries {
                 Tuple.of(1, Arbitraries.of(Transmission.NONE.withShadows(ShadowCasting.NONE))), Tuple.of(4, clear));
     }
 
-    /** From that of air to the largest, those of water, glass and diamond. */
+    /** Returns values from air to the maximum, including water, glass and diamond. */
     private static Arbitrary<Double> iors() {
         return Arbitraries.frequencyOf(Tuple.of(3, Arbitraries.of(1.0, 1.33, 1.5, 2.42, 4.0, 1 + 0x1p-50)),
                 Tuple.of(1, NumberArbitraries.range(1, 4)));

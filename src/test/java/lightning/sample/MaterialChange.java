@@ -11,10 +11,10 @@ import lightning.scene.ShadowCasting;
 import lightning.scene.TextureMap;
 import lightning.scene.Transmission;
 
-/** A new value for one of a material's properties, or for all. */
+/** New value for one of a material's properties, or for all. */
 sealed interface MaterialChange {
 
-    /** The material with the new value. */
+    /** Returns the material with the new value. */
     Material on(Material material);
 
     record Ambient(Rgb to) implements MaterialChange {
@@ -157,7 +157,7 @@ sealed interface MaterialChange {
         }
     }
 
-    /** Any attribute that the table has. */
+    /** Sets any attribute of the table. */
     record SetAttribute<V>(MaterialAttribute<V> attribute, V to) implements MaterialChange {
         @Override
         public Material on(Material material) {

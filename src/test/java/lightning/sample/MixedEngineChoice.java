@@ -7,8 +7,8 @@ import lightning.render.engine.EngineChoice;
 import lightning.render.engine.choice.Engines;
 
 /**
- * Draws an engine each time a tile is asked for, so that a picture's tiles, and what becomes of one tile by edits, come from
- * several; for one seed in four all from the scalar engine, for another all from the lanes. Which does not depend on threads.
+ * Random choice of an engine for each request of a tile, so that several engines contribute to an image and to a tile's history. One seed
+ * in four uses only the scalar engine, another only the vector engine. Independent of threads.
  */
 public final class MixedEngineChoice implements EngineChoice {
     private final long seed;
@@ -26,7 +26,7 @@ public final class MixedEngineChoice implements EngineChoice {
         return lanes ? Engines.LANES : Engines.SCALAR;
     }
 
-    /** Steele, Lea and Flood's mix of a counter (2014). */
+    /** Mixes a counter (Steele, Lea and Flood, 2014). */
     private static long scramble(long counter) {
         long z = counter * 0x9E3779B97F4A7C15L;
         z = (z ^ z >>> 30) * 0xBF58476D1CE4E5B9L;

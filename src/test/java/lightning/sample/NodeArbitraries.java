@@ -14,16 +14,16 @@ import net.jqwik.api.Combinators;
 import net.jqwik.api.Tuple;
 
 /**
- * Shapes of all kinds under arbitrary transforms, alone and in groups, about the origin: most of them
- * within 2 units of it, over a floor at y = −1 that reaches 7 units in each direction.
+ * Arbitrary shapes of all kinds under arbitrary transforms, alone and in groups. Most are within 2 units of the origin, over a floor at y =
+ * −1 that extends 7 units in each direction.
  */
 final class NodeArbitraries {
-    /** Names of the materials that shapes choose from; {@code default} is the scene's own. */
+    /** Material names for shapes; {@code default} is the scene's own. */
     static final List<String> MATERIALS = List.of("m0", "m1", "m2", "default");
 
     private NodeArbitraries() {}
 
-    /** A floor in most cases, perhaps a shell around everything, and up to eight more nodes. */
+    /** Returns a floor in most cases, possibly an enclosing shell, and up to eight more nodes. */
     static Arbitrary<List<SceneNode>> nodes() {
         Arbitrary<List<SceneNode>> free = Arbitraries.frequencyOf(Tuple.of(5, shapes()), Tuple.of(1, groups()))
                 .list().ofMinSize(0).ofMaxSize(8);
@@ -50,7 +50,7 @@ final class NodeArbitraries {
         return new Placement(at, Vec3.ZERO, scale);
     }
 
-    /** A node with another name; the children of a group get names made from it. */
+    /** Returns a node with another name; the children of a group get names derived from it. */
     static SceneNode withName(SceneNode node, String name) {
         return switch (node) {
             case Shape s -> s.withName(name);
@@ -82,7 +82,7 @@ final class NodeArbitraries {
         return Arbitraries.frequency(Tuple.of(9, true), Tuple.of(1, false));
     }
 
-    /** Steps and turns of every size, from what moves no bit of a picture to what leaves it. */
+    /** Returns moves and rotations of every size, from invisible to out of the image. */
     static Arbitrary<NodeChange> changes() {
         Arbitrary<Double> step = Arbitraries.oneOf(List.of(NumberArbitraries.range(-2, 2), Arbitraries.of(0.0, 1e-12, 1e-3, -50.0, 1e3)));
         return Arbitraries.frequencyOf(

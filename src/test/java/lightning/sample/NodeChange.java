@@ -7,11 +7,11 @@ import lightning.scene.SceneNode;
 import lightning.scene.Shape;
 import lightning.scene.Solid;
 
-/** A change of one shape or group. */
+/** Change of one shape or group. */
 public sealed interface NodeChange {
     SceneNode on(SceneNode node);
 
-    /** From where it stands. */
+    /** Moves it relative to its position. */
     record Move(Vec3 by) implements NodeChange {
         @Override
         public SceneNode on(SceneNode node) {
@@ -20,7 +20,7 @@ public sealed interface NodeChange {
         }
     }
 
-    /** To degrees about x, y and z. */
+    /** Sets its rotation, degrees about x, y and z. */
     record Turn(Vec3 to) implements NodeChange {
         @Override
         public SceneNode on(SceneNode node) {
@@ -35,7 +35,7 @@ public sealed interface NodeChange {
         }
     }
 
-    /** Hidden where it is visible, visible where it is hidden. */
+    /** Toggles its visibility. */
     record ToggleVisible() implements NodeChange {
         @Override
         public SceneNode on(SceneNode node) {
@@ -43,7 +43,7 @@ public sealed interface NodeChange {
         }
     }
 
-    /** Shapes alone have a material. */
+    /** Assigns a material; has no effect on groups. */
     record AssignMaterial(String material) implements NodeChange {
         @Override
         public SceneNode on(SceneNode node) {
@@ -54,7 +54,7 @@ public sealed interface NodeChange {
         }
     }
 
-    /** The colors of a mesh's vertices shown where they were not, not shown where they were. */
+    /** Toggles a mesh's vertex colors. */
     record ToggleVertexColors() implements NodeChange {
         @Override
         public SceneNode on(SceneNode node) {
@@ -63,7 +63,7 @@ public sealed interface NodeChange {
         }
     }
 
-    /** Another solid in a shape's place. */
+    /** Replaces a shape's solid. */
     record ReplaceSolid(Solid solid) implements NodeChange {
         @Override
         public SceneNode on(SceneNode node) {

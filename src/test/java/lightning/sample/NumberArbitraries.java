@@ -8,14 +8,14 @@ import net.jqwik.api.Combinators;
 import net.jqwik.api.RandomDistribution;
 import net.jqwik.api.Tuple;
 
-/** Numbers, vectors and colors: short ones, which meet each other exactly, and ones with many digits. */
+/** Arbitrary numbers, vectors and colors: short ones, which often coincide exactly, and ones with many digits. */
 final class NumberArbitraries {
-    /** The power of ten below the least float: nothing is left of such numbers, and little of the squares of some larger ones. */
+    /** Power of ten below the smallest float: such numbers underflow, as do the squares of somewhat larger ones. */
     static final double MIN_EXPONENT = -46;
 
     private NumberArbitraries() {}
 
-    /** Numbers of a range, spread evenly; only short ones get plainer in the search for the plainest failure. */
+    /** Returns numbers of a range with uniform distribution; only short ones shrink. */
     static Arbitrary<Double> range(double min, double max) {
         int steps = 20;
         return Arbitraries.frequencyOf(
@@ -24,12 +24,12 @@ final class NumberArbitraries {
                 Tuple.of(3, Arbitraries.randomValue(random -> min + (max - min) * random.nextDouble())));
     }
 
-    /** Ten to a power of a range: each magnitude is as likely as any other. */
+    /** Returns powers of ten: each magnitude in the range is equally likely. */
     static Arbitrary<Double> powers(double min, double max) {
         return range(min, max).map(exponent -> Math.pow(10, exponent));
     }
 
-    /** Mostly numbers of a range, sometimes one of the given. */
+    /** Returns mostly numbers of a range, sometimes a special value. */
     static Arbitrary<Double> rangeOrSpecial(double min, double max, Double... special) {
         return Arbitraries.frequencyOf(Tuple.of(2, range(min, max)), Tuple.of(1, Arbitraries.of(special)));
     }
@@ -42,7 +42,7 @@ final class NumberArbitraries {
         return vectors(range(min, max), range(min, max), range(min, max));
     }
 
-    /** Colors of channels 0…1: black, white, pure and mixed ones. */
+    /** Returns colors with channels 0…1: black, white, pure and mixed ones. */
     static Arbitrary<Rgb> colors() {
         Arbitrary<Double> channel = rangeOrSpecial(0, 1, 0.0, 1.0);
         return Arbitraries.frequencyOf(

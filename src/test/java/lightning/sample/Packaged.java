@@ -6,7 +6,7 @@ import java.lang.annotation.RetentionPolicy;
 import java.lang.annotation.Target;
 import org.junit.jupiter.api.Tag;
 
-/** Marks tests that start the packaged program, which {@code mvn verify} makes before it runs them. */
+/** Marks tests that start the packaged program, which {@code mvn verify} builds first. */
 @Target(ElementType.TYPE)
 @Retention(RetentionPolicy.RUNTIME)
 @Tag("packaged")

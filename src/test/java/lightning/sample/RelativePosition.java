@@ -10,13 +10,13 @@ import lightning.scene.Camera;
 import lightning.scene.PlacedShape;
 import lightning.scene.Scene;
 
-/** Where a light stands, told so that it means something in any scene. */
+/** Position of a light relative to a scene's content. */
 sealed interface RelativePosition {
 
-    /** The place in a scene's coordinates. */
+    /** Returns the position in scene coordinates. */
     Vec3 in(Scene scene);
 
-    /** About the point that the camera looks at, in sevenths of the camera's distance from it. */
+    /** Around the camera's target, in sevenths of the camera's distance. */
     record Near(Vec3 at) implements RelativePosition {
         @Override
         public Vec3 in(Scene scene) {
@@ -25,7 +25,7 @@ sealed interface RelativePosition {
         }
     }
 
-    /** At the origin of a shape's own space: inside it, or on its base. */
+    /** At the origin of a shape's local space: inside it, or on its base. */
     record InShape(int index) implements RelativePosition {
         @Override
         public Vec3 in(Scene scene) {
@@ -34,7 +34,7 @@ sealed interface RelativePosition {
         }
     }
 
-    /** At the stored point of the row that a pixel shows, so that its distance to the light is 0. */
+    /** At the shading point of a pixel, so that its distance to the light is 0. */
     record OnRow(int x, int y) implements RelativePosition {
         @Override
         public Vec3 in(Scene scene) {

@@ -6,11 +6,11 @@ import java.util.stream.Stream;
 import lightning.scene.Mesh;
 import lightning.scene.Solid;
 
-/** Small meshes for tests: closed bodies, smooth and flat, and heaps of triangles that no modeller would make. */
+/** Small meshes for tests: closed solids, smooth and flat, and degenerate triangle soups. */
 public final class SampleMeshes {
     private SampleMeshes() {}
 
-    /** A few of every sort. */
+    /** Returns a few meshes of every kind. */
     public static List<Solid.TriangleMesh> samples() {
         return Stream.concat(Stream.of(solid(withVertexColors(ball(3, 5, true))).withShowsColors(false)),
                 Stream.of(cube(), ball(3, 4, true), withVertexColors(ball(6, 9, false)), withTangents(ball(5, 8, true)), cone(7),
@@ -21,12 +21,12 @@ public final class SampleMeshes {
                 .toList();
     }
 
-    /** A mesh as if it had been read from a file. */
+    /** Returns a mesh as if read from a file. */
     public static Solid.TriangleMesh solid(Mesh mesh) {
         return new Solid.TriangleMesh("m" + mesh.triangleCount() + "-" + mesh.vertexCount() + ".ply", "", mesh);
     }
 
-    /** With colors at its vertices, black and white among them. */
+    /** Returns the mesh with vertex colors, including black and white. */
     public static Mesh withVertexColors(Mesh m) {
         Random random = new Random(m.vertexCount());
         float[] colors = new float[3 * m.vertexCount()];
@@ -36,7 +36,7 @@ public final class SampleMeshes {
         return new Mesh(m.positions(), m.triangles(), m.normals(), m.coordinates(), colors);
     }
 
-    /** With tangents at its vertices in all directions, some without one, and of both hands. */
+    /** Returns the mesh with vertex tangents in all directions, of both signs, some without one. */
     public static Mesh withTangents(Mesh m) {
         Random random = new Random(m.vertexCount());
         float[] tangents = new float[4 * m.vertexCount()];
@@ -53,7 +53,7 @@ public final class SampleMeshes {
         return new Mesh(new float[] {0, 0, 0}, new int[0], null, null, null);
     }
 
-    /** The cube from −1 to 1, flat, with shared vertices and texture coordinates. */
+    /** Returns the cube from −1 to 1, flat, with shared vertices and texture coordinates. */
     public static Mesh cube() {
         float[] p = new float[24];
         float[] c = new float[16];
@@ -68,7 +68,7 @@ public final class SampleMeshes {
         return new Mesh(p, t, null, c, null);
     }
 
-    /** A ball of radius 1, closed: every edge is in two triangles, vertices at the poles and the seam are shared. */
+    /** Returns a closed ball of radius 1: every edge has two triangles; vertices at the poles and the seam are shared. */
     public static Mesh ball(int rings, int sectors, boolean smooth) {
         int inner = rings - 1;
         float[] p = new float[3 * (2 + inner * sectors)];
@@ -104,7 +104,7 @@ public final class SampleMeshes {
         return new Mesh(p, t, smooth ? unit(p) : null, c, null);
     }
 
-    /** The canonical cone with its base. */
+    /** Returns the canonical cone with its base. */
     public static Mesh cone(int sectors) {
         float[] p = new float[3 * (2 + sectors)];
         p[1] = 1;
@@ -119,7 +119,7 @@ public final class SampleMeshes {
         return new Mesh(p, t, null, null, null);
     }
 
-    /** Triangles of all sizes, some of them points, lines, or there twice; with normals that lead anywhere. */
+    /** Returns triangles of all sizes, including degenerate and duplicate ones, with random normals. */
     public static Mesh randomTriangles(int triangles, long seed) {
         Random random = new Random(seed);
         float[] p = new float[9 * triangles];
@@ -152,7 +152,7 @@ public final class SampleMeshes {
         return at + 3;
     }
 
-    /** The directions of points, up for the origin. */
+    /** Returns the directions of points; up for the origin. */
     private static float[] unit(float[] p) {
         float[] n = new float[p.length];
         for (int i = 0; i < p.length; i += 3) {

@@ -26,25 +26,24 @@ import net.jqwik.api.Combinators;
 import net.jqwik.api.Tuple;
 
 /**
- * Arbitrary scenes: up to ten nodes, up to six lights, small pictures of one to four tiles. All are
- * thought about the origin and seen from 7 units away; some are then enlarged, shrunk or moved far off
- * together with their camera.
+ * Arbitrary scenes: up to ten nodes, up to six lights, small images of one to four tiles. All are built around the origin and seen from 7
+ * units away; some are then scaled or moved far off together with their camera.
  */
 public final class SceneArbitraries {
     private SceneArbitraries() {}
 
-    /** Any scene. */
+    /** Returns any scene. */
     public static Arbitrary<Scene> scenes() {
         Arbitrary<List<Material>> materials = Combinators.combine(MaterialArbitraries.materials("m0"),
                 MaterialArbitraries.materials("m1"), MaterialArbitraries.materials("m2")).as(List::of);
-        // What comes first is made plain first when a case fails.
+        // jqwik shrinks the first component first when a case fails.
         Arbitrary<Scene> alone = Combinators.combine(LightArbitraries.lights().list().ofMinSize(0).ofMaxSize(6), NodeArbitraries.nodes(),
                 pictures(), frames(), materials, worlds(), views()).as(SceneArbitraries::assemble);
         return Arbitraries.frequencyOf(Tuple.of(2, alone), Tuple.of(1, Combinators.combine(alone, LightArbitraries.lightGroupNames("b0"),
                 LightArbitraries.lightGroupNames("b1"), Arbitraries.integers().between(1, 1 << 12)).as(SceneArbitraries::withLightGroups)));
     }
 
-    /** @param members two bits for each light: its bank, or none */
+    /** @param members two bits for each light: its group, or none */
     private static Scene withLightGroups(Scene scene, LightGroup first, LightGroup second, int members) {
         List<LightGroup> banks = List.of(first, second);
         List<Light> lights = new ArrayList<>();
@@ -55,7 +54,7 @@ public final class SceneArbitraries {
         return EdgeCaseScenes.isTooBright(scene, LightRig.of(lights, banks));
     }
 
-    /** The scene's size and where in the world it lies. */
+    /** Scale of the scene and its position in the world. */
     private record CoordinateFrame(Vec3 origin, double unit) {
         Vec3 point(Vec3 p) {
             return origin.plus(p.times(unit));
@@ -131,7 +130,7 @@ public final class SceneArbitraries {
         return NumberArbitraries.rangeOrSpecial(-180, 180, 0.0, 90.0, 360.0);
     }
 
-    /** Skies of few pixels, black among them. */
+    /** Returns environment maps of few pixels, some of them black. */
     static Arbitrary<Environment> environmentMaps() {
         return Combinators.combine(Arbitraries.integers().between(1, 6), Arbitraries.integers().between(1, 4))
                 .as((w, h) -> new int[] {w, h})

@@ -26,8 +26,8 @@ import lightning.scene.TextureMap;
 import net.jqwik.api.sessions.JqwikSession;
 
 /**
- * Writes arbitrary sessions as files, so that another build of the program can go through them: see {@code benchmarks/films}.
- * A session is a folder, the scenes in it are numbered; the same number of sessions is the same sessions.
+ * Exporter of arbitrary sessions as files, so that another build of the program can replay them: see {@code benchmarks/films}. A session is
+ * a folder with numbered scenes; the sessions are reproducible.
  */
 public final class SessionExporter {
     private static final int EDGE_CASES = 1000;
@@ -36,7 +36,7 @@ public final class SessionExporter {
 
     private SessionExporter() {}
 
-    /** @param args the folder, not yet there, and how many sessions */
+    /** @param args the folder, not yet existing, and the number of sessions */
     public static void main(String[] args) throws Throwable {
         JqwikSession.run(() -> write(Path.of(args[0]), Integer.parseInt(args[1])));
     }
@@ -81,7 +81,7 @@ public final class SessionExporter {
         }
     }
 
-    /** Its triangles alone; one triangle where it has none, which no file may have. */
+    /** Returns its triangles only; one triangle if it has none, which no file may have. */
     private static String ply(Mesh of) {
         Mesh mesh = of.triangleCount() > 0 ? of : new Mesh(new float[] {0, 0, 0, 1, 0, 0, 0, 1, 0}, new int[] {0, 1, 2}, null, null, null);
         var text = new StringBuilder("ply\nformat ascii 1.0\nelement vertex ").append(mesh.vertexCount())

@@ -22,9 +22,9 @@ import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.Combinators;
 
-/** Shots of a scene: keys of any attribute that the tables call keyable, at any frames. Nothing here names one. */
+/** Arbitrary shots of a scene: keyframes of all animatable attributes, at any frames. */
 public final class ShotArbitraries {
-    /** Frames up to here, so that what lies between keys is often asked for. */
+    /** Last frame, small so that frames between keyframes are often evaluated. */
     public static final int LAST = 40;
 
     private ShotArbitraries() {}

@@ -8,8 +8,8 @@ import java.lang.annotation.Target;
 import org.junit.jupiter.api.Tag;
 
 /**
- * Marks tests that {@code mvn test} leaves to {@code mvn verify}: those that open a window, and all that take about two seconds or more,
- * alone or as a class.
+ * Marks tests that run in {@code mvn verify} but not in {@code mvn test}: those that open a window, and those that take about two seconds
+ * or more, alone or as a class.
  */
 @Target({ElementType.TYPE, ElementType.METHOD})
 @Retention(RetentionPolicy.RUNTIME)

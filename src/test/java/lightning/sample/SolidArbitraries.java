@@ -7,7 +7,10 @@ import net.jqwik.api.Arbitrary;
 import net.jqwik.api.Combinators;
 import net.jqwik.api.Tuple;
 
-/** Solids of all kinds and meshes, with and without caps; tops of frustums mostly ordinary, else from 10⁻¹² to 10⁶ or next to 1. */
+/**
+ * Arbitrary solids of all kinds and meshes, with and without caps; tops of frustums are mostly ordinary, else from 10⁻¹² to 10⁶ or next to
+ * 1.
+ */
 public final class SolidArbitraries {
     private SolidArbitraries() {}
 

@@ -18,20 +18,20 @@ import lightning.scene.Shape;
 import lightning.scene.Solid;
 import lightning.scene.World;
 
-/** One plain scene that shows everything: a matt ball and a mirroring one over a mirroring floor, and one light. */
+/** Simple scene with all basic effects: a matte ball and a mirror ball over a mirror floor, and one light. */
 public final class StudioScene {
-    /** The light's name. */
+    /** Name of the light. */
     public static final String KEY = "key";
 
     private StudioScene() {}
 
-    /** The scene, 30 × 24 pixels, depth 2, with a light of the given type. */
+    /** Returns the scene, 30 × 24 pixels, depth 2, with a light of the given type. */
     public static Scene of(LightType type) {
         return new Scene(new PictureSettings(30, 24, 2), new Camera(new Vec3(0, 2, 7), Vec3.ZERO, Vec3.Y, 40), World.DEFAULT,
                 List.of(material("matt", Rgb.BLACK), material("glass", Rgb.gray(0.5))), nodes(), List.of(key(type)));
     }
 
-    /** The studio with a spot, two point lights and a directional one, at a size. */
+    /** Returns the scene with a spot, two point lights and a directional one, at a size. */
     public static Scene withFourLights(int width, int height) {
         Scene scene = of(LightType.SPOT);
         List<Light> lights = new ArrayList<>(scene.lights());
@@ -41,7 +41,7 @@ public final class StudioScene {
         return scene.withLights(lights).withPicture(scene.picture().withSize(width, height));
     }
 
-    /** A light with rows of every state: lit and shadowed ones, and a spot's outside its cone. It is a point, whatever its type. */
+    /** Returns a point-sized light with rows of every state: lit, shadowed and, for a spot, outside its cone. */
     public static Light key(LightType type) {
         return Light.of(KEY, type).withPosition(new Vec3(2, 4, 2)).withDirection(new Vec3(-2, -4.5, -2.2))
                 .withAttenuation(new Attenuation(0.1, 0.2, 0.01)).withAngle(20).withDropoff(2)

@@ -7,7 +7,7 @@ import net.jqwik.api.lifecycle.PropagationMode;
 import org.junit.jupiter.api.extension.BeforeAllCallback;
 import org.junit.jupiter.api.extension.ExtensionContext;
 
-/** Makes every test that names no engine run on both, tile by tile. Found by JUnit and jqwik as a service. */
+/** Runs every test that names no engine with both engines, chosen tile by tile. JUnit and jqwik load it as a service. */
 public final class TestEngineExtension implements BeforeAllCallback, BeforeContainerHook {
     private static final long MIXED = 2;
 

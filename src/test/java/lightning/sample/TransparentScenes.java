@@ -5,9 +5,9 @@ import lightning.format.jen.JenException;
 import lightning.format.jen.JenReader;
 import lightning.scene.Scene;
 
-/** Scenes in which a floor is seen through something clear, and no material is {@code reflective}. */
+/** Scenes with a floor seen through a transparent shape, without {@code reflective} materials. */
 public final class TransparentScenes {
-    /** A glass ball in front of a lit floor. */
+    /** Glass ball in front of a lit floor. */
     public static final String BALL = """
             jen 1
             picture { size 60 40  depth 3 }
@@ -17,7 +17,7 @@ public final class TransparentScenes {
             plane floor { at 0 -1 0  scale 20 1 20 }
             light lamp point { at 2 3 2 }
             """;
-    /** A window pane in front of a lit floor. */
+    /** Window pane in front of a lit floor. */
     public static final String PANE = """
             jen 1
             picture { size 60 40  depth 3 }
@@ -30,7 +30,7 @@ public final class TransparentScenes {
 
     private TransparentScenes() {}
 
-    /** The scene of such a text. */
+    /** Parses the scene of such a text. */
     public static Scene scene(String text) {
         try {
             return JenReader.read(text, "clear.jen", Path.of("")).scene();

@@ -1,5 +1,5 @@
 /**
- * Arbitrary scenes and edits for the properties: every hard case that the format allows, among mostly
- * ordinary values, so that most pictures show something. Values shrink towards the plain ones.
+ * Arbitrary scenes and edits for property tests: every edge case of the format among mostly ordinary values, so that most images show
+ * something. Values shrink towards the simple ones.
  */
 package lightning.sample;

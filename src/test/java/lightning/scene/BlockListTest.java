@@ -15,7 +15,7 @@ import net.jqwik.api.Property;
 import net.jqwik.api.constraints.IntRange;
 import org.junit.jupiter.api.Test;
 
-/** A list in blocks is the list that a plain one would be, and shares what an edit left alone. */
+/** Compares a block list with a plain one, and checks that edits share unedited blocks. */
 @Slow
 class BlockListTest {
     private static final int MANY = 5 * BlockList.BLOCK_SIZE;
@@ -32,7 +32,7 @@ class BlockListTest {
         List<Integer> blocks = BlockList.copyOf(plain);
         for (int e = 0; e < edits; e++) {
             int from = random.nextInt(plain.size() + 1);
-            // Cuts of all lengths, most short; the bias lets lists shrink or grow.
+            // Splices of all lengths, most of them short; the bias grows or shrinks the lists.
             int to = Math.min(plain.size(), from + random.nextInt(1 << random.nextInt(4 * (bias + 1))));
             List<Integer> replacement = random.ints(random.nextInt(1 << random.nextInt(4 * (4 - bias)))).boxed().toList();
             List<Integer> before = blocks;
@@ -82,7 +82,7 @@ class BlockListTest {
             list = BlockList.splice(list, index, index + 1, List.of());
         }
         List<Integer> edited = BlockList.splice(list, 0, 1, List.of(-1));
-        // What is not shared is the first block, and what was joined to it.
+        // Only the first block and the blocks merged with it are not shared.
         assertThat(list.size() - BlockList.sharedEnd(list, edited)).isGreaterThanOrEqualTo(BlockList.BLOCK_SIZE / 4);
     }
 

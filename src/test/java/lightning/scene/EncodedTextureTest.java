@@ -10,7 +10,7 @@ import net.jqwik.api.constraints.DoubleRange;
 import net.jqwik.api.constraints.IntRange;
 import org.junit.jupiter.api.Test;
 
-/** A texture of codes is the texture of their values. */
+/** Checks that a texture of codes equals the texture of their values. */
 class EncodedTextureTest {
     @Property
     void codes_interpolateLikeValues(@ForAll @IntRange(min = 1, max = 5) int width, @ForAll @IntRange(min = 1, max = 4) int height,

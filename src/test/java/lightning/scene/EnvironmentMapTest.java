@@ -13,7 +13,7 @@ import net.jqwik.api.Property;
 import net.jqwik.api.constraints.IntRange;
 import org.junit.jupiter.api.Test;
 
-/** What is seen of a sky, and the lamps that it is cut into. */
+/** Tests lookups in an environment map, and its median cut into lights. */
 class EnvironmentMapTest {
     private static EnvironmentMap sky(int width, int height, long seed) {
         var random = new Random(seed);
@@ -30,7 +30,7 @@ class EnvironmentMapTest {
         return to;
     }
 
-    /** Four pixels side by side: +z to −x, −x to −z, −z to x, x to +z. */
+    /** Four adjacent pixels: +z to −x, −x to −z, −z to x, x to +z. */
     private static final EnvironmentMap FOUR = new EnvironmentMap(4, 1, new float[] {1, 0, 0, 2, 0, 0, 3, 0, 0, 4, 0, 0});
 
     @Test
@@ -49,7 +49,7 @@ class EnvironmentMapTest {
         assertThat(radiance(two, 0.6, 0, -0.8, 0)[0]).isEqualTo(3, within(1e-12));
     }
 
-    /** A shape at −z that is turned by 90 degrees about y is at −x. */
+    /** A shape at −z rotated by 90 degrees about y is at −x. */
     @Test
     void rotation_matchesShapeRotation() {
         assertThat(radiance(FOUR, -1, 0, 0, 90)[0]).isEqualTo(2.5, within(1e-12));
@@ -62,7 +62,7 @@ class EnvironmentMapTest {
         }
     }
 
-    /** All light of the picture is in the lamps: its integral over π, whatever the number of lamps. */
+    /** The lights have the total energy of the map, its integral over π, for any number of lights. */
     @Property
     void lights_preserveTotalEnergy(@ForAll @IntRange(min = 1, max = 600) int width, @ForAll @IntRange(min = 1, max = 40) int height,
             @ForAll @IntRange(min = 4, max = 64) int maxLights, @ForAll long seed) {
@@ -78,14 +78,14 @@ class EnvironmentMapTest {
             }
         }
         assertThat(sphere).isEqualTo(4 * Math.PI, within(1e-12 * 4 * Math.PI));
-        List<EnvironmentLight> lamps = sky.lights(maxLights);
-        assertThat(lamps).hasSizeBetween(1, maxLights);
-        // Sums of at most 24,000 terms that are not negative, each of them off by a rounding at most: 24,000 · 2⁻⁵³ of the sum, on both sides.
+        List<EnvironmentLight> environmentLights = sky.lights(maxLights);
+        assertThat(environmentLights).hasSizeBetween(1, maxLights);
+        // Sums of at most 24,000 nonnegative terms, each with one rounding: an error of 24,000 · 2⁻⁵³ of the sum, on both sides.
         double bound = 2 * 24_010 * 0x1p-53;
-        assertThat(lamps.stream().mapToDouble(EnvironmentLight::red).sum()).isEqualTo(lights[0], within(bound * lights[0]));
-        assertThat(lamps.stream().mapToDouble(EnvironmentLight::green).sum()).isEqualTo(lights[1], within(bound * lights[1]));
-        assertThat(lamps.stream().mapToDouble(EnvironmentLight::blue).sum()).isEqualTo(lights[2], within(bound * lights[2]));
-        lamps.forEach(lamp -> assertThat(lamp.direction().length()).isEqualTo(1, within(1e-12)));
+        assertThat(environmentLights.stream().mapToDouble(EnvironmentLight::red).sum()).isEqualTo(lights[0], within(bound * lights[0]));
+        assertThat(environmentLights.stream().mapToDouble(EnvironmentLight::green).sum()).isEqualTo(lights[1], within(bound * lights[1]));
+        assertThat(environmentLights.stream().mapToDouble(EnvironmentLight::blue).sum()).isEqualTo(lights[2], within(bound * lights[2]));
+        environmentLights.forEach(light -> assertThat(light.direction().length()).isEqualTo(1, within(1e-12)));
     }
 
     @Test
@@ -93,24 +93,24 @@ class EnvironmentMapTest {
         float[] rgb = new float[3 * 64 * 32];
         java.util.Arrays.fill(rgb, 0.01f);
         rgb[3 * (8 * 64 + 40)] = 1e5f;
-        List<EnvironmentLight> lamps = new EnvironmentMap(64, 32, rgb).lights(16);
-        EnvironmentLight sun = lamps.stream().max(java.util.Comparator.comparingDouble(EnvironmentLight::red)).orElseThrow();
+        List<EnvironmentLight> environmentLights = new EnvironmentMap(64, 32, rgb).lights(16);
+        EnvironmentLight sun = environmentLights.stream().max(java.util.Comparator.comparingDouble(EnvironmentLight::red)).orElseThrow();
         double polar = Math.PI * 8.5 / 32;
         double around = 2 * Math.PI * (40.5 / 64 - 0.5);
         Vec3 sunLights = new Vec3(Math.sin(polar) * Math.sin(around), Math.cos(polar), -Math.sin(polar) * Math.cos(around));
         assertThat(sun.direction().minus(sunLights).length()).isLessThan(0.01);
     }
 
-    /** Of all parts of one solid angle a cap has the longest mean direction, so that what is no cap is spread farther. */
+    /** Of all regions of a solid angle, a cap has the longest mean direction, so other regions get a larger spread. */
     @Property
     void uniformSky_lightsCoverTheirRegions(@ForAll @IntRange(min = 32, max = 256) int width,
             @ForAll @IntRange(min = 4, max = 64) int maxLights) {
         float[] rgb = new float[3 * width * (width / 2)];
         java.util.Arrays.fill(rgb, 1);
-        for (EnvironmentLight lamp : new EnvironmentMap(width, width / 2, rgb).lights(maxLights)) {
-            double cap = Math.toDegrees(Math.acos(1 - lamp.red() * Math.PI / (2 * Math.PI)));
-            // The caps that cells are taken for shorten a direction by less than the cells do.
-            assertThat(lamp.spread()).isBetween(0.99 * cap, Math.min(90, 2 * cap));
+        for (EnvironmentLight light : new EnvironmentMap(width, width / 2, rgb).lights(maxLights)) {
+            double cap = Math.toDegrees(Math.acos(1 - light.red() * Math.PI / (2 * Math.PI)));
+            // The caps that replace cells shorten a direction by less than the cells do.
+            assertThat(light.spread()).isBetween(0.99 * cap, Math.min(90, 2 * cap));
         }
     }
 
@@ -119,7 +119,7 @@ class EnvironmentMapTest {
         float[] rgb = new float[3 * 64 * 32];
         rgb[3 * (8 * 64 + 40)] = 5;
         EnvironmentMap sky = new EnvironmentMap(64, 32, rgb);
-        List<EnvironmentLight> lit = sky.lights(16).stream().filter(lamp -> lamp.red() > 0).toList();
+        List<EnvironmentLight> lit = sky.lights(16).stream().filter(light -> light.red() > 0).toList();
         assertThat(lit).hasSize(1);
         assertThat(lit.getFirst().spread()).isEqualTo(Math.toDegrees(Math.acos(1 - sky.solidAngle(8) / (2 * Math.PI))), within(1e-6));
         assertThat(new EnvironmentMap(1, 1, new float[] {1, 1, 1}).lights(4).getFirst().spread()).isEqualTo(90);
@@ -129,19 +129,19 @@ class EnvironmentMapTest {
     void softness_scalesSpread() {
         World world = World.DEFAULT.withEnvironment(Optional.of(new Environment("x.hdr", FOUR))).withLightCount(4);
         assertThat(world.environmentLights(_ -> false)).noneMatch(Light::isArea);
-        List<EnvironmentLight> lamps = FOUR.lights(4);
+        List<EnvironmentLight> environmentLights = FOUR.lights(4);
         List<Light> half = world.withSoftness(0.5).environmentLights(_ -> false);
         for (int i = 0; i < 4; i++) {
-            assertThat(half.get(i).area().spread()).isEqualTo(lamps.get(i).spread() / 2).isPositive();
+            assertThat(half.get(i).area().spread()).isEqualTo(environmentLights.get(i).spread() / 2).isPositive();
         }
     }
 
     @Test
     void blackSky_givesBlackLight() {
-        assertThat(new EnvironmentMap(3, 2, new float[18]).lights(16)).hasSize(1).allSatisfy(lamp -> assertThat(lamp.red()).isZero());
+        assertThat(new EnvironmentMap(3, 2, new float[18]).lights(16)).hasSize(1).allSatisfy(light -> assertThat(light.red()).isZero());
     }
 
-    /** The sun of a file may have a name that the lamps would have. */
+    /** The file's sun may have a name that the environment lights would get. */
     @Test
     void environmentLights_haveUniqueNames() {
         World world = World.DEFAULT.withEnvironment(Optional.of(new Environment("x.hdr", FOUR)));
@@ -153,10 +153,10 @@ class EnvironmentMapTest {
         float[] rgb = new float[3 * 64 * 32];
         java.util.Arrays.fill(rgb, 1);
         double sum = 0;
-        for (EnvironmentLight lamp : new EnvironmentMap(64, 32, rgb).lights(64)) {
-            sum += lamp.red() * Math.max(lamp.direction().y(), 0);
+        for (EnvironmentLight light : new EnvironmentMap(64, 32, rgb).lights(64)) {
+            sum += light.red() * Math.max(light.direction().y(), 0);
         }
-        // 64 lamps of some 0.2 sr each stand for what they are in the middle of: their cosines' mean is off by less than their width, 0.25.
+        // 64 lights of some 0.2 sr each represent their regions: the error of the mean cosine is less than their width, 0.25.
         assertThat(sum).isEqualTo(1, within(0.25));
         assertThat(Rgb.WHITE.r()).isEqualTo(1);
     }

@@ -95,7 +95,7 @@ class LightGroupTest {
                 .isEqualTo("left: name left → rear");
     }
 
-    /** However many lights it has: no ray is cast, no column is written, and where nothing is seen nothing is composed. */
+    /** For any number of lights: casts no ray, writes no column, and composes only visible pixels. */
     @Test
     void groupEdit_onlyComposes() {
         Scene studio = StudioScene.of(LightType.SPOT);
@@ -115,7 +115,7 @@ class LightGroupTest {
         }
     }
 
-    /** Absent is free: a rig without banks hands its lights on, and those that a bank leaves alone keep every bit. */
+    /** A rig without groups returns its lights unchanged, and neutral groups keep every bit. */
     @Test
     void ungroupedLights_areSameInstances() {
         LightRig plain = LightRig.of(List.of(FREE), List.of(LEFT));

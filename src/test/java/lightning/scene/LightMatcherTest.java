@@ -12,7 +12,7 @@ import net.jqwik.api.constraints.Size;
 import net.jqwik.api.constraints.UniqueElements;
 import org.junit.jupiter.api.Test;
 
-/** Which light of an edited list goes on from which of the list before. */
+/** Tests the matching of lights between two lists. */
 class LightMatcherTest {
     private static final Light KEY = Light.of("key", LightType.SPOT).withIntensity(2);
     private static final Light FILL = Light.of("fill", LightType.POINT);
@@ -78,7 +78,7 @@ class LightMatcherTest {
         assertThat(all).containsExactlyInAnyOrderElementsOf(IntStream.range(0, before.size()).boxed().toList());
     }
 
-    /** Lights of these names; every {@code edited}-th, if that is not 0, is brighter. */
+    /** Returns lights of these names; every {@code edited}-th, if that is not 0, is brighter. */
     private static List<Light> lights(List<Integer> names, int edited) {
         return names.stream().map(n -> Light.of("l" + n, LightType.POINT).withIntensity(edited > 0 && n % edited == 0 ? 3 : 1)).toList();
     }

@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException
 
 import org.junit.jupiter.api.Test;
 
-/** What a mesh holds is right. */
+/** Tests the validation of meshes. */
 class MeshTest {
     private static final float[] CORNERS = {0, 0, 0, 1, 0, 0, 0, 1, 0};
     private static final int[] ONE = {0, 1, 2};

@@ -15,7 +15,7 @@ import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
 import org.junit.jupiter.api.Test;
 
-/** What a stage knows of the nodes that were put in place of one is what it would find out of them all. */
+/** Compares incremental replacement of nodes with a stage built from scratch. */
 class NodeReplacementTest {
     enum Replacement {
         NOTHING,
@@ -44,7 +44,7 @@ class NodeReplacementTest {
         };
     }
 
-    /** With no content, whose names would be taken. */
+    /** Renames a node and removes its children, whose names would conflict. */
     private static SceneNode rename(SceneNode node, String name) {
         return switch (node) {
             case NodeGroup g -> new NodeGroup(name, g.placement(), List.of(), g.visible());
@@ -73,7 +73,7 @@ class NodeReplacementTest {
         return all;
     }
 
-    /** Shapes as dots, groups with their names. */
+    /** Returns an outline with shapes as dots and groups by name. */
     private static String outline(List<SceneNode> nodes) {
         return nodes.stream().map(node -> switch (node) {
             case NodeGroup g -> "'" + g.name() + "'" + outline(g.children());

@@ -37,7 +37,7 @@ class OverflowCheckTest {
     void smoothMetal_isReportedAtBrightestLight() {
         assertThatThrownBy(() -> read("light \"dim\" point { on no }\n" + BRIGHT + GOLD)).isInstanceOf(JenException.class)
                 .hasMessageContaining("sun.jen:6:").hasMessageContaining("light 'sun': color times intensity of all lights must add up "
-                        + "to at most 1.66e28 before metallic material 'gold', which has highlights so sharp, was 1e33");
+                        + "to at most 1.66e28 for metallic material 'gold', whose highlights are this sharp, was 1e33");
     }
 
     @Test
@@ -50,7 +50,7 @@ class OverflowCheckTest {
         assertThat(LightEdits.edit(smooth, "sun", l -> l.withIntensity(1e30)).refusal()).isPresent();
     }
 
-    /** What is switched on, or leaves a bank that dims it, would be too bright then. */
+    /** Switching a light on, or removing its dimming group, must not exceed the limit. */
     @Test
     void darkLight_countsAsLit() throws JenException {
         String dark = BRIGHT.replace("1e30", "1e30 bank \"dim\" on no") + "bank \"dim\" { intensity 0 }\n";

@@ -16,14 +16,14 @@ class PlacementTest {
         assertThat(placement.transform().transformPoint(new Vec3(1, 1, 1))).isEqualTo(new Vec3(10 - 3, 20 + 2, 30 + 5));
     }
 
-    /** Where one axis is stretched and another squeezed as far as may be, no digit of either is lost. */
+    /** Stretches one axis and shrinks another to the limits; neither may lose precision. */
     @Test
     void directionsToLocal_invertsDirections() {
         for (Vec3 scale : new Vec3[] {Vec3.ONE, new Vec3(2, -3, 5), new Vec3(SceneLimits.MAX_SCALE, SceneLimits.MIN_SCALE, 1)}) {
             Placement placement = new Placement(new Vec3(1, 2, 3), new Vec3(11, 23, 37), scale);
             Transform forth = Transform.rotation(placement.rotation());
             for (Vec3 v : new Vec3[] {new Vec3(1, 0, 0), Vec3.Y, new Vec3(0, 0, 1)}) {
-                // An axis of the shape, turned into the scene and not stretched, comes back over its own factor.
+                // A direction along a shape's axis, rotated but not scaled, maps back divided by the axis's factor.
                 Vec3 back = placement.directionsToLocal().transformVector(forth.transformVector(v));
                 Vec3 expected = new Vec3(v.x() / scale.x(), v.y() / scale.y(), v.z() / scale.z());
                 assertThat(back.x() * scale.x()).isCloseTo(expected.x() * scale.x(), within(1e-15));

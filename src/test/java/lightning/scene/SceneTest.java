@@ -22,7 +22,7 @@ class SceneTest {
         }
     }
 
-    /** Of an edited light and of other shapes, names are looked at again only where they may be others. */
+    /** After an edit, names are checked again only if they may have changed. */
     @Test
     void lightNamedLikeShape_isRejected() {
         Light light = scene.lights().getFirst();

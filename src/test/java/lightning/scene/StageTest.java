@@ -6,7 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** What stands before the camera is checked once and shared by scenes that differ in lights. */
+/** Tests stages, which are checked once and shared by scenes that differ in lights. */
 class StageTest {
     private static final Material GOLD = Material.DEFAULT.withShininess(50);
     private static final Stage STAGE = new Stage(List.of(), List.of(group("g", sphere("a"), sphere("b")), sphere("c")));

@@ -74,7 +74,7 @@ class VisibleStateTest {
         assertThat(VisibleState.of(solo).lights()).noneMatch(Light::solo);
     }
 
-    /** Everything hidden is taken away, and every bit of the picture stays. */
+    /** Checks that the normal form renders the same image in every bit. */
     @Property(tries = 60)
     void visibleState_rendersSamePicture(@ForAll("sessions") EditSession session) {
         Scene any = session.scenes().getLast();

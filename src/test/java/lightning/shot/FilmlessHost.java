@@ -3,7 +3,7 @@ package lightning.shot;
 import java.util.Optional;
 import lightning.render.image.Film;
 
-/** A keeper that has no films and keeps no bytes: what is done with frames is all that it is asked. */
+/** Host without films and caches: only records which frames it updates. */
 public abstract class FilmlessHost implements FrameHost {
     @Override
     public Optional<Film> film(int frame) {

@@ -14,7 +14,7 @@ import lightning.scene.shot.Shot;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
-/** From an edit to the films of all frames, over the threads of their keepers. */
+/** Model-checks the path from an edit to the films of all frames, over the threads of their hosts. */
 @Tag("model")
 class FrameQueueModelTest {
     private static final ShotRevision FIRST = new ShotRevision(DeskScene.scene(), Shot.DEFAULT);
@@ -22,11 +22,11 @@ class FrameQueueModelTest {
             new ShotRevision(DeskScene.sceneOf(DeskScene.parameter("intensity").set(FIRST.scene(), "key", 2)), Shot.DEFAULT);
     private static final int LAST = 2;
 
-    /** Frames of one tile, each known by the take that it shows. */
+    /** Frames of one tile that record the revision that they show. */
     private static final class FakeHost extends FilmlessHost {
         private final ShotRevision[] kept = new ShotRevision[LAST + 1];
         private final boolean[] inWork = new boolean[LAST + 1];
-        /** The frame that it is asked for when it goes away; −1 for never. */
+        /** Frame whose update makes the host leave; −1 for never. */
         private final int leavesAt;
         private boolean gone;
 
@@ -35,13 +35,13 @@ class FrameQueueModelTest {
         }
 
         @Override
-        public FrameUpdate update(int frame, ShotRevision take, Progress progress) throws HostLostException {
+        public FrameUpdate update(int frame, ShotRevision revision, Progress progress) throws HostLostException {
             synchronized (this) {
                 gone |= frame == leavesAt;
                 if (gone) {
                     throw new HostLostException("gone", null);
                 }
-                check(!inWork[frame], "nobody else is at the frame");
+                check(!inWork[frame], "no other lane works on the frame");
                 inWork[frame] = true;
             }
             boolean stopped = progress.isCanceled();
@@ -51,7 +51,7 @@ class FrameQueueModelTest {
                     throw new CancellationException();
                 }
                 boolean traced = kept[frame] == null;
-                kept[frame] = take;
+                kept[frame] = revision;
                 return new FrameUpdate(frame, traced, "", 0, 0, () -> null);
             }
         }
@@ -61,7 +61,7 @@ class FrameQueueModelTest {
         }
     }
 
-    /** A queue of frames 1 and 2, the lanes of its keepers, and what was told. */
+    /** Queue of frames 1 and 2, the lanes of its hosts, and the events reported. */
     private static final class TestShot implements ShotListener {
         final FrameQueue queue = new FrameQueue(1, LAST);
         final List<Integer> made = Collections.synchronizedList(new ArrayList<>());
@@ -69,12 +69,12 @@ class FrameQueueModelTest {
         private final List<Throwable> problems = Collections.synchronizedList(new ArrayList<>());
 
         FakeHost host(int leavesAt) {
-            FakeHost keeper = new FakeHost(leavesAt);
+            FakeHost host = new FakeHost(leavesAt);
             int number = queue.addHost();
             for (FrameQueue.Lane lane : FrameQueue.Lane.values()) {
-                lanes.add(ScheduleExplorer.startConcurrently(new FrameWorker(queue, number, lane, keeper, this)::run));
+                lanes.add(ScheduleExplorer.startConcurrently(new FrameWorker(queue, number, lane, host, this)::run));
             }
-            return keeper;
+            return host;
         }
 
         @Override
@@ -100,14 +100,14 @@ class FrameQueueModelTest {
     void newestEdit_reachesAllFrames() {
         explore(() -> {
             var stage = new TestShot();
-            FakeHost keeper = stage.host(-1);
+            FakeHost host = stage.host(-1);
             stage.queue.setRevision(FIRST);
             stage.queue.focus(2);
             stage.queue.setRevision(SECOND);
             stage.queue.awaitIdle();
             for (int frame = 1; frame <= LAST; frame++) {
-                check(keeper.shownRevision(frame) == SECOND, "the newest edit is shown");
-                check(stage.queue.state(frame) == FrameState.CURRENT, "it is known to be");
+                check(host.shownRevision(frame) == SECOND, "the newest edit is shown");
+                check(stage.queue.state(frame) == FrameState.CURRENT, "its state is current");
             }
             stage.close();
         });
@@ -121,7 +121,7 @@ class FrameQueueModelTest {
             stage.queue.setRevision(FIRST);
             stage.host(-1);
             stage.queue.awaitIdle();
-            check(stage.made.equals(List.of(2, 1)), "the one that is looked at comes first");
+            check(stage.made.equals(List.of(2, 1)), "the focused frame comes first");
             stage.close();
         });
     }
@@ -136,7 +136,7 @@ class FrameQueueModelTest {
             stage.queue.setRevision(SECOND);
             stage.queue.awaitIdle();
             check(stage.queue.state(1) == FrameState.CURRENT && stage.queue.state(2) == FrameState.CURRENT, "all frames are current");
-            check(other.shownRevision(2) == SECOND, "the other traces what was lost");
+            check(other.shownRevision(2) == SECOND, "the other host traces lost frames");
             stage.close();
         });
     }

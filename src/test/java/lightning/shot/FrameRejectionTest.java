@@ -16,7 +16,7 @@ import lightning.scene.shot.Shot;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** A frame for which a keeper has no room is given to another. */
+/** Tests that a frame rejected by one host goes to another. */
 @Timeout(value = Await.TIMEOUT_SECONDS, unit = TimeUnit.SECONDS, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
 class FrameRejectionTest {
     private static final ShotRevision FIRST = new ShotRevision(DeskScene.scene(), Shot.DEFAULT);
@@ -24,7 +24,7 @@ class FrameRejectionTest {
             new ShotRevision(DeskScene.sceneOf(DeskScene.parameter("intensity").set(FIRST.scene(), "key", 2)), Shot.DEFAULT);
     private static final int LAST = 5;
 
-    /** Holds so many frames and refuses others. */
+    /** Host that keeps a fixed number of frames and rejects others. */
     private static final class LimitedHost extends FilmlessHost {
         final Set<Integer> held = new TreeSet<>();
         final List<Integer> refused = new ArrayList<>();
@@ -35,7 +35,7 @@ class FrameRejectionTest {
         }
 
         @Override
-        public synchronized FrameUpdate update(int frame, ShotRevision take, Progress progress) {
+        public synchronized FrameUpdate update(int frame, ShotRevision revision, Progress progress) {
             if (!held.contains(frame) && held.size() == room) {
                 refused.add(frame);
                 throw new FrameRejectedException("it holds " + room);
@@ -47,15 +47,15 @@ class FrameRejectionTest {
 
     private final List<String> failures = Collections.synchronizedList(new ArrayList<>());
 
-    private ShotRelighter shot(FrameHost... keepers) {
+    private ShotRelighter shot(FrameHost... hosts) {
         ShotRelighter shot = ShotRelighter.of(1, LAST, new ShotListener() {
             @Override
             public void frameFailed(int frame, Throwable problem) {
                 failures.add(frame + ": " + problem.getMessage());
             }
         });
-        for (FrameHost keeper : keepers) {
-            shot.addHost(keeper);
+        for (FrameHost host : hosts) {
+            shot.addHost(host);
         }
         return shot;
     }
@@ -83,7 +83,7 @@ class FrameRejectionTest {
             shot.setRevision(SECOND);
             shot.awaitIdle();
             assertThat(states(shot)).containsOnly(FrameState.CURRENT);
-            assertThat(narrow.refused).as("what another holds is asked of nobody else").containsExactlyInAnyOrder(3, 4, 5);
+            assertThat(narrow.refused).as("a frame held by another host is not requested").containsExactlyInAnyOrder(3, 4, 5);
         }
     }
 
@@ -94,7 +94,7 @@ class FrameRejectionTest {
             shot.awaitIdle();
             assertThat(states(shot)).containsOnly(FrameState.CURRENT, FrameState.FAILED);
             assertThat(states(shot).stream().filter(FrameState.CURRENT::equals)).hasSize(4);
-            assertThat(failures).singleElement(STRING).endsWith(": nobody has room for it: it holds 2");
+            assertThat(failures).singleElement(STRING).endsWith(": no node has enough memory for it: it holds 2");
             shot.setRevision(SECOND);
             shot.awaitIdle();
             assertThat(failures).hasSize(2);

@@ -21,7 +21,7 @@ import lightning.scene.shot.Shot;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Frames on disk are as good as frames in memory, and what the disk loses is traced again. */
+/** Checks that frames on disk equal frames in memory, and that frames lost by the disk are traced again. */
 class LocalFrameHostTest {
     private static final Scene SCENE = DeskScene.scene();
     private static final ShotRevision FIRST = new ShotRevision(SCENE, Shot.DEFAULT);
@@ -38,8 +38,8 @@ class LocalFrameHostTest {
         }
     }
 
-    private static void assertExact(FrameUpdate update, ShotRevision take) {
-        assertThat(update.film().hasSameBits(new ReferenceTracer(take.sceneAt(update.frame())).trace())).isTrue();
+    private static void assertExact(FrameUpdate update, ShotRevision revision) {
+        assertThat(update.film().hasSameBits(new ReferenceTracer(revision.sceneAt(update.frame())).trace())).isTrue();
     }
 
     private LocalFrameHost hostOnDisk() throws IOException {
@@ -48,26 +48,26 @@ class LocalFrameHostTest {
 
     @Test
     void editOfFrameOnDisk_castsNoRays() throws Exception {
-        try (LocalFrameHost keeper = hostOnDisk()) {
-            assertThat(keeper.update(1, FIRST, Progress.NONE).traced()).isTrue();
-            FrameUpdate relit = keeper.update(1, BRIGHTER, Progress.NONE);
+        try (LocalFrameHost host = hostOnDisk()) {
+            assertThat(host.update(1, FIRST, Progress.NONE).traced()).isTrue();
+            FrameUpdate relit = host.update(1, BRIGHTER, Progress.NONE);
             assertThat(relit.traced()).isFalse();
             assertThat(relit.rays()).isZero();
             assertExact(relit, BRIGHTER);
-            assertThat(keeper.film(1).orElseThrow().hasSameBits(relit.film())).isTrue();
-            assertThat(keeper.usage().diskFrames()).isEqualTo(1);
-            assertThat(keeper.problem()).isEmpty();
+            assertThat(host.film(1).orElseThrow().hasSameBits(relit.film())).isTrue();
+            assertThat(host.usage().diskFrames()).isEqualTo(1);
+            assertThat(host.problem()).isEmpty();
         }
         assertThat(files("lightning")).isEmpty();
     }
 
     @Test
     void editWithoutRowChanges_writesOnlyColors() throws Exception {
-        try (LocalFrameHost keeper = hostOnDisk()) {
-            keeper.update(1, FIRST, Progress.NONE);
+        try (LocalFrameHost host = hostOnDisk()) {
+            host.update(1, FIRST, Progress.NONE);
             List<Path> rows = files("rows");
             List<Path> colors = files("colors");
-            keeper.update(1, BRIGHTER, Progress.NONE);
+            host.update(1, BRIGHTER, Progress.NONE);
             assertThat(files("rows")).isEqualTo(rows);
             assertThat(files("colors")).hasSize(1).doesNotContainAnyElementsOf(colors);
         }
@@ -75,42 +75,42 @@ class LocalFrameHostTest {
 
     @Test
     void damagedFile_isRetraced() throws Exception {
-        try (LocalFrameHost keeper = hostOnDisk()) {
-            keeper.update(1, FIRST, Progress.NONE);
+        try (LocalFrameHost host = hostOnDisk()) {
+            host.update(1, FIRST, Progress.NONE);
             try (FileChannel file = FileChannel.open(files("rows").getFirst(), StandardOpenOption.WRITE)) {
                 file.write(ByteBuffer.wrap(new byte[] {77}), file.size() / 2);
             }
-            FrameUpdate update = keeper.update(1, BRIGHTER, Progress.NONE);
+            FrameUpdate update = host.update(1, BRIGHTER, Progress.NONE);
             assertThat(update.traced()).isTrue();
             assertExact(update, BRIGHTER);
-            assertThat(keeper.problem()).hasValueSatisfying(p -> assertThat(p).contains("could not be read"));
+            assertThat(host.problem()).hasValueSatisfying(p -> assertThat(p).contains("cannot read a cached frame"));
         }
     }
 
     @Test
     void truncatedOrMissingFile_isRetraced() throws Exception {
-        try (LocalFrameHost keeper = hostOnDisk()) {
-            keeper.update(1, FIRST, Progress.NONE);
-            keeper.update(2, FIRST, Progress.NONE);
+        try (LocalFrameHost host = hostOnDisk()) {
+            host.update(1, FIRST, Progress.NONE);
+            host.update(2, FIRST, Progress.NONE);
             try (FileChannel file = FileChannel.open(files("colors").getFirst(), StandardOpenOption.WRITE)) {
                 file.truncate(file.size() / 2);
             }
             Files.delete(files("rows").getLast());
-            assertThat(keeper.update(1, BRIGHTER, Progress.NONE).traced()).isTrue();
-            assertThat(keeper.update(2, BRIGHTER, Progress.NONE).traced()).isTrue();
-            assertThat(keeper.update(2, FIRST, Progress.NONE).traced()).isFalse();
+            assertThat(host.update(1, BRIGHTER, Progress.NONE).traced()).isTrue();
+            assertThat(host.update(2, BRIGHTER, Progress.NONE).traced()).isTrue();
+            assertThat(host.update(2, FIRST, Progress.NONE).traced()).isFalse();
         }
     }
 
     @Test
     void fullDisk_keepsFilmsCorrectAndIsReported() throws Exception {
-        try (LocalFrameHost keeper = new LocalFrameHost(RenderOptions.DEFAULT.withThreads(1), 0, place, 0)) {
-            keeper.update(1, FIRST, Progress.NONE);
-            FrameUpdate update = keeper.update(1, BRIGHTER, Progress.NONE);
+        try (LocalFrameHost host = new LocalFrameHost(RenderOptions.DEFAULT.withThreads(1), 0, place, 0)) {
+            host.update(1, FIRST, Progress.NONE);
+            FrameUpdate update = host.update(1, BRIGHTER, Progress.NONE);
             assertThat(update.traced()).isTrue();
             assertExact(update, BRIGHTER);
-            assertThat(keeper.film(1)).isEmpty();
-            assertThat(keeper.problem()).isPresent();
+            assertThat(host.film(1)).isEmpty();
+            assertThat(host.problem()).isPresent();
             assertThat(files("rows")).isEmpty();
         }
     }
@@ -118,60 +118,60 @@ class LocalFrameHostTest {
     @Test
     void framesNearFocus_stayInMemory() throws Exception {
         long each;
-        try (LocalFrameHost keeper = new LocalFrameHost(RenderOptions.DEFAULT.withThreads(1), UNLIMITED)) {
-            keeper.update(1, FIRST, Progress.NONE);
-            each = keeper.usage().memoryBytes();
+        try (LocalFrameHost host = new LocalFrameHost(RenderOptions.DEFAULT.withThreads(1), UNLIMITED)) {
+            host.update(1, FIRST, Progress.NONE);
+            each = host.usage().memoryBytes();
         }
-        try (LocalFrameHost keeper = new LocalFrameHost(RenderOptions.DEFAULT.withThreads(1), 2 * each)) {
-            keeper.focus(3);
+        try (LocalFrameHost host = new LocalFrameHost(RenderOptions.DEFAULT.withThreads(1), 2 * each)) {
+            host.focus(3);
             for (int frame = 1; frame <= 5; frame++) {
-                keeper.update(frame, FIRST, Progress.NONE);
+                host.update(frame, FIRST, Progress.NONE);
             }
-            assertThat(keeper.usage().memoryFrames()).isEqualTo(2);
-            assertThat(keeper.update(3, BRIGHTER, Progress.NONE).traced()).isFalse();
-            assertThat(keeper.update(1, BRIGHTER, Progress.NONE).traced()).isTrue();
+            assertThat(host.usage().memoryFrames()).isEqualTo(2);
+            assertThat(host.update(3, BRIGHTER, Progress.NONE).traced()).isFalse();
+            assertThat(host.update(1, BRIGHTER, Progress.NONE).traced()).isTrue();
         }
     }
 
     @Test
     void fullPinnedHost_rejectsNewFrames() throws Exception {
         long each;
-        try (LocalFrameHost keeper = new LocalFrameHost(RenderOptions.DEFAULT.withThreads(1), UNLIMITED)) {
-            keeper.update(1, FIRST, Progress.NONE);
-            each = keeper.usage().memoryBytes();
+        try (LocalFrameHost host = new LocalFrameHost(RenderOptions.DEFAULT.withThreads(1), UNLIMITED)) {
+            host.update(1, FIRST, Progress.NONE);
+            each = host.usage().memoryBytes();
         }
-        // Room that a forecast may take for enough, and room that is none.
+        // Space that the estimate may accept, and space that is too small.
         for (long remaining : new long[] {each - 1, each / 10}) {
-            try (LocalFrameHost keeper = LocalFrameHost.createPinned(RenderOptions.DEFAULT.withThreads(1), each + remaining, place, 0)) {
-                keeper.focus(2);
-                keeper.update(1, FIRST, Progress.NONE);
-                assertThatThrownBy(() -> keeper.update(2, FIRST, Progress.NONE)).isInstanceOf(FrameRejectedException.class)
-                        .hasMessageMatching("the frame takes about .* MB, and there is room for .* MB more");
-                assertThat(keeper.film(2)).isEmpty();
-                assertThat(keeper.usage()).isEqualTo(new CacheUsage(1, each, 0, 0));
-                FrameUpdate relit = keeper.update(1, BRIGHTER, Progress.NONE);
+            try (LocalFrameHost host = LocalFrameHost.createPinned(RenderOptions.DEFAULT.withThreads(1), each + remaining, place, 0)) {
+                host.focus(2);
+                host.update(1, FIRST, Progress.NONE);
+                assertThatThrownBy(() -> host.update(2, FIRST, Progress.NONE)).isInstanceOf(FrameRejectedException.class)
+                        .hasMessageMatching("the frame needs about .* MB, but only .* MB is free");
+                assertThat(host.film(2)).isEmpty();
+                assertThat(host.usage()).isEqualTo(new CacheUsage(1, each, 0, 0));
+                FrameUpdate relit = host.update(1, BRIGHTER, Progress.NONE);
                 assertThat(relit.traced()).isFalse();
                 assertExact(relit, BRIGHTER);
-                keeper.drop(1);
-                assertExact(keeper.update(2, BRIGHTER, Progress.NONE), BRIGHTER);
+                host.drop(1);
+                assertExact(host.update(2, BRIGHTER, Progress.NONE), BRIGHTER);
             }
         }
     }
 
     @Test
     void pinnedHost_usesMemoryAndDisk() throws Exception {
-        try (LocalFrameHost keeper = LocalFrameHost.createPinned(RenderOptions.DEFAULT.withThreads(1), 0, place, UNLIMITED)) {
+        try (LocalFrameHost host = LocalFrameHost.createPinned(RenderOptions.DEFAULT.withThreads(1), 0, place, UNLIMITED)) {
             for (int frame = 1; frame <= 3; frame++) {
-                keeper.update(frame, FIRST, Progress.NONE);
+                host.update(frame, FIRST, Progress.NONE);
             }
-            assertThat(keeper.usage().diskFrames()).isEqualTo(3);
+            assertThat(host.usage().diskFrames()).isEqualTo(3);
         }
     }
 
     @Test
     void canceledFrame_isUnchanged() throws Exception {
-        try (LocalFrameHost keeper = hostOnDisk()) {
-            FrameUpdate first = keeper.update(1, FIRST, Progress.NONE);
+        try (LocalFrameHost host = hostOnDisk()) {
+            FrameUpdate first = host.update(1, FIRST, Progress.NONE);
             Progress stopped = new Progress() {
                 @Override
                 public void report(int done, int total) {}
@@ -181,9 +181,9 @@ class LocalFrameHostTest {
                     return true;
                 }
             };
-            assertThatThrownBy(() -> keeper.update(1, BRIGHTER, stopped)).isInstanceOf(CancellationException.class);
-            assertThat(keeper.film(1).orElseThrow().hasSameBits(first.film())).isTrue();
-            assertThat(keeper.update(1, BRIGHTER, Progress.NONE).traced()).isFalse();
+            assertThatThrownBy(() -> host.update(1, BRIGHTER, stopped)).isInstanceOf(CancellationException.class);
+            assertThat(host.film(1).orElseThrow().hasSameBits(first.film())).isTrue();
+            assertThat(host.update(1, BRIGHTER, Progress.NONE).traced()).isFalse();
         }
     }
 
@@ -191,7 +191,7 @@ class LocalFrameHostTest {
     void tooLargeShot_isReportedWithSuggestion() {
         ShotMemoryEstimate need = ShotMemoryEstimate.of(FIRST, 1, 100, RenderOptions.DEFAULT);
         assertThatThrownBy(() -> need.check(2 * need.bytesPerFrame(), 3 * need.bytesPerFrame())).isInstanceOf(ShotTooLargeException.class)
-                .hasMessageContainingAll("100 frames", "in memory", "on disk; 5 frames would fit, or a size of ");
+                .hasMessageContainingAll("100 frames", "of memory", "of disk space are free; 5 frames would fit, or a size of ");
         need.check(need.totalBytes(), 0);
         assertThat(need.frameBudget(0)).isZero();
     }

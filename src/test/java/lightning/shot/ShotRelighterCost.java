@@ -14,7 +14,7 @@ import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Scene;
 import lightning.scene.shot.Shot;
 
-/** What it takes to relight all frames of scenes/dusk.jen, from memory and from disk, beside tracing each; run by hand. */
+/** Measures relighting all frames of scenes/dusk.jen, from memory and from disk, against tracing each; run by hand. */
 final class ShotRelighterCost {
     private static final int FRAMES = 48;
 
@@ -32,7 +32,7 @@ final class ShotRelighterCost {
         for (int turn = 0; turn < 3; turn++) {
             System.out.printf(Locale.ROOT, "full traces %.0f ms%n", full(first));
             for (boolean onDisk : new boolean[] {false, true}) {
-                LocalFrameHost keeper = onDisk ? new LocalFrameHost(RenderOptions.DEFAULT, 0, folder, Long.MAX_VALUE)
+                LocalFrameHost host = onDisk ? new LocalFrameHost(RenderOptions.DEFAULT, 0, folder, Long.MAX_VALUE)
                         : new LocalFrameHost(RenderOptions.DEFAULT, Long.MAX_VALUE);
                 var work = new AtomicLong();
                 ShotListener listener = new ShotListener() {
@@ -41,12 +41,13 @@ final class ShotRelighterCost {
                         work.addAndGet(update.nanoseconds());
                     }
                 };
-                try (ShotRelighter shot = ShotRelighter.of(1, FRAMES, keeper, listener)) {
-                    for (ShotRevision take : new ShotRevision[] {first, weight, ambience, moved, first}) {
+                try (ShotRelighter shot = ShotRelighter.of(1, FRAMES, host, listener)) {
+                    for (ShotRevision revision : new ShotRevision[] {first, weight, ambience, moved, first}) {
                         work.set(0);
-                        shot.setRevision(take);
+                        shot.setRevision(revision);
                         shot.awaitIdle();
-                        String name = take == weight ? "weight" : take == ambience ? "ambience" : take == moved ? "moved" : "first/back";
+                        String name = revision == weight ? "weight" : revision == ambience ? "ambience"
+                                : revision == moved ? "moved" : "first/back";
                         System.out.printf(Locale.ROOT, "  %s %-10s %.0f ms, %s%n", onDisk ? "disk  " : "memory", name, work.get() / 1e6,
                                 shot.usage());
                     }
@@ -56,11 +57,11 @@ final class ShotRelighterCost {
         Files.delete(folder);
     }
 
-    private static double full(ShotRevision take) {
+    private static double full(ShotRevision revision) {
         long start = System.nanoTime();
         try (WorkerPool workers = new WorkerPool(WorkerPool.processorCount())) {
             for (int frame = 1; frame <= FRAMES; frame++) {
-                new TraditionalTracer(take.sceneAt(frame)).trace(workers, Progress.NONE);
+                new TraditionalTracer(revision.sceneAt(frame)).trace(workers, Progress.NONE);
             }
         }
         return (System.nanoTime() - start) / 1e6;

@@ -28,7 +28,7 @@ import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
 import net.jqwik.api.constraints.IntRange;
 
-/** Every frame has the bits of its reference trace, whatever edits came, and whatever was kept. */
+/** Checks that every frame has the bits of its reference trace, after any edits and with any caches. */
 class ShotRelighterTest {
     private static final int FRAMES = 3;
 
@@ -38,22 +38,22 @@ class ShotRelighterTest {
         folder = Files.createDirectories(Path.of("target", "shelves"));
     }
 
-    /** A session of edits, and keys over its first scene. */
+    /** Session of edits, and keyframes over its first scene. */
     record Scenario(EditSession session, Shot shot) {
-        /** The takes of the session: keys follow their scenes. */
+        /** Returns the revisions of the session: keyframes follow their scenes. */
         List<ShotRevision> revisions() {
             List<Scene> scenes = session.scenes();
-            ShotRevision[] takes = new ShotRevision[scenes.size()];
-            takes[0] = new ShotRevision(scenes.getFirst(), shot);
-            for (int i = 1; i < takes.length; i++) {
-                takes[i] = new ShotRevision(scenes.get(i),
-                        new TrackRetargeting(scenes.get(i - 1), scenes.get(i)).retarget(takes[i - 1].shot()));
+            ShotRevision[] revisions = new ShotRevision[scenes.size()];
+            revisions[0] = new ShotRevision(scenes.getFirst(), shot);
+            for (int i = 1; i < revisions.length; i++) {
+                revisions[i] = new ShotRevision(scenes.get(i),
+                        new TrackRetargeting(scenes.get(i - 1), scenes.get(i)).retarget(revisions[i - 1].shot()));
             }
-            return List.of(takes);
+            return List.of(revisions);
         }
     }
 
-    /** What was told last of each frame. */
+    /** Records the last report for each frame. */
     private static final class FilmCollector implements ShotListener {
         final Map<Integer, Film> films = new ConcurrentHashMap<>();
 
@@ -75,31 +75,31 @@ class ShotRelighterTest {
 
     @Property(edgeCases = EdgeCasesMode.NONE, tries = 10)
     @Slow
-    void everyFrame_afterAllEdits_matchesReference(@ForAll("stories") Scenario story, @ForAll("budgets") long memory,
+    void everyFrame_afterAllEdits_matchesReference(@ForAll("stories") Scenario scenario, @ForAll("budgets") long memory,
             @ForAll @IntRange(min = 1, max = 3) int threads, @ForAll @IntRange(min = 1, max = 15) int settles,
             @ForAll @IntRange(max = ShotArbitraries.LAST - FRAMES) int first, @ForAll("budgets") long disk) throws Exception {
         var collector = new FilmCollector();
-        var keeper = new LocalFrameHost(RenderOptions.DEFAULT.withThreads(threads), memory, folder, disk);
-        try (ShotRelighter shot = ShotRelighter.of(first, first + FRAMES - 1, keeper, collector)) {
-            List<ShotRevision> takes = story.revisions();
-            for (int i = 0; i < takes.size(); i++) {
-                shot.setRevision(takes.get(i));
+        var host = new LocalFrameHost(RenderOptions.DEFAULT.withThreads(threads), memory, folder, disk);
+        try (ShotRelighter shot = ShotRelighter.of(first, first + FRAMES - 1, host, collector)) {
+            List<ShotRevision> revisions = scenario.revisions();
+            for (int i = 0; i < revisions.size(); i++) {
+                shot.setRevision(revisions.get(i));
                 shot.focus(first + i % FRAMES);
-                // Some edits come while frames of those before are under way.
-                if (i == takes.size() - 1 || (settles >> i % 4 & 1) == 1) {
+                // Some edits arrive while earlier ones are still rendered.
+                if (i == revisions.size() - 1 || (settles >> i % 4 & 1) == 1) {
                     shot.awaitIdle();
-                    check(shot, takes.get(i), collector);
-                    assertThat(disk == Long.MAX_VALUE ? keeper.problem() : Optional.empty()).isEmpty();
+                    check(shot, revisions.get(i), collector);
+                    assertThat(disk == Long.MAX_VALUE ? host.problem() : Optional.empty()).isEmpty();
                 }
             }
         }
     }
 
-    private static void check(ShotRelighter shot, ShotRevision take, FilmCollector collector) {
+    private static void check(ShotRelighter shot, ShotRevision revision, FilmCollector collector) {
         for (int frame : IntStream.rangeClosed(shot.first(), shot.last()).toArray()) {
             Scene expected;
             try {
-                expected = take.sceneAt(frame);
+                expected = revision.sceneAt(frame);
             } catch (IllegalArgumentException e) {
                 assertThat(shot.state(frame)).isEqualTo(FrameState.FAILED);
                 continue;

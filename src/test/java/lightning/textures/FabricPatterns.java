@@ -9,12 +9,12 @@ import static lightning.textures.PatternMath.smoothstep;
 
 import lightning.base.math.Rgb;
 
-/** What lies on a desk: cloth, leather, a book's cover and a printed page. */
+/** Patterns of fabric and paper: cloth, leather, a book cover and a printed page. */
 final class FabricPatterns {
 
     private static final Rgb GOLD = hex(0xD9B25A);
 
-    /** Cells for letters across a page, its margins included. */
+    /** Letter cells across a page, including its margins. */
     private static final int LETTERS = 100;
 
     private FabricPatterns() {}
@@ -74,7 +74,7 @@ final class FabricPatterns {
         return new TexturePattern.Sample(colour, 0.0042 * cushion + 0.0018 * pebble + 0.004 * slow);
     }
 
-    /** A book bound in wine-red cloth, its frame, corners and medallion stamped in gold. */
+    /** Book bound in wine-red cloth, with frame, corners and medallion stamped in gold. */
     static TexturePattern.Sample bookCover(double u, double v) {
         double x = Math.abs(u - 0.5);
         double y = Math.abs(v - 0.5);
@@ -85,7 +85,7 @@ final class FabricPatterns {
         double petals = corner * (1 + 0.22 * StrictMath.cos(8 * StrictMath.atan2(cy, cx)));
         double gold = Math.max(line(border - 0.050, 0.0045, 0.0018), line(border - 0.066, 0.0014, 0.0016));
         gold = Math.max(gold, Math.max(line(petals - 0.027, 0.0022, 0.0016), line(corner, 0.008, 0.002)));
-        // The inner frame gives way to the flowers in the corners.
+        // The inner frame ends at the flowers in the corners.
         gold = Math.max(gold, line(border - 0.105, 0.0020, 0.0016) * smoothstep(0.036, 0.040, corner));
         double lozenge = x / 0.20 + y / 0.27;
         gold = Math.max(gold, Math.max(line((lozenge - 1) * 0.16, 0.0030, 0.0016), line((lozenge - 0.9) * 0.16, 0.0012, 0.0014)));
@@ -108,7 +108,7 @@ final class FabricPatterns {
         return new TexturePattern.Sample(colour, height);
     }
 
-    /** A page of a printed book, seen from where the words are gray but their letters almost legible. */
+    /** Page of a printed book at a distance where words look gray but letters are almost legible. */
     static TexturePattern.Sample paper(double u, double v) {
         int lines = 22;
         double fibre = TileableNoise.fbm(u, v, 24, 24, 4, 1100);
@@ -126,7 +126,7 @@ final class FabricPatterns {
         return new TexturePattern.Sample(colour, 0.0012 * fibre);
     }
 
-    /** Ink 0…1 of one cell of a line: a letter of strokes and bows, or the space between two words. */
+    /** Returns the ink 0…1 of one cell of a line: a letter of strokes and bows, or a space. */
     private static double ink(int letter, double x, double inLine, int number) {
         if (isSpace(letter, number)) {
             return 0;
@@ -151,7 +151,7 @@ final class FabricPatterns {
     }
 
     private static boolean isSpace(int letter, int number) {
-        // Of every five cells one is a space, the first to the fourth: words of one to eight letters.
+        // One of every five cells is a space, the first to the fourth: words of one to eight letters.
         int group = Math.floorDiv(letter, 5);
         return Math.floorMod(letter, 5) == (int) (4 * TileableNoise.hash(group, number, 1130));
     }

@@ -2,17 +2,17 @@ package lightning.textures;
 
 import lightning.base.math.Rgb;
 
-/** Pictures that spots project: white where light passes. Black all around, so that they repeat without a seam. */
+/** Gobo images for spotlights: white where light passes, with black borders, so that they repeat without a seam. */
 final class GoboPatterns {
     private static final int LEAVES = 110;
     private static final double GOLDEN_ANGLE = Math.PI * (3 - Math.sqrt(5));
-    /** Half the width of the window, and where its sides begin to lean. */
+    /** Half the width of the window, and the height at which its sides begin to lean. */
     private static final double HALF = 0.25;
     private static final double SPRING = 0.06;
 
     private GoboPatterns() {}
 
-    /** A window with a pointed arch, leaded, its panes a little unlike. */
+    /** Leaded window with a pointed arch and slightly different panes. */
     static TexturePattern.Sample window(double u, double v) {
         double x = u - 0.5;
         double y = 0.5 - v;

@@ -8,23 +8,23 @@ import static lightning.textures.PatternMath.wrappedDistance;
 
 import lightning.base.math.Rgb;
 
-/** A lawn seen from above: some thousand bent blades over each other, dark at the root and light at the tip. */
+/** Lawn seen from above: thousands of bent, overlapping blades, dark at the root and light at the tip. */
 final class GrassPattern implements TexturePattern {
 
-    /** Cells in each direction, in each of which one blade is rooted per layer. */
+    /** Cells in each direction; one blade per layer is rooted in each. */
     private static final int CELLS = 36;
     private static final int LAYERS = 2;
     private static final double MAX_LENGTH = 0.075;
     private static final double HALF_WIDTH = 0.0044;
-    /** How many cells away the root of a blade over a point can be. */
+    /** Maximum distance of a blade's root from a point that it covers, in cells. */
     private static final int CELL_RADIUS = (int) Math.ceil(MAX_LENGTH * CELLS);
 
     /**
-     * A blade in the coordinates of the texture.
+     * Blade in texture coordinates.
      *
-     * @param cos  of its direction, which points from the root to the tip
-     * @param bend how far the tip lies beside the direction of the root
-     * @param rank which of two blades lies on top
+     * @param cos  cosine of its direction from the root to the tip
+     * @param bend lateral offset of the tip from the root's direction
+     * @param rank stacking order
      */
     private record Blade(double u, double v, double cos, double sin, double length, double bend, double rank, Rgb color) {}
 
@@ -35,7 +35,7 @@ final class GrassPattern implements TexturePattern {
             int cell = i / LAYERS;
             double u = (cell % CELLS + TileableNoise.hash(i, 1, 500)) / CELLS;
             double v = (cell / CELLS + TileableNoise.hash(i, 2, 500)) / CELLS;
-            // Neighbors lean alike, as the wind and the mower left them.
+            // Neighbors lean in similar directions, due to wind and mowing.
             double angle = 3.2 * TileableNoise.fbm(u, v, 5, 5, 2, 510) + 1.9 * (TileableNoise.hash(i, 3, 500) - 0.5) - 1.2;
             double length = MAX_LENGTH * (0.55 + 0.45 * TileableNoise.hash(i, 4, 500));
             double bend = length * 0.55 * (TileableNoise.hash(i, 5, 500) - 0.5);

@@ -9,14 +9,14 @@ import static lightning.textures.PatternMath.smoothstep;
 
 import lightning.base.math.Rgb;
 
-/** What a mason lays: brick, checker, stone and roof. */
+/** Patterns of masonry: brick, checker, stone and roof. */
 final class MasonryPatterns {
 
     private static final Rgb MORTAR = hex(0xB8AD9B);
 
     private MasonryPatterns() {}
 
-    /** A running bond of eight courses. */
+    /** Running bond of eight courses. */
     static TexturePattern.Sample brick(double u, double v) {
         int rows = 8;
         int columns = 4;
@@ -52,7 +52,7 @@ final class MasonryPatterns {
         int column = (int) Math.floor(u * n);
         int row = (int) Math.floor(v * n);
         boolean light = (column + row) % 2 == 0;
-        // Each tile is cut from another place of the block; the joints hide that the veins do not meet.
+        // Each tile comes from another place of the block; the joints hide that the veins do not meet.
         double tileU = fraction(u + TileableNoise.hash(column, row, 80));
         double tileV = fraction(v + TileableNoise.hash(column, row, 81));
         double vein = vein(tileU, tileV, 3, 3, 82);
@@ -73,7 +73,7 @@ final class MasonryPatterns {
         return new TexturePattern.Sample(colour, 0.0015 * smoothstep(0.001, 0.004, edge));
     }
 
-    /** Thin bright threads where warped noise crosses zero; 0…1. */
+    /** Returns thin bright threads at the zeros of warped noise; 0…1. */
     static double vein(double u, double v, int fx, int fy, int seed) {
         double warpU = u + 0.11 * TileableNoise.fbm(u, v, fx, fy, 4, seed + 1);
         double warpV = v + 0.11 * TileableNoise.fbm(u, v, fx, fy, 4, seed + 5);
@@ -93,7 +93,7 @@ final class MasonryPatterns {
         Rgb body = gradient(tone, hex(0x77736D), hex(0x928C82), hex(0xA59D90), hex(0xB9B0A0));
         body = mix(body, hex(0xA98C6C), 0.45 * smoothstep(0.55, 1, warm));
         body = mix(body, hex(0x7C8790), 0.40 * smoothstep(0.55, 1, 1 - warm));
-        // The offset by stone makes the grain of neighbors unlike.
+        // The offset per stone varies the grain of neighbors.
         double rough = TileableNoise.fbm(u, v, 10, 10, 5, 120 + cell.id() * 7);
         double pit = smoothstep(0.38, 0.62, TileableNoise.fbm(u, v, 48, 48, 2, 130));
         body = body.times(1 + 0.30 * rough);
@@ -111,7 +111,7 @@ final class MasonryPatterns {
     static TexturePattern.Sample roof(double u, double v) {
         int columns = 8;
         int rows = 10;
-        // The topmost tile at a point is the one of the highest row that reaches down to it.
+        // The topmost tile at a point is that of the highest row that reaches down to it.
         int below = (int) Math.floor(v * rows);
         for (int row = below - 1; row <= below + 1; row++) {
             double shifted = u * columns + 0.5 * Math.floorMod(row, 2);
@@ -134,14 +134,14 @@ final class MasonryPatterns {
         double moss = smoothstep(0.1, 0.4, TileableNoise.fbm(u, v, 5, 5, 5, 180)) * smoothstep(0.5, 0.1, bottom - y);
         body = mix(body, hex(0x6D7044), 0.5 * moss);
         double toEdge = Math.min(bottom - y, 0.5 - Math.abs(x));
-        // The row above throws a shadow on the upper part; the lip catches light.
+        // The row above casts a shadow on the upper part; the lip catches light.
         double shade = 0.55 + 0.45 * smoothstep(-0.25, 0.45, y);
         body = mix(body.times(0.4), body.times(shade), smoothstep(0.0, 0.055, toEdge));
         double height = 0.012 * smoothstep(0, 0.16, toEdge) + 0.003 * mottle;
         return new TexturePattern.Sample(body, height);
     }
 
-    /** Signed distance to a rectangle with rounded corners; negative inside. */
+    /** Returns the signed distance to a rectangle with rounded corners; negative inside. */
     static double roundedBox(double x, double y, double halfWidth, double halfHeight, double radius) {
         double dx = Math.abs(x) - halfWidth + radius;
         double dy = Math.abs(y) - halfHeight + radius;

@@ -10,7 +10,7 @@ import java.util.ArrayList;
 import java.util.List;
 import lightning.base.math.Rgb;
 
-/** The hull of a spaceship: plates of many sizes with seams, rivets, vents, marks of color, streaks and scratches. */
+/** Hull of a spaceship: plates of many sizes with seams, rivets, vents, color marks, streaks and scratches. */
 final class MetalPlatePattern implements TexturePattern {
 
     private static final double MIN_PLATE_SIZE = 0.11;
@@ -55,7 +55,7 @@ final class MetalPlatePattern implements TexturePattern {
             double chipped = smoothstep(0.12, 0.2, TileableNoise.fbm(u, v, 14, 14, 4, 1210));
             colour = mix(kind > 0.93 ? hex(0xC4622C) : hex(0x3F5F7E), colour, chipped);
         }
-        // Brushed one way or the other.
+        // Brushing direction of the plate.
         boolean upright = TileableNoise.hash(plate.number, 5, 1200) < 0.5;
         double brush = upright ? TileableNoise.at(u, v, 190, 9, 1220) : TileableNoise.at(u, v, 9, 190, 1221);
         double stain = TileableNoise.fbm(u, v, 5, 5, 5, 1230);
@@ -88,11 +88,11 @@ final class MetalPlatePattern implements TexturePattern {
                 return plate;
             }
         }
-        // Sums of shares may end an ulp before the border.
+        // The sum of widths may end an ulp before the border.
         return plates.getLast();
     }
 
-    /** 0…1: rounded heads in a row along the plate's border. */
+    /** Returns rounded heads in a row along the plate's border; 0…1. */
     private static double rivet(Plate plate, double x, double y) {
         double inset = 0.0125;
         double toX = Math.min(Math.abs(x - inset), Math.abs(plate.width - x - inset));
@@ -104,7 +104,7 @@ final class MetalPlatePattern implements TexturePattern {
         return 1 - smoothstep(0.0018, 0.0042, Math.min(horizontal, vertical));
     }
 
-    /** Distance from x to the nearest rivet of a row from 0 to {@code length}, with one at each end. */
+    /** Returns the distance from x to the nearest rivet of a row from 0 to {@code length}, with one at each end. */
     private static double nearestOnRow(double x, double length) {
         long gaps = Math.max(1, Math.round(length / RIVET_SPACING));
         double apart = length / gaps;
@@ -112,7 +112,7 @@ final class MetalPlatePattern implements TexturePattern {
         return Math.abs(x - nearest);
     }
 
-    /** 0…1: a field of rounded slots in the middle of the plate. */
+    /** Returns a field of rounded slots in the middle of the plate; 0…1. */
     private static double vent(Plate plate, double x, double y) {
         double halfWidth = plate.width / 2 - 0.026;
         double fromMiddle = x - plate.width / 2;

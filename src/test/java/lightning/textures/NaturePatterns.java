@@ -8,7 +8,7 @@ import static lightning.textures.PatternMath.smoothstep;
 
 import lightning.base.math.Rgb;
 
-/** What grows, lies or shines by itself: marble, orange peel, sand and the night sky. */
+/** Patterns of nature: marble, orange peel, sand and the night sky. */
 final class NaturePatterns {
 
     private NaturePatterns() {}
@@ -28,13 +28,13 @@ final class NaturePatterns {
         return new TexturePattern.Sample(colour, 0);
     }
 
-    /** The skin of an orange: dimples of several sizes over slow changes of color. */
+    /** Skin of an orange: dimples of several sizes over slow changes of color. */
     static TexturePattern.Sample orangePeel(double u, double v) {
         double warpU = u + 0.004 * TileableNoise.fbm(u, v, 20, 20, 2, 300);
         double warpV = v + 0.004 * TileableNoise.fbm(u, v, 20, 20, 2, 303);
         TileableNoise.Cell pore = TileableNoise.cells(warpU, warpV, 30, 30, 0.85, 310);
         double size = 0.24 + 0.26 * TileableNoise.hash(pore.id(), 1, 311);
-        // Where two pores nearly touch both are shallow, so that no ridge stands between them.
+        // If two pores nearly touch, both are shallow, so that no ridge forms between them.
         double dimple = (1 - smoothstep(0, size, pore.nearest())) * smoothstep(0, 0.3, pore.second() - pore.nearest());
         double slow = TileableNoise.fbm(u, v, 3, 3, 4, 320);
         double spot = TileableNoise.fbm(u, v, 12, 12, 3, 330);
@@ -64,7 +64,7 @@ final class NaturePatterns {
         return new TexturePattern.Sample(colour, 0.0085 * ripple + 0.0002 * grain + 0.003 * slow);
     }
 
-    /** A clear night: the haze of the Milky Way across the corner, dust in it, stars of several sizes and warmths. */
+    /** Clear night: the haze of the Milky Way across the corner, dust in it, stars of several sizes and color temperatures. */
     static TexturePattern.Sample nightSky(double u, double v) {
         double bend = 0.10 * TileableNoise.fbm(u, v, 2, 2, 4, 700);
         double across = PatternMath.wrappedDistance(u + v + bend, 0.5);

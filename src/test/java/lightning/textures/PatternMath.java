@@ -2,7 +2,7 @@ package lightning.textures;
 
 import lightning.base.math.Rgb;
 
-/** Mixing display colors and shaping numbers. */
+/** Color mixing and shaping functions. */
 final class PatternMath {
 
     private PatternMath() {}
@@ -20,20 +20,20 @@ final class PatternMath {
         return new Rgb(a.r() + b.r(), a.g() + b.g(), a.b() + b.b());
     }
 
-    /** The color at a share 0…1 of a row of colors at equal distances. */
+    /** Returns the color at a position 0…1 of equally spaced colors. */
     static Rgb gradient(double share, Rgb... colours) {
         double at = Math.clamp(share, 0, 1) * (colours.length - 1);
         int i = Math.min((int) at, colours.length - 2);
         return mix(colours[i], colours[i + 1], at - i);
     }
 
-    /** 0 below {@code from}, 1 above {@code to}, smooth between. */
+    /** Returns 0 below {@code from}, 1 above {@code to}, smooth between. */
     static double smoothstep(double from, double to, double x) {
         double t = Math.clamp((x - from) / (to - from), 0, 1);
         return t * t * (3 - 2 * t);
     }
 
-    /** 1 on a line at distance 0, falling smoothly to 0 at {@code halfWidth + soft}. */
+    /** Returns 1 on a line at distance 0, falling smoothly to 0 at {@code halfWidth + soft}. */
     static double line(double distance, double halfWidth, double soft) {
         return 1 - smoothstep(halfWidth, halfWidth + soft, Math.abs(distance));
     }
@@ -42,7 +42,7 @@ final class PatternMath {
         return x - Math.floor(x);
     }
 
-    /** Distance from u to the nearest of the numbers {@code at + integer}. */
+    /** Returns the distance from u to the nearest of the numbers {@code at + integer}. */
     static double wrappedDistance(double u, double at) {
         return fraction(u - at + 0.5) - 0.5;
     }

@@ -11,27 +11,27 @@ import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
 
 /**
- * Paints the pictures in {@code textures/}. Nothing of it is random: the same program gives the same files.
+ * Generator of the images in {@code textures/}. Deterministic: the same program gives the same files.
  *
- * <p>To run it, with Java 25 from the folder of the project:
+ * <p>To run it, with Java 25 from the project's folder:
  * <pre>{@code
  * mvn -q test-compile
  * java -cp target/classes:target/test-classes lightning.textures.TextureGenerator textures
  * }</pre>
- * Further arguments name those to paint, as in {@code wood brick}.
+ * Further arguments select textures, as in {@code wood brick}.
  */
 public final class TextureGenerator {
 
-    /** Pixels of a side of each picture. */
+    /** Width and height of each image, pixels. */
     static final int SIZE = 512;
 
-    /** Each pixel is the mean of so many by so many points. */
+    /** Samples per pixel side. */
     private static final int POINTS = 2;
 
-    /** How strongly a slope of 1 darkens or lightens. */
+    /** Shading of a slope of 1. */
     private static final double RELIEF = 0.9;
 
-    /** The textures; a file's name is the constant's in lower case. */
+    /** Textures; a file's name is the constant's in lower case. */
     enum TextureName {
         WOOD(new WoodPattern()),
         BRICK(MasonryPatterns::brick),
@@ -64,7 +64,7 @@ public final class TextureGenerator {
 
     private TextureGenerator() {}
 
-    /** Paints all textures, or those named, into the folder that the first argument names. */
+    /** Generates all or the named textures in the folder that the first argument names. */
     public static void main(String[] arguments) throws IOException {
         Path folder = Files.createDirectories(Path.of(arguments.length > 0 ? arguments[0] : "textures"));
         for (TextureName name : TextureName.values()) {
@@ -74,7 +74,7 @@ public final class TextureGenerator {
         }
     }
 
-    /** The texture as a film of {@code size} by {@code size} pixels, to be shown as it is. */
+    /** Renders the texture as a display-referred film of {@code size} by {@code size} pixels. */
     static Film render(TexturePattern pattern, int size) {
         int n = size * POINTS;
         Rgb[] colours = new Rgb[n * n];
@@ -101,7 +101,7 @@ public final class TextureGenerator {
         return film;
     }
 
-    /** The factor of light from the upper left on the slope at a point. */
+    /** Returns the shading of the slope at a point, lit from the upper left. */
     private static double brightness(double[] heights, int x, int y, int n) {
         double right = heights[y * n + (x + 1) % n];
         double left = heights[y * n + (x + n - 1) % n];

@@ -80,7 +80,7 @@ class TextureGeneratorTest {
         assertThat(ViewTransform.DEFAULT.toPixels(committed)).isEqualTo(ViewTransform.DEFAULT.toPixels(painted));
     }
 
-    /** Mean absolute step from one column of pixels to another. */
+    /** Returns the mean absolute difference of two pixel columns. */
     private static double columnStep(Film film, int from, int to) {
         double sum = 0;
         for (int y = 0; y < film.height(); y++) {

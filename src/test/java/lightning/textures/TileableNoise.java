@@ -3,12 +3,12 @@ package lightning.textures;
 /** Hashed, gradient and cellular noise that repeats with a whole number of lattice cells. */
 final class TileableNoise {
 
-    /** The nearest and second nearest of one random point per cell. */
+    /** Nearest and second nearest of one random point per cell. */
     record Cell(double nearest, double second, int id, double dx, double dy) {}
 
     private TileableNoise() {}
 
-    /** A number in [0, 1) that looks random. */
+    /** Returns a pseudorandom number in [0, 1). */
     static double hash(int x, int y, int seed) {
         int h = x * 0x27D4EB2D ^ y * 0x165667B1 ^ seed * 0x9E3779B1;
         h = (h ^ h >>> 15) * 0x85EBCA6B;
@@ -17,7 +17,7 @@ final class TileableNoise {
         return (h >>> 8) / (double) (1 << 24);
     }
 
-    /** Gradient noise (Perlin 2002) over a lattice that repeats every px by py cells; about −1…1. */
+    /** Returns gradient noise (Perlin 2002) over a lattice that repeats every px by py cells; about −1…1. */
     static double perlin(double x, double y, int px, int py, int seed) {
         int ix = (int) Math.floor(x);
         int iy = (int) Math.floor(y);
@@ -31,12 +31,12 @@ final class TileableNoise {
         return 1.5 * lerp(top, bottom, sy);
     }
 
-    /** Gradient noise of fx by fy cells over the unit square. */
+    /** Returns gradient noise of fx by fy cells over the unit square. */
     static double at(double u, double v, int fx, int fy, int seed) {
         return perlin(u * fx, v * fy, fx, fy, seed);
     }
 
-    /** Octaves of noise, each twice as fine and half as strong; about −1…1. */
+    /** Returns octaves of noise, each twice as fine and half as strong; about −1…1. */
     static double fbm(double u, double v, int fx, int fy, int octaves, int seed) {
         double sum = 0;
         double strength = 0.5;
@@ -47,7 +47,7 @@ final class TileableNoise {
         return sum;
     }
 
-    /** Cellular noise (Worley 1996) with nx by ny cells over the unit square; distances in cells. */
+    /** Returns cellular noise (Worley 1996) with nx by ny cells over the unit square; distances in cells. */
     static Cell cells(double u, double v, int nx, int ny, double jitter, int seed) {
         double x = u * nx;
         double y = v * ny;

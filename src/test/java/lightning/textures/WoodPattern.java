@@ -8,11 +8,11 @@ import static lightning.textures.PatternMath.smoothstep;
 
 import lightning.base.math.Rgb;
 
-/** Oak planks: six rows along u, each plank with its own tone, growth rings, fibres, pores and now and then a knot. */
+/** Oak planks: six rows along u, each plank with its own tone, growth rings, fibers, pores and an occasional knot. */
 final class WoodPattern implements TexturePattern {
 
     private static final int ROWS = 6;
-    /** No pattern within a plank has to repeat: the joint hides where it does not. */
+    /** No pattern within a plank needs to repeat: the joint hides the seam. */
     private static final int NO_KNOT = 1 << 20;
 
     private static final Rgb EARLYWOOD = hex(0xD3A066);
@@ -29,7 +29,7 @@ final class WoodPattern implements TexturePattern {
         double across = v * ROWS - row;
         int seed = 100 + row;
 
-        // A knot pushes the rings aside like a stone in a stream.
+        // A knot deflects the rings.
         double knotX = (along - (0.25 + 0.5 * TileableNoise.hash(row, 2, 5))) * ROWS;
         double knotY = across - (0.3 + 0.4 * TileableNoise.hash(row, 3, 5));
         boolean hasKnot = row % 2 == 1;

@@ -14,20 +14,18 @@ import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
 
 /**
- * Writes a file to a temporary name in the same folder and moves it over the old one when it is
- * complete, so that at every moment the name holds either the old content or the new one. All that
- * the program writes, it writes with this.
+ * Atomic file writer. Writes to a temporary file in the same folder and renames it over the target when complete, so that the target always
+ * holds either the old content or the new. The program writes all its files with this class.
  *
- * <p>Where the target is a symbolic link, the file that it leads to is written and the link stays.
- * The temporary file is its owner's alone; the finished one has owner, group and mode of the file
- * that it replaces, or those that the system gives to new files. Temporary files that an ended
- * process left in the folder are removed: see {@link TemporaryFile}.
+ * <p>If the target is a symbolic link, the file that it points to is written and the link stays. Only the owner can access the temporary
+ * file. The finished file has owner, group and mode of the file that it replaces, or the system's defaults for new files. Removes temporary
+ * files that ended processes left in the folder: see {@link TemporaryFile}.
  */
 public final class AtomicFile {
     private final Path target;
     private final boolean ownerOnly;
     private final boolean replacesReadOnly;
-    /** What may be replaced; null for anything. */
+    /** State that the target must have to be replaced; null for any. */
     private final FileState expected;
 
     private AtomicFile(Path target, boolean ownerOnly, boolean replacesReadOnly, FileState expected) {
@@ -37,88 +35,87 @@ public final class AtomicFile {
         this.expected = expected;
     }
 
-    /** What goes into the file. */
+    /** Content written from start to end. */
     @FunctionalInterface
     public interface Content {
         /** Writes everything; the stream is buffered, and closing it is allowed but not needed. */
         void writeTo(OutputStream out) throws IOException;
     }
 
-    /** What goes into a file whose beginning is known last. */
+    /** Content whose beginning is written last. */
     @FunctionalInterface
     public interface RandomAccessContent {
         /** Writes everything; the channel can be positioned, and closing it is not needed. */
         void writeTo(SeekableByteChannel file) throws IOException;
     }
 
-    /** Who writes what goes into the file by its name, as another program does. */
+    /** Content written by file name, as an external program does. */
     @FunctionalInterface
     public interface PathContent {
-        /** Writes everything into a file that is there and empty; its name ends in no kind of files. */
+        /** Writes everything into an existing, empty file whose name has no extension. */
         void writeTo(Path temporary) throws IOException;
     }
 
-    /** A file to write, new or in place of an old one that may be written. */
+    /** Returns a writer for a new file or for an existing writable one. */
     public static AtomicFile of(Path target) {
         return new AtomicFile(target, false, false, null);
     }
 
-    /** Puts {@code content} into the file {@code target}: {@link #write(Content)} with nothing asked for. */
+    /** Writes {@code content} to {@code target} with default settings: {@link #write(Content)}. */
     public static void write(Path target, Content content) throws IOException {
         of(target).write(content);
     }
 
-    /** Nobody but its owner may read or write the file, whatever the mode of the old one. */
+    /** Restricts the file to its owner, whatever the mode of the old file. */
     public AtomicFile forOwnerOnly() {
         return new AtomicFile(target, true, replacesReadOnly, expected);
     }
 
-    /** A read-only file is replaced too, and is read-only again then. */
+    /** Allows replacing a read-only file; the new file is read-only again. */
     public AtomicFile allowReadOnly() {
         return new AtomicFile(target, ownerOnly, true, expected);
     }
 
-    /** Replaces only what the caller knows of; {@link FileState#MISSING} is no file at all. */
+    /** Replaces only a file in this state; {@link FileState#MISSING} requires that no file exists. */
     public AtomicFile ifUnchanged(FileState state) {
         return new AtomicFile(target, ownerOnly, replacesReadOnly, state);
     }
 
     /**
-     * Finds out before a long computation whether its result could not be written.
+     * Checks before a long computation that its result can be written.
      *
-     * @throws ReadOnlyFileException if the file is there and read-only, unless that was allowed
-     * @throws IOException           if the folder does not exist or cannot be written, or if the name leads to
-     *                               anything but a regular file; the message is a sentence that begins with the name
+     * @throws ReadOnlyFileException if the file exists and is read-only, unless allowed
+     * @throws IOException           if the folder does not exist or cannot be written, or if the name is not that of a regular file; the
+     *     message begins with the name
      */
     public void check() throws IOException {
         destination();
     }
 
     /**
-     * Puts {@code content} into the file.
+     * Writes {@code content} to the file.
      *
-     * @throws ChangedFileException  if the file holds anything but what {@link #ifUnchanged} told; looked at when the content
-     *                               is complete. That it is gone is no obstacle
+     * @throws ChangedFileException  if the file's state differs from {@link #ifUnchanged}, checked when the content is complete; a missing
+     *     file is accepted
      * @throws ReadOnlyFileException as {@link #check}
-     * @throws IOException           as {@link #check}, or if {@code content} throws; the target is then unchanged and
-     *                               nothing else is left in the folder. Runtime exceptions of {@code content} pass
-     *                               through with the same promise
+     * @throws IOException           as {@link #check}, or if {@code content} throws; the target is then unchanged and the temporary file
+     *     removed, also when {@code content} throws a runtime exception
      */
     public void write(Content content) throws IOException {
         writeStream(content);
     }
 
-    /** The same for content that is whole already; returns what the file holds then. */
+    /** Writes content that is complete already; returns the file's new state. */
     public FileState write(byte[] content) throws IOException {
         return writeStream((Content) out -> out.write(content)).withContent(content);
     }
 
-    /** The same as {@link #write(Content)} for content that is not written from its beginning to its end. */
+    /** Writes content in any order, otherwise as {@link #write(Content)}. */
     public void writeRandomAccess(RandomAccessContent content) throws IOException {
         writeChannel(content);
     }
 
-    /** The same for content that is written by the name of a file, which is another one until it is complete. */
+    /** Writes content by file name: that of the temporary file. */
     public void writeToPath(PathContent content) throws IOException {
         replace(temporary -> {
             FilePermissions.OWNER_ONLY.create(temporary);
@@ -175,7 +172,7 @@ public final class AtomicFile {
         FilePermissions.OWNER_ONLY.create(temporary);
         try (NamedChannel channel = openNamed(temporary)) {
             content.writeTo(channel);
-            // A move may reach the disk before the data does; after a power cut the name must not hold an empty file.
+            // The rename may reach the disk before the data; after a power cut the name must not hold an empty file.
             channel.force();
         }
     }
@@ -184,16 +181,16 @@ public final class AtomicFile {
         return new NamedChannel(FileChannel.open(temporary, StandardOpenOption.WRITE), target);
     }
 
-    /** Brings the new name itself to the disk. Not every system lets a folder be opened; the file is whole all the same. */
+    /** Syncs the folder's entry to disk. Some systems do not let a folder be opened; the file is complete anyway. */
     private static void force(Path folder) {
         try (FileChannel channel = FileChannel.open(folder)) {
             channel.force(true);
         } catch (IOException e) {
-            // The system writes it in its own time.
+            // The system writes it later.
         }
     }
 
-    /** Nobody knows the temporary name: what happened to it, happened to the file. */
+    /** Replaces the temporary name in an exception by the target's, the only one that the user sees. */
     private FileSystemException withTargetName(FileSystemException e, Path temporary) {
         if (!temporary.toString().equals(e.getFile())) {
             return e;
@@ -204,7 +201,7 @@ public final class AtomicFile {
         return renamed;
     }
 
-    /** A stream whose close only flushes: some encoders close what they write to. */
+    /** Stream whose close only flushes, because some encoders close their output. */
     private static final class NonClosingStream extends FilterOutputStream {
         NonClosingStream(OutputStream out) {
             super(out);

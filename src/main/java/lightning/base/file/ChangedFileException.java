@@ -4,11 +4,11 @@ import java.io.IOException;
 import java.nio.file.Path;
 import lightning.base.text.Quote;
 
-/** A file holds something that would be lost if it were replaced. */
+/** Thrown if replacing a file would lose changes that another program made. */
 public final class ChangedFileException extends IOException {
     private static final long serialVersionUID = 1;
 
     ChangedFileException(Path file) {
-        super(Quote.path(file) + ": was changed by another program since it was read or written here");
+        super(Quote.path(file) + ": was changed by another program since it was last opened or saved");
     }
 }

@@ -9,17 +9,17 @@ import java.nio.file.NotDirectoryException;
 import lightning.base.text.Messages;
 import lightning.base.text.Quote;
 
-/** What Java's file errors mean; their own messages are mostly just the file's name. */
+/** Messages for Java's file exceptions, whose own messages are mostly only the file's name. */
 public final class FileErrorMessage {
     private FileErrorMessage() {}
 
-    /** A sentence without its full stop. */
+    /** Returns a sentence without its full stop. */
     public static String of(IOException e) {
         return switch (e) {
-            case NoSuchFileException missing -> Messages.tr("{0}: there is no such file", Quote.path(missing.getFile()));
+            case NoSuchFileException missing -> Messages.tr("{0}: file not found", Quote.path(missing.getFile()));
             case AccessDeniedException denied -> Messages.tr("{0}: permission denied", Quote.path(denied.getFile()));
-            case NotDirectoryException no -> Messages.tr("{0}: is no folder", Quote.path(no.getFile()));
-            case FileAlreadyExistsException there -> Messages.tr("{0}: is there already and is no folder", Quote.path(there.getFile()));
+            case NotDirectoryException no -> Messages.tr("{0}: is not a folder", Quote.path(no.getFile()));
+            case FileAlreadyExistsException there -> Messages.tr("{0}: already exists and is not a folder", Quote.path(there.getFile()));
             case FileSystemException other when other.getReason() != null -> Quote.path(other.getFile()) + ": " + other.getReason();
             default -> e.getMessage() == null ? e.getClass().getSimpleName() : e.getMessage();
         };

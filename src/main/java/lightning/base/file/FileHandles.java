@@ -4,19 +4,19 @@ import java.io.File;
 import java.io.FileInputStream;
 import java.io.IOException;
 
-/** Tells when a process has used up the file handles that the system grants it. */
+/** Check for exhausted file handles. */
 public final class FileHandles {
-    /** What the system says, unless it speaks another language. */
+    /** The system's message in English. */
     private static final String MESSAGE = "Too many open files";
-    /** A file that every Java has. */
+    /** A file that every Java runtime has. */
     private static final File PROBE_FILE = new File(System.getProperty("java.home"), "release");
 
-    /** Fewer free handles than Java takes to load a provider of its own. */
+    /** Number of free handles that Java needs to load one of its providers. */
     private static final int MIN_FREE = 16;
 
     private FileHandles() {}
 
-    /** Returns whether a lack of file handles caused a problem: the problem says so, or almost none are left. */
+    /** Returns whether a lack of file handles caused a problem: its message says so, or almost none are free. */
     public static boolean areExhausted(Throwable problem) {
         for (Throwable cause = problem; cause != null; cause = cause.getCause()) {
             if (cause.getMessage() != null && cause.getMessage().contains(MESSAGE)) {
@@ -26,7 +26,7 @@ public final class FileHandles {
         return !canOpen(MIN_FREE);
     }
 
-    /** Opens one after the other, as what failed may have given some back. */
+    /** Opens one file after the other, because the failed operation may have released handles. */
     private static boolean canOpen(int count) {
         if (count == 0) {
             return true;

@@ -14,10 +14,11 @@ import java.util.EnumSet;
 import java.util.Set;
 
 /**
- * Who may read and write a file. On a system that knows no such modes everything here does nothing.
+ * Owner, group and mode of a file. Does nothing on systems without POSIX permissions.
  *
- * @param mode  who may do what
- * @param owner null for whoever creates the file; likewise {@code group}
+ * @param mode  the permissions
+ * @param owner null for the user who creates the file
+ * @param group null for the default group
  */
 record FilePermissions(Set<PosixFilePermission> mode, UserPrincipal owner, GroupPrincipal group) {
     static final FilePermissions OWNER_ONLY = new FilePermissions(PosixFilePermissions.fromString("rw-------"), null, null);
@@ -26,7 +27,7 @@ record FilePermissions(Set<PosixFilePermission> mode, UserPrincipal owner, Group
     private static final Set<PosixFilePermission> GROUP_PERMISSIONS = Set.of(PosixFilePermission.GROUP_READ,
             PosixFilePermission.GROUP_WRITE, PosixFilePermission.GROUP_EXECUTE);
 
-    /** Those of a file, or of a new one where there is none. */
+    /** Returns those of an existing file, or the defaults for a new one. */
     static FilePermissions forTarget(Path file) throws IOException {
         return Files.exists(file) ? of(file) : defaultsIn(file.getParent());
     }
@@ -40,7 +41,7 @@ record FilePermissions(Set<PosixFilePermission> mode, UserPrincipal owner, Group
         return new FilePermissions(attributes.permissions(), attributes.owner(), attributes.group());
     }
 
-    /** Only the system knows what it gives to new files in a folder: an empty one shows it. */
+    /** Finds the system's defaults for new files in a folder by creating an empty one. */
     private static FilePermissions defaultsIn(Path folder) throws IOException {
         Path probe = Files.createFile(TemporaryFile.newPath(folder));
         try {
@@ -50,12 +51,12 @@ record FilePermissions(Set<PosixFilePermission> mode, UserPrincipal owner, Group
         }
     }
 
-    /** Makes an empty file; at no moment may anybody else open it. */
+    /** Creates an empty file that never has wider permissions than these. */
     void create(Path file) throws IOException {
         Files.createFile(file, attributes(file));
     }
 
-    /** As {@link Files#createDirectories}; folders that are there stay as they are. */
+    /** Like {@link Files#createDirectories}; existing folders stay unchanged. */
     void createDirectories(Path folder) throws IOException {
         Files.createDirectories(folder, attributes(folder));
     }
@@ -65,7 +66,7 @@ record FilePermissions(Set<PosixFilePermission> mode, UserPrincipal owner, Group
                 : new FileAttribute<?>[] {PosixFilePermissions.asFileAttribute(mode)};
     }
 
-    /** Gives them to a file or folder that is there. What belongs to another group than wanted is closed to that group. */
+    /** Applies them to an existing file or folder. If the group cannot be set, the group loses its permissions. */
     void applyTo(Path file) throws IOException {
         PosixFileAttributeView view = view(file);
         if (view == null) {
@@ -89,7 +90,7 @@ record FilePermissions(Set<PosixFilePermission> mode, UserPrincipal owner, Group
         void run() throws IOException;
     }
 
-    /** Only some users may give a file away. */
+    /** Only some users may change a file's owner. */
     private static boolean tryRun(IoAction step) {
         try {
             step.run();

@@ -11,22 +11,22 @@ import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
 
 /**
- * What a file holds, short enough to remember. Its content decides whether it was changed: a file that is only touched is
- * unchanged, and one that another program wrote within the clock's grain, with the same size, is not.
+ * Fingerprint of a file's content. A file whose time alone changed is unchanged; a file rewritten within the clock's resolution with the
+ * same size is changed.
  *
- * @param modified when it was written last
- * @param size     bytes; −1 where there is no file
- * @param content  its SHA-256 in hexadecimal; empty where it is not known
+ * @param modified last modification
+ * @param size     bytes; −1 for a missing file
+ * @param content  SHA-256 in hexadecimal; empty if not computed
  */
 public record FileState(FileTime modified, long size, String content) {
-    /** No file. */
+    /** State of a missing file. */
     public static final FileState MISSING = new FileState(FileTime.fromMillis(0), -1, "");
 
-    /** Larger files are compared by time and size alone: reading them at each look would take too long. */
+    /** Larger files are compared by time and size only, because hashing would take too long. */
     private static final long MAX_HASHED_BYTES = 64L << 20;
 
     /**
-     * What a file holds now; {@link #MISSING} if there is none.
+     * Returns the current state of a file; {@link #MISSING} if it does not exist.
      *
      * @throws IOException if it cannot be read
      */
@@ -36,7 +36,7 @@ public record FileState(FileTime modified, long size, String content) {
                 : read(file, metadata.modified);
     }
 
-    /** Time and size alone, which takes no reading. */
+    /** Reads time and size only, not the content. */
     public static FileState readMetadata(Path file) throws IOException {
         if (!Files.exists(file)) {
             return MISSING;
@@ -49,23 +49,23 @@ public record FileState(FileTime modified, long size, String content) {
         return new FileState(modified, size, size > MAX_HASHED_BYTES ? "" : HexFormat.of().formatHex(sha256().digest(bytes)));
     }
 
-    /** Whether time and size are the same. */
+    /** Returns whether time and size are equal. */
     public boolean hasSameMetadata(FileState other) {
         return modified.equals(other.modified) && size == other.size;
     }
 
-    /** Whether both stand for the same content. */
+    /** Returns whether both states have the same content. */
     public boolean hasSameContent(FileState other) {
         return size == other.size
                 && (content.isEmpty() || other.content.isEmpty() ? hasSameMetadata(other) : content.equals(other.content));
     }
 
-    /** Whether a file is there that holds anything else. */
+    /** Returns whether the file exists with other content. */
     boolean differsFrom(Path file) throws IOException {
         return Files.exists(file) && !hasSameContent(of(file));
     }
 
-    /** The size is that of what was read: another program may write meanwhile. */
+    /** Counts the bytes read, because another program may write during the read. */
     private static FileState read(Path file, FileTime modified) throws IOException {
         MessageDigest digest = sha256();
         byte[] buffer = new byte[1 << 16];
@@ -83,7 +83,7 @@ public record FileState(FileTime modified, long size, String content) {
         try {
             return MessageDigest.getInstance("SHA-256");
         } catch (NoSuchAlgorithmException e) {
-            throw new AssertionError("every Java has SHA-256", e);
+            throw new AssertionError("every Java runtime has SHA-256", e);
         }
     }
 }

@@ -10,8 +10,8 @@ import java.nio.file.StandardOpenOption;
 import java.util.Optional;
 
 /**
- * Keeps a folder for one process. The lock is the system's and ends with the process, however that ends; its file stays. On a network file
- * system it holds between machines where the mount shares locks.
+ * Exclusive lock of a folder for one process. The operating system releases the lock when the process ends in any way; the lock file stays.
+ * On a network file system it holds between machines if the mount shares locks.
  */
 public final class FolderLock implements AutoCloseable {
     private static final String FILE = "in-use";
@@ -23,9 +23,9 @@ public final class FolderLock implements AutoCloseable {
     }
 
     /**
-     * Locks a folder, which exists. Returns nothing where another process, or this one, holds its lock.
+     * Locks an existing folder. Returns empty if another process, or this one, holds the lock.
      *
-     * @throws IOException if the folder takes no lock
+     * @throws IOException if the folder cannot be locked
      */
     public static Optional<FolderLock> tryLock(Path folder) throws IOException {
         FileChannel channel = FileChannel.open(folder.resolve(FILE), StandardOpenOption.CREATE, StandardOpenOption.WRITE,
@@ -44,7 +44,7 @@ public final class FolderLock implements AutoCloseable {
         }
     }
 
-    /** Gives the folder to the next process that asks. */
+    /** Releases the lock. */
     @Override
     public void close() throws IOException {
         channel.close();

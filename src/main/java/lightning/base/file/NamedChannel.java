@@ -7,12 +7,12 @@ import java.nio.channels.SeekableByteChannel;
 import java.nio.file.FileSystemException;
 import java.nio.file.Path;
 
-/** A file being written whose problems name it: those of the system say only {@code No space left on device}. */
+/** Channel to a file whose exceptions name the file; the system's say only {@code No space left on device}. */
 final class NamedChannel implements SeekableByteChannel {
     private final FileChannel file;
     private final Path name;
 
-    /** @param name what a user calls the file */
+    /** @param name the file's name for the user */
     NamedChannel(FileChannel file, Path name) {
         this.file = file;
         this.name = name;
@@ -27,7 +27,7 @@ final class NamedChannel implements SeekableByteChannel {
         }
     }
 
-    /** Brings all that was written to the disk. */
+    /** Syncs all written data to disk. */
     void force() throws IOException {
         try {
             file.force(true);

@@ -3,20 +3,20 @@ package lightning.base.file;
 import java.io.IOException;
 import java.nio.file.Path;
 
-/** Folders that nobody but their owner may look into. */
+/** Folders that only their owner can access. */
 public final class PrivateFolder {
     private PrivateFolder() {}
 
     /**
-     * Makes a folder, and those above it that are missing. A folder that is there stays as it is.
+     * Creates a folder and its missing parents. An existing folder stays unchanged.
      *
-     * @throws IOException if it cannot be made, or is there and is no folder
+     * @throws IOException if it cannot be created, or is not a folder
      */
     public static void create(Path folder) throws IOException {
         FilePermissions.OWNER_ONLY_FOLDER.createDirectories(folder);
     }
 
-    /** The same, and one that was open to others is closed to them: for folders that hold nothing but the program's own. */
+    /** Creates a folder, or restricts an existing one to its owner: for folders that hold only the program's own files. */
     public static void restrict(Path folder) throws IOException {
         create(folder);
         FilePermissions.OWNER_ONLY_FOLDER.applyTo(folder);

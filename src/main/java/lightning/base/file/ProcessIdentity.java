@@ -5,21 +5,20 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * A process of this machine, by its number and the moment that it started: the system gives the numbers of ended processes to
- * new ones.
+ * Process of this machine, by process id and start time, because the system reuses ids.
  *
- * @param pid    its number
- * @param startMillis when it started, in milliseconds since 1970; 0 where the system does not say
+ * @param pid         process id
+ * @param startMillis start in milliseconds since 1970; 0 if unknown
  */
 public record ProcessIdentity(long pid, long startMillis) {
-    /** What {@link #toString} writes. */
+    /** Pattern of {@link #toString}. */
     static final String REGEX = "\\d{1,18}(?:-\\d{1,18})?";
 
     private static final Pattern PATTERN = Pattern.compile("(\\d{1,18})(?:-(\\d{1,18}))?");
-    /** Two processes may compute different starts of a third: the system counts from its own start, by a clock that is corrected. */
+    /** Two processes may compute different start times for a third: the system counts from its own start, by a clock that is adjusted. */
     private static final long CLOCK_TOLERANCE_MILLIS = 60_000;
 
-    /** Returns the process that runs this. */
+    /** Returns the current process. */
     public static ProcessIdentity current() {
         return of(ProcessHandle.current());
     }
@@ -28,7 +27,7 @@ public record ProcessIdentity(long pid, long startMillis) {
         return new ProcessIdentity(handle.pid(), handle.info().startInstant().map(start -> start.toEpochMilli()).orElse(0L));
     }
 
-    /** Returns the process that {@link #toString} wrote; empty for any other text. */
+    /** Parses the output of {@link #toString}; empty for any other text. */
     public static Optional<ProcessIdentity> parse(String text) {
         Matcher parts = PATTERN.matcher(text);
         return parts.matches()
@@ -37,7 +36,7 @@ public record ProcessIdentity(long pid, long startMillis) {
                 : Optional.empty();
     }
 
-    /** Returns whether it still runs; where the system does not say when a process of its number started, that counts as it. */
+    /** Returns whether the process still runs. If the start time is unknown, any process with this id counts. */
     public boolean isRunning() {
         if (pid == ProcessHandle.current().pid()) {
             return equals(current());
@@ -46,7 +45,7 @@ public record ProcessIdentity(long pid, long startMillis) {
                 .filter(now -> startMillis == 0 || now.startMillis - startMillis < CLOCK_TOLERANCE_MILLIS).isPresent();
     }
 
-    /** The number, and behind a hyphen the start where it is known: digits alone. */
+    /** Returns the id and, if known, a hyphen and the start time. */
     @Override
     public String toString() {
         return startMillis == 0 ? Long.toString(pid) : pid + "-" + startMillis;

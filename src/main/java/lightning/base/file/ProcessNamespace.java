@@ -9,11 +9,11 @@ import java.nio.file.Path;
 import java.util.UUID;
 
 /**
- * Names the processes that can look each other up by number: those of one user on one machine, and of containers those of one.
- * Folders are shared between machines, where the same number is another process; and some systems hide the processes of other users.
+ * Identifier of the processes that can look each other up by process id: those of one user, machine and container. Shared folders may hold
+ * ids of other machines, and some systems hide the processes of other users.
  */
 final class ProcessNamespace {
-    /** The realm of this process: 8 hexadecimal digits, always the same for one user, host name and namespace of processes. */
+    /** Identifier of this process's namespace: 8 hexadecimal digits, constant for a user, host name and process namespace. */
     static final String NAME = hash(host() + "\n" + namespace() + "\n" + System.getProperty("user.name"));
 
     private ProcessNamespace() {}
@@ -22,7 +22,7 @@ final class ProcessNamespace {
         return UUID.nameUUIDFromBytes(text.getBytes(StandardCharsets.UTF_8)).toString().substring(0, 8);
     }
 
-    /** Without a question to a name server, which may take seconds to answer, on Linux and Windows. */
+    /** Avoids a name server query, which may take seconds, on Linux and Windows. */
     private static String host() {
         try {
             return Files.readString(Path.of("/proc/sys/kernel/hostname"));
@@ -40,7 +40,7 @@ final class ProcessNamespace {
         }
     }
 
-    /** Containers with the host's name have process numbers of their own; only Linux has such, and names them by this link. */
+    /** Containers with the host's name have their own process ids; only Linux has such namespaces and names them by this link. */
     private static String namespace() {
         try {
             return Files.readSymbolicLink(Path.of("/proc/self/ns/pid")).toString();

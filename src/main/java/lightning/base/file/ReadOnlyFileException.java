@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import lightning.base.text.Quote;
 
-/** A file that is there may not be written; to replace it would be to write it all the same. */
+/** Thrown if an existing file is read-only; replacing it would bypass the protection. */
 public final class ReadOnlyFileException extends IOException {
     private static final long serialVersionUID = 1;
 

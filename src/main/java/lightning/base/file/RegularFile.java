@@ -7,15 +7,14 @@ import java.nio.file.Path;
 import java.util.Optional;
 import lightning.base.text.Quote;
 
-/** A file that reading comes to the end of. All that a user or a file names is opened here. */
+/** Reader for regular files. All files that a user or another file names are opened here. */
 public final class RegularFile {
     private RegularFile() {}
 
     /**
-     * Refuses what must not even be opened: a pipe would wait for its other end, and some devices never end. What is not there is
-     * left to whoever reads it.
+     * Rejects files that must not be opened: a pipe would block, and some devices never end. Missing files are left to the reader.
      *
-     * @param expected as in {@code a .jen file}
+     * @param expected a noun phrase such as {@code a .jen file}
      * @throws IOException if it is a folder, a pipe, a socket or a device; the message is a sentence for the user
      */
     public static void check(Path file, String expected) throws IOException {
@@ -25,10 +24,10 @@ public final class RegularFile {
         }
     }
 
-    /** What stands there instead of a file, as in {@code a folder}; empty for a file, and where there is nothing. */
+    /** Returns the kind of an irregular file, such as {@code a folder}; empty for a regular or missing file. */
     public static Optional<String> describeIrregular(Path file) {
         return Files.isDirectory(file) ? Optional.of("a folder")
-                : Files.exists(file) && !Files.isRegularFile(file) ? Optional.of("no file but a pipe or a device") : Optional.empty();
+                : Files.exists(file) && !Files.isRegularFile(file) ? Optional.of("a pipe or a device") : Optional.empty();
     }
 
     /**
@@ -42,10 +41,10 @@ public final class RegularFile {
     }
 
     /**
-     * All bytes of a file.
+     * Reads all bytes of a file.
      *
-     * @param maxBytes how many there may be
-     * @throws IOException as {@link #open}, or if there are more; no more than these are read of a file that grows meanwhile
+     * @param maxBytes maximum size
+     * @throws IOException as {@link #open}, or if the file is larger; reads no more than this from a growing file
      */
     public static byte[] readBytes(Path file, String expected, int maxBytes) throws IOException {
         try (InputStream in = open(file, expected)) {
@@ -60,7 +59,7 @@ public final class RegularFile {
     }
 
     /**
-     * Whether two files hold the same bytes.
+     * Returns whether two files hold the same bytes.
      *
      * @throws IOException as {@link #check} of either, or if one cannot be read
      */

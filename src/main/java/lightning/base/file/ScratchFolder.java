@@ -20,17 +20,17 @@ import java.util.regex.Pattern;
 import lightning.base.text.Quote;
 
 /**
- * A folder for files that nobody needs when the process has ended: their owner's alone, never brought to the disk on purpose, and removed
- * in the end. A process that is killed leaves its folder behind; the next that makes one in the same place removes it. Whether a process
- * still uses a folder is told by a lock, which the system gives up with the process.
+ * Folder for temporary files of one process, readable by its owner only, never synced to disk and removed at the end. A killed process
+ * leaves its folder; the next one created in the same place removes it. A lock, which the system releases with the process, marks a folder
+ * as in use.
  */
 public final class ScratchFolder implements AutoCloseable {
     private static final Pattern NAME_PATTERN = Pattern.compile("lightning-scratch-[0-9a-f]{8}(-[0-9a-f]{4}){3}-[0-9a-f]{12}");
     private static final String LOCK_FILE = "in-use";
-    /** A folder without a lock is one that is just being made, or was not made to its end. */
+    /** A folder without a lock is either being created or was left incomplete. */
     private static final Duration CREATION_GRACE = Duration.ofHours(1);
 
-    /** Those of this process: where their locks are only looked at, POSIX gives them up with the stream that looked. */
+    /** Folders of this process: POSIX releases a lock when any stream to its file is closed, even one opened only to test it. */
     private static final Set<Path> OPEN_FOLDERS = ConcurrentHashMap.newKeySet();
 
     private final Path folder;
@@ -42,13 +42,13 @@ public final class ScratchFolder implements AutoCloseable {
     }
 
     /**
-     * Makes one, and removes those that ended processes left in the same place.
+     * Creates a folder and removes folders left in the same place by ended processes.
      *
-     * @throws IOException if it cannot be made; a sentence that begins with {@code parent}
+     * @throws IOException if it cannot be created; the message begins with {@code parent}
      */
     public static ScratchFolder createIn(Path parent) throws IOException {
         if (!Files.isDirectory(parent)) {
-            throw new IOException(Quote.path(parent) + ": is no folder");
+            throw new IOException(Quote.path(parent) + ": is not a folder");
         }
         removeStaleIn(parent);
         Path folder = parent.resolve("lightning-scratch-" + UUID.randomUUID());
@@ -59,26 +59,26 @@ public final class ScratchFolder implements AutoCloseable {
             FilePermissions.OWNER_ONLY.create(lock);
             FileChannel channel = FileChannel.open(lock, StandardOpenOption.WRITE);
             channel.lock();
-            // Under its name it is always locked.
+            // A lock file with this name is always locked.
             Files.move(lock, folder.resolve(LOCK_FILE), StandardCopyOption.ATOMIC_MOVE);
             return new ScratchFolder(folder, channel);
         } catch (FileSystemException e) {
             remove(folder);
             OPEN_FOLDERS.remove(folder.getFileName());
-            throw new IOException(Quote.path(parent) + ": no folder can be made in it ("
+            throw new IOException(Quote.path(parent) + ": cannot create a folder in it ("
                     + (e.getReason() == null ? e.getClass().getSimpleName() : e.getReason()) + ")", e);
         }
     }
 
-    /** A name in the folder. */
+    /** Returns the path of a file in the folder. */
     public Path file(String name) {
         return folder.resolve(name);
     }
 
     /**
-     * Writes a file that is not there yet.
+     * Writes a new file.
      *
-     * @throws IOException if it cannot be written, or {@code content} throws; there is then no such file
+     * @throws IOException if it cannot be written, or {@code content} throws; the file then does not exist
      */
     public void write(Path file, AtomicFile.RandomAccessContent content) throws IOException {
         FilePermissions.OWNER_ONLY.create(file);
@@ -93,14 +93,14 @@ public final class ScratchFolder implements AutoCloseable {
         }
     }
 
-    /** Removes the folder with all that is in it. */
+    /** Removes the folder with its content. */
     @Override
     public void close() {
         remove(folder);
         try {
             lock.close();
         } catch (IOException e) {
-            // It is given up with the process.
+            // The system releases it with the process.
         }
         OPEN_FOLDERS.remove(folder.getFileName());
     }
@@ -113,7 +113,7 @@ public final class ScratchFolder implements AutoCloseable {
                 }
             }
         } catch (IOException | DirectoryIteratorException e) {
-            // What cannot be listed can perhaps be written.
+            // A folder that cannot be listed may still be writable.
         }
     }
 
@@ -133,12 +133,12 @@ public final class ScratchFolder implements AutoCloseable {
                 return free != null;
             }
         } catch (IOException e) {
-            // Somebody else's.
+            // Belongs to another user.
             return false;
         }
     }
 
-    /** Never fails: what stays is removed by the next. */
+    /** Removes a folder; never fails. The next process removes what is left. */
     private static void remove(Path folder) {
         try (DirectoryStream<Path> files = Files.newDirectoryStream(folder)) {
             for (Path file : files) {
@@ -149,7 +149,7 @@ public final class ScratchFolder implements AutoCloseable {
             Files.deleteIfExists(folder.resolve(LOCK_FILE));
             Files.deleteIfExists(folder);
         } catch (IOException | DirectoryIteratorException e) {
-            // Perhaps somebody else's.
+            // May belong to another user.
         }
     }
 }

@@ -3,16 +3,16 @@ package lightning.base.file;
 import java.nio.file.Files;
 import java.nio.file.Path;
 
-/** The scenes that come with the program, in the folder where it is installed: the system property {@code lightning.home}. */
+/** Scenes shipped with the program, in its installation folder: the system property {@code lightning.home}. */
 public final class ShippedFile {
-    /** Their folder. */
+    /** Folder of the scenes. */
     public static final Path SCENES = Path.of("scenes");
 
     private ShippedFile() {}
 
     /**
-     * Returns the file that a name means. Where the working directory has no folder {@code scenes}, a name as
-     * {@code scenes/bird.jen} is that of a shipped scene, so that what the help shows works from any directory.
+     * Resolves a file name. If the working directory has no folder {@code scenes}, a name such as {@code scenes/bird.jen} resolves to the
+     * shipped scene, so that the help's examples work in any directory.
      */
     public static Path resolve(Path name) {
         String home = System.getProperty("lightning.home");

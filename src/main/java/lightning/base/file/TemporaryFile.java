@@ -16,18 +16,18 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * Names of temporary files: {@code .lightning-}, the process that writes the file, and a random number. Their length does
- * not depend on the file that they become, and no other program has them.
+ * Names of temporary files: {@code .lightning-}, the writing process and a random number. Their length does not depend on the target's
+ * name, and no other program uses such names.
  *
- * <p>A process that is killed leaves its temporary file. Another removes it, when it first writes into that folder or next
- * writes there an hour later, if the owner has ended and the file was not written for an hour; a file whose owner cannot be
- * looked up, if it was not written for 30 days. A folder of many pictures is not listed for each of them.
+ * <p>A killed process leaves its temporary file. Another process removes it at its first write into the folder, or at a write an hour
+ * later, if the owner has ended and the file is an hour old. If the owner cannot be looked up, the file must be 30 days old. A folder of
+ * many images is not listed for each of them.
  */
 final class TemporaryFile {
     private static final Duration STALE_AFTER = Duration.ofHours(1);
     private static final Duration UNKNOWN_OWNER_STALE_AFTER = Duration.ofDays(30);
 
-    /** With an owner, or as older releases wrote it. */
+    /** Name with an owner, or in the format of older releases. */
     private static final Pattern NAME_PATTERN = Pattern.compile("\\.lightning-(?:([0-9a-f]{8})-(" + ProcessIdentity.REGEX
             + ")-[0-9a-f]{16}|[0-9a-f]{8}(?:-[0-9a-f]{4}){3}-[0-9a-f]{12})\\.tmp");
     private static final Map<Path, Instant> LAST_SCANS = new ConcurrentHashMap<>();
@@ -35,15 +35,15 @@ final class TemporaryFile {
     private TemporaryFile() {}
 
     /**
-     * A process that writes a temporary file.
+     * Process that writes a temporary file.
      *
-     * @param realm   the machine and user, as {@link ProcessNamespace} names them
-     * @param process its number there
+     * @param realm   machine and user, as {@link ProcessNamespace} names them
+     * @param process the process there
      */
     record Owner(String realm, ProcessIdentity process) {
         static final Owner SELF = new Owner(ProcessNamespace.NAME, ProcessIdentity.current());
 
-        /** A name in a folder that no file has. */
+        /** Returns an unused path in a folder. */
         Path newPath(Path folder) {
             String random = UUID.randomUUID().toString().replace("-", "").substring(16);
             return folder.resolve(".lightning-" + realm + "-" + process + "-" + random + ".tmp");
@@ -54,12 +54,12 @@ final class TemporaryFile {
         }
     }
 
-    /** A name in a folder that no file has, of a file of this process. */
+    /** Returns an unused path in a folder for a file of this process. */
     static Path newPath(Path folder) {
         return Owner.SELF.newPath(folder);
     }
 
-    /** Removes what was left behind, unless the folder was looked through within the hour. Never fails. */
+    /** Removes stale temporary files, unless the folder was scanned within the last hour. Never fails. */
     static void removeStaleIn(Path folder) {
         Instant now = Instant.now();
         Instant lastScan = LAST_SCANS.get(folder);
@@ -75,11 +75,11 @@ final class TemporaryFile {
                 }
             }
         } catch (IOException | DirectoryIteratorException e) {
-            // A folder that cannot be listed can still be written.
+            // A folder that cannot be listed may still be writable.
         }
     }
 
-    /** The owner that a name tells, if it is one that can be looked up here. */
+    /** Returns the owner in a file name, if it can be looked up here. */
     private static Optional<Owner> owner(Matcher matcher) {
         return Optional.ofNullable(matcher.group(1))
                 .flatMap(realm -> ProcessIdentity.parse(matcher.group(2)).map(process -> new Owner(realm, process))).filter(Owner::isKnown);
@@ -93,7 +93,7 @@ final class TemporaryFile {
                 Files.deleteIfExists(file);
             }
         } catch (IOException e) {
-            // Somebody else's, or gone by now.
+            // Belongs to another user, or is gone by now.
         }
     }
 }

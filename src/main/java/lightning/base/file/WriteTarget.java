@@ -8,9 +8,9 @@ import java.nio.file.attribute.PosixFilePermission;
 import java.util.Set;
 import lightning.base.text.Quote;
 
-/** The file that a name leads to. */
+/** Resolution of the file that a path leads to. */
 final class WriteTarget {
-    /** As many links in a row as Linux follows. */
+    /** Maximum chain of links, as in Linux. */
     private static final int MAX_LINKS = 40;
     private static final Set<PosixFilePermission> WRITE_PERMISSIONS = Set.of(PosixFilePermission.OWNER_WRITE,
             PosixFilePermission.GROUP_WRITE, PosixFilePermission.OTHERS_WRITE);
@@ -18,25 +18,25 @@ final class WriteTarget {
     private WriteTarget() {}
 
     /**
-     * Follows links, the last of which may lead to a file that is not there yet.
+     * Follows symbolic links, the last of which may point to a missing file.
      *
-     * @return an absolute name that is no link, in a folder that is there; what it names is a regular file or nothing
-     * @throws IOException if that cannot be, or the folder cannot be written; a sentence that begins with {@code path}
+     * @return an absolute path that is no link, in an existing folder; a regular file or missing
+     * @throws IOException if that is impossible, or the folder is not writable; the message begins with {@code path}
      */
     static Path resolve(Path path) throws IOException {
         Path file = resolveLinks(path);
         if (Files.isDirectory(file)) {
-            throw new IOException(Quote.path(path) + ": is a folder, expected a file");
+            throw new IOException(Quote.path(path) + ": expected a file, found a folder");
         }
         Path folder = file.getParent();
         if (!Files.isDirectory(folder)) {
-            throw new IOException(Quote.path(path) + ": there is no folder " + Quote.path(folder));
+            throw new IOException(Quote.path(path) + ": folder not found: " + Quote.path(folder));
         }
         if (Files.exists(file) && !Files.isRegularFile(file)) {
-            throw new IOException(Quote.path(path) + ": is a device, a pipe or a socket, expected a file");
+            throw new IOException(Quote.path(path) + ": expected a file, found a device, a pipe or a socket");
         }
         if (!Files.isWritable(folder)) {
-            throw new IOException(Quote.path(path) + ": permission denied to write into " + Quote.path(folder));
+            throw new IOException(Quote.path(path) + ": no permission to write to " + Quote.path(folder));
         }
         return file;
     }
@@ -48,14 +48,17 @@ final class WriteTarget {
         }
         for (int links = 0; Files.isSymbolicLink(file); links++) {
             if (links == MAX_LINKS) {
-                throw new IOException(Quote.path(path) + ": is a symbolic link that leads in a circle");
+                throw new IOException(Quote.path(path) + ": circular symbolic link");
             }
             file = file.resolveSibling(Files.readSymbolicLink(file));
         }
         return file;
     }
 
-    /** Whether it is there, and this user may not write it or nobody may. An administrator may write what nobody may. */
+    /**
+     * Returns whether the file exists and is read-only for this user or for all. An administrator may write files that are read-only for
+     * all.
+     */
     static boolean isReadOnly(Path file) throws IOException {
         if (!Files.exists(file)) {
             return false;

@@ -1,9 +1,9 @@
 /**
- * Writing files so that an interrupted save loses nothing, and nothing is overwritten that the user does not know of.
+ * Atomic file writes: an interrupted save loses nothing, and changes by other programs are never overwritten silently.
  *
  * <pre>{@code
  * AtomicFile.write(picture, out -> png.writeTo(out));
- * FileState now = AtomicFile.of(scene).ifStill(asRead).write(bytes);
+ * FileState now = AtomicFile.of(scene).ifUnchanged(asRead).write(bytes);
  * }</pre>
  */
 package lightning.base.file;

@@ -1,13 +1,11 @@
 package lightning.base.math;
 
 /**
- * The one power function of the program: x<sup>n</sup> for x in 0…1 and n ≥ 0, accurate to far below
- * half a unit of a float's last place.
+ * The program's only power function: x<sup>n</sup> for x in 0…1 and n ≥ 0, accurate to far below half a unit of a float's last place.
  *
- * <p>2<sup>n·log₂x</sup> from additions, multiplications, one division and bit patterns alone, so that a
- * form in vector lanes that repeats the same operations gives the same bits, which
- * {@link Math#pow} does not promise. The logarithm is the series of 2·artanh((m−1)/(m+1)) over
- * m in √½…√2, the exponential Taylor's over −½…½.
+ * <p>Computes 2<sup>n·log₂x</sup> with additions, multiplications, one division and bit patterns only. A vector version that repeats the
+ * same operations therefore gives the same bits, which {@link Math#pow} does not promise. The logarithm is the series of
+ * 2·artanh((m−1)/(m+1)) over m in √½…√2; the exponential is Taylor's over −½…½.
  */
 public final class PowerFunction {
     /** The bits of √2's mantissa: above it the mantissa is halved. */

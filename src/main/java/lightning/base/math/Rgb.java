@@ -1,11 +1,11 @@
 package lightning.base.math;
 
-/** A linear color or a triple of color factors; the range depends on what it stands for. */
+/** Linear color or triple of color factors; the range depends on its use. */
 public record Rgb(double r, double g, double b) {
     public static final Rgb BLACK = new Rgb(0, 0, 0);
     public static final Rgb WHITE = new Rgb(1, 1, 1);
 
-    /** The neutral color with all three channels at {@code v}. */
+    /** Returns the gray with all three channels at {@code v}. */
     public static Rgb gray(double v) {
         return new Rgb(v, v, v);
     }
@@ -14,12 +14,12 @@ public record Rgb(double r, double g, double b) {
         return new Rgb(r * s, g * s, b * s);
     }
 
-    /** Channel by channel. */
+    /** Returns the product per channel. */
     public Rgb times(Rgb c) {
         return new Rgb(r * c.r, g * c.g, b * c.b);
     }
 
-    /** Channel by channel. */
+    /** Returns the sum per channel. */
     public Rgb plus(Rgb c) {
         return new Rgb(r + c.r, g + c.g, b + c.b);
     }
@@ -28,7 +28,7 @@ public record Rgb(double r, double g, double b) {
         return r == 0 && g == 0 && b == 0;
     }
 
-    /** How bright it is, 0.2126 R + 0.7152 G + 0.0722 B (ITU-R BT.709). */
+    /** Returns the luminance 0.2126 R + 0.7152 G + 0.0722 B (ITU-R BT.709). */
     public double luminance() {
         return 0.2126 * r + 0.7152 * g + 0.0722 * b;
     }

@@ -1,8 +1,6 @@
 package lightning.base.math;
 
-/**
- * An affine map: a 3×3 matrix {@code m} in rows and a translation {@code t}, p ↦ m·p + t.
- */
+/** Affine map: a 3×3 matrix {@code m} in rows and a translation {@code t}, p ↦ m·p + t. */
 public record Transform(
         double m00, double m01, double m02, double t0,
         double m10, double m11, double m12, double t1,
@@ -19,8 +17,8 @@ public record Transform(
     }
 
     /**
-     * The rotation about x, then y, then z, each counter-clockwise seen from the positive axis
-     * towards the origin. Multiples of a quarter turn give exact zeros and ones.
+     * Returns the rotation about x, then y, then z, each counter-clockwise seen from the positive axis towards the origin. Multiples of a
+     * quarter turn give exact zeros and ones.
      *
      * @param degrees the three angles, in degrees
      */
@@ -37,43 +35,43 @@ public record Transform(
         return rz.times(ry).times(rx);
     }
 
-    /** This map with the absolute value of every number. */
+    /** Returns this map with the absolute value of every number. */
     public Transform absolute() {
         return new Transform(Math.abs(m00), Math.abs(m01), Math.abs(m02), Math.abs(t0), Math.abs(m10), Math.abs(m11), Math.abs(m12),
                 Math.abs(t1),
                 Math.abs(m20), Math.abs(m21), Math.abs(m22), Math.abs(t2));
     }
 
-    /** This map without its translation. */
+    /** Returns this map without its translation. */
     public Transform linearPart() {
         return new Transform(m00, m01, m02, 0, m10, m11, m12, 0, m20, m21, m22, 0);
     }
 
-    /** The sum, number by number. */
+    /** Returns the sum of all numbers. */
     public Transform plus(Transform o) {
         return new Transform(m00 + o.m00, m01 + o.m01, m02 + o.m02, t0 + o.t0, m10 + o.m10, m11 + o.m11, m12 + o.m12, t1 + o.t1,
                 m20 + o.m20, m21 + o.m21, m22 + o.m22, t2 + o.t2);
     }
 
-    /** Every number times a factor. */
+    /** Returns every number times a factor. */
     public Transform times(double f) {
         return new Transform(f * m00, f * m01, f * m02, f * t0, f * m10, f * m11, f * m12, f * t1, f * m20, f * m21, f * m22, f * t2);
     }
 
-    /** This map without its translation and with rows and columns exchanged: the inverse of a rotation. */
+    /** Returns the transposed matrix without translation: the inverse of a rotation. */
     public Transform transposed() {
         return new Transform(m00, m10, m20, 0, m01, m11, m21, 0, m02, m12, m22, 0);
     }
 
     /**
-     * The sine of an angle in degrees, exact at multiples of 90. Whole turns go first: 90 taken from a million degrees would
-     * round by more than a double's sine does.
+     * Returns the sine of an angle in degrees, exact at multiples of 90. Removes whole turns first: subtracting 90 from a million degrees
+     * would round by more than the error of a double's sine.
      */
     public static double sinDegrees(double degrees) {
         return cosDegrees(degrees % 360 - 90);
     }
 
-    /** The cosine of an angle in degrees, exact at multiples of 90. */
+    /** Returns the cosine of an angle in degrees, exact at multiples of 90. */
     public static double cosDegrees(double degrees) {
         double turn = Math.abs(degrees % 360);
         if (turn == 90 || turn == 270) {
@@ -85,7 +83,7 @@ public record Transform(
         return turn == 180 ? -1 : StrictMath.cos(StrictMath.toRadians(turn));
     }
 
-    /** This map applied after {@code o}: p ↦ this(o(p)). */
+    /** Returns this map applied after {@code o}: p ↦ this(o(p)). */
     public Transform times(Transform o) {
         return new Transform(
                 m00 * o.m00 + m01 * o.m10 + m02 * o.m20,
@@ -109,7 +107,7 @@ public record Transform(
                 m20 * p.x() + m21 * p.y() + m22 * p.z() + t2);
     }
 
-    /** The map of a direction: without the translation. */
+    /** Maps a direction: without the translation. */
     public Vec3 transformVector(Vec3 v) {
         return new Vec3(
                 m00 * v.x() + m01 * v.y() + m02 * v.z(),

@@ -1,6 +1,6 @@
 package lightning.base.math;
 
-/** A point, direction or triple of factors in three dimensions. */
+/** Point, direction or triple of factors in three dimensions. */
 public record Vec3(double x, double y, double z) {
     public static final Vec3 ZERO = new Vec3(0, 0, 0);
     public static final Vec3 ONE = new Vec3(1, 1, 1);
@@ -30,26 +30,25 @@ public record Vec3(double x, double y, double z) {
         return new Vec3(y * v.z - z * v.y, z * v.x - x * v.z, x * v.y - y * v.x);
     }
 
-    /** The Euclidean length, without overflow guard: components beyond 1e150 give infinity. */
+    /** Returns the Euclidean length, without overflow guard: components beyond 1e150 give infinity. */
     public double length() {
         return Math.sqrt(dot(this));
     }
 
-    /** The largest absolute value of the three components. */
+    /** Returns the largest absolute value of the three components. */
     public double maxAbs() {
         return Math.max(Math.max(Math.abs(x), Math.abs(y)), Math.abs(z));
     }
 
     /**
-     * This direction at length 1. Scaled by the largest component first, so that no finite vector
-     * overflows or underflows on the way.
+     * Returns this direction at length 1. Scales by the largest component first, so that no finite vector overflows or underflows.
      *
      * @throws ArithmeticException if all components are zero or one is not finite
      */
     public Vec3 normalized() {
         double scale = maxAbs();
         if (!(scale > 0) || !Double.isFinite(x + y + z)) {
-            throw new ArithmeticException("no direction in " + this);
+            throw new ArithmeticException("cannot normalize " + this);
         }
         double sx = x / scale;
         double sy = y / scale;

@@ -1,13 +1,13 @@
 package lightning.base.math;
 
-/** Turns vectors about axes, by Rodrigues' formula. */
+/** Rotation of vectors about axes, by Rodrigues' formula. */
 public final class VectorRotation {
     private VectorRotation() {}
 
     /**
-     * {@code v} turned counter-clockwise as seen against the axis.
+     * Rotates {@code v} counter-clockwise, seen against the axis.
      *
-     * @param axis    of length 1
+     * @param axis    axis of length 1
      * @param radians the angle
      */
     public static Vec3 rotate(Vec3 axis, double radians, Vec3 v) {
@@ -17,7 +17,7 @@ public final class VectorRotation {
     }
 
     /**
-     * The unit direction on the shorter arc from one direction to another; of two opposite directions on any arc.
+     * Returns the unit direction on the shorter arc between two directions; for opposite directions, on any arc.
      *
      * @param t 0 gives {@code from}, 1 gives {@code to}
      */

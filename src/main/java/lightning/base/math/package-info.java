@@ -1,8 +1,7 @@
 /**
- * Vectors, colors and transforms in double precision: the numbers that everything else is made of.
+ * Vectors, colors and transforms in double precision.
  *
- * <p>All types are immutable. Angles are in radians here; the scene file speaks degrees. No method
- * uses fused multiply-add, so that each result is the same on every machine and at every stage of
- * compilation.
+ * <p>All types are immutable. Angles are in radians here, but in degrees in scene files. No method uses fused multiply-add, so that results
+ * are the same on every machine and at every compilation level.
  */
 package lightning.base.math;

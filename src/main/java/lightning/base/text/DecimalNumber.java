@@ -4,26 +4,24 @@ import java.util.OptionalDouble;
 import java.util.stream.IntStream;
 
 /**
- * Decimal numbers: a sign, digits 0 to 9 with a point before, among or after them, an exponent, as in {@code -1.5e-3}.
- * The one place that reads them, so that scene files, edits in words, motion paths, options and the editor's fields agree.
- * Java's own reading takes more: {@code 1d}, {@code 0x1p3}, {@code NaN}, digits of other scripts.
+ * Parser and formatter for decimal numbers: a sign, digits 0 to 9 with an optional point, and an exponent, as in {@code -1.5e-3}. Scene
+ * files, command-line edits, motion paths, options and the editor's fields share it. Java's own parser accepts more: {@code 1d}, {@code
+ * 0x1p3}, {@code NaN}, digits of other scripts.
  */
 public final class DecimalNumber {
-    /** The powers of ten that are doubles. */
+    /** The powers of ten that are exact doubles. */
     private static final double[] POWERS = IntStream.rangeClosed(0, 22).mapToDouble(k -> Double.parseDouble("1e" + k)).toArray();
-    /** Digits below this have room for one more: no more than 18 are taken, a number below 2⁶⁰. */
+    /** A prefix below this has room for one more digit: at most 18 digits, below 2⁶⁰. */
     private static final long MAX_PREFIX = 100_000_000_000_000_000L;
 
     private DecimalNumber() {}
 
-    /**
-     * The nearest double to a number (IEEE 754, ties to even), infinite where it is beyond 1.8e308; empty if the whole text is not a number.
-     */
+    /** Returns the nearest double (IEEE 754, ties to even), infinite beyond 1.8e308; empty if the text is not a number. */
     public static OptionalDouble parse(String text) {
         return isNumber(text, 0, text.length()) ? OptionalDouble.of(parseRange(text, 0, text.length())) : OptionalDouble.empty();
     }
 
-    /** The same of characters of which {@link #isNumber} has told that they are a number. */
+    /** Parses characters that {@link #isNumber} has accepted. */
     public static double parseRange(String text, int from, int to) {
         boolean negative = text.charAt(from) == '-';
         boolean point = false;
@@ -45,13 +43,13 @@ public final class DecimalNumber {
     }
 
     /**
-     * The double nearest to digits / power, or NaN where these steps cannot tell which it is.
+     * Returns the double nearest to digits / power, or NaN if these steps cannot decide it.
      *
-     * <p>With digits = high + low, both doubles as digits are below 2⁶⁰, and q = high / power rounded, high − q·power is a double
-     * (a division's remainder always is), so that digits / power = q + D exactly with D = (remainder + low) / power. What is computed of D has two
-     * roundings, and differs from it by at most 2⁻⁵¹ of what was computed. D therefore lies between d − g and d + g with g = 2⁻⁵⁰·d, their own
-     * rounding included; and as rounding never turns an order around, the nearest double lies between q + (d − g) and q + (d + g), rounded: it is both
-     * where they are the same. Nothing here is so small that it loses digits: q is 0 or at least 10⁻²².
+     * <p>Let digits = high + low, both doubles because digits are below 2⁶⁰, and let q be high / power rounded. Then high − q·power is a
+     * double, as every remainder of a division is, so digits / power = q + D exactly, with D = (remainder + low) / power. The computed d
+     * has two roundings and differs from D by at most 2⁻⁵¹·d. D therefore lies between d − g and d + g with g = 2⁻⁵⁰·d, including their own
+     * rounding. Rounding is monotone, so the nearest double lies between q + (d − g) and q + (d + g), rounded; it is decided if both are
+     * equal. Nothing underflows: q is 0 or at least 10⁻²².
      */
     private static double quotient(long digits, double power) {
         double high = digits;
@@ -63,7 +61,7 @@ public final class DecimalNumber {
         return min == q + (d + g) ? min : Double.NaN;
     }
 
-    /** Whether the characters from {@code from} to before {@code to} are a number. */
+    /** Returns whether the characters from {@code from} to before {@code to} are a number. */
     public static boolean isNumber(String text, int from, int to) {
         int i = from;
         if (isOneOf(text, i, to, "+-")) {
@@ -90,7 +88,7 @@ public final class DecimalNumber {
         return i == to;
     }
 
-    /** The shortest number that reads back as {@code v}, the sign of zero included. */
+    /** Returns the shortest number that parses to {@code v}, including the sign of zero. */
     public static String format(double v) {
         if (v == 0) {
             return 1 / v < 0 ? "-0" : "0";

@@ -5,21 +5,21 @@ import java.math.BigInteger;
 import java.math.MathContext;
 
 /**
- * A rational number, exact: what is typed into a field is reckoned with these, so that the only rounding is the last one.
+ * Exact rational number, so that an expression in a field is rounded only once.
  *
- * @param numerator  the numerator
+ * @param numerator   the numerator
  * @param denominator the denominator, above 0
  */
 record Fraction(BigInteger numerator, BigInteger denominator) {
     static final Fraction ZERO = new Fraction(BigInteger.ZERO, BigInteger.ONE);
     static final Fraction HUNDRED = new Fraction(BigInteger.valueOf(100), BigInteger.ONE);
     /**
-     * Two values that differ, one a double or the middle between two, the other one of these, are at least 1 / (under · 2^1075) apart; a
-     * double is below 10^309, and 2^1075 below 10^324. So many digits beside those of {@code denominator} tell them apart.
+     * Digits that separate any two different values. If one is a double or the middle of two and the other is a fraction, they are at least
+     * 1 / (denominator · 2^1075) apart; a double is below 10^309, and 2^1075 below 10^324. Added to the digits of {@code denominator}.
      */
     private static final int DIGITS = 640;
 
-    /** A finite value. */
+    /** Converts a finite value. */
     static Fraction of(BigDecimal v) {
         return v.scale() <= 0 ? new Fraction(v.toBigIntegerExact(), BigInteger.ONE)
                 : new Fraction(v.unscaledValue(), BigInteger.TEN.pow(v.scale()));
@@ -48,7 +48,7 @@ record Fraction(BigInteger numerator, BigInteger denominator) {
         return numerator.signum() == 0;
     }
 
-    /** The nearest double, ties to even; infinite where it is beyond 1.8e308. */
+    /** Returns the nearest double, ties to even; infinite beyond 1.8e308. */
     double toDouble() {
         int digits = DIGITS + denominator.bitLength();
         return new BigDecimal(numerator).divide(new BigDecimal(denominator), new MathContext(digits)).doubleValue();

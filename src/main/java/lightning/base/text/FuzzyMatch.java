@@ -5,8 +5,8 @@ import java.util.OptionalInt;
 import java.util.stream.Stream;
 
 /**
- * How well a few typed letters fit a title: {@code ssa} fits <em>Save Scene As</em>. The letters must stand in the title in their
- * order, each word of the query for itself; letters that begin words and letters side by side count for more.
+ * Fuzzy search score of a few typed letters in a title: {@code ssa} matches <em>Save Scene As</em>. The letters of each query word must
+ * occur in order. Letters at starts of words and adjacent letters score higher.
  */
 public final class FuzzyMatch {
     private static final int LETTER_SCORE = 1;
@@ -16,7 +16,7 @@ public final class FuzzyMatch {
 
     private FuzzyMatch() {}
 
-    /** How well they fit, the more the better; empty if they do not. A query without letters fits all alike. */
+    /** Returns the score, higher for better matches; empty if there is no match. A query without letters matches every title equally. */
     public static OptionalInt score(String query, String title) {
         String letters = title.toLowerCase(Locale.ROOT);
         int sum = 0;
@@ -30,17 +30,17 @@ public final class FuzzyMatch {
         return OptionalInt.of(sum);
     }
 
-    /** The same of a longer text, which must hold each word of the query as it is: 0 where it does. */
+    /** Matches a longer text, which must contain each word of the query; the score is then 0. */
     public static OptionalInt containsWords(String query, String text) {
         String letters = text.toLowerCase(Locale.ROOT);
         return Stream.of(query.strip().toLowerCase(Locale.ROOT).split("\\s+")).allMatch(letters::contains) ? OptionalInt.of(0)
                 : OptionalInt.empty();
     }
 
-    /** The best of all ways to find the letters; below 0 where there is none. */
+    /** Returns the best score of all alignments; below 0 if there is none. */
     private static int bestScore(String word, String title) {
         int n = title.length();
-        // What the letters so far are worth where the last of them is at each place; and at most anywhere before that place.
+        // Best score with the last matched letter at each position, and the maximum before that position.
         int[] ending = new int[n];
         int[] before = new int[n + 1];
         for (int i = 0; i < word.length(); i++) {

@@ -2,9 +2,9 @@ package lightning.base.text;
 
 import java.util.Locale;
 
-/** A language that the editor speaks. */
+/** Language of the editor. */
 public enum Language {
-    /** Its numbers are written as the scene's file and the command line write them. */
+    /** English, with numbers formatted as in scene files and on the command line. */
     ENGLISH("English", "en", Locale.ROOT, ""),
     GERMAN("Deutsch", "de", Locale.GERMAN, "german.texts");
 
@@ -20,27 +20,27 @@ public enum Language {
         this.bundle = bundle;
     }
 
-    /** The language of a system by its two letters, {@code de}: English where the editor does not speak it. */
+    /** Returns the language of a system by its two-letter code, such as {@code de}; English if it is not supported. */
     public static Language forSystem(String code) {
         return code.equals(GERMAN.code) ? GERMAN : ENGLISH;
     }
 
-    /** Its two letters, {@code de}. */
+    /** Returns the two-letter code, such as {@code de}. */
     public String letters() {
         return code;
     }
 
-    /** How numbers and times are written on the screen. */
+    /** Returns the locale of numbers and times on the screen. */
     public Locale locale() {
         return locale;
     }
 
-    /** The file beside this class that has the texts; empty where they are those of the code. */
+    /** Returns the name of the bundle file next to this class; empty for the language of the code. */
     String bundle() {
         return bundle;
     }
 
-    /** As those call it who speak it. */
+    /** Returns the language's own name. */
     @Override
     public String toString() {
         return name;

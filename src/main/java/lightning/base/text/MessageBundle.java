@@ -8,8 +8,8 @@ import java.util.HashMap;
 import java.util.Map;
 
 /**
- * The texts of a language, from a file in UTF-8 beside this class: a line with the English words, and below it, after four spaces, those of
- * the language; {@code \n} is a new line. Empty lines and those that begin with {@code #} say nothing.
+ * Translations of one language, from a UTF-8 file next to this class: a line with the English text and below it, indented by four spaces,
+ * the translation. {@code \n} is a line break. Empty lines and lines that begin with {@code #} are ignored.
  */
 final class MessageBundle {
     private static final String INDENT = "    ";
@@ -17,7 +17,7 @@ final class MessageBundle {
     private MessageBundle() {
     }
 
-    /** Words of the language by the English ones. */
+    /** Loads a language's texts by their English text. */
     static Map<String, String> load(Language language) {
         if (language.bundle().isEmpty()) {
             return Map.of();
@@ -30,9 +30,9 @@ final class MessageBundle {
     }
 
     /**
-     * Reads a bundle.
+     * Parses a bundle.
      *
-     * @throws IllegalArgumentException if English words come twice, or a line of other words has none above it
+     * @throws IllegalArgumentException if an English text occurs twice, or a translation has no English text above it
      */
     static Map<String, String> parse(String content) {
         Map<String, String> translations = new HashMap<>();

@@ -4,10 +4,10 @@ import java.util.Locale;
 import java.util.Map;
 
 /**
- * What the editor says, in the language that it speaks. A text is asked for by its English words, which are its key and what is shown in
- * English; a bundle has the words of another language. {@code {0}}, {@code {1}} … stand for values.
+ * Translated texts of the editor. The English text is the key and the default; a bundle holds the texts of another language. {@code {0}},
+ * {@code {1}} … are placeholders.
  *
- * <p>A process speaks English until it is told otherwise; only the editor tells.
+ * <p>The language is English until it is set; only the editor sets it.
  */
 public final class Messages {
     private static volatile Bundle current = new Bundle(Language.ENGLISH, Map.of());
@@ -18,45 +18,45 @@ public final class Messages {
     private record Bundle(Language language, Map<String, String> words) {
     }
 
-    /** From now on texts are in this language. What was asked for before stays as it is. */
+    /** Sets the language of all further texts. */
     public static void setLanguage(Language language) {
         if (language != current.language()) {
             current = new Bundle(language, MessageBundle.load(language));
         }
     }
 
-    /** The language of the texts. */
+    /** Returns the current language. */
     public static Language language() {
         return current.language();
     }
 
-    /** How numbers on the screen are written. */
+    /** Returns the locale of numbers on the screen. */
     public static Locale locale() {
         return language().locale();
     }
 
     /**
-     * A text.
+     * Translates a text.
      *
-     * @param english its English words; themselves where the bundle has none for them
-     * @param values  what stands for {@code {0}}, {@code {1}} …, at most ten, each as it says itself
+     * @param english the English text; used as is if the bundle has no translation
+     * @param values  values of {@code {0}}, {@code {1}} …, at most ten, each formatted with {@code toString}
      */
     public static String tr(String english, Object... values) {
         return format(current.words().getOrDefault(english, english), values);
     }
 
     /**
-     * A text about a number of things.
+     * Translates a text about a count.
      *
-     * @param singular    the words for one thing
-     * @param plural   the words for none or several
-     * @param values what stands for {@code {0}}, {@code {1}} …
+     * @param singular text for one
+     * @param plural   text for zero or several
+     * @param values   values of {@code {0}}, {@code {1}} …
      */
     public static String count(long count, String singular, String plural, Object... values) {
         return tr(count == 1 ? singular : plural, values);
     }
 
-    /** English words that {@link #tr} is asked for later: marks them for who looks for all texts. */
+    /** Marks an English text that is passed to {@link #tr} later, so that a search finds all texts. */
     public static String key(String english) {
         return english;
     }

@@ -5,7 +5,8 @@ import java.util.Locale;
 import java.util.OptionalDouble;
 
 /**
- * A number as people type it into a field: {@code 0.3*2}, {@code (1+2)/3}, {@code +10%}, {@code *2}, {@code += 0.5}, {@code 45 deg}.
+ * Arithmetic expression typed into a number field: {@code 0.3*2}, {@code (1+2)/3}, {@code +10%}, {@code *2}, {@code += 0.5}, {@code 45
+ * deg}.
  *
  * <pre>
  * text    := [ "+=" | "-=" | "*" | "/" ] sum [ unit ]
@@ -14,9 +15,9 @@ import java.util.OptionalDouble;
  * factor  := ("+" | "-") factor | ( number | "(" sum ")" ) [ "%" ]
  * </pre>
  *
- * <p>What begins with one of the four signs, and a percentage that stands first, start from the value that is there: {@code *2} is twice it,
- * {@code +10%} a tenth more, {@code 50%} half. A percentage that is added is one of what stands before it, as on a pocket calculator:
- * {@code 200+10%} is 220; elsewhere it is a hundredth. All is reckoned exactly and rounded once, to the nearest double.
+ * <p>A text that begins with one of the four operators, or with a percentage, applies to the current value: {@code *2} doubles it, {@code
+ * +10%} adds a tenth, {@code 50%} halves it. An added percentage refers to the value before it, as on a pocket calculator: {@code 200+10%}
+ * is 220; elsewhere it means hundredths. The computation is exact and rounded once, to the nearest double.
  */
 public final class NumberExpression {
     private static final int MAX_LENGTH = 200;
@@ -27,16 +28,16 @@ public final class NumberExpression {
     private int position;
     private int depth;
 
-    /** What came of a text: its value, or why it has none. */
+    /** Result of an evaluation: a value or an error. */
     public sealed interface Result {}
 
-    /** @param value may be infinite: what is beyond a double */
+    /** @param value infinite if beyond the range of a double */
     public record Value(double value) implements Result {}
 
-    /** @param reason a clause without a full stop, to stand behind the field's name */
+    /** @param reason a clause without a full stop, shown after the field's name */
     public record Invalid(String reason) implements Result {}
 
-    /** What is wrong with a text. */
+    /** Syntax error in a text. */
     private static final class SyntaxException extends RuntimeException {
         private static final long serialVersionUID = 1;
 
@@ -51,9 +52,9 @@ public final class NumberExpression {
     }
 
     /**
-     * Reads a text.
+     * Evaluates a text.
      *
-     * @param current the value that stands there now; not finite where there is none, which counts as 0
+     * @param current the field's current value; if it is not finite, 0 is used
      */
     public static Result evaluate(String text, double current, NumberUnit measure) {
         String plain = text.strip().replace('−', '-').replace('×', '*').replace('·', '*').replace('÷', '/').replace('⁄', '/');
@@ -70,7 +71,7 @@ public final class NumberExpression {
         try {
             return new Value(new NumberExpression(plain, current).parseAll(measure, current));
         } catch (SyntaxException m) {
-            return new Invalid("must be a number or a sum as 0.3*2: " + m.getMessage());
+            return new Invalid("must be a number or an expression such as 0.3*2: " + m.getMessage());
         }
     }
 
@@ -100,7 +101,7 @@ public final class NumberExpression {
                 ? continueSum(continueProduct(current)) : parseSum();
     }
 
-    /** What is added to the value that is there. */
+    /** Parses the amount added to the current value. */
     private Fraction parseAmount() {
         Fraction share = parsePercentage();
         return share == null ? parseSum() : current.times(share);
@@ -109,7 +110,7 @@ public final class NumberExpression {
     private Fraction parseSum() {
         int start = position;
         if (depth == 0 && start == 0) {
-            // A percentage that stands first is one of what is there.
+            // A leading percentage refers to the current value.
             boolean minus = accept("-");
             boolean plus = !minus && accept("+");
             Fraction first = parsePercentage();
@@ -135,7 +136,7 @@ public final class NumberExpression {
         }
     }
 
-    /** A percentage that nothing multiplies, as a share; null where there is none, and nothing is read. */
+    /** Parses a percentage that is not part of a product, as a fraction. Returns null without reading if there is none. */
     private Fraction parsePercentage() {
         int start = position;
         skipBlanks();
@@ -200,7 +201,7 @@ public final class NumberExpression {
         return accept("%") ? value.divide(Fraction.HUNDRED) : value;
     }
 
-    /** Goes over a number without a sign, if there is one. */
+    /** Skips a number without a sign, if there is one. */
     private boolean skipNumber() {
         int longest = position;
         for (int end = position + 1; end <= text.length(); end++) {
@@ -245,8 +246,8 @@ public final class NumberExpression {
     private SyntaxException syntaxError(String expectation) {
         skipBlanks();
         String before = text.substring(0, position).strip();
-        String found = position == text.length() ? "nothing" : Quote.of(text.substring(position));
-        String hint = position < text.length() && text.charAt(position) == ',' ? "; decimals are written with a point" : "";
+        String found = position == text.length() ? "the end" : Quote.of(text.substring(position));
+        String hint = position < text.length() && text.charAt(position) == ',' ? "; use a decimal point" : "";
         return new SyntaxException(
                 "expected " + expectation + (before.isEmpty() ? "" : " after " + Quote.of(before)) + ", found " + found + hint);
     }

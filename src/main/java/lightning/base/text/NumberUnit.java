@@ -3,13 +3,13 @@ package lightning.base.text;
 import java.math.BigDecimal;
 import java.util.List;
 
-/** What a number that people type is measured in, and the words that they may write behind it. */
+/** Unit of a number field, with the unit names that a user may type after the number. */
 public enum NumberUnit {
-    /** Of no unit: {@code 2 stops} makes it four times as large, {@code -1 stop} half. */
+    /** No unit: {@code 2 stops} multiplies the value by four, {@code -1 stop} halves it. */
     FACTOR("", "stop", "stops"),
-    /** In degrees: {@code 0.25 turn}, {@code 1 rad}. */
+    /** Degrees: {@code 0.25 turn}, {@code 1 rad}. */
     DEGREES("°", "deg", "°", "degree", "degrees", "rad", "turn", "turns"),
-    /** Of photography: each is twice the light. */
+    /** Photographic stops: each doubles the light. */
     STOPS("stops", "stop", "stops"),
     KELVIN("K", "k", "kelvin");
 
@@ -21,21 +21,21 @@ public enum NumberUnit {
         this.names = List.of(words);
     }
 
-    /** What stands behind a label; empty where there is no unit. */
+    /** Returns the symbol shown after a label; empty if there is no unit. */
     public String sign() {
         return symbol;
     }
 
-    /** In lower case, the commonest first. */
+    /** Returns the unit names in lower case, the most common first. */
     List<String> words() {
         return names;
     }
 
     /**
-     * The value that a number with a unit stands for.
+     * Converts a number with a unit name.
      *
-     * @param name    one of the words
-     * @param current the value that stands there now
+     * @param name    one of the unit names
+     * @param current the field's current value
      */
     double convert(String name, Fraction number, double current) {
         return switch (this) {

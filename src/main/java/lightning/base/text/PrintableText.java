@@ -1,8 +1,8 @@
 package lightning.base.text;
 
 /**
- * Which characters a line of text shows as they are. The others end a line, move what stands beside them, change colors of a
- * terminal, or cannot be seen at all; where a message must show one, it is escaped as Git escapes it.
+ * Printable characters of a line of text. Other characters break the line, move text next to them, change a terminal's colors, or are
+ * invisible; messages escape them as Git does.
  */
 public final class PrintableText {
     private static final int ZERO_WIDTH_NON_JOINER = 0x200C;
@@ -13,9 +13,8 @@ public final class PrintableText {
     private PrintableText() {}
 
     /**
-     * Whether a character is shown: a letter, mark, digit, sign or space. Controls, line and paragraph separators, marks of
-     * direction, halves of surrogate pairs and code points that stand for nothing are not. The two joiners are, for words of
-     * some scripts are spelled with them.
+     * Returns whether a character is printable: a letter, mark, digit, symbol or space. Control characters, line and paragraph separators,
+     * direction marks, unpaired surrogates and unassigned code points are not. The two joiners are, because some scripts need them.
      */
     public static boolean isPrintable(int codePoint) {
         return switch (Character.getType(codePoint)) {
@@ -26,7 +25,7 @@ public final class PrintableText {
         };
     }
 
-    /** Whether a line shows the whole text as it is. */
+    /** Returns whether all characters of a text are printable. */
     public static boolean isPrintable(String text) {
         for (int i = 0, c; i < text.length(); i += Character.charCount(c)) {
             c = text.codePointAt(i);
@@ -37,10 +36,7 @@ public final class PrintableText {
         return true;
     }
 
-    /**
-     * The text with each character that is not shown escaped: {@code \n} and its kind for those that have a letter in C, else
-     * three octal digits for each byte of its UTF-8 form.
-     */
+    /** Escapes the characters that are not printable: {@code \n} and other C escapes, else three octal digits for each UTF-8 byte. */
     public static String escape(String text) {
         if (isPrintable(text)) {
             return text;
@@ -62,7 +58,7 @@ public final class PrintableText {
         } else if (c < 0x80) {
             octal(c, out);
         } else {
-            // By hand, since Java's encoder has no bytes for half of a surrogate pair.
+            // Encodes by hand, because Java's encoder has no bytes for an unpaired surrogate.
             int more = c < 0x800 ? 1 : c < 0x10000 ? 2 : 3;
             octal(0xF0 << 3 - more & 0xFF | c >> 6 * more, out);
             for (int i = more - 1; i >= 0; i--) {

@@ -4,28 +4,28 @@ import java.nio.file.Path;
 import java.util.Collection;
 
 /**
- * What a person or a file wrote, as messages quote it; the one place that does. Text that a line can show stays as it is, in
- * single quotes; any other is escaped as Git escapes the names of files, in double quotes: {@code "key\nlight"}.
+ * Quoting of user and file input in messages. Printable text stays as it is, in single quotes; other text is escaped as Git escapes file
+ * names, in double quotes: {@code "key\nlight"}.
  */
 public final class Quote {
-    /** Code points that are shown; every name that a scene may hold is shown whole. */
+    /** Maximum code points shown; every valid scene name is shown in full. */
     private static final int MAX_LENGTH = 100;
     private static final String ELLIPSIS = "…";
-    /** Characters of the names of files; more than any folder or file may have by itself. */
+    /** Maximum characters of a file name; longer than any single folder or file name. */
     private static final int MAX_PATH_LENGTH = 500;
     private static final int PATH_HEAD_LENGTH = 150;
 
     private Quote() {}
 
-    /** What was found, in quotes, shortened where it has more than 100 characters. */
+    /** Returns a text in quotes, shortened to 100 characters. */
     public static String of(String text) {
         String shown = shorten(text);
         return PrintableText.isPrintable(shown) ? "'" + shown + "'" : escape(shown);
     }
 
     /**
-     * The name of a file: as it is where a line can show it, else escaped and in double quotes. Whole, but for the middle of one
-     * that has more than 500 characters.
+     * Returns a file name: as it is if printable, else escaped and in double quotes. Removes the middle of names longer than 500
+     * characters.
      */
     public static String path(String name) {
         String shown = name;
@@ -39,7 +39,7 @@ public final class Quote {
         return PrintableText.isPrintable(shown) && !shown.startsWith("\"") ? shown : escape(shown);
     }
 
-    /** A sentence in which each of some words is shortened where it has more than 100 characters. */
+    /** Returns a sentence with the given words shortened to 100 characters each. */
     public static String shortenWords(String sentence, Collection<String> words) {
         String shown = sentence;
         for (String word : words) {
@@ -53,9 +53,9 @@ public final class Quote {
         return path(path.toString());
     }
 
-    /** The first 100 characters; a surrogate pair is never cut in two. */
+    /** Returns the first 100 characters; never splits a surrogate pair. */
     public static String shorten(String text) {
-        // Most text is short, and only so much of the longest is looked at.
+        // Most texts are short; a long one is examined only up to the limit.
         if (text.length() <= MAX_LENGTH) {
             return text;
         }

@@ -8,22 +8,22 @@ import java.net.URL;
 import java.util.Optional;
 import java.util.stream.Stream;
 
-/** Which release of the program this is. */
+/** Release of the program. */
 public final class ReleaseInfo {
     private ReleaseInfo() {}
 
-    /** The release, and the Java that it runs on: {@code Lightning 1.0 on Java 25.0.1+8}. */
+    /** Returns the release and its Java version: {@code Lightning 1.0 on Java 25.0.1+8}. */
     public static String text() {
         String number = descriptor().flatMap(ModuleDescriptor::rawVersion).orElse("of a build");
         return "Lightning " + number + " on Java " + Runtime.version();
     }
 
-    /** What machines that go together must agree in: who traces otherwise might see other bits. */
+    /** Returns the release and platform in which all machines of a cluster must agree, because another one might render other bits. */
     public static String machineText() {
         return text() + " on " + System.getProperty("os.arch");
     }
 
-    /** The program is a module wherever it lies, but on a class path runs as none: its descriptor is a file of it there. */
+    /** Reads the descriptor from the module, or as a file if the program runs on the class path. */
     private static Optional<ModuleDescriptor> descriptor() {
         Module module = ReleaseInfo.class.getModule();
         if (module.isNamed()) {

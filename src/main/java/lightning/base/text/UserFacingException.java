@@ -1,7 +1,7 @@
 package lightning.base.text;
 
-/** A problem of what the program was given or can do here, not of itself: its message is for whoever uses it, as it stands. */
+/** Exception about the user's input or environment, not a bug; its message is shown as it is. */
 public interface UserFacingException {
-    /** A sentence, which may lack its full stop; several problems of one file have a line each. */
+    /** Returns a sentence, possibly without its full stop; several problems of one file have a line each. */
     String getMessage();
 }

@@ -1,5 +1,5 @@
 /**
- * Words that people and files write: numbers, what is found quoted in a message, characters that a line can show.
+ * Text handling: numbers, quoting in messages, printable characters and translations.
  *
  * <pre>{@code
  * OptionalDouble number = DecimalNumber.parse(word);

@@ -1,13 +1,13 @@
 package lightning.base.work;
 
-/** The memory that there is to work with. */
+/** Memory available for rendering. */
 public final class HeapBudget {
-    /** The part of the heap that pictures may take: an edit's new columns and the collector need the rest. */
+    /** Fraction of the heap for images; an edit's new columns and the garbage collector need the rest. */
     private static final double HEAP_FRACTION = 0.8;
 
     private HeapBudget() {}
 
-    /** The bytes that pictures may take in this Java. */
+    /** Returns the bytes that images may use in this JVM. */
     public static long availableBytes() {
         return (long) (HEAP_FRACTION * Runtime.getRuntime().maxMemory());
     }

@@ -6,27 +6,27 @@ import java.lang.invoke.MethodHandle;
 import java.util.Optional;
 
 /**
- * Lets the operating system run a thread on what others leave of the processors. On Linux each thread has a rank of its own
- * ({@code nice(2)}; threads that it makes get the same), and may lower it but not raise it again. Other systems give one to whole
- * processes, and nothing happens there, nor where Java may not call native code.
+ * Low operating-system priority for a thread. On Linux each thread has its own ({@code nice(2)}), inherited by the threads that it starts,
+ * and can lower it but not raise it again. Does nothing on other systems, where the priority applies to whole processes, or if Java may not
+ * call native code.
  */
 final class LowPriority {
-    /** Where processors are wanted by all, a ninth of what a thread of usual rank gets (the kernel's weights: 110 of 1024). */
+    /** Under full load the thread gets a ninth of a normal thread's processor time (the kernel's weights: 110 of 1024). */
     private static final int NICE_INCREMENT = 10;
 
     private LowPriority() {}
 
-    /** Lowers the rank of the thread that calls. */
+    /** Lowers the priority of the calling thread. */
     static void apply() {
         try {
             Optional<MethodHandle> nice =
                     NativeFunction.findOnLinux("nice", FunctionDescriptor.of(ValueLayout.JAVA_INT, ValueLayout.JAVA_INT));
             if (nice.isPresent()) {
-                // What it answers, a failure too, changes nothing.
+                // The result, even a failure, does not matter.
                 var _ = (int) nice.get().invokeExact(NICE_INCREMENT);
             }
         } catch (Throwable e) {
-            // The thread works with the rank that it has.
+            // The thread runs with its current priority.
         }
     }
 }

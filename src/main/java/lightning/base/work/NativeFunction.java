@@ -5,11 +5,11 @@ import java.lang.foreign.Linker;
 import java.lang.invoke.MethodHandle;
 import java.util.Optional;
 
-/** Functions of the operating system that Java has no name for. */
+/** Native functions of the operating system. */
 final class NativeFunction {
     private NativeFunction() {}
 
-    /** A function of Linux; none on other systems, nor where Java may not call native code. */
+    /** Looks up a Linux function; empty on other systems, or if Java may not call native code. */
     static Optional<MethodHandle> findOnLinux(String name, FunctionDescriptor type) {
         if (!System.getProperty("os.name").equals("Linux") || !NativeFunction.class.getModule().isNativeAccessEnabled()) {
             return Optional.empty();

@@ -10,17 +10,17 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * Another program in this process's place ({@code execv(2)}): the process's number, its environment, folder and standard streams stay, so
- * whoever waits for this program or ends it does so with the other. Only on Linux, and where Java may call native code.
+ * Replacement of this process by another program ({@code execv(2)}). The process id, environment, working folder and standard streams stay,
+ * so a parent can wait for or end the new program. Works only on Linux and if Java may call native code.
  */
 public final class ProcessRestart {
     private ProcessRestart() {}
 
     /**
-     * Runs a program from its beginning, in place of this one; nothing else of this program runs, no shutdown hook either. Returns only
-     * where that cannot be done, and nothing has happened then.
+     * Runs a program in place of this one; no further code of this program runs, including shutdown hooks. Returns only on failure, without
+     * side effects.
      *
-     * @param command the program's file and its arguments, without a NUL
+     * @param command the program's file and its arguments, without NUL characters
      */
     public static void exec(List<String> command) {
         try (Arena arena = Arena.ofConfined()) {
@@ -29,7 +29,7 @@ public final class ProcessRestart {
             if (execv.isEmpty()) {
                 return;
             }
-            // As Java decoded them.
+            // The charset with which Java decoded the arguments.
             Charset charset = Charset.forName(System.getProperty("sun.jnu.encoding"));
             MemorySegment arguments = arena.allocate(ValueLayout.ADDRESS, command.size() + 1L);
             for (int i = 0; i < command.size(); i++) {
@@ -38,7 +38,7 @@ public final class ProcessRestart {
             arguments.setAtIndex(ValueLayout.ADDRESS, command.size(), MemorySegment.NULL);
             var _ = (int) execv.get().invokeExact(arguments.getAtIndex(ValueLayout.ADDRESS, 0), arguments);
         } catch (Throwable e) {
-            // This program goes on.
+            // Continue with this program.
         }
     }
 }

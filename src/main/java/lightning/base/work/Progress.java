@@ -2,24 +2,22 @@ package lightning.base.work;
 
 import java.util.function.BooleanSupplier;
 
-/** Hears how far a long work is, and may stop it. Called from any worker thread. */
+/** Listener for the progress of a long task, which can also cancel it. Called from any worker thread. */
 public interface Progress {
-    /** {@code done} of {@code total} tiles are finished. */
+    /** Reports that {@code done} of {@code total} tiles are finished. */
     void report(int done, int total);
 
-    /** Whether the work shall stop; asked before every tile and between the lights of a tile. */
+    /** Returns whether the task must stop; polled before every tile and between the lights of a tile. */
     boolean isCanceled();
 
     /**
-     * A tile of a picture that is made from nothing is there, though the picture is not.
+     * Reports a finished tile of a full render before the image is complete.
      *
-     * @param film its red, green and blue, each {@code float[1024]}; nobody writes them any more, but finer samples may follow
+     * @param film red, green and blue, each {@code float[1024]}; not written again, but anti-aliased samples may follow
      */
     default void tileFinished(int tile, float[][] film) {}
 
-    /**
-     * Hears a part of a longer work: {@code offset} tiles are finished already, {@code total} are to be done in all.
-     */
+    /** Returns the progress of a part of a task: {@code offset} tiles are already finished, {@code total} in all. */
     default Progress subProgress(int offset, int total) {
         Progress parent = this;
         return new Progress() {
@@ -35,12 +33,12 @@ public interface Progress {
         };
     }
 
-    /** Stops with this one and hears nothing: for the parts of a work that is shown as a whole. */
+    /** Returns a progress that only forwards cancellation: for parts of a task that is shown as a whole. */
     default Progress cancellationOnly() {
         return cancellation(this::isCanceled);
     }
 
-    /** Hears nothing, and stops when it is so: asked on any worker's thread. */
+    /** Returns a progress that ignores reports and polls {@code canceled} on any worker thread. */
     static Progress cancellation(BooleanSupplier canceled) {
         return new Progress() {
             @Override
@@ -53,6 +51,6 @@ public interface Progress {
         };
     }
 
-    /** Hears nothing and never stops. */
+    /** Ignores reports and never cancels. */
     Progress NONE = cancellation(() -> false);
 }

@@ -9,27 +9,26 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
 
 /**
- * A fixed number of threads that share the tiles of a picture: whoever is free takes the next.
+ * Fixed-size thread pool that distributes the tiles of an image: each free thread takes the next tile.
  *
- * <p>The caller's thread is worker 0. What a picture holds does not depend on who computed which
- * tile.
+ * <p>The caller's thread is worker 0. The result does not depend on the assignment of tiles to threads.
  */
 public final class WorkerPool implements AutoCloseable {
-    /** The work on one tile. */
+    /** Work on one tile. */
     @FunctionalInterface
     public interface TileTask {
-        /** Does tile {@code tile} as worker {@code worker}, 0 ≤ worker &lt; {@link WorkerPool#count()}. */
+        /** Processes tile {@code tile} as worker {@code worker}, 0 ≤ worker &lt; {@link WorkerPool#count()}. */
         void run(int worker, int tile);
     }
 
-    /** The phase of a team that still works. */
+    /** Phase of a run that is still active. */
     private static final int RUNNING_PHASE = 0;
 
     private final int count;
     private final ExecutorService threads;
 
     /**
-     * @param count how many threads, the caller's included
+     * @param count number of threads, including the caller's
      * @throws IllegalArgumentException if it is below 1
      */
     public WorkerPool(int count) {
@@ -40,7 +39,7 @@ public final class WorkerPool implements AutoCloseable {
         threads = Executors.newFixedThreadPool(Math.max(1, count - 1), DedicatedThread.factory("lightning-worker"));
     }
 
-    /** As many threads as the machine has processors. */
+    /** Returns the number of processors. */
     public static int processorCount() {
         return Runtime.getRuntime().availableProcessors();
     }
@@ -50,26 +49,26 @@ public final class WorkerPool implements AutoCloseable {
     }
 
     /**
-     * Runs a task for each of {@code tiles} tiles and waits for all, even when interrupted: nobody writes to the caller's memory
-     * afterwards. A thread that finds a processor only when no tile is left is not waited for.
+     * Runs a task for each of {@code tiles} tiles and waits for all, even when interrupted: no thread writes to the caller's memory
+     * afterwards. Does not wait for a thread that is scheduled only after the last tile was taken.
      *
-     * @throws CancellationException if {@code progress} asked to stop; some tiles were then not run
+     * @throws CancellationException if {@code progress} canceled the run; some tiles were then not run
      */
     public void run(int tiles, TileTask task, Progress progress) {
         run(tiles, 1, task, progress);
     }
 
     /**
-     * The same where whoever is free takes the next {@code batchSize} tiles, in their order, and fewer at the end.
+     * Like {@link #run(int, TileTask, Progress)}, but each free thread takes the next {@code batchSize} tiles in order, fewer at the end.
      *
-     * @throws CancellationException if {@code progress} asked to stop; some tiles were then not run
+     * @throws CancellationException if {@code progress} canceled the run; some tiles were then not run
      */
     public void run(int tiles, int batchSize, TileTask task, Progress progress) {
         AtomicInteger next = new AtomicInteger();
         AtomicInteger done = new AtomicInteger();
         AtomicReference<Throwable> failure = new AtomicReference<>();
         Progress shared = shareCancellation(progress);
-        // The caller, and whoever has begun by the time that the caller finds no tile left; it ends when all of them have arrived.
+        // Parties: the caller and every thread that started before the caller ran out of tiles. Terminates when all have arrived.
         Phaser phaser = new Phaser(1);
         int helpers = Math.min(count, Math.ceilDiv(tiles, batchSize)) - 1;
         for (int worker = 1; worker <= helpers; worker++) {
@@ -95,9 +94,7 @@ public final class WorkerPool implements AutoCloseable {
         }
     }
 
-    /**
-     * What one worker hears, all hear: an interrupted caller that waits for the others no longer looks interrupted to them.
-     */
+    /** Shares a cancellation seen by one worker with all: an interrupted caller that waits no longer appears interrupted to the others. */
     private static Progress shareCancellation(Progress progress) {
         AtomicBoolean canceled = new AtomicBoolean();
         return new Progress() {

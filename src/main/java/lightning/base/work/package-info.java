@@ -1,5 +1,5 @@
 /**
- * Long work: threads that share it, and who hears how far it is and may stop it.
+ * Long-running work: a thread pool, background threads, progress and cancellation.
  *
  * <pre>{@code
  * try (WorkerPool workers = new WorkerPool(2)) {

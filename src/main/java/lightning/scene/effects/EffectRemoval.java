@@ -13,7 +13,7 @@ import lightning.scene.SceneNode;
 import lightning.scene.Shape;
 import lightning.scene.Solid;
 
-/** Scenes with something taken away. */
+/** Scenes with an effect removed. */
 final class EffectRemoval {
     private EffectRemoval() {}
 
@@ -21,7 +21,7 @@ final class EffectRemoval {
         return s.withMaterials(s.materials().stream().map(change).toList());
     }
 
-    /** Nothing mirrors by its color, and no ray is followed unless something is clear, which mirrors by its angle. */
+    /** Removes reflective colors, and ray depth unless a material is transparent, which reflects by angle. */
     static Scene removeReflections(Scene s) {
         Scene nonReflective = mapMaterials(s, m -> m.withReflective(Rgb.BLACK));
         return s.materials().stream().anyMatch(m -> m.transmission().isTransparent()) ? nonReflective
@@ -32,7 +32,7 @@ final class EffectRemoval {
         return s.withLights(s.lights().stream().map(change).toList());
     }
 
-    /** The light as a point, or as one direction. */
+    /** Returns the light as a point or as a single direction. */
     static Light removeArea(Light light) {
         return light.withArea(light.area().withRadius(0).withSpread(0).withWidth(0).withHeight(0));
     }
@@ -46,7 +46,7 @@ final class EffectRemoval {
                 ? shape.withSolid(t.withShowsColors(false)) : shape)));
     }
 
-    /** Each shape becomes what {@code change} makes of it, in the same groups. */
+    /** Replaces each shape by the result of {@code change}, in the same groups. */
     private static List<SceneNode> mapNodes(List<SceneNode> nodes, Function<Shape, Stream<Shape>> change) {
         return nodes.stream().<SceneNode>flatMap(node -> switch (node) {
             case NodeGroup group -> Stream.of(group.withChildren(mapNodes(group.children(), change)));

@@ -11,11 +11,11 @@ import lightning.scene.Shape;
 import lightning.scene.Solid;
 
 /**
- * What of a scene takes part in its picture.
+ * Parts of a scene that contribute to its image.
  *
- * @param scene  all of it
- * @param shapes the shapes
- * @param lights the lights that shine on any, as their banks make them
+ * @param scene  the whole scene
+ * @param shapes the placed shapes
+ * @param lights the lights that illuminate any shape, with their groups applied
  */
 record EffectUsers(Scene scene, List<PlacedShape> shapes, List<Light> lights) {
 
@@ -29,50 +29,50 @@ record EffectUsers(Scene scene, List<PlacedShape> shapes, List<Light> lights) {
         return scene.isActive(light) && !light.weight().isBlack();
     }
 
-    /** The names of such lights. */
+    /** Returns the names of matching lights. */
     Stream<String> lights(Predicate<Light> filter) {
         return lights.stream().filter(filter).map(Light::name);
     }
 
-    /** The names of banks that make any light another. */
+    /** Returns the names of light groups that change any light. */
     Stream<String> lightGroups() {
         return shapes.isEmpty() ? Stream.empty() : scene.lights().stream().filter(l -> !l.lightGroup().isEmpty())
                 .filter(l -> !scene.rig().effectiveLight(l).equals(l.withLightGroup(""))).map(Light::lightGroup);
     }
 
-    /** The names of such materials on shapes that are lit. */
+    /** Returns the names of matching materials on lit shapes. */
     Stream<String> litMaterials(Predicate<Material> filter) {
         return lights.isEmpty() ? Stream.empty() : materials(filter);
     }
 
-    /** The names of such materials on shapes. */
+    /** Returns the names of matching materials on shapes. */
     Stream<String> materials(Predicate<Material> filter) {
         return shapes.stream().map(PlacedShape::material).filter(filter).map(Material::name);
     }
 
-    /** The names of materials that mirror by their own color, where rays are followed. */
+    /** Returns the names of materials with a reflective color, if reflections are traced. */
     Stream<String> mirrors() {
         return scene.picture().depth() == 0 ? Stream.empty() : materials(Material::isMirror);
     }
 
-    /** How many times a ray can bounce at most, mirrored or refracted: 0 where no shape's material bounces rays. */
+    /** Returns the maximum number of reflection and refraction bounces; 0 if no shape's material needs any. */
     int depth() {
         return shapes.stream().map(PlacedShape::material).anyMatch(Material::spawnsSecondaryRays) ? scene.picture().depth() : 0;
     }
 
-    /** The picture, where its pixels have several samples. */
+    /** Returns the image, if its pixels have several samples. */
     Stream<String> supersampling() {
         return scene.picture().sampling().isSupersampled() ? Stream.of("picture") : Stream.empty();
     }
 
-    /** The names of shapes whose vertices' colors are lit. */
+    /** Returns the names of shapes with lit vertex colors. */
     Stream<String> vertexColors() {
         return lights.isEmpty() ? Stream.empty() : shapes.stream()
                 .filter(s -> s.shape().solid() instanceof Solid.TriangleMesh t && t.hasVertexColors() && !s.material().albedo().isBlack())
                 .map(s -> s.shape().name());
     }
 
-    /** The names of shapes of such a form. */
+    /** Returns the names of shapes of a solid type. */
     Stream<String> shapes(Class<? extends Solid> type) {
         return shapes.stream().map(PlacedShape::shape).filter(s -> type.isInstance(s.solid())).map(Shape::name);
     }

@@ -28,10 +28,7 @@ import lightning.scene.ShapeLinks;
 import lightning.scene.Solid;
 import lightning.scene.Transmission;
 
-/**
- * The parts of the picture that a scene may or may not call for: the one place that names them. Each tells who calls for
- * it, and what the scene is without it.
- */
+/** Registry of optional render effects. Each effect lists its users in a scene, and can remove itself from a scene. */
 public final class RenderEffect {
     private static final List<RenderEffect> REGISTRY = new ArrayList<>();
 
@@ -44,17 +41,17 @@ public final class RenderEffect {
     public static final RenderEffect TEXTURES =
             register("textures", "textures", uses -> uses.litMaterials(m -> m.texture().isPresent() && !m.albedo().isBlack()),
                     scene -> EffectRemoval.mapMaterials(scene, m -> m.withTexture(Optional.empty())), EffectInjection::addWhiteTextures);
-    public static final RenderEffect CUTOUTS = register("cutouts", "cut-outs", uses -> uses.materials(m -> m.cutout().isActive()),
+    public static final RenderEffect CUTOUTS = register("cutouts", "cutouts", uses -> uses.materials(m -> m.cutout().isActive()),
             scene -> EffectRemoval.mapMaterials(scene, m -> m.withCutout(AlphaCutout.NONE)), EffectInjection::addOpaqueCutouts);
     public static final RenderEffect BUMPS =
             register("bumps", "bump and normal maps", uses -> uses.materials(m -> !m.bumpMapping().isFlat()),
                     scene -> EffectRemoval.mapMaterials(scene, m -> m.withBumpMapping(BumpMapping.NONE)), EffectInjection::addFlatBumps);
     public static final RenderEffect VERTEX_COLORS =
-            register("vertex-colors", "colors of vertices", EffectUsers::vertexColors, EffectRemoval::removeVertexColors,
+            register("vertex-colors", "vertex colors", EffectUsers::vertexColors, EffectRemoval::removeVertexColors,
                     UnaryOperator.identity(), false);
     public static final RenderEffect REFLECTION =
             register("reflection", "reflections", EffectUsers::mirrors, EffectRemoval::removeReflections);
-    public static final RenderEffect TRANSMISSION = register("clear", "clear materials",
+    public static final RenderEffect TRANSMISSION = register("clear", "transparent materials",
             uses -> uses.materials(m -> m.transmission().isTransparent() || !m.transmission().castsShadows()),
             scene -> EffectRemoval.mapMaterials(scene, m -> m.withTransmission(Transmission.NONE)), UnaryOperator.identity(), false);
     public static final RenderEffect TINTED_SHADOWS =
@@ -66,7 +63,7 @@ public final class RenderEffect {
             register("attenuation", "attenuation", uses -> uses.lights(l -> l.type().hasPosition() && !l.attenuation().isNone()),
                     scene -> EffectRemoval.mapLights(scene, l -> l.withAttenuation(Attenuation.NONE)));
     public static final RenderEffect SPOT_CONE =
-            register("spot-cone", "cones of light", uses -> uses.lights(l -> l.type().hasCone() && l.angle() < 180),
+            register("spot-cone", "spotlight cones", uses -> uses.lights(l -> l.type().hasCone() && l.angle() < 180),
                     scene -> EffectRemoval.mapLights(scene, l -> l.withAngle(180)), EffectInjection::addFullCones);
     public static final RenderEffect DROPOFF =
             register("dropoff", "dropoff", uses -> uses.lights(l -> l.type().hasCone() && l.dropoff() != 0),
@@ -77,16 +74,16 @@ public final class RenderEffect {
     public static final RenderEffect GOBOS =
             register("gobos", "gobos", uses -> uses.lights(l -> l.type().hasCone() && l.gobo().isPresent()),
                     scene -> EffectRemoval.mapLights(scene, l -> l.withGobo(Optional.empty())));
-    public static final RenderEffect PROFILES = register("profiles", "profiles of lights",
+    public static final RenderEffect PROFILES = register("profiles", "IES profiles",
             uses -> uses.lights(l -> LightAttribute.PROFILE.appliesTo(l.type()) && l.profile().isPresent()),
             scene -> EffectRemoval.mapLights(scene, l -> l.withProfile(Optional.empty())));
     public static final RenderEffect LIGHT_LINKS =
-            register("light-links", "links of lights to what they shine on", uses -> uses.lights(l -> !l.illuminates().isAll()),
+            register("light-links", "light linking", uses -> uses.lights(l -> !l.illuminates().isAll()),
                     scene -> EffectRemoval.mapLights(scene, l -> l.withIlluminates(ShapeLinks.ALL)), UnaryOperator.identity(), false);
     public static final RenderEffect SHADOW_LINKS =
-            register("shadow-links", "links of lights to what shadows them", uses -> uses.lights(l -> !l.shadowedBy().isAll()),
+            register("shadow-links", "shadow linking", uses -> uses.lights(l -> !l.shadowedBy().isAll()),
                     scene -> EffectRemoval.mapLights(scene, l -> l.withShadowedBy(ShapeLinks.ALL)), UnaryOperator.identity(), false);
-    public static final RenderEffect LIGHT_GROUPS = register("banks", "banks of lights", EffectUsers::lightGroups,
+    public static final RenderEffect LIGHT_GROUPS = register("banks", "light groups", EffectUsers::lightGroups,
             scene -> scene.withRig(LightRig.of(scene.lights().stream().map(l -> l.withLightGroup("")).toList())),
             UnaryOperator.identity(), false);
     public static final RenderEffect SOFT_SHADOWS =
@@ -97,10 +94,10 @@ public final class RenderEffect {
             register("antialiasing", "anti-aliasing", EffectUsers::supersampling, scene -> scene.withPicture(scene.picture()
                     .withSampling(new SamplingSettings(AntialiasMode.OFF, scene.picture().sampling().grid()))));
     public static final RenderEffect ENVIRONMENT =
-            register("environment", "an environment", uses -> uses.scene().world().environment().stream().map(Environment::file),
+            register("environment", "environment", uses -> uses.scene().world().environment().stream().map(Environment::file),
                     scene -> scene.withWorld(scene.world().withEnvironment(Optional.empty())), UnaryOperator.identity(), false);
 
-    /** Those above, then one for each type of light and each form of a shape. */
+    /** All effects: those above, then one for each type of light and each type of solid. */
     public static final List<RenderEffect> ALL = Stream.of(REGISTRY.stream(), Arrays.stream(LightType.values()).map(RenderEffect::lights),
             Solid.CANONICAL.stream().map(RenderEffect::shapes),
             Stream.of(shapes("meshes", Solid.TriangleMesh.class))).flatMap(all -> all).toList();
@@ -157,40 +154,42 @@ public final class RenderEffect {
                 UnaryOperator.identity(), false);
     }
 
-    /** The effect of that {@link #id}. */
+    /** Returns the effect with that {@link #id}. */
     public static RenderEffect of(String id) {
         return ALL.stream().filter(effect -> effect.id.equals(id)).findFirst().orElseThrow();
     }
 
-    /** For programs: lower case, words joined by hyphens, as in {@code barn-doors}. */
+    /** Returns the identifier for programs: lower case, words joined by hyphens, such as {@code barn-doors}. */
     public String id() {
         return id;
     }
 
-    /** For people, lower case, in the plural where there is one. */
+    /** Returns the title for the user: lower case, in the plural if possible. */
     public String title() {
         return title;
     }
 
-    /** Whether its work can be done where nothing calls for it; that of a light, a bank or a shape which is not there cannot. */
+    /**
+     * Returns whether its work can be forced in a scene without users; impossible for the work of a missing light, light group or shape.
+     */
     public boolean isForcible() {
         return forcible;
     }
 
-    /** The names of the lights, materials or shapes that call for it, in the order of the scene, perhaps repeatedly. */
+    /** Returns the names of the lights, materials or shapes that use it, in scene order, possibly repeated. */
     Stream<String> users(EffectUsers uses) {
         return users.apply(uses);
     }
 
     /**
-     * A scene that calls for it and has the very same picture; the scene itself where there is none: then those who keep
-     * columns and cast rays force it ({@link ViewEffects#forces}), or nobody can.
+     * Returns a scene that uses it with an identical image; the scene itself if there is none. Some effects can then be forced in the
+     * renderer instead ({@link ViewEffects#forces}).
      */
     Scene addTo(Scene scene) {
         return addition.apply(scene);
     }
 
-    /** The scene without it; for shadows the scene itself, because nothing in a scene tells of them. */
+    /** Returns the scene without it; for shadows the scene itself, because no setting of a scene switches them off. */
     Scene removeFrom(Scene scene) {
         return removal.apply(scene);
     }

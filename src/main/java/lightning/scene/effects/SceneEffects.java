@@ -9,11 +9,10 @@ import java.util.Set;
 import lightning.scene.Scene;
 
 /**
- * The effects that a scene calls for, and who calls for each.
+ * Effects used by a scene, with their users.
  *
- * @param users for each effect that is called for the names of the lights, materials or shapes that do, in the order
- *                of the scene, each once; other effects have no entry
- * @param maxBounces   how many times a ray can bounce at most, mirrored or refracted: 0 where nothing mirrors or is clear
+ * @param users      for each used effect the unique names of its lights, materials or shapes, in scene order; unused effects have no entry
+ * @param maxBounces maximum number of reflection and refraction bounces: 0 if nothing reflects or is transparent
  */
 public record SceneEffects(Map<RenderEffect, List<String>> users, int maxBounces) {
     private static final int MAX_NAMES = 6;
@@ -24,7 +23,7 @@ public record SceneEffects(Map<RenderEffect, List<String>> users, int maxBounces
         users = Collections.unmodifiableMap(copy);
     }
 
-    /** The effects of a scene. */
+    /** Returns the effects of a scene. */
     public static SceneEffects of(Scene scene) {
         EffectUsers uses = EffectUsers.of(scene);
         var users = new LinkedHashMap<RenderEffect, List<String>>();
@@ -37,22 +36,22 @@ public record SceneEffects(Map<RenderEffect, List<String>> users, int maxBounces
         return new SceneEffects(users, uses.depth());
     }
 
-    /** Whether the scene calls for an effect. */
+    /** Returns whether the scene uses an effect. */
     public boolean has(RenderEffect effect) {
         return users.containsKey(effect);
     }
 
-    /** Whether a ray can bounce: then parts of the picture are seen in mirrors or through clear surfaces. */
+    /** Returns whether rays can bounce, so that parts of the image are seen in mirrors or through transparent surfaces. */
     public boolean spawnsSecondaryRays() {
         return maxBounces > 0;
     }
 
-    /** Who calls for it; empty where nobody does. */
+    /** Returns the users of an effect; empty if unused. */
     public List<String> users(RenderEffect effect) {
         return users.getOrDefault(effect, List.of());
     }
 
-    /** Why the scene calls for it, in a line: {@code up to 3 bounces: floor, eye}; empty where it does not. */
+    /** Returns the reason for an effect, in a line: {@code up to 3 bounces: floor, eye}; empty if unused. */
     public String reason(RenderEffect effect) {
         List<String> names = users(effect);
         String shown = String.join(", ", names.subList(0, Math.min(names.size(), MAX_NAMES)));
@@ -60,7 +59,7 @@ public record SceneEffects(Map<RenderEffect, List<String>> users, int maxBounces
         return (effect == RenderEffect.REFLECTION && has(effect) ? "up to " + maxBounces + " bounces: " : "") + shown + more;
     }
 
-    /** What the scene does without. */
+    /** Returns the unused effects. */
     public Set<RenderEffect> unused() {
         var unused = new LinkedHashSet<>(RenderEffect.ALL);
         unused.removeAll(users.keySet());

@@ -6,23 +6,21 @@ import java.util.Set;
 import lightning.scene.Scene;
 
 /**
- * Which effects a view shows: a state of looking, no part of the scene. The editor's preview is the
- * engine with effects taken away.
+ * Effects shown in a view; not part of the scene. The editor's preview is the renderer with some effects hidden.
  *
- * @param hidden      effects that are not shown; without shadows every row that faces a light in its cone is lit
- * @param forced      effects for which columns are kept, loops run and rays are cast even where the scene does not call for
- *                    them: the picture is the same, only more is done; to measure what their absence saves
- * @param litTextures whether lights fall on textures; else a texture emits its own color, as the
- *                    paper's preview has it (§3.1)
+ * @param hidden      hidden effects; without shadows every row that faces a light within its cone is lit
+ * @param forced      effects whose columns, loops and rays are computed even if the scene does not use them. The image is the same;
+ *     measures the benefit of skipping unused effects
+ * @param litTextures true if lights affect textures; otherwise a texture emits its own color, as in the paper's preview (§3.1)
  */
 public record ViewEffects(Set<RenderEffect> hidden, Set<RenderEffect> forced, boolean litTextures) {
-    /** Everything that the scene calls for and no more: what a picture is. */
+    /** All effects of the scene, as in a final image. */
     public static final ViewEffects ALL = new ViewEffects(Set.of(), Set.of(), true);
-    /** The fast shading of the preview (paper §3.3). */
+    /** Fast shading of the preview (paper §3.3). */
     public static final ViewEffects PREVIEW =
             new ViewEffects(Set.of(RenderEffect.SHADOWS, RenderEffect.SOFT_SHADOWS, RenderEffect.REFLECTION, RenderEffect.ANTIALIASING),
                     Set.of(), true);
-    /** The same with textures that emit their colors, as the paper has it (§3.1): no light's pool can be seen on them. */
+    /** Preview with emissive textures as in the paper (§3.1): lights are not visible on them. */
     public static final ViewEffects PREVIEW_1998 = PREVIEW.withLitTextures(false);
 
     public ViewEffects {
@@ -30,17 +28,17 @@ public record ViewEffects(Set<RenderEffect> hidden, Set<RenderEffect> forced, bo
         forced = Set.copyOf(forced);
     }
 
-    /** This view without these effects, and all others. */
+    /** Returns this view with these effects hidden, and no others. */
     public ViewEffects withHidden(Collection<RenderEffect> effects) {
         return new ViewEffects(Set.copyOf(effects), forced, litTextures);
     }
 
-    /** This view with these effects forced, and no others. */
+    /** Returns this view with these effects forced, and no others. */
     public ViewEffects withForced(Collection<RenderEffect> effects) {
         return new ViewEffects(hidden, Set.copyOf(effects), litTextures);
     }
 
-    /** This view with one effect shown or hidden. */
+    /** Returns this view with one effect shown or hidden. */
     public ViewEffects with(RenderEffect effect, boolean shown) {
         Set<RenderEffect> hiddenEffects = new HashSet<>(hidden);
         if (shown) {
@@ -63,17 +61,17 @@ public record ViewEffects(Set<RenderEffect> hidden, Set<RenderEffect> forced, bo
         return forced.contains(effect);
     }
 
-    /** Whether the picture is that of the scene itself. */
+    /** Returns whether it shows the final image. */
     public boolean showsAll() {
         return hidden.isEmpty() && litTextures;
     }
 
-    /** Whether what is known of a picture in the other view serves this one: they differ in the scenes they trace alone. */
+    /** Returns whether this view can reuse the other's cache: they differ only in the scenes that they trace. */
     public boolean hasSameTrace(ViewEffects o) {
         return shows(RenderEffect.SHADOWS) == o.shows(RenderEffect.SHADOWS) && forced.equals(o.forced) && litTextures == o.litTextures;
     }
 
-    /** The scene that this view traces: the same, or one without the hidden effects. */
+    /** Returns the scene that this view traces, without the hidden effects. */
     public Scene apply(Scene scene) {
         Scene result = scene;
         for (RenderEffect effect : RenderEffect.ALL) {

@@ -1,13 +1,13 @@
 /**
- * What a scene calls for, from the scene alone: nothing is rendered to find out.
+ * Render effects used by a scene, found without rendering.
  *
  * <pre>{@code
  * SceneEffects effects = SceneEffects.of(scene);
  * effects.has(RenderEffect.TEXTURES);           // false: no surface is textured
- * effects.callers(RenderEffect.ATTENUATION);    // [lamp]
+ * effects.users(RenderEffect.ATTENUATION);      // [lamp]
  * }</pre>
  *
- * <p>An effect is called for when the picture could be another one without it. What the scene holds but does not use
- * (a light that is off, a material on no shape, mirrors at depth 0) calls for nothing.
+ * <p>A scene uses an effect if removing it could change the image. Unused parts of the scene (a light that is off, a material without
+ * shapes, mirrors at depth 0) use no effect.
  */
 package lightning.scene.effects;

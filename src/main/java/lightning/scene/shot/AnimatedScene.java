@@ -6,25 +6,27 @@ import java.util.Optional;
 import lightning.scene.Scene;
 
 /**
- * A scene with its shot: an ordinary scene at each frame, any of which can be edited.
+ * Scene with an optional shot: an ordinary, editable scene at each frame.
  *
- * @param base the scene as it is where nothing has keys
- * @param shot  keys over frames; empty where the scene does not move
+ * @param base scene without keyframes applied
+ * @param shot keyframes; empty for a still scene
  */
 public record AnimatedScene(Scene base, Optional<Shot> shot) {
 
-    /** One that does not move. */
+    /** Returns a still scene. */
     public static AnimatedScene of(Scene base) {
         return new AnimatedScene(base, Optional.empty());
     }
 
-    /** The scene with another shot, unless it is one of another scene: see {@link Shot#check}. */
+    /** Returns the scene with another shot, which must match the scene: see {@link Shot#check}. */
     public AnimatedScene withShot(Shot newShot) {
         newShot.check(base);
         return new AnimatedScene(base, Optional.of(newShot));
     }
 
-    /** Without the keys of an attribute, which is at all frames as a key would say it; the same where it has none. */
+    /**
+     * Returns the scene without the keyframes of an attribute, which has the given value at all frames; the same if it has no keyframes.
+     */
     public AnimatedScene withoutTrack(TrackTarget target, String attribute, KeyframeValue value) {
         if (shot.flatMap(s -> s.track(target, attribute)).isEmpty()) {
             return this;
@@ -35,13 +37,13 @@ public record AnimatedScene(Scene base, Optional<Shot> shot) {
         return new AnimatedScene(new FrameEvaluator(List.of(constant), 0).evaluate(base), Optional.of(shot.get().withTracks(remaining)));
     }
 
-    /** Another scene, whose things have the keys of what they come from. */
+    /** Returns another scene with the keyframes transferred to the objects that come from those of this one. */
     public AnimatedScene withScene(Scene newBase) {
         return new AnimatedScene(newBase, shot.map(s -> new TrackRetargeting(base, newBase).retarget(s)));
     }
 
     /**
-     * The scene at a frame.
+     * Returns the scene at a frame.
      *
      * @throws IllegalArgumentException as {@link Shot#sceneAt}
      */
@@ -50,19 +52,19 @@ public record AnimatedScene(Scene base, Optional<Shot> shot) {
     }
 
     /**
-     * What an edit at a frame makes of it: what has keys and was changed has a key there, which goes on to the next as the key before
-     * it; all else is another at every frame. At that frame it is the edited scene.
+     * Applies an edit made at a frame. Animated attributes get a keyframe there, with the interpolation of the one before it; other changes
+     * apply at every frame. At that frame the result equals the edited scene.
      *
-     * @param shown  the scene at that frame
-     * @param edited what {@code shown} was made to be
-     * @throws IllegalArgumentException if the scene cannot be so where nothing has keys, as a camera that stands where it looks
+     * @param shown  scene at that frame
+     * @param edited edited version of {@code shown}
+     * @throws IllegalArgumentException if the scene is invalid without keyframes, for example if a camera is at its target
      */
     public AnimatedScene withEdit(int frame, Scene shown, Scene edited) {
         if (shot.isEmpty()) {
             return of(edited);
         }
         var retargeting = new TrackRetargeting(shown, edited);
-        // Most edits leave shapes alone: the stage of all frames is then kept, and nobody looks at its shapes.
+        // Most edits do not change shapes: then shares the stage of all frames and compares no shapes.
         boolean sameNodes = edited.stage().hasSameNodes(shown.stage());
         Shot newShot = retargeting.retarget(shot.get());
         List<Track> baseTracks = new ArrayList<>();

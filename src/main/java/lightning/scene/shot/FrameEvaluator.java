@@ -15,7 +15,7 @@ import lightning.scene.SceneAttribute;
 import lightning.scene.SceneNode;
 import lightning.scene.Shape;
 
-/** Makes the scene of one frame. All that goes together is set together, so that nothing in between is ever refused. */
+/** Evaluation of the scene at one frame. Sets dependent values together, so that no intermediate state is rejected. */
 final class FrameEvaluator {
     private final Map<TrackTarget, List<Track>> tracks;
     private final double frame;
@@ -32,7 +32,7 @@ final class FrameEvaluator {
         }
         if (has(TrackTarget.Kind.LIGHT) || has(TrackTarget.Kind.LIGHT_GROUP)) {
             result = result.withRig(LightRig.of(scene.lights().stream().map(this::light).toList(),
-                    scene.rig().lightGroups().stream().map(this::bank).toList()));
+                    scene.rig().lightGroups().stream().map(this::animateLightGroup).toList()));
         }
         return has(TrackTarget.Kind.NODE) ? result.withNodes(nodes(scene.nodes())) : result;
     }
@@ -64,8 +64,8 @@ final class FrameEvaluator {
         return animate(light, TrackTarget.light(light.name()), LightAttribute.ALL);
     }
 
-    private LightGroup bank(LightGroup bank) {
-        return animate(bank, TrackTarget.bank(bank.name()), LightGroup.ATTRIBUTES);
+    private LightGroup animateLightGroup(LightGroup group) {
+        return animate(group, TrackTarget.bank(group.name()), LightGroup.ATTRIBUTES);
     }
 
     private List<SceneNode> nodes(List<SceneNode> nodes) {

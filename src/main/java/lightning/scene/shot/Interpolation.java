@@ -1,11 +1,11 @@
 package lightning.scene.shot;
 
-/** How a value goes from one key to the next. */
+/** Interpolation from one keyframe to the next. */
 public enum Interpolation {
-    /** Evenly; a direction turns evenly on the shorter arc. */
+    /** Linear; a direction rotates uniformly on the shorter arc. */
     LINEAR,
-    /** Without a corner: the slope is continuous, and nothing goes beyond what two neighboring keys say. */
+    /** Smooth, with a continuous slope and without overshoot beyond the neighboring keyframes. */
     SMOOTH,
-    /** Not at all: it stays until the next key. */
+    /** Constant until the next keyframe. */
     STEPPED
 }

@@ -1,10 +1,10 @@
 package lightning.scene.shot;
 
 /**
- * What something is at one frame.
+ * Value of an attribute at one frame.
  *
- * @param frame   0 … {@link Shot#MAX_FRAME}
- * @param interpolation how it goes on to the next key
+ * @param frame         0 … {@link Shot#MAX_FRAME}
+ * @param interpolation interpolation to the next keyframe
  */
 public record Keyframe(int frame, KeyframeValue value, Interpolation interpolation) {
     public Keyframe {

@@ -6,13 +6,12 @@ import lightning.base.math.Vec3;
 import lightning.base.math.VectorRotation;
 import lightning.scene.NumericKind;
 
-/** What lies between the numbers of two keys. */
+/** Interpolation between the numbers of two keyframes. */
 final class KeyframeInterpolator {
     private KeyframeInterpolator() {}
 
     /**
-     * A part of the even way from one value to another. Numbers stay between those of the two, each for itself; a direction turns on
-     * the shorter arc, and its length goes evenly.
+     * Interpolates linearly. Each number stays between both values; a direction rotates on the shorter arc, and its length is interpolated.
      *
      * @param t 0 … 1
      */
@@ -42,13 +41,14 @@ final class KeyframeInterpolator {
     }
 
     /**
-     * A place on Hermite's cubic with given slopes at its ends: 3t² − 2t³ of the way, and t(1 − t)² of the first slope less
-     * t²(1 − t) of the second. It is monotone where each slope is 0 … 3 times that of the straight way (F. N. Fritsch, R. E. Carlson:
-     * Monotone Piecewise Cubic Interpolation, SIAM J. Numer. Anal. 17, 1980).
+     * Evaluates Hermite's cubic with given end slopes: 3t² − 2t³ of the difference, plus t(1 − t)² of the first slope, minus t²(1 − t) of
+     * the second. It is monotone if each slope is 0 … 3 times that of the straight line (F. N. Fritsch, R. E. Carlson: Monotone Piecewise
+     * Cubic Interpolation, SIAM J. Numer. Anal. 17, 1980).
      *
-     * @param startSlope  at {@code from}, per frame; at the end {@code endSlope}
-     * @param frames from one to the other, above 0
-     * @param t      the share of the way in time, 0 … 1
+     * @param startSlope slope at {@code from}, per frame
+     * @param endSlope   slope at {@code to}, per frame
+     * @param frames     number of frames between, above 0
+     * @param t          relative time, 0 … 1
      */
     static double cubic(double from, double to, double startSlope, double endSlope, double frames, double t) {
         double meanSlope = (to - from) / frames;
@@ -60,11 +60,12 @@ final class KeyframeInterpolator {
     }
 
     /**
-     * The slope at a key between two others, by which the curve is monotone from key to key: the harmonic mean of the two straight
-     * slopes, weighted by the frames, or 0 where one goes up and the other does not (F. N. Fritsch, J. Butland: A Method for
-     * Constructing Local Monotone Piecewise Cubic Interpolants, SIAM J. Sci. Stat. Comput. 5, 1984).
+     * Computes the slope at a keyframe between two others for a monotone curve: the harmonic mean of both straight slopes, weighted by the
+     * frames, or 0 if their signs differ (F. N. Fritsch, J. Butland: A Method for Constructing Local Monotone Piecewise Cubic Interpolants,
+     * SIAM J. Sci. Stat. Comput. 5, 1984).
      *
-     * @param framesBefore from {@code before} to {@code current}, above 0; {@code framesAfter} likewise
+     * @param framesBefore frames from {@code before} to {@code current}, above 0
+     * @param framesAfter  frames from {@code current} to {@code after}, above 0
      */
     static double slope(double before, double current, double after, double framesBefore, double framesAfter) {
         double slopeBefore = (current - before) / framesBefore;
@@ -77,7 +78,7 @@ final class KeyframeInterpolator {
         return (w1 + w2) / (w1 / slopeBefore + w2 / slopeAfter);
     }
 
-    /** Rounding carries no number beyond what the two keys say. */
+    /** Clamps a number to the range of both keyframes, against rounding. */
     private static double clampBetween(double a, double b, double v) {
         return Math.clamp(v, Math.min(a, b), Math.max(a, b));
     }

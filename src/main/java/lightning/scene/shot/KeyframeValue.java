@@ -2,9 +2,9 @@ package lightning.scene.shot;
 
 import java.util.List;
 
-/** What a key says: the value as a file writes it. */
+/** Value of a keyframe, as in a file. */
 public sealed interface KeyframeValue {
-    /** One number or several, all finite. */
+    /** One or several finite numbers. */
     record Numbers(List<Double> values) implements KeyframeValue {
         public Numbers {
             values = List.copyOf(values);
@@ -16,6 +16,6 @@ public sealed interface KeyframeValue {
         }
     }
 
-    /** One of a few words. */
+    /** One word of a fixed set. */
     record Word(String text) implements KeyframeValue {}
 }

@@ -12,19 +12,19 @@ import lightning.scene.Scene;
 import lightning.scene.SceneLimits;
 
 /**
- * Keys over frames. Two equal shots give the same scene at every frame.
+ * Animation of a scene by keyframes. Equal shots give the same scene at every frame.
  *
- * @param first  the first frame, 0 … {@link #MAX_FRAME}
- * @param last   the last frame, from {@code first}
+ * @param first  first frame, 0 … {@link #MAX_FRAME}
+ * @param last   last frame, from {@code first}
  * @param rate   frames per second, {@value #MIN_RATE} … {@value #MAX_RATE}
- * @param tracks one for each attribute that has keys, those of one target together; at most {@value #MAX_KEYS} keys in all
+ * @param tracks one for each animated attribute, grouped by target; at most {@value #MAX_KEYS} keyframes in all
  */
 public record Shot(int first, int last, double rate, List<Track> tracks) {
     public static final int MAX_FRAME = 1_000_000_000;
     public static final int MAX_KEYS = 1_000_000;
     public static final double MIN_RATE = 0.001;
     public static final double MAX_RATE = 1000;
-    /** One frame of nothing, 24 in a second. */
+    /** One frame without keyframes, 24 frames per second. */
     public static final Shot DEFAULT = new Shot(1, 1, 24, List.of());
 
     public Shot {
@@ -49,7 +49,7 @@ public record Shot(int first, int last, double rate, List<Track> tracks) {
         SceneLimits.checkRange(name, frame, 0, MAX_FRAME);
     }
 
-    /** The keys of an attribute. */
+    /** Returns the keyframes of an attribute. */
     public Optional<Track> track(TrackTarget target, String attribute) {
         return tracks.stream().filter(t -> t.target().equals(target) && t.attribute().equals(attribute)).findFirst();
     }
@@ -62,7 +62,7 @@ public record Shot(int first, int last, double rate, List<Track> tracks) {
         return new Shot(newFirst, newLast, rate, tracks);
     }
 
-    /** This shot with other keys of one attribute, or with its first. */
+    /** Returns this shot with the track of one attribute added or replaced. */
     public Shot with(Track track) {
         List<Track> newTracks = new ArrayList<>(tracks);
         int index = -1;
@@ -80,23 +80,22 @@ public record Shot(int first, int last, double rate, List<Track> tracks) {
     }
 
     /**
-     * Refuses a shot of another scene.
+     * Checks that the shot matches a scene.
      *
-     * @throws IllegalArgumentException if something with keys is not in the scene or lacks the attribute, or if the attribute may not
-     *                                  have a key's value
+     * @throws IllegalArgumentException if a target is missing in the scene or lacks the attribute, or if the attribute may not have a
+     *     keyframe's value
      */
     public void check(Scene scene) {
         tracks.forEach(track -> track.check(scene));
     }
 
     /**
-     * The scene at a frame: what has keys is as these say, all else as in {@code scene}, whose stage it shares where no shape and no
-     * group has keys.
+     * Returns the scene at a frame, with the keyframes applied to {@code scene}. Shares its stage if no shape and no group is animated.
      *
-     * @param scene one that {@link #check} takes
-     * @param frame any, also between two frames; before the first key and behind the last one things are as these say
-     * @throws IllegalArgumentException if what the keys say does not go together there, as a camera that stands where it looks; the
-     *                                  message begins with the frame
+     * @param scene a scene that passes {@link #check}
+     * @param frame any frame, also fractional; before the first and after the last keyframe, their values hold
+     * @throws IllegalArgumentException if the values are inconsistent there, for example if a camera is at its target; the message begins
+     *     with the frame
      */
     public Scene sceneAt(Scene scene, double frame) {
         try {

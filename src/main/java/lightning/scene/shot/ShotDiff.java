@@ -13,9 +13,9 @@ import lightning.scene.Scene;
 import lightning.scene.SceneAttribute;
 import lightning.scene.SceneDiff;
 
-/** Says what changed of a scene and its keys in one line for a menu: {@code key: intensity at frame 12}. */
+/** One-line summary of the changes of a scene and its keyframes: {@code key: intensity at frame 12}. */
 public final class ShotDiff {
-    /** Of more attributes than this it is not told whose keys changed. */
+    /** Above this many attributes, changed keyframes are not described. */
     private static final int MAX_ATTRIBUTES = 3;
 
     private final Scene scene;
@@ -25,13 +25,13 @@ public final class ShotDiff {
         this.scene = scene;
     }
 
-    /** Never empty. */
+    /** Summarizes all changes; never empty. */
     public static String summarize(AnimatedScene before, AnimatedScene after) {
         var change = new ShotDiff(after.base());
         if (!before.base().equals(after.base()) || before.shot().equals(after.shot())) {
             change.parts.add(SceneDiff.summarize(before.base(), after.base()));
         }
-        // What is renamed, and what goes with a light, is no news of the keys.
+        // Renaming, or removing a track with its light, is not a change of keyframes.
         Optional<Shot> previous = before.base().equals(after.base()) ? before.shot() : before.withScene(after.base()).shot();
         if (after.shot().isEmpty() && previous.isPresent()) {
             change.parts.add(Messages.tr("delete the shot"));
@@ -44,7 +44,7 @@ public final class ShotDiff {
         return String.join(", ", change.parts);
     }
 
-    /** The same of the keys of one thing alone; empty where they are the same. */
+    /** Summarizes the changed keyframes of one object; empty if unchanged. */
     public static String summarize(Scene scene, List<Track> before, List<Track> after) {
         var change = new ShotDiff(scene);
         change.addChanges(Shot.DEFAULT.withTracks(before), Shot.DEFAULT.withTracks(after));
@@ -68,10 +68,14 @@ public final class ShotDiff {
                 allNames.stream().filter(n -> !Optional.ofNullable(previous.get(n)).equals(Optional.ofNullable(current.get(n))))
                         .map(n -> text(previous.get(n), current.get(n))).toList();
         parts.addAll(
-                descriptions.size() <= MAX_ATTRIBUTES ? descriptions : List.of(Messages.tr("keys of {0} attributes", descriptions.size())));
+                descriptions.size() <= MAX_ATTRIBUTES ? descriptions
+                        : List.of(Messages.tr("keyframes of {0} attributes", descriptions.size())));
     }
 
-    /** @param before null where there was none; likewise {@code after} */
+    /**
+     * @param before the old track; null for none
+     * @param after  the new track; null for none
+     */
     private String text(Track before, Track after) {
         Track track = after == null ? before : after;
         String title = name(track.target()) + ": " + title(track);
@@ -85,12 +89,12 @@ public final class ShotDiff {
             return Messages.tr("{0} at frame {1}", title, added.getFirst().frame());
         }
         if (added.isEmpty() && removed.size() == 1) {
-            return Messages.tr("{0} without key at frame {1}", title, removed.getFirst().frame());
+            return Messages.tr("{0}: keyframe deleted at frame {1}", title, removed.getFirst().frame());
         }
-        return Messages.tr("{0}: keys", title);
+        return Messages.tr("{0}: keyframes", title);
     }
 
-    /** As lists call what has keys. */
+    /** Returns a target's name in lists. */
     public static String name(TrackTarget target) {
         return target.kind() == TrackTarget.Kind.CAMERA ? Messages.tr("camera") : Quote.path(target.name());
     }

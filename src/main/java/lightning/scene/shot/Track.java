@@ -11,42 +11,42 @@ import lightning.scene.SceneAttribute;
 import lightning.scene.ValueKind;
 
 /**
- * The keys of one attribute of something.
+ * Keyframes of one attribute of a target.
  *
- * @param attribute its name as a file writes it
- * @param keys      one at least, in the order of their frames, one for a frame
+ * @param attribute keyword in a file
+ * @param keys      at least one keyframe, in order, at most one per frame
  */
 public record Track(TrackTarget target, String attribute, List<Keyframe> keys) {
     public Track {
         keys = List.copyOf(keys);
         if (keys.isEmpty()) {
-            throw new IllegalArgumentException(target + ": " + attribute + " must have a key");
+            throw new IllegalArgumentException(target + ": " + attribute + " must have a keyframe");
         }
         for (int i = 1; i < keys.size(); i++) {
             if (keys.get(i).frame() <= keys.get(i - 1).frame()) {
-                throw new IllegalArgumentException(target + ": " + attribute + ": keys must be in the order of their frames, found "
-                        + keys.get(i).frame() + " behind " + keys.get(i - 1).frame());
+                throw new IllegalArgumentException(target + ": " + attribute + ": keyframes must be in frame order, found "
+                        + keys.get(i).frame() + " after " + keys.get(i - 1).frame());
             }
         }
     }
 
-    /** These keys of something else. */
+    /** Returns these keyframes for another target. */
     public Track withTarget(TrackTarget newTarget) {
         return new Track(newTarget, attribute, keys);
     }
 
-    /** These keys some frames later, or earlier where the number is negative. */
+    /** Returns these keyframes moved by some frames, earlier if negative. */
     public Track shift(int frames) {
         return new Track(target, attribute,
                 keys.stream().map(k -> new Keyframe(Math.addExact(k.frame(), frames), k.value(), k.interpolation())).toList());
     }
 
-    /** The key at a frame. */
+    /** Returns the keyframe at a frame. */
     public Optional<Keyframe> key(int frame) {
         return keys.stream().filter(k -> k.frame() == frame).findFirst();
     }
 
-    /** These keys and another, in place of the one at its frame. */
+    /** Returns this track with a keyframe added, replacing the one at its frame. */
     public Track with(Keyframe key) {
         List<Keyframe> newKeys = new ArrayList<>(keys);
         int index = 0;
@@ -61,7 +61,10 @@ public record Track(TrackTarget target, String attribute, List<Keyframe> keys) {
         return new Track(target, attribute, newKeys);
     }
 
-    /** With another value at a frame: the key there goes on as it did, a new one as the key before it, or as the first. */
+    /**
+     * Returns this track with another value at a frame. An existing keyframe keeps its interpolation; a new one takes that of the keyframe
+     * before it, or of the first.
+     */
     public Track with(int frame, KeyframeValue setting) {
         Keyframe previous = keys.getFirst();
         for (Keyframe key : keys) {
@@ -71,29 +74,28 @@ public record Track(TrackTarget target, String attribute, List<Keyframe> keys) {
     }
 
     /**
-     * Refuses keys that the scene cannot have.
+     * Checks that the scene can have these keyframes.
      *
-     * @throws IllegalArgumentException if what has them is not there, or lacks the attribute, or if the attribute has no keys at all or
-     *                                  may not have one's value
+     * @throws IllegalArgumentException if the target is missing or lacks the attribute, or if the attribute cannot be animated or may not
+     *     have a keyframe's value
      */
     public void check(Scene scene) {
         check(target.attribute(scene, attribute).<SceneAttribute<?, ?>>map(a -> a)
-                .orElseThrow(() -> new IllegalArgumentException(target + " has no " + attribute + " with keys")));
+                .orElseThrow(() -> new IllegalArgumentException(target + " has no " + attribute + " that can be animated")));
     }
 
     /**
-     * Refuses keys that the attribute cannot have.
+     * Checks that the attribute can have these keyframes.
      *
-     * @throws IllegalArgumentException if it has none at all, if a value is none of its own, or if words or whole numbers are to
-     *                                  go from key to key
+     * @throws IllegalArgumentException if it cannot be animated, if a value is invalid, or if words or whole numbers are interpolated
      */
     private void check(SceneAttribute<?, ?> definition) {
         if (definition.kind().keyframeSupport() == KeyframeSupport.NONE) {
-            throw new IllegalArgumentException(target + ": " + attribute + " has no keys: only numbers and words have");
+            throw new IllegalArgumentException(target + ": " + attribute + " cannot be animated: only numbers and words can");
         }
         for (Keyframe key : keys) {
             if (definition.kind().keyframeSupport() == KeyframeSupport.STEPPED && key.interpolation() != Interpolation.STEPPED) {
-                throw new IllegalArgumentException(target + ": " + attribute + " stays until its next key, so it must be stepped");
+                throw new IllegalArgumentException(target + ": " + attribute + " holds until its next keyframe, so it must be stepped");
             }
             check(definition.kind(), key.value());
         }
@@ -115,10 +117,10 @@ public record Track(TrackTarget target, String attribute, List<Keyframe> keys) {
     }
 
     /**
-     * The value at a frame: at a key the key's in every bit, before the first key and behind the last one theirs.
+     * Returns the value at a frame: exactly a keyframe's value at its frame; before the first and after the last keyframe, their values.
      *
-     * @param frame may lie between two frames
-     * @param kind  the attribute's
+     * @param frame any frame, also fractional
+     * @param kind  the attribute's kind
      */
     <V> V evaluate(double frame, ValueKind<V> kind) {
         int index = 0;
@@ -157,7 +159,7 @@ public record Track(TrackTarget target, String attribute, List<Keyframe> keys) {
         return result;
     }
 
-    /** The slope at a key, of one number: 0 at both ends. */
+    /** Returns the slope of one number at a keyframe: 0 at both ends. */
     private double slope(int key, int number) {
         if (key == 0 || key == keys.size() - 1) {
             return 0;

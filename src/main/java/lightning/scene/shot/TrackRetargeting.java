@@ -15,10 +15,10 @@ import lightning.scene.NodeGroup;
 import lightning.scene.Scene;
 import lightning.scene.SceneNode;
 
-/** Which thing of an edited scene has the keys of one before the edit. */
+/** Transfer of tracks to the objects of an edited scene. */
 public final class TrackRetargeting {
     private final Scene after;
-    /** Those that have another name now. */
+    /** Renamed objects. */
     private final Map<TrackTarget, TrackTarget> renamed = new HashMap<>();
 
     public TrackRetargeting(Scene before, Scene after) {
@@ -45,7 +45,7 @@ public final class TrackRetargeting {
         }
     }
 
-    /** The shot of the edited scene: without what is gone, and without keys that what is there now cannot have. */
+    /** Returns the shot for the edited scene: without removed targets, and without keyframes that the new targets cannot have. */
     public Shot retarget(Shot shot) {
         List<Track> retargeted = new ArrayList<>();
         for (Track track : shot.tracks()) {
@@ -59,8 +59,8 @@ public final class TrackRetargeting {
     }
 
     /**
-     * What has the keys of {@code old} now: what has its name, or else what stands at its place among those of its kind, from the
-     * front or from the back, under a name that was not there. Nothing where it is gone.
+     * Returns the new target of the tracks of {@code old}: the object with its name; else the one at its index among objects of its kind,
+     * counted from the front or the back, if its name is new. Empty if the object is gone.
      */
     public Optional<TrackTarget> retarget(TrackTarget old) {
         return old.existsIn(after) ? Optional.of(old) : Optional.ofNullable(renamed.get(old));

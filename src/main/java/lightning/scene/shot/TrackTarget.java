@@ -14,19 +14,19 @@ import lightning.scene.SceneNode;
 import lightning.scene.ValueKind;
 
 /**
- * What has keys.
+ * Object whose attributes have keyframes.
  *
  * @param name empty for the camera
  */
 public record TrackTarget(Kind kind, String name) {
     public static final TrackTarget CAMERA = new TrackTarget(Kind.CAMERA, "");
 
-    /** What it is. */
+    /** Kind of the object. */
     public enum Kind {
         CAMERA,
         LIGHT,
         LIGHT_GROUP,
-        /** A shape or a group. */
+        /** Shape or group. */
         NODE
     }
 
@@ -42,7 +42,7 @@ public record TrackTarget(Kind kind, String name) {
         return new TrackTarget(Kind.NODE, name);
     }
 
-    /** Whether the scene has it. */
+    /** Returns whether the scene has it. */
     public boolean existsIn(Scene scene) {
         return switch (kind) {
             case CAMERA -> true;
@@ -53,7 +53,7 @@ public record TrackTarget(Kind kind, String name) {
     }
 
     /**
-     * All that is known of its attributes, with keys or without.
+     * Returns all its attributes, animated or not.
      *
      * @throws IllegalArgumentException if the scene does not have it
      */
@@ -70,7 +70,7 @@ public record TrackTarget(Kind kind, String name) {
     }
 
     /**
-     * What is known of one of them; empty where it has none of that name.
+     * Returns one of its attributes; empty if it has none of that name.
      *
      * @throws IllegalArgumentException if the scene does not have it
      */
@@ -79,9 +79,9 @@ public record TrackTarget(Kind kind, String name) {
     }
 
     /**
-     * What a key of an attribute would say to leave it as it is.
+     * Returns the keyframe value that equals an attribute's current value.
      *
-     * @throws IllegalArgumentException if the scene does not have it, if it lacks the attribute, or if that has no keys
+     * @throws IllegalArgumentException if the scene does not have it, if it lacks the attribute, or if that cannot be animated
      */
     public KeyframeValue value(Scene scene, String attribute) {
         if (!existsIn(scene)) {
@@ -100,7 +100,7 @@ public record TrackTarget(Kind kind, String name) {
 
     private <T> KeyframeValue value(T record, List<? extends SceneAttribute<T, ?>> attributes, String attribute) {
         return attributes.stream().filter(a -> a.name().equals(attribute)).findFirst().map(a -> value(record, a))
-                .orElseThrow(() -> new IllegalArgumentException(this + " has no " + attribute + " with keys"));
+                .orElseThrow(() -> new IllegalArgumentException(this + " has no " + attribute + " that can be animated"));
     }
 
     private <T, V> KeyframeValue value(T record, SceneAttribute<T, V> attribute) {
@@ -108,11 +108,11 @@ public record TrackTarget(Kind kind, String name) {
             case NumericKind<V> q -> new KeyframeValue.Numbers(q.components().apply(attribute.get(record)));
             case ChoiceKind<V> c -> new KeyframeValue.Word(c.format(attribute.get(record)));
             case ValueKind.AssetKind<?> _,ValueKind.LinksKind _,ValueKind.NameKind _,ValueKind.TextureKind _ ->
-                    throw new IllegalArgumentException(this + ": " + attribute.name() + " has no keys: only numbers and words have");
+                    throw new IllegalArgumentException(this + ": " + attribute.name() + " cannot be animated: only numbers and words can");
         };
     }
 
-    /** As people are told it: {@code light 'key'}. */
+    /** Returns the name for the user: {@code light 'key'}. */
     @Override
     public String toString() {
         return switch (kind) {

@@ -1,4 +1,2 @@
-/**
- * A shot: keys of a scene's camera, lights, banks, shapes and groups over frames, and the ordinary scene of each frame.
- */
+/** Animation: keyframes of a scene's camera, lights, light groups, shapes and groups, and the scene at each frame. */
 package lightning.scene.shot;

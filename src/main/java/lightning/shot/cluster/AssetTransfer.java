@@ -18,21 +18,21 @@ import lightning.shot.cluster.wire.ContentHash;
 import lightning.shot.cluster.wire.Message;
 import lightning.shot.cluster.wire.SceneManifest;
 
-/** What nodes ask a coordinator for: the bills of its newest takes, their texts, the files of the scene. */
+/** Content served by a coordinator to its nodes: the manifests of its newest revisions, their scene texts and the scene's files. */
 final class AssetTransfer {
-    /** Of older takes, nothing is wanted any more. */
+    /** Older revisions are not requested any more. */
     private static final int MAX_TRANSFERS = 4;
 
     private final Path folder;
     private final ArrayDeque<Transfer> newest = new ArrayDeque<>();
-    /** Of files, which are read once. */
+    /** Content by file; each file is read once. */
     private final Map<Path, SceneManifest.Content> contents = new HashMap<>();
     private final Map<ContentHash, Path> files = new HashMap<>();
 
-    /** @param manifest the bytes of a bill */
+    /** @param manifest bytes of the manifest */
     record Transfer(ShotRevision revision, ContentHash hash, byte[] manifest, ContentHash textHash, byte[] text) {}
 
-    /** @param folder the folder that holds the scene file */
+    /** @param folder folder of the scene file */
     AssetTransfer(Path folder) {
         this.folder = folder;
     }
@@ -69,7 +69,7 @@ final class AssetTransfer {
         return content;
     }
 
-    /** Some of the content of a hash; none where there is none such, or behind its end. */
+    /** Returns a part of the content with a hash; empty for an unknown hash, or after its end. */
     synchronized byte[] readPart(ContentHash hash, long offset) {
         for (Transfer transfer : newest) {
             if (transfer.hash().equals(hash)) {
@@ -95,7 +95,7 @@ final class AssetTransfer {
             in.readFully(part);
             return part;
         } catch (IOException e) {
-            // The node tells that it did not come.
+            // The node reports the missing content.
             return new byte[0];
         }
     }

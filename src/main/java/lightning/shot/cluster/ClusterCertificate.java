@@ -22,25 +22,25 @@ import lightning.base.file.RegularFile;
 import lightning.base.text.Messages;
 import lightning.base.text.Quote;
 
-/** The key and the certificate that all members of a cluster share: a file of PKCS #12. Who has it is a member. */
+/** Key and certificate shared by all members of a cluster, in a PKCS #12 file. Anyone with the file can join. */
 final class ClusterCertificate {
-    /** Its format demands one; what protects the file is who may read it. */
+    /** The format requires a password; the file's permissions protect it. */
     static final char[] PASSWORD = "lightning".toCharArray();
     private static final int MAX_BYTES = 1 << 16;
 
     private ClusterCertificate() {}
 
     /**
-     * What makes connections that only members can make.
+     * Creates the TLS context for connections between members.
      *
-     * @throws JoinException if the file cannot be read, or holds anything but one key with its certificate
+     * @throws JoinException if the file cannot be read, or does not hold exactly one key with its certificate
      */
     static SSLContext sslContext(Path file) throws JoinException {
         try {
             KeyStore store = KeyStore.getInstance("PKCS12");
             RegularFile.check(file, "a certificate");
             if (Files.size(file) > MAX_BYTES) {
-                throw new CertificateException(Messages.tr("it has more than {0} bytes", MAX_BYTES));
+                throw new CertificateException(Messages.tr("the file is larger than {0} bytes", MAX_BYTES));
             }
             try (InputStream in = Files.newInputStream(file)) {
                 store.load(in, PASSWORD);
@@ -54,12 +54,12 @@ final class ClusterCertificate {
             return context;
         } catch (NoSuchFileException e) {
             throw new JoinException(
-                    Messages.tr("{0}: there is no such file; 'lightning node --make-certificate' makes one", Quote.path(file)),
+                    Messages.tr("{0}: file not found; create one with 'lightning node --make-certificate'", Quote.path(file)),
                     e);
         } catch (IOException | GeneralSecurityException e) {
             throw new JoinException(Messages.tr(
-                    "{0}: expected a key and its certificate as 'lightning node --make-certificate' makes them, but cannot use it: {1}",
-                    Quote.path(file), e.getMessage() == null ? Messages.tr("it is none") : e.getMessage()), e);
+                    "{0}: expected a key and certificate from 'lightning node --make-certificate', found an unusable file: {1}",
+                    Quote.path(file), e.getMessage() == null ? Messages.tr("not a certificate") : e.getMessage()), e);
         }
     }
 
@@ -69,10 +69,10 @@ final class ClusterCertificate {
                 return own;
             }
         }
-        throw new CertificateException(Messages.tr("it holds no key"));
+        throw new CertificateException(Messages.tr("the file contains no key"));
     }
 
-    /** Trusts those who show the very same certificate, and so must have its key; nobody else, whoever signed theirs. */
+    /** Trusts only peers that present the same certificate, and so have its key; ignores certificate authorities. */
     private static final class CertificatePinning extends X509ExtendedTrustManager {
         private final X509Certificate certificate;
 
@@ -82,7 +82,7 @@ final class ClusterCertificate {
 
         private void check(X509Certificate[] chain) throws CertificateException {
             if (chain == null || chain.length == 0 || !MessageDigest.isEqual(chain[0].getEncoded(), certificate.getEncoded())) {
-                throw new CertificateException("another certificate than that of this cluster");
+                throw new CertificateException("the certificate is not that of this cluster");
             }
             chain[0].checkValidity();
         }

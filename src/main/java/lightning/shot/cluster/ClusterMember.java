@@ -2,5 +2,5 @@ package lightning.shot.cluster;
 
 import java.util.UUID;
 
-/** One that takes part in a cluster, for as long as its process is a member. */
+/** Member of a cluster: one process, from joining to leaving. */
 public record ClusterMember(UUID id) {}

@@ -3,32 +3,32 @@ package lightning.shot.cluster;
 import java.util.Set;
 
 /**
- * Members that send bytes to each other. What is sent arrives whole, once and in order as long as both are members; when one is lost, what was
- * on its way may be.
+ * Message transport between members of a cluster. Messages arrive complete, once and in order as long as both are members; messages in
+ * flight may be lost with a member.
  */
 public interface ClusterNetwork extends AutoCloseable {
-    /** Hears of a network, on one thread, one call after the other. */
+    /** Listener for network events, called on one thread. */
     interface Listener {
-        /** @param bytes not to be written to by anybody else */
+        /** @param bytes owned by the listener */
         void messageReceived(ClusterMember from, byte[] bytes);
 
-        /** @param others all members but this one */
+        /** @param others all members except this one */
         void membersChanged(Set<ClusterMember> others);
     }
 
-    /** Takes part from here on; called once. */
+    /** Joins the cluster; called once. */
     void join(Listener listener) throws JoinException;
 
-    /** Sends to a member; to one that is there no more, nothing. May wait where the other takes its time. */
+    /** Sends to a member; ignored if it left. May block if the receiver is slow. */
     void send(ClusterMember to, byte[] bytes);
 
-    /** Leaves and takes part again, as another member: for one who sees nobody though somebody should be there. May take seconds. */
+    /** Leaves and joins again as a new member, if expected members do not appear. May take seconds. */
     void rejoin();
 
-    /** What people call a member: host and port. */
+    /** Returns a member's host and port for the user. */
     String addressOf(ClusterMember member);
 
-    /** Leaves. */
+    /** Leaves the cluster. */
     @Override
     void close();
 }

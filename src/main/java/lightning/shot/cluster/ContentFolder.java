@@ -22,11 +22,11 @@ import lightning.shot.cluster.wire.ContentHash;
 import lightning.shot.cluster.wire.SceneManifest;
 
 /**
- * Content that came from others, in a folder for nobody else to read: files named by their hash, and for each set of files that a scene
- * names a folder where they have these names.
+ * Content-addressed file cache, readable by its owner only: files named by hash, and for each scene's set of files a folder with their
+ * original names.
  */
 final class ContentFolder {
-    /** Bytes of all content. */
+    /** Maximum bytes of all content. */
     private static final long MAX_BYTES = 32L << 30;
 
     private final Path contents;
@@ -35,16 +35,16 @@ final class ContentFolder {
     private long storedBytes;
     private boolean cleared;
 
-    /** Where content comes from. */
+    /** Source of content. */
     interface PartSource {
-        /** Some bytes from an offset on, none at the end; waits for them. */
+        /** Reads some bytes from an offset, none at the end; blocks until they arrive. */
         byte[] read(ContentHash hash, long offset) throws IOException;
     }
 
     /**
-     * Takes a folder, and removes what an earlier process left in it.
+     * Locks a folder and removes what an earlier process left in it.
      *
-     * @throws IOException if another node uses the folder, or it cannot be used; a sentence
+     * @throws IOException if another node uses the folder, or it is unusable; the message is a sentence
      */
     ContentFolder(Path folder) throws IOException {
         PrivateFolder.restrict(folder);
@@ -62,11 +62,12 @@ final class ContentFolder {
         try {
             lock = FolderLock.tryLock(folder);
         } catch (IOException e) {
-            throw new IOException(Quote.path(folder) + ": cannot be locked for this node (" + reason(e)
-                    + "); name a folder on another disk with --folder", e);
+            throw new IOException(Quote.path(folder) + ": cannot lock the folder (" + reason(e)
+                    + "); choose a folder on another disk with --folder", e);
         }
         return lock
-                .orElseThrow(() -> new IOException(Quote.path(folder) + ": another node uses this folder; name another one with --folder"));
+                .orElseThrow(() -> new IOException(
+                        Quote.path(folder) + ": another node uses this folder; choose another one with --folder"));
     }
 
     private static String reason(IOException e) {
@@ -74,11 +75,11 @@ final class ContentFolder {
     }
 
     /**
-     * The file that holds some content, which is fetched where it is not there.
+     * Returns the file with some content, and fetches it if missing.
      *
-     * @param maxBytes bytes that it may have
-     * @throws InvalidContentException if it is longer, or what came has another hash
-     * @throws IOException      if it cannot be kept
+     * @param maxBytes maximum size
+     * @throws InvalidContentException if it is longer, or has another hash
+     * @throws IOException             if it cannot be stored
      */
     synchronized Path fetch(SceneManifest.Content content, long maxBytes, PartSource parts) throws IOException {
         Path file = contents.resolve(content.hash().hex());
@@ -90,7 +91,7 @@ final class ContentFolder {
         }
         if (storedBytes + content.bytes() > MAX_BYTES) {
             throw new IOException(
-                    "there is room for " + (MAX_BYTES - storedBytes) + " bytes of content more, and this has " + content.bytes());
+                    "content has " + content.bytes() + " bytes, but only " + (MAX_BYTES - storedBytes) + " are free");
         }
         AtomicFile.of(file).forOwnerOnly().write(out -> {
             long offset = 0;
@@ -105,28 +106,28 @@ final class ContentFolder {
         });
         if (!ContentHash.of(file).equals(content.hash())) {
             Files.delete(file);
-            throw new InvalidContentException("content has other bytes than its hash says; the file was written to meanwhile");
+            throw new InvalidContentException("content does not match its hash; the file changed during the transfer");
         }
         storedBytes += content.bytes();
         return file;
     }
 
     /**
-     * The folder where the files of a bill have the names that its scene writes.
+     * Returns a folder with the files of a manifest under their names in the scene.
      *
-     * @throws InvalidContentException if a name leads elsewhere, or as {@link #fetch}
-     * @throws IOException      as {@link #fetch}
+     * @throws InvalidContentException if a name leads out of the folder, or as {@link #fetch}
+     * @throws IOException             as {@link #fetch}
      */
     synchronized Path sceneFolder(SceneManifest manifest, PartSource parts) throws IOException {
         if (cleared) {
-            throw new IOException("the node has ended");
+            throw new IOException("the node has stopped");
         }
         Path folder = scenes
                 .resolve(ContentHash.of(new SceneManifest(new SceneManifest.Content(EMPTY_HASH, 0), manifest.files()).encode()).hex());
         PrivateFolder.create(folder);
         for (Map.Entry<String, SceneManifest.Content> entry : manifest.files().entrySet()) {
             if (!ReferencedFiles.isAllowed(entry.getKey())) {
-                throw new InvalidContentException("expected the name of a file beside a scene, found " + Quote.of(entry.getKey()));
+                throw new InvalidContentException("expected a file name relative to the scene, found " + Quote.of(entry.getKey()));
             }
             Path file = fetch(entry.getValue(), MeshLimits.FILE_BYTES, parts);
             Path link = folder.resolve(entry.getKey());
@@ -142,13 +143,13 @@ final class ContentFolder {
         try {
             Files.createLink(link, file);
         } catch (FileAlreadyExistsException e) {
-            // The same: the folder's name says what is in it.
+            // It exists with the same content, because its name is a hash of it.
         } catch (IOException | UnsupportedOperationException e) {
             AtomicFile.of(link).forOwnerOnly().write(out -> Files.copy(file, out));
         }
     }
 
-    /** Removes all, and keeps nothing any more; whoever reads a file of it goes on. */
+    /** Removes all content and stores nothing more; open files stay readable. */
     synchronized void clear() {
         cleared = true;
         try {

@@ -6,7 +6,7 @@ import lightning.base.text.ReleaseInfo;
 import lightning.shot.ShotListener;
 import lightning.shot.ShotRelighter;
 
-/** The frames of a shot, held by the nodes of a cluster. */
+/** Shot whose frames are rendered by the nodes of a cluster. */
 public final class DistributedShot implements AutoCloseable {
     private final ShotRelighter relighter;
     private final NodePool nodes;
@@ -17,12 +17,12 @@ public final class DistributedShot implements AutoCloseable {
     }
 
     /**
-     * Takes part in a cluster; nodes are found beside, and work begins with the first edit of the frames. May take seconds.
+     * Joins a cluster. Finds nodes in the background; work begins with the first revision. May take seconds.
      *
-     * @param folder   the folder that holds the scene file, for files that it names
-     * @param listener hears of frames, on other threads
-     * @param log      gets a sentence at times, on other threads
-     * @throws JoinException if this process cannot take part, as without a certificate
+     * @param folder   folder of the scene file, for files that it names
+     * @param listener called on other threads
+     * @param log      receives messages for the user, on other threads
+     * @throws JoinException if this process cannot join, for example without a certificate
      */
     public static DistributedShot join(NodeConfig config, Path folder, int first, int last, ShotListener listener, Consumer<String> log)
             throws JoinException {
@@ -41,12 +41,12 @@ public final class DistributedShot implements AutoCloseable {
         return relighter;
     }
 
-    /** How many nodes hold frames, or would. */
+    /** Returns the number of connected nodes. */
     public int nodeCount() {
         return nodes.count();
     }
 
-    /** Leaves: nodes drop the frames. Waits for what is under way here. */
+    /** Leaves the cluster; nodes drop the frames. Waits for running local work. */
     @Override
     public void close() {
         nodes.close();

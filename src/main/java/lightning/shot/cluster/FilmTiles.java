@@ -5,15 +5,15 @@ import java.nio.FloatBuffer;
 import lightning.render.image.Film;
 import lightning.shot.cluster.wire.Message;
 
-/** Tiles of a film as plain bytes: of each tile all red, all green, all blue, floats with their highest byte first. */
+/** Binary format of film tiles: for each tile all red, all green, all blue, as big-endian floats. */
 final class FilmTiles {
     private static final int TILE_BYTES = 3 * Film.TILE_PIXELS * Float.BYTES;
-    /** Tiles that one message carries, at most. */
+    /** Maximum number of tiles in one message. */
     static final int MAX_TILES = Message.PART_BYTES / TILE_BYTES;
 
     private FilmTiles() {}
 
-    /** @return none where the film has no such tiles, or they are too many */
+    /** @return empty if the film does not have these tiles, or they are too many */
     static byte[] encode(Film film, int first, int count) {
         if (count > MAX_TILES || (long) first + count > film.tileCount()) {
             return new byte[0];
@@ -27,9 +27,9 @@ final class FilmTiles {
     }
 
     /**
-     * Puts tiles into a film that nobody sees yet.
+     * Decodes tiles into a film that is not shown yet.
      *
-     * @return whether the bytes are so many tiles
+     * @return whether the bytes match the number of tiles
      */
     static boolean decode(byte[] bytes, Film film, int first, int count) {
         if (bytes.length != count * TILE_BYTES) {

@@ -17,13 +17,13 @@ import javax.net.ssl.SSLSocket;
 import lightning.base.work.DedicatedThread;
 
 /**
- * Accepts TLS connections, runs each handshake on a thread of its own, and returns only established connections. JGroups accepts with one
- * thread: a handshake there makes all other members wait, and members that connect to each other at the same moment wait for each other.
+ * Server socket that runs each TLS handshake on its own thread and returns only established connections. JGroups accepts with one thread: a
+ * slow handshake would block all other members, and members that connect to each other at the same moment would deadlock.
  */
 final class HandshakeServerSocket extends ServerSocket {
-    /** Handshakes at the same time; further connections wait in the system's backlog. */
+    /** Maximum concurrent handshakes; further connections wait in the system's backlog. */
     private static final int MAX_HANDSHAKES = 32;
-    /** Pause after an accept that failed, as without free file handles. */
+    /** Pause after a failed accept, for example without free file handles. */
     private static final long PAUSE_MILLISECONDS = 100;
 
     private final SSLContext context;
@@ -34,7 +34,7 @@ final class HandshakeServerSocket extends ServerSocket {
     private final BlockingQueue<Optional<Socket>> established = new LinkedBlockingQueue<>();
     private final ExecutorService handshakes = DedicatedThread.virtualThreadExecutor("lightning-handshake");
 
-    /** @param timeoutMillis milliseconds that a peer may be silent during its handshake */
+    /** @param timeoutMillis maximum silence of a peer during its handshake, milliseconds */
     HandshakeServerSocket(SSLContext context, SSLParameters parameters, int timeoutMillis) throws IOException {
         this.context = context;
         this.parameters = parameters;
@@ -47,7 +47,7 @@ final class HandshakeServerSocket extends ServerSocket {
         DedicatedThread.create("lightning-accept", this::acceptLoop).start();
     }
 
-    /** Returns the next connection whose handshake is done. */
+    /** Returns the next established connection. */
     @Override
     public Socket accept() throws IOException {
         try {
@@ -94,7 +94,7 @@ final class HandshakeServerSocket extends ServerSocket {
             socket.setSoTimeout(0);
             enqueue(socket);
         } catch (IOException e) {
-            // A stranger, or a peer that gave up.
+            // An unauthorized peer, or one that gave up.
             close(plain);
         } finally {
             permits.release();

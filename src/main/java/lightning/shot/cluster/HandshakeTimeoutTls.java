@@ -11,12 +11,12 @@ import org.jgroups.util.DefaultSocketFactory;
 import org.jgroups.util.SocketFactory;
 import org.jgroups.util.TLS;
 
-/** TLS whose handshakes end after some silence of the peer: JGroups waits without a limit, with a lock held that others need. */
+/** TLS with a timeout for handshakes: JGroups waits without a limit, holding a lock that other connections need. */
 final class HandshakeTimeoutTls extends TLS {
     private final SSLContext context;
     private final int timeoutMillis;
 
-    /** @param timeoutMillis milliseconds that a peer may be silent during a handshake */
+    /** @param timeoutMillis maximum silence of a peer during a handshake, milliseconds */
     HandshakeTimeoutTls(SSLContext context, int timeoutMillis) {
         this.context = context;
         this.timeoutMillis = timeoutMillis;
@@ -48,7 +48,7 @@ final class HandshakeTimeoutTls extends TLS {
         socket.setSoTimeout(timeoutMillis);
         socket.addHandshakeCompletedListener(_ -> {
             try {
-                // From here on silence is no fault.
+                // After the handshake, silence is normal.
                 socket.setSoTimeout(0);
             } catch (SocketException e) {
                 // Closed meanwhile.

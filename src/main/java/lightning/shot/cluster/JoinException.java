@@ -2,7 +2,7 @@ package lightning.shot.cluster;
 
 import lightning.base.text.UserFacingException;
 
-/** A process cannot take part in a cluster; the message is a sentence. */
+/** Thrown if a process cannot join a cluster; the message is a sentence. */
 public final class JoinException extends Exception implements UserFacingException {
     private static final long serialVersionUID = 1;
 

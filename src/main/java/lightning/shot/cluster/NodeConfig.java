@@ -11,26 +11,26 @@ import java.util.List;
 import lightning.base.text.Messages;
 
 /**
- * Where a process takes part, and with whom.
+ * Network configuration of a cluster member.
  *
- * @param bind        the address where it is heard
- * @param port        the first port that it may take
- * @param ports       how many it may try
- * @param join        where members are asked for; none for the first member
- * @param certificate the file that all members have
- * @param timing      when a member counts as the first, and when as lost
+ * @param bind        listening address
+ * @param port        first port to try
+ * @param ports       number of ports to try
+ * @param join        addresses of known members; none for the first member
+ * @param certificate file that all members share
+ * @param timing      timeouts of membership
  */
 public record NodeConfig(InetAddress bind, int port, int ports, List<InetSocketAddress> join, Path certificate, Timing timing) {
-    /** Of nodes. */
+    /** Default port of nodes. */
     public static final int NODE_PORT = 7800;
-    /** Of those that ask, the first of {@value #CLIENT_PORTS}. */
+    /** Default first port of clients, of {@value #CLIENT_PORTS}. */
     public static final int CLIENT_PORT = 7900;
     public static final int CLIENT_PORTS = 100;
 
     /**
-     * Where a process takes part, with the libraries for that at hand.
+     * Creates a configuration and checks that the cluster libraries exist.
      *
-     * @throws JoinException if they are not
+     * @throws JoinException if they do not
      */
     public static NodeConfig of(InetAddress bind, int port, int ports, List<InetSocketAddress> join, Path certificate)
             throws JoinException {
@@ -39,10 +39,10 @@ public record NodeConfig(InetAddress bind, int port, int ports, List<InetSocketA
     }
 
     /**
-     * Where a process takes part that asks others to hold frames: at the address of this machine from which the first of them is reached, which
-     * on the machine itself is one that no other reaches. May ask a name server, and wait for it.
+     * Creates a client's configuration. Listens at this machine's address on the route to the first host; for a local host that is the
+     * loopback address. May query a name server and wait for it.
      *
-     * @throws JoinException if there is no such machine, or no way to it
+     * @throws JoinException if the host is unknown or has no route
      */
     public static NodeConfig forClient(List<HostPort> hosts, Path certificate) throws JoinException {
         List<InetSocketAddress> join = new ArrayList<>();
@@ -52,12 +52,12 @@ public record NodeConfig(InetAddress bind, int port, int ports, List<InetSocketA
         return of(localAddressFor(join.getFirst()), CLIENT_PORT, CLIENT_PORTS, join, certificate);
     }
 
-    /** Returns the address and port at which this process listens, as a person would type them. */
+    /** Returns the listening address and port as a user would type them. */
     public String addressText() {
         return new HostPort(bind.getHostAddress(), port).format();
     }
 
-    /** Returns the first member that is asked for, as a person would type it. */
+    /** Returns the first address to join as a user would type it. */
     public String firstJoinText() {
         return new HostPort(join.getFirst().getHostString(), join.getFirst().getPort()).format();
     }
@@ -66,27 +66,26 @@ public record NodeConfig(InetAddress bind, int port, int ports, List<InetSocketA
         if (remote.getAddress().isLoopbackAddress()) {
             return InetAddress.getLoopbackAddress();
         }
-        // Nothing is sent: the system only says which of its addresses would be.
+        // Sends nothing: connecting only selects the local address.
         try (var socket = new DatagramSocket()) {
             socket.connect(remote);
             if (!socket.getLocalAddress().isAnyLocalAddress()) {
                 return socket.getLocalAddress();
             }
         } catch (IOException | UncheckedIOException e) {
-            throw new JoinException(Messages.tr("there is no way from this machine to {0}: {1}", remote.getHostString(), e.getMessage()),
+            throw new JoinException(Messages.tr("no network route to {0}: {1}", remote.getHostString(), e.getMessage()),
                     e);
         }
-        throw new JoinException(Messages.tr("there is no way from this machine to {0}", remote.getHostString()), null);
+        throw new JoinException(Messages.tr("no network route to {0}", remote.getHostString()), null);
     }
 
     /**
-     * When a member counts as the first, and when as lost: one whose connection ended, when it does not answer a question; one that is
-     * silent, after so long.
+     * Timeouts of membership. A closed connection or silence makes a member suspect; it is lost if it does not answer a check.
      *
-     * @param join    milliseconds in which a member looks for others before it counts as the first
-     * @param silence milliseconds without a sign of life
-     * @param verify  milliseconds that it has to answer
-     * @param merge   milliseconds after which parts of a cluster look for each other, at most
+     * @param join    milliseconds of looking for others before starting a new cluster
+     * @param silence milliseconds without a heartbeat before a member is suspect
+     * @param verify  milliseconds for the answer to a check
+     * @param merge   maximum milliseconds between searches for other parts of the cluster
      */
     public record Timing(long join, long silence, long verify, long merge) {
         public static final Timing DEFAULT = new Timing(2000, 15_000, 4000, 1500);

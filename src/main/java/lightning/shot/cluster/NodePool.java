@@ -20,15 +20,15 @@ import lightning.shot.cluster.wire.Message;
 import lightning.shot.cluster.wire.MessageCodec;
 import lightning.shot.cluster.wire.WireException;
 
-/** The nodes of a cluster, as keepers of a shot: each that comes is handed out, each that is lost is told so. */
+/** Pool of the nodes of a cluster as hosts of a shot: adds nodes that join, and removes lost ones. */
 public final class NodePool implements ClusterNetwork.Listener, AutoCloseable {
     private static final long HELLO_MILLISECONDS = 1000;
-    /** A node that is a member but silent for so long counts as lost: the two may see different members. */
+    /** Timeout of a node that is still a member: each side may have another view of the members. */
     private static final long SILENCE_TIMEOUT_NANOSECONDS = 20_000_000_000L;
 
-    /** After so long without a node, which parts of a cluster need at most to find each other. */
+    /** Time without any node before joining again; the parts of a split cluster need at most this to merge. */
     private static final long REJOIN_NANOSECONDS = 15_000_000_000L;
-    /** Others that were just seen have so long to answer before this process takes part anew. */
+    /** Time for recently seen members to answer before this process joins again. */
     private static final long ANSWER_TIMEOUT_NANOSECONDS = 5_000_000_000L;
 
     private final ClusterNetwork network;
@@ -37,13 +37,13 @@ public final class NodePool implements ClusterNetwork.Listener, AutoCloseable {
     private final ShotRelighter relighter;
     private final RejectedPeers rejectedPeers;
     private final ScheduledExecutorService timer = Executors.newSingleThreadScheduledExecutor(DedicatedThread.factory("lightning-hello"));
-    /** By member: sessions that were offered and not taken yet. */
+    /** Sessions offered and not accepted yet, by member. */
     private final Map<ClusterMember, UUID> offeredSessions = new HashMap<>();
     private final Map<ClusterMember, ActiveNode> activeNodes = new HashMap<>();
-    /** When to take part anew unless there is a node before. */
+    /** Time to join again unless a node appears before. */
     private long rejoinAt = System.nanoTime() + REJOIN_NANOSECONDS;
 
-    /** A node in use, and when it was heard last. */
+    /** Connected node, with the time of its last message. */
     private static final class ActiveNode {
         private final UUID id;
         private final RemoteFrameHost host;
@@ -56,10 +56,10 @@ public final class NodePool implements ClusterNetwork.Listener, AutoCloseable {
     }
 
     /**
-     * @param release of this program: only nodes of the same one are used
-     * @param folder  the folder that holds the scene file, for files that it names
-     * @param shot    gets each node that comes as a keeper
-     * @param log     gets a sentence at times
+     * @param release this program's release; only nodes of the same release are used
+     * @param folder  folder of the scene file, for files that it names
+     * @param shot    receives each node as a host
+     * @param log     receives messages for the user
      */
     public NodePool(ClusterNetwork network, String release, Path folder, ShotRelighter shot, Consumer<String> log) {
         this.network = network;
@@ -69,13 +69,13 @@ public final class NodePool implements ClusterNetwork.Listener, AutoCloseable {
         rejectedPeers = new RejectedPeers(network, log);
     }
 
-    /** Takes part from here on. */
+    /** Joins the cluster. */
     public void start() throws JoinException {
         network.join(this);
         timer.scheduleWithFixedDelay(this::checkNodes, HELLO_MILLISECONDS, HELLO_MILLISECONDS, TimeUnit.MILLISECONDS);
     }
 
-    /** Asks again those who did not answer: some are no nodes, and never will. */
+    /** Offers sessions again to members that did not answer; some are not nodes and never answer. */
     private void offerSessions() {
         Map<ClusterMember, UUID> unanswered;
         synchronized (this) {
@@ -84,7 +84,7 @@ public final class NodePool implements ClusterNetwork.Listener, AutoCloseable {
         unanswered.forEach((member, id) -> network.send(member, MessageCodec.encode(new Message.OpenSession(id, release))));
     }
 
-    /** Asks those in use for a sign of life; where there is none for long, takes part anew. */
+    /** Sends heartbeats to connected nodes; joins again after a long time without nodes. */
     private void checkNodes() {
         Map<ClusterMember, ActiveNode> nodes;
         synchronized (this) {
@@ -112,7 +112,7 @@ public final class NodePool implements ClusterNetwork.Listener, AutoCloseable {
         return due;
     }
 
-    /** What the node held is lost; another session is offered to it. */
+    /** Drops a node with its frames and offers it a new session. */
     private void drop(ClusterMember member, ActiveNode node) {
         synchronized (this) {
             if (!activeNodes.remove(member, node)) {
@@ -149,7 +149,7 @@ public final class NodePool implements ClusterNetwork.Listener, AutoCloseable {
         offerSessions();
     }
 
-    /** How many nodes there are. */
+    /** Returns the number of nodes. */
     public synchronized int count() {
         return activeNodes.size();
     }
@@ -158,8 +158,8 @@ public final class NodePool implements ClusterNetwork.Listener, AutoCloseable {
     public void messageReceived(ClusterMember from, byte[] bytes) {
         try {
             Message message = MessageCodec.decode(bytes);
-            if (message instanceof Message.SessionOpened ready) {
-                addNode(from, ready);
+            if (message instanceof Message.SessionOpened opened) {
+                addNode(from, opened);
             } else {
                 activeNode(from, message.session()).ifPresent(node -> handle(from, node, message));
             }
@@ -177,17 +177,17 @@ public final class NodePool implements ClusterNetwork.Listener, AutoCloseable {
         }
     }
 
-    private void addNode(ClusterMember from, Message.SessionOpened ready) {
-        if (!ready.release().equals(release)) {
-            rejectedPeers.report(from, Messages.tr("it runs {0}, this machine {1}", ready.release(), release));
+    private void addNode(ClusterMember from, Message.SessionOpened opened) {
+        if (!opened.release().equals(release)) {
+            rejectedPeers.report(from, Messages.tr("it runs {0}, this machine {1}", opened.release(), release));
             return;
         }
         RemoteFrameHost host;
         synchronized (this) {
-            if (!offeredSessions.remove(from, ready.session())) {
+            if (!offeredSessions.remove(from, opened.session())) {
                 return;
             }
-            UUID id = ready.session();
+            UUID id = opened.session();
             host = new RemoteFrameHost(id, network.addressOf(from), assetTransfer,
                     message -> network.send(from, MessageCodec.encode(message)));
             activeNodes.put(from, new ActiveNode(id, host));
@@ -195,7 +195,7 @@ public final class NodePool implements ClusterNetwork.Listener, AutoCloseable {
         relighter.addHost(host);
     }
 
-    /** Where it is of a session in use. */
+    /** Returns the node of an active session. */
     private synchronized Optional<ActiveNode> activeNode(ClusterMember from, UUID session) {
         return Optional.ofNullable(activeNodes.get(from)).filter(h -> h.id.equals(session));
     }

@@ -27,11 +27,11 @@ import lightning.shot.cluster.wire.ContentHash;
 import lightning.shot.cluster.wire.Message;
 import lightning.shot.cluster.wire.WireException;
 
-/** One coordinator's frames at a node. */
+/** Session of one coordinator at a node, with its frames. */
 final class NodeSession implements AutoCloseable {
-    /** Wishes at once: a coordinator has two, and one more of each frame that it no longer wanted. */
+    /** Maximum concurrent requests: a coordinator has two, and one canceled request of each such frame. */
     private static final int MAX_CALLS = 8;
-    /** Answers that are kept, to be given again. */
+    /** Maximum number of answers kept for repeated requests. */
     private static final int MAX_ANSWERS = 64;
 
     final ClusterMember owner;
@@ -44,11 +44,11 @@ final class NodeSession implements AutoCloseable {
     private final ExecutorService filmExecutor = DedicatedThread.sequentialExecutor("lightning-films");
     private final Map<Long, AtomicBoolean> runningCalls = new HashMap<>();
     private final Map<Long, Message> answers = new LinkedHashMap<>();
-    /** By frame, the newest wish. */
+    /** Newest request by frame. */
     private final Map<Integer, Long> newestCalls = new HashMap<>();
-    /** By frame, whose film is kept. */
+    /** Request of the cached film, by frame. */
     private final Map<Integer, Long> shownCalls = new HashMap<>();
-    /** By frame: one wish at a time works with it. */
+    /** Locks by frame: one request at a time works on a frame. */
     private final Map<Integer, Object> locks = new HashMap<>();
     private long filmCall = -1;
     private Film film;
@@ -109,7 +109,7 @@ final class NodeSession implements AutoCloseable {
             return failure(request, Message.FailureReason.REJECTED, e.getMessage());
         } catch (OutOfMemoryError e) {
             drop(request.frame());
-            return failure(request, Message.FailureReason.REJECTED, "it has not enough memory");
+            return failure(request, Message.FailureReason.REJECTED, "not enough memory");
         } catch (InvalidContentException | WireException | JenException | IllegalArgumentException | HostLostException e) {
             return failure(request, Message.FailureReason.INVALID, String.valueOf(e.getMessage()));
         } catch (FrameRejectedException | IOException e) {
@@ -157,33 +157,38 @@ final class NodeSession implements AutoCloseable {
         }
     }
 
-    void sendTiles(Message.RequestTiles ask) {
+    void sendTiles(Message.RequestTiles request) {
         execute(filmExecutor, () -> {
-            byte[] bytes = film(ask).map(f -> FilmTiles.encode(downscale(f, ask), ask.firstTile(), ask.tileCount())).orElse(new byte[0]);
-            send.accept(bytes.length == 0 ? new Message.FilmUnavailable(id, ask.call(), ask.frame())
-                    : new Message.FilmTileData(id, ask.call(), ask.frame(), ask.maxWidth(), ask.maxHeight(), ask.firstTile(), bytes));
+            byte[] bytes = film(request)
+                    .map(f -> FilmTiles.encode(downscale(f, request), request.firstTile(), request.tileCount())).orElse(new byte[0]);
+            send.accept(bytes.length == 0 ? new Message.FilmUnavailable(id, request.call(), request.frame())
+                    : new Message.FilmTileData(id, request.call(), request.frame(), request.maxWidth(), request.maxHeight(),
+                            request.firstTile(), bytes));
         });
     }
 
-    private static Film downscale(Film film, Message.RequestTiles ask) {
-        return Downscale.fit(film.width(), film.height(), Math.max(1, ask.maxWidth()), Math.max(1, ask.maxHeight())).apply(film);
+    private static Film downscale(Film film, Message.RequestTiles request) {
+        return Downscale.fit(film.width(), film.height(), Math.max(1, request.maxWidth()), Math.max(1, request.maxHeight())).apply(film);
     }
 
-    /** On the one thread of films, which keeps the last: its tiles are asked for one after the other. */
-    private Optional<Film> film(Message.RequestTiles ask) {
-        if (filmCall == ask.call()) {
+    /**
+     * Returns the film of a request. Runs on the single film thread and caches the last film, because its tiles are requested one after the
+     * other.
+     */
+    private Optional<Film> film(Message.RequestTiles request) {
+        if (filmCall == request.call()) {
             return Optional.of(film);
         }
-        synchronized (lock(ask.frame())) {
+        synchronized (lock(request.frame())) {
             synchronized (this) {
-                if (!shownCalls.getOrDefault(ask.frame(), -1L).equals(ask.call())) {
+                if (!shownCalls.getOrDefault(request.frame(), -1L).equals(request.call())) {
                     return Optional.empty();
                 }
             }
-            Optional<Film> cached = host.film(ask.frame());
+            Optional<Film> cached = host.film(request.frame());
             cached.ifPresent(f -> {
                 film = f;
-                filmCall = ask.call();
+                filmCall = request.call();
             });
             return cached;
         }
@@ -200,7 +205,7 @@ final class NodeSession implements AutoCloseable {
         host.drop(frame);
     }
 
-    /** Stops all that is under way; drops all frames, beside the caller. */
+    /** Cancels running work and drops all frames, without blocking the caller. */
     @Override
     public void close() {
         contentRequests.close();

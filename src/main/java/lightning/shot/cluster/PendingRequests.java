@@ -11,26 +11,26 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Predicate;
 
 /**
- * Asks another member until it answers: what is lost on the way is asked for again.
+ * Pending requests to another member, repeated until they are answered, because messages may be lost.
  *
- * @param <K> what is asked for; equal keys share an answer
- * @param <V> the answer
+ * @param <K> key of a request; equal keys share an answer
+ * @param <V> answer
  */
 final class PendingRequests<K, V> {
-    /** After so long without an answer it is asked again. */
+    /** Interval between retries. */
     static final long RETRY_MILLISECONDS = 2000;
-    /** So often the one who waits looks whether it still wants to. */
+    /** Interval at which a waiting caller checks for cancellation. */
     private static final long POLL_MILLISECONDS = 20;
 
     private final Map<K, CompletableFuture<V>> pending = new ConcurrentHashMap<>();
     private volatile boolean closed;
 
     /**
-     * Waits for an answer.
+     * Sends a request and waits for its answer.
      *
-     * @param send  sends the question
-     * @param canceled whether nobody wants the answer any more
-     * @throws CancellationException if so, or this is closed
+     * @param send     sends the request
+     * @param canceled returns true if the answer is not needed any more
+     * @throws CancellationException if canceled or closed
      */
     V request(K key, Runnable send, BooleanSupplier canceled) {
         CompletableFuture<V> answer = pending.computeIfAbsent(key, _ -> new CompletableFuture<>());
@@ -45,7 +45,7 @@ final class PendingRequests<K, V> {
                     try {
                         return answer.get(POLL_MILLISECONDS, TimeUnit.MILLISECONDS);
                     } catch (TimeoutException e) {
-                        // Not yet.
+                        // No answer yet.
                     }
                 }
             }
@@ -59,7 +59,7 @@ final class PendingRequests<K, V> {
         }
     }
 
-    /** An answer came; where nobody waits for it, nothing happens. */
+    /** Completes a request; ignored if it is not pending. */
     void complete(K key, V answer) {
         CompletableFuture<V> future = pending.get(key);
         if (future != null) {
@@ -67,7 +67,7 @@ final class PendingRequests<K, V> {
         }
     }
 
-    /** One answer to several questions. */
+    /** Completes several requests with one answer. */
     void completeAll(Predicate<K> filter, V answer) {
         pending.forEach((key, waits) -> {
             if (filter.test(key)) {
@@ -76,7 +76,7 @@ final class PendingRequests<K, V> {
         });
     }
 
-    /** Whoever waits stops. */
+    /** Cancels all pending requests. */
     void close() {
         closed = true;
     }

@@ -6,7 +6,7 @@ import java.util.function.Consumer;
 import lightning.base.text.Messages;
 import lightning.shot.cluster.wire.WireException;
 
-/** Tells once of each member whose messages cannot be used. */
+/** Log of members whose messages are unusable; reports each member once. */
 final class RejectedPeers {
     private final ClusterNetwork network;
     private final Consumer<String> log;
@@ -18,12 +18,12 @@ final class RejectedPeers {
     }
 
     void report(ClusterMember member, WireException problem) {
-        report(member, Messages.tr("a message of it is none: {0}", problem.getMessage()));
+        report(member, Messages.tr("invalid message: {0}", problem.getMessage()));
     }
 
     void report(ClusterMember member, String problem) {
         if (reported.add(member)) {
-            log.accept(Messages.tr("{0} is left aside: {1}", network.addressOf(member), problem));
+            log.accept(Messages.tr("ignoring {0}: {1}", network.addressOf(member), problem));
         }
     }
 }

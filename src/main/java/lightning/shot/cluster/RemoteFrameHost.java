@@ -20,7 +20,7 @@ import lightning.shot.HostLostException;
 import lightning.shot.ShotRevision;
 import lightning.shot.cluster.wire.Message;
 
-/** A node's frames, as those who want them see them. */
+/** Frame host on a remote node, as seen by the coordinator. */
 final class RemoteFrameHost implements FrameHost {
     private final UUID id;
     private final String name;
@@ -35,13 +35,13 @@ final class RemoteFrameHost implements FrameHost {
     private record TileRange(long call, int maxWidth, int maxHeight, int firstTile) {}
 
     /**
-     * @param name what people call the node
-     * @param send gives a message to the node
+     * @param name the node's name for the user
+     * @param send sends a message to the node
      */
-    RemoteFrameHost(UUID id, String name, AssetTransfer parcels, Consumer<Message> send) {
+    RemoteFrameHost(UUID id, String name, AssetTransfer assets, Consumer<Message> send) {
         this.id = id;
         this.name = name;
-        this.assetTransfer = parcels;
+        this.assetTransfer = assets;
         this.send = send;
     }
 
@@ -62,11 +62,11 @@ final class RemoteFrameHost implements FrameHost {
             throw e;
         }
         return switch (answer) {
-            case Message.FrameUpdated made -> {
-                updates.put(frame, made);
-                usage = new CacheUsage(updates.size(), made.memory(), 0, made.disk());
-                yield new FrameUpdate(frame, made.traced(), made.plan(), made.rays(), System.nanoTime() - start,
-                        () -> film(frame, made, made.width(), made.height()).orElseThrow(CancellationException::new));
+            case Message.FrameUpdated updated -> {
+                updates.put(frame, updated);
+                usage = new CacheUsage(updates.size(), updated.memory(), 0, updated.disk());
+                yield new FrameUpdate(frame, updated.traced(), updated.plan(), updated.rays(), System.nanoTime() - start,
+                        () -> film(frame, updated, updated.width(), updated.height()).orElseThrow(CancellationException::new));
             }
             case Message.UpdateFailed failed -> {
                 if (failed.reason() == Message.FailureReason.REJECTED) {
@@ -74,7 +74,7 @@ final class RemoteFrameHost implements FrameHost {
                 }
                 throw failure(failed);
             }
-            default -> throw new IllegalStateException("an answer that is none: " + answer);
+            default -> throw new IllegalStateException("unexpected answer: " + answer);
         };
     }
 
@@ -87,8 +87,8 @@ final class RemoteFrameHost implements FrameHost {
     }
 
     private RuntimeException failure(Message.UpdateFailed failed) {
-        // What the node says is in its own language.
-        String message = Messages.tr("the node {0}: {1}", name, failed.message());
+        // The node's message is in its own language.
+        String message = Messages.tr("node {0}: {1}", name, failed.message());
         return switch (failed.reason()) {
             case CANCELED -> new CancellationException();
             case INVALID -> new IllegalArgumentException(message);
@@ -102,13 +102,13 @@ final class RemoteFrameHost implements FrameHost {
         return Optional.ofNullable(updates.get(frame)).flatMap(update -> film(frame, update, update.width(), update.height()));
     }
 
-    /** Made smaller by the node, so that little travels. */
+    /** Downscales on the node, to save bandwidth. */
     @Override
     public Optional<Film> film(int frame, int maxWidth, int maxHeight) {
         return Optional.ofNullable(updates.get(frame)).flatMap(update -> film(frame, update, maxWidth, maxHeight));
     }
 
-    /** The film that an answer tells of; empty where it is there no more. */
+    /** Fetches the film of an answer; empty if it is gone. */
     private Optional<Film> film(int frame, Message.FrameUpdated update, int maxWidth, int maxHeight) {
         Downscale size = Downscale.fit(update.width(), update.height(), maxWidth, maxHeight);
         Film film = Film.black(size.width(), size.height());
@@ -144,7 +144,7 @@ final class RemoteFrameHost implements FrameHost {
         }
     }
 
-    /** The node is lost: whoever waits for it hears so. */
+    /** Marks the node as lost; waiting callers fail. */
     HostLostException disconnect() {
         updateRequests.close();
         tileRequests.close();
@@ -152,7 +152,7 @@ final class RemoteFrameHost implements FrameHost {
     }
 
     private HostLostException lost(Throwable cause) {
-        return new HostLostException(Messages.tr("the node {0} is there no more; others trace its frames again", name), cause);
+        return new HostLostException(Messages.tr("lost node {0}; its frames are being rendered on other nodes", name), cause);
     }
 
     @Override

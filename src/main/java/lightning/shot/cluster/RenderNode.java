@@ -12,9 +12,9 @@ import lightning.shot.cluster.wire.Message;
 import lightning.shot.cluster.wire.MessageCodec;
 import lightning.shot.cluster.wire.WireException;
 
-/** Holds frames for coordinators of its cluster, as long as these are members. */
+/** Render node: renders and caches frames for the coordinators of its cluster. */
 public final class RenderNode implements ClusterNetwork.Listener, AutoCloseable {
-    /** Coordinators at once; others wait for one to end. */
+    /** Maximum number of coordinators; others wait until one leaves. */
     public static final int MAX_SESSIONS = 2;
 
     private final ClusterNetwork network;
@@ -25,19 +25,19 @@ public final class RenderNode implements ClusterNetwork.Listener, AutoCloseable 
     private boolean closed;
 
     /**
-     * How a node holds frames.
+     * Settings of a node.
      *
-     * @param release of this program: only machines of the same one go together
-     * @param folder  its own, for content; what is in it is removed
-     * @param hosts  what holds the frames of a new session
-     * @param log     gets a sentence at times
+     * @param release this program's release; only machines of the same release work together
+     * @param folder  private folder for content; existing files in it are removed
+     * @param hosts   factory of a new session's frame host
+     * @param log     receives messages for the user
      */
     public record Settings(String release, int threads, long memory, Path folder, HostFactory hosts, Consumer<String> log) {}
 
-    /** Makes what holds the frames of a session. */
+    /** Factory for the frame host of a session. */
     @FunctionalInterface
     public interface HostFactory {
-        /** @throws IOException if it finds no room */
+        /** @throws IOException if there is not enough space */
         FrameHost create() throws IOException;
     }
 
@@ -49,7 +49,7 @@ public final class RenderNode implements ClusterNetwork.Listener, AutoCloseable 
         rejectedPeers = new RejectedPeers(network, settings.log());
     }
 
-    /** Takes part from here on. */
+    /** Joins the cluster. */
     public void start() throws JoinException {
         network.join(this);
     }
@@ -64,13 +64,13 @@ public final class RenderNode implements ClusterNetwork.Listener, AutoCloseable 
     }
 
     private void handle(ClusterMember from, Message message) {
-        if (message instanceof Message.OpenSession hello) {
-            acceptSession(from, hello);
+        if (message instanceof Message.OpenSession offer) {
+            acceptSession(from, offer);
             return;
         }
         NodeSession session = sessions.get(message.session());
         if (session == null && !(message instanceof Message.CloseSession)) {
-            // It was ended while the two did not see each other, and only this one noticed.
+            // The session ended while the two were separated, and only this node noticed.
             network.send(from, MessageCodec.encode(new Message.CloseSession(message.session())));
         }
         if (session == null || !session.owner.equals(from)) {
@@ -91,19 +91,19 @@ public final class RenderNode implements ClusterNetwork.Listener, AutoCloseable 
         }
     }
 
-    private void acceptSession(ClusterMember from, Message.OpenSession hello) {
-        if (!hello.release().equals(settings.release())) {
-            rejectedPeers.report(from, "it runs " + hello.release() + ", this node " + settings.release());
-        } else if (!sessions.containsKey(hello.session()) && !openSession(from, hello.session())) {
+    private void acceptSession(ClusterMember from, Message.OpenSession offer) {
+        if (!offer.release().equals(settings.release())) {
+            rejectedPeers.report(from, "it runs " + offer.release() + ", this node " + settings.release());
+        } else if (!sessions.containsKey(offer.session()) && !openSession(from, offer.session())) {
             return;
         }
-        // One of another release is told ours all the same, so that it can say why.
+        // Sends our release even to a member of another one, so that it can report the difference.
         network.send(from,
-                MessageCodec.encode(new Message.SessionOpened(hello.session(), settings.release(), settings.threads(), settings.memory())));
+                MessageCodec.encode(new Message.SessionOpened(offer.session(), settings.release(), settings.threads(), settings.memory())));
     }
 
     private synchronized boolean openSession(ClusterMember from, UUID id) {
-        // One that offers a new session has given up its old one, of which this node may not have heard.
+        // A member that offers a new session has dropped its old one, possibly unnoticed by this node.
         sessions.forEach((oldId, session) -> {
             if (session.owner.equals(from)) {
                 closeSession(oldId);
@@ -115,10 +115,10 @@ public final class RenderNode implements ClusterNetwork.Listener, AutoCloseable 
         try {
             sessions.put(id, new NodeSession(from, id, settings.hosts().create(), contents,
                     message -> network.send(from, MessageCodec.encode(message))));
-            settings.log().accept("holds frames for " + network.addressOf(from));
+            settings.log().accept("rendering for " + network.addressOf(from));
             return true;
         } catch (IOException e) {
-            rejectedPeers.report(from, "there is no room for its frames: " + e.getMessage());
+            rejectedPeers.report(from, "cannot store its frames: " + e.getMessage());
             return false;
         }
     }
@@ -126,7 +126,7 @@ public final class RenderNode implements ClusterNetwork.Listener, AutoCloseable 
     private void closeSession(UUID id) {
         NodeSession session = sessions.remove(id);
         if (session != null) {
-            settings.log().accept("holds no more frames for " + network.addressOf(session.owner));
+            settings.log().accept("finished rendering for " + network.addressOf(session.owner));
             session.close();
         }
     }
@@ -144,7 +144,7 @@ public final class RenderNode implements ClusterNetwork.Listener, AutoCloseable 
     public void close() {
         network.close();
         synchronized (this) {
-            // What was on its way may still be heard.
+            // Messages in flight may still arrive.
             closed = true;
             sessions.values().forEach(NodeSession::close);
             sessions.clear();

@@ -13,14 +13,14 @@ import org.jgroups.util.SeqnoList;
 import org.jgroups.util.SizeStreamable;
 
 /**
- * Which messages JGroups reads: bytes, none, and what its protocols tell each other: a number (how many bytes more a member takes), the
- * numbers of messages (which it wants again), and how far it has heard whom. Without these nothing that was lost would come again, and nobody
- * could send more than is taken at once. Others would make objects of classes that a message names.
+ * Whitelist of JGroups messages: bytes, empty messages, and the protocols' own payloads: flow-control credits, sequence numbers to
+ * retransmit, and digests of received messages. Retransmission and flow control need these. All other messages are rejected, because they
+ * would instantiate classes named in the message.
  */
 final class RestrictedMessageFactory extends MessageFactory {
     private RestrictedMessageFactory() {}
 
-    /** For this process, from here on. */
+    /** Installs it for this process. */
     static synchronized void install() {
         for (int type = 0; type < creators.length; type++) {
             creators[type] = switch (type) {
@@ -32,7 +32,7 @@ final class RestrictedMessageFactory extends MessageFactory {
         }
     }
 
-    /** What is written as any object, and read as one of two layouts. */
+    /** Message written as a generic object, but read in one of two known formats. */
     private static final class SequenceMessage extends ObjectMessage {
         private static final short SEQUENCE_LIST = ClassConfigurator.getMagicNumber(SeqnoList.class);
         private static final short DIGEST = ClassConfigurator.getMagicNumber(Digest.class);
@@ -44,18 +44,18 @@ final class RestrictedMessageFactory extends MessageFactory {
                 return;
             }
             short kind = in.readShort();
-            // Both kinds of what was heard are written alike.
+            // Both kinds of digest have the same format.
             SizeStreamable payload =
                     kind == SEQUENCE_LIST ? new BoundedSequenceList() : kind == DIGEST || kind == MUTABLE_DIGEST ? new Digest() : null;
             if (payload == null) {
-                throw new IOException("expected numbers of messages, found an object of kind " + kind);
+                throw new IOException("expected sequence numbers, found an object of kind " + kind);
             }
             payload.readFrom(in);
             obj = payload;
         }
     }
 
-    /** Numbers of messages, held to what a protocol asks for at once. */
+    /** List of sequence numbers, limited to the maximum that a protocol requests at a time. */
     private static final class BoundedSequenceList extends SeqnoList {
         private static final int MAX_SIZE = 1 << 20;
 
@@ -63,7 +63,7 @@ final class RestrictedMessageFactory extends MessageFactory {
         public void readFrom(DataInput in) throws IOException {
             size = in.readInt();
             if (size < 1 || size > MAX_SIZE) {
-                throw new IOException("expected 1 to " + MAX_SIZE + " numbers of messages, found " + size);
+                throw new IOException("expected 1 to " + MAX_SIZE + " sequence numbers, found " + size);
             }
             offset = in.readLong();
             words = new long[(size + Long.SIZE - 1) / Long.SIZE];

@@ -13,7 +13,7 @@ import lightning.shot.cluster.wire.ContentHash;
 import lightning.shot.cluster.wire.SceneManifest;
 import lightning.shot.cluster.wire.WireException;
 
-/** Makes takes of bills. The newest one is kept, and the files that it names, as long as those of the next are the same. */
+/** Reader of revisions from manifests. Keeps the newest revision and its files, as long as the next one uses the same files. */
 final class RevisionReader {
     private final ContentFolder contents;
     private final ContentFolder.PartSource parts;
@@ -28,12 +28,12 @@ final class RevisionReader {
     }
 
     /**
-     * The take of a bill.
+     * Reads the revision of a manifest.
      *
-     * @throws InvalidContentException if its content does not come or is not what the bill says
-     * @throws IOException      if its content cannot be kept
-     * @throws WireException    if it is no bill
-     * @throws JenException     if its text is no scene, or a file that it names cannot be used
+     * @throws InvalidContentException if its content does not arrive or does not match the manifest
+     * @throws IOException      if its content cannot be stored
+     * @throws WireException    if the manifest is malformed
+     * @throws JenException     if its text is not a valid scene, or a file that it names cannot be used
      */
     synchronized ShotRevision read(ContentHash hash, int bytes) throws IOException, WireException, JenException {
         if (hash.equals(manifestHash)) {
@@ -55,7 +55,8 @@ final class RevisionReader {
     private byte[] readManifest(ContentHash hash, int bytes) throws IOException {
         byte[] manifest = parts.read(hash, 0);
         if (manifest.length != bytes || !ContentHash.of(manifest).equals(hash)) {
-            throw new InvalidContentException("expected a bill of " + bytes + " bytes with its hash, found " + manifest.length + " bytes");
+            throw new InvalidContentException(
+                    "expected a manifest of " + bytes + " bytes with its hash, found " + manifest.length + " bytes");
         }
         return manifest;
     }

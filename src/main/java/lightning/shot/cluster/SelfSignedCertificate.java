@@ -25,8 +25,8 @@ import lightning.base.file.FileState;
 import lightning.base.text.Quote;
 
 /**
- * Makes a new key and its certificate, signed by itself (X.509 of version 3 in DER, a key on the curve P-256): what
- * {@code keytool -genkeypair} makes, which is not in every Java.
+ * Generator of a key with a self-signed certificate (X.509 version 3 in DER, a P-256 key), like {@code keytool -genkeypair}, which some
+ * Java runtimes lack.
  */
 public final class SelfSignedCertificate {
     private static final int YEARS = 10;
@@ -44,7 +44,7 @@ public final class SelfSignedCertificate {
     private static final byte[] ECDSA = {0x2a, (byte) 0x86, 0x48, (byte) 0xce, 0x3d, 0x04, 0x03, 0x02};
     /** commonName, 2.5.4.3. */
     private static final byte[] COMMON_NAME = {0x55, 0x04, 0x03};
-    /** The first year that a time of two digits for the year cannot express: RFC 5280, section 4.1.2.5. */
+    /** First year that a two-digit year cannot express: RFC 5280, section 4.1.2.5. */
     private static final int FIRST_GENERALIZED_YEAR = 2050;
     private static final DateTimeFormatter UTC = DateTimeFormatter.ofPattern("yyMMddHHmmss'Z'", Locale.ROOT);
     private static final DateTimeFormatter GENERALIZED = DateTimeFormatter.ofPattern("yyyyMMddHHmmss'Z'", Locale.ROOT);
@@ -52,15 +52,15 @@ public final class SelfSignedCertificate {
     private SelfSignedCertificate() {}
 
     /**
-     * Writes a new key and its certificate, for nobody but their owner to read.
+     * Writes a new key and its certificate, readable by the owner only.
      *
-     * @throws IOException if the file cannot be written, or is there already
+     * @throws IOException if the file exists or cannot be written
      */
     public static void write(Path file) throws IOException {
         write(file, ZonedDateTime.now(ZoneOffset.UTC));
     }
 
-    /** @param now UTC, before which by a day and after which by ten years the certificate is valid */
+    /** @param now UTC; the certificate is valid from a day before to ten years after */
     static void write(Path file, ZonedDateTime now) throws IOException {
         try {
             KeyPairGenerator generator = KeyPairGenerator.getInstance("EC");
@@ -75,10 +75,10 @@ public final class SelfSignedCertificate {
             store.store(bytes, ClusterCertificate.PASSWORD);
             AtomicFile.of(file).forOwnerOnly().ifUnchanged(FileState.MISSING).write(bytes.toByteArray());
         } catch (ChangedFileException e) {
-            throw new IOException(Quote.path(file) + ": is there already, and is not written over: all machines of a cluster have one file",
+            throw new IOException(Quote.path(file) + ": already exists and is not overwritten; all machines of a cluster share one file",
                     e);
         } catch (GeneralSecurityException e) {
-            throw new IOException("this Java cannot make a certificate: " + e.getMessage(), e);
+            throw new IOException("cannot create a certificate: " + e.getMessage(), e);
         }
     }
 
@@ -86,7 +86,7 @@ public final class SelfSignedCertificate {
         byte[] algorithm = der(SEQUENCE, der(OBJECT, ECDSA));
         byte[] name = der(SEQUENCE, der(SET, der(SEQUENCE, der(OBJECT, COMMON_NAME),
                 der(UTF8, "lightning".getBytes(StandardCharsets.UTF_8)))));
-        // A machine whose clock is a little behind may use it at once.
+        // Valid immediately on machines whose clocks are slightly behind.
         byte[] validity = der(SEQUENCE, time(now.minusDays(1)), time(now.plusYears(YEARS)));
         byte[] serial = der(INTEGER, new BigInteger(SERIAL_BITS, new SecureRandom()).add(BigInteger.ONE).toByteArray());
         byte[] tbsCertificate = der(SEQUENCE, der(VERSION, der(INTEGER, new byte[] {2})), serial, algorithm, name, validity, name,
@@ -103,7 +103,7 @@ public final class SelfSignedCertificate {
                 (generalized ? GENERALIZED : UTC).format(at).getBytes(StandardCharsets.US_ASCII));
     }
 
-    /** A value of DER: its tag, its length, its parts one behind the other. */
+    /** Encodes a DER value: tag, length, concatenated parts. */
     private static byte[] der(int tag, byte[]... parts) {
         var content = new ByteArrayOutputStream();
         for (byte[] part : parts) {

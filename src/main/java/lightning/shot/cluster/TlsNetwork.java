@@ -33,18 +33,21 @@ import org.jgroups.util.DefaultSocketFactory;
 import org.jgroups.util.DefaultThreadFactory;
 import org.jgroups.util.UUID;
 
-/** A network of members that show the same certificate: JGroups over TLS, both sides of a connection known. */
+/** Cluster network over JGroups and TLS, with mutual authentication: all members present the same certificate. */
 public final class TlsNetwork implements ClusterNetwork {
-    /** Bytes of what comes over a connection in one piece; larger messages are cut by {@link FRAG4}. */
+    /** Maximum bytes of a message on a connection; {@link FRAG4} splits larger ones. */
     private static final int MAX_BYTES = 1 << 18;
     private static final String CLUSTER = "lightning";
     private static final int URGENT_MAX_BYTES = 4096;
     private static final int HANDSHAKE_MILLISECONDS = 5000;
-    /** Attempts to join before a member starts a part of its own. JGroups' 10 block 20 s where the coordinator it found has gone. */
+    /**
+     * Attempts to join before starting a separate cluster. JGroups' default of 10 blocks for 20 s if the coordinator that it found has
+     * gone.
+     */
     private static final int JOIN_ATTEMPTS = 2;
-    /** Limit of a merge. One that includes a member that does not answer takes all of it and is repeated. */
+    /** Timeout of a merge. A merge with an unresponsive member takes the whole time and is repeated. */
     private static final int MERGE_MILLISECONDS = 2000;
-    /** Questions to the hosts within that time. */
+    /** Discovery requests within the join timeout. */
     private static final int DISCOVERY_RUNS = 4;
 
     private final NodeConfig config;
@@ -71,12 +74,12 @@ public final class TlsNetwork implements ClusterNetwork {
             channel.connect(CLUSTER);
         } catch (Exception e) {
             close();
-            throw new JoinException(Messages.tr("cannot take part in a cluster at {0}: {1}",
+            throw new JoinException(Messages.tr("cannot join a cluster at {0}: {1}",
                     config.addressText(), reason(e)), e);
         }
     }
 
-    /** The innermost reason: JGroups wraps it. */
+    /** Returns the innermost cause, because JGroups wraps it. */
     private static String reason(Throwable e) {
         Throwable inner = e;
         while (inner.getCause() != null) {
@@ -88,15 +91,15 @@ public final class TlsNetwork implements ClusterNetwork {
     private TCP transport(SSLContext context) throws Exception {
         TCP tcp = new TCP();
         tcp.setBindAddress(config.bind()).setBindPort(config.port()).setPortRange(config.ports() - 1);
-        // It would open a port of its own, without TLS.
+        // The default handler would open its own port, without TLS.
         tcp.setDiagnosticsHandler(new DiagnosticsHandler(LogFactory.getLog(DiagnosticsHandler.class), new DefaultSocketFactory(),
                 new DefaultThreadFactory("lightning-cluster", true)).setEnabled(false));
         tcp.setMaxLength(MAX_BYTES);
         tcp.tcpNodelay(true);
-        // On a machine that traces with all its processors, two that have just begun take seconds for a handshake.
+        // On a machine that renders with all processors, a handshake between two new processes takes seconds.
         tcp.setPeerAddrReadTimeout(HANDSHAKE_MILLISECONDS);
         tcp.setSockConnTimeout(HANDSHAKE_MILLISECONDS);
-        // A process that is killed is known to be gone when its connection ends.
+        // Detects a killed process when its connection closes.
         tcp.enableSuspectEvents(true);
         tcp.tls(new HandshakeTimeoutTls(context, HANDSHAKE_MILLISECONDS));
         return tcp;
@@ -108,10 +111,10 @@ public final class TlsNetwork implements ClusterNetwork {
         TCPPING ping = new TCPPING();
         ping.setInitialHosts(hosts);
         ping.setPortRange(0);
-        // Members that each know only the first one learn each other's addresses from it. Without them a merged view does not hold: its
+        // Members that each know only the first one learn each other's addresses from it. Otherwise a merged view is not stable: its
         // members cannot reach each other, suspect each other, and split again.
         ping.returnEntireCache(true);
-        // A host that starts at the same moment may not listen yet: ask several times, and let none wait for another.
+        // A host that starts at the same moment may not listen yet: ask several times, without waiting for each.
         ping.numDiscoveryRuns(DISCOVERY_RUNS);
         ping.asyncDiscovery(true);
         ping.asyncDiscoveryUseSeparateThread(true);
@@ -142,7 +145,7 @@ public final class TlsNetwork implements ClusterNetwork {
         return membership;
     }
 
-    /** Hands on what JGroups tells, on one thread. */
+    /** Forwards JGroups' events, on one thread. */
     private final class MessageReceiver implements Receiver {
         private final Listener listener;
 
@@ -194,13 +197,13 @@ public final class TlsNetwork implements ClusterNetwork {
             if (channel.getView().containsMember(address)) {
                 BytesMessage message = new BytesMessage(address, bytes);
                 if (bytes.length <= URGENT_MAX_BYTES) {
-                    // Who is flooded by others is asked for a sign of life all the same.
+                    // Heartbeats bypass flow control, so that a flooded member can answer.
                     message.setFlag(Message.Flag.NO_FC);
                 }
                 channel.send(message);
             }
         } catch (Exception e) {
-            // It left meanwhile, or this did; whoever waits for an answer asks again or hears that it is gone.
+            // The member or this process left; a waiting caller retries, or fails when the loss is known.
         }
     }
 
@@ -210,7 +213,7 @@ public final class TlsNetwork implements ClusterNetwork {
             channel.disconnect();
             channel.connect(CLUSTER);
         } catch (Exception e) {
-            // Tried again by whoever still sees nobody.
+            // The caller retries as long as it finds no members.
         }
     }
 

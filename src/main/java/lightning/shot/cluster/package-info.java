@@ -1,6 +1,6 @@
 /**
- * Frames of a shot on other machines. A node ({@link lightning.shot.cluster.RenderNode}) holds frames for whoever asks; a coordinator gives them to nodes
- * as keepers of a shot ({@link lightning.shot.cluster.RemoteFrameHost}). Who is there, JGroups finds out ({@link lightning.shot.cluster.TlsNetwork}), and only
- * members that have the same certificate are heard.
+ * Distributed rendering of a shot. A node ({@link lightning.shot.cluster.RenderNode}) renders frames for coordinators; a coordinator uses
+ * nodes as hosts of a shot ({@link lightning.shot.cluster.RemoteFrameHost}). JGroups manages membership ({@link
+ * lightning.shot.cluster.TlsNetwork}); only members with the same certificate can connect.
  */
 package lightning.shot.cluster;

@@ -12,18 +12,18 @@ import lightning.base.text.DecimalNumber;
 import lightning.base.text.Messages;
 
 /**
- * The program that makes a film of pictures, where it is installed.
+ * Installed ffmpeg program, which encodes videos.
  *
- * @param program the file
+ * @param program the executable
  */
 public record Ffmpeg(Path program) {
 
-    /** The first of that name in the folders where the system looks for programs. */
+    /** Finds the first one in the system's search path. */
     public static Optional<Ffmpeg> find() {
         return findIn(System.getenv("PATH"));
     }
 
-    /** @param folders as the system's variable {@code PATH} names them; null for none */
+    /** @param folders value of the environment variable {@code PATH}; null for none */
     static Optional<Ffmpeg> findIn(String folders) {
         if (folders == null) {
             return Optional.empty();
@@ -36,7 +36,7 @@ public record Ffmpeg(Path program) {
                         return Optional.of(new Ffmpeg(program));
                     }
                 } catch (InvalidPathException e) {
-                    // The system passes over what it cannot read, too.
+                    // The system skips invalid entries, too.
                 }
             }
         }
@@ -44,24 +44,25 @@ public record Ffmpeg(Path program) {
     }
 
     /**
-     * The installed one.
+     * Returns the installed program.
      *
-     * @throws IOException if there is none; the message says what it is for
+     * @throws IOException if it is missing; the message says what it is for
      */
     public static Ffmpeg require() throws IOException {
         return find().orElseThrow(() -> new IOException(missingMessage()));
     }
 
-    /** What is told where there is none: a clause without a full stop. */
+    /** Returns the message for a missing program: a clause without a full stop. */
     public static String missingMessage() {
-        return Messages.tr("a film takes the program ffmpeg, which is not installed here; numbered pictures need no other program");
+        return Messages.tr("video export needs ffmpeg, which is not installed; numbered images do not need it");
     }
 
     /**
-     * What it is called with to make a film of pixels that it reads one picture after the other, red, green and blue, 8 bits each.
+     * Returns the command that encodes a video from raw frames on standard input: red, green and blue, 8 bits each.
      *
-     * @param width pixels, even; likewise {@code height}
-     * @param rate  frames per second
+     * @param width  pixels, even
+     * @param height pixels, even
+     * @param rate   frames per second
      */
     List<String> command(MovieFormat kind, int width, int height, double rate, Path output) {
         List<String> command = new ArrayList<>(List.of(program.toString(), "-hide_banner", "-loglevel", "error", "-nostdin", "-y",

@@ -6,15 +6,15 @@ import java.nio.file.Path;
 import java.util.Locale;
 
 /**
- * The files of a shot's frames: {@code bird-0001.png} and so on, in one folder.
+ * File names of a shot's frames in one folder: {@code bird-0001.png} and so on.
  *
- * @param stem   what stands before the number
- * @param extension what stands behind it, with its point
+ * @param stem      text before the number
+ * @param extension text after the number, with its point
  */
 public record FrameFiles(Path folder, String stem, String extension) {
     /**
-     * @param output a file's name, which gets the numbers before its ending, or, without an ending, a folder for PNG files
-     * @param sceneName  the scene's name without an ending, which the files in such a folder have
+     * @param output    a file name, whose frames get a number before its extension, or, without an extension, a folder for PNG files
+     * @param sceneName the scene's name without an extension, for files in such a folder
      */
     public static FrameFiles of(Path output, String sceneName) {
         String file = output.getFileName() == null ? "" : output.getFileName().toString();
@@ -27,12 +27,12 @@ public record FrameFiles(Path folder, String stem, String extension) {
                 file.substring(0, dot), file.substring(dot));
     }
 
-    /** The file of one frame; four digits at least. */
+    /** Returns the file of one frame, with at least four digits. */
     public Path file(int frame) {
         return folder.resolve(stem + "-" + String.format(Locale.ROOT, "%04d", frame) + extension);
     }
 
-    /** Makes the folder where it is missing; the one around it must be there. */
+    /** Creates the folder if it is missing; its parent must exist. */
     public void createFolder() throws IOException {
         if (!folder.toString().isEmpty() && !Files.isDirectory(folder)) {
             Files.createDirectory(folder);

@@ -13,25 +13,25 @@ import lightning.render.relight.tile.RenderOptions;
 import lightning.render.warmup.DelayedWarmUp;
 import lightning.scene.Scene;
 
-/** Renders frames one after the other with one running renderer: each is relit from the one before as far as that is possible. */
+/** Sequential renderer of frames: relights each frame from the one before as far as possible. */
 public final class FrameSequenceRenderer {
     private FrameSequenceRenderer() {}
 
-    /** Hears of each frame that is there, before the next is begun. */
+    /** Listener that receives each finished frame before the next starts. */
     public interface Listener {
-        /** @param film written over afterwards */
+        /** @param film overwritten after the call */
         void frameRendered(int frame, Film film, UpdateResult update) throws IOException;
     }
 
     /**
-     * Renders; waits until all frames are there.
+     * Renders all frames and waits for them.
      *
      * @param frames   at least one
-     * @param scene    of a frame
-     * @param progress hears of the tiles of each frame, and stops the work
-     * @throws IOException           if the listener does
-     * @throws PictureTooLargeException       if a frame does not fit into memory even where nothing of the one before is kept
-     * @throws CancellationException if the progress asked for it
+     * @param scene    scene of a frame
+     * @param progress receives the tiles of each frame, and can cancel
+     * @throws IOException           if the listener throws it
+     * @throws PictureTooLargeException       if a frame does not fit into memory even without the cache of the one before
+     * @throws CancellationException if the progress canceled
      */
     public static void render(List<Integer> frames, IntFunction<Scene> scene, RenderOptions options, Progress progress, Listener listener)
             throws IOException {

@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 
-/** The kinds of films that can be written. */
+/** Video formats for export. */
 public enum MovieFormat {
     MP4(".mp4", "mp4", List.of("-c:v", "libx264", "-crf", "17", "-preset", "medium", "-movflags", "+faststart")),
     MOV(".mov", "mov", List.of("-c:v", "libx264", "-crf", "17", "-preset", "medium")),
@@ -23,22 +23,22 @@ public enum MovieFormat {
         this.encoderOptions = encoder;
     }
 
-    /** What a file's name ends in, with its point. */
+    /** Returns the file extension, with its point. */
     public String ending() {
         return extension;
     }
 
-    /** As ffmpeg calls it. */
+    /** Returns ffmpeg's name of the container. */
     String format() {
         return muxer;
     }
 
-    /** What ffmpeg is asked for. */
+    /** Returns ffmpeg's encoder options. */
     List<String> encoder() {
         return encoderOptions;
     }
 
-    /** The kind that a file's name asks for; empty where it is no film's. */
+    /** Returns the format of a file name; empty if it is not a video's. */
     public static Optional<MovieFormat> of(Path file) {
         String name = file.getFileName() == null ? "" : file.getFileName().toString().toLowerCase(Locale.ROOT);
         return Arrays.stream(values()).filter(kind -> name.endsWith(kind.extension)).findFirst();

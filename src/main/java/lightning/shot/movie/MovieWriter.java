@@ -15,10 +15,10 @@ import lightning.render.image.ViewTransform;
 import lightning.scene.PictureSettings;
 
 /**
- * Hands pictures to ffmpeg one after the other. Sizes that are odd, which films cannot have, get one more column or row like their last.
+ * Writer of a video through ffmpeg, frame by frame. Pads odd sizes, which videos cannot have, by repeating the last column or row.
  *
  * <pre>{@code
- * AtomicFile.of(file).writeByName(temporary -> {
+ * AtomicFile.of(file).writeToPath(temporary -> {
  *     try (var movie = new MovieWriter(ffmpeg, MovieFormat.MP4, 24, view, temporary)) {
  *         movie.add(film);
  *         movie.finish();
@@ -27,7 +27,7 @@ import lightning.scene.PictureSettings;
  * }</pre>
  */
 public final class MovieWriter implements AutoCloseable {
-    /** Of what ffmpeg complains of, bytes. */
+    /** Maximum bytes of ffmpeg's error output. */
     private static final int MAX_ERROR_CHARS = 4000;
     private static final int MAX_REPORTED_CHARS = 200;
     private static final long TIMEOUT_SECONDS = 120;
@@ -43,10 +43,10 @@ public final class MovieWriter implements AutoCloseable {
     private byte[] pixels = new byte[0];
 
     /**
-     * Begins nothing yet.
+     * Creates a writer; ffmpeg starts with the first frame.
      *
      * @param rate frames per second
-     * @param view how linear light becomes display pixels
+     * @param view conversion of linear light to display pixels
      */
     public MovieWriter(Ffmpeg ffmpeg, MovieFormat format, double rate, ViewTransform view, Path file) {
         this.ffmpeg = ffmpeg;
@@ -56,16 +56,16 @@ public final class MovieWriter implements AutoCloseable {
         this.file = file;
     }
 
-    /** What a film takes beside its pictures, bytes. */
+    /** Returns the bytes needed in addition to the images. */
     public static long requiredBytes(PictureSettings picture) {
-        // Packed pixels, and the three bytes of each that go to ffmpeg.
+        // Packed pixels, and the three bytes of each for ffmpeg.
         return (4L + 3) * (picture.width() + 1) * (picture.height() + 1);
     }
 
     /**
-     * Adds a picture, of the same size as all before.
+     * Adds a frame of the same size as all before.
      *
-     * @throws IOException if ffmpeg cannot be started or gave up; the message has its own words
+     * @throws IOException if ffmpeg cannot be started or failed; the message includes its own
      */
     public void add(Film film) throws IOException {
         int width = film.width() + (film.width() & 1);
@@ -89,7 +89,7 @@ public final class MovieWriter implements AutoCloseable {
         errorReader.start();
     }
 
-    /** Keeps the last of what it says; what nobody reads would hold it up. */
+    /** Reads ffmpeg's error output and keeps its end; unread output would block it. */
     private void readErrors() {
         try (InputStream errors = process.getErrorStream()) {
             byte[] buffer = new byte[MAX_ERROR_CHARS];
@@ -116,13 +116,13 @@ public final class MovieWriter implements AutoCloseable {
     }
 
     /**
-     * Waits until the film is whole.
+     * Finishes the video and waits for ffmpeg.
      *
-     * @throws IOException if ffmpeg could not make it
+     * @throws IOException if ffmpeg failed
      */
     public void finish() throws IOException {
         if (process == null) {
-            throw new IOException(Messages.tr("a film must have a frame"));
+            throw new IOException(Messages.tr("a video needs at least one frame"));
         }
         try (OutputStream in = process.getOutputStream()) {
             in.flush();
@@ -135,11 +135,11 @@ public final class MovieWriter implements AutoCloseable {
         }
     }
 
-    /** Waits for its end; returns why it was none, in a sentence. */
+    /** Waits for ffmpeg; returns a sentence that says why it failed. */
     private String awaitExit(String fallback) {
         try {
             if (!process.waitFor(TIMEOUT_SECONDS, TimeUnit.SECONDS)) {
-                return Messages.tr("ffmpeg did not end");
+                return Messages.tr("ffmpeg did not finish");
             }
             errorReader.join(TimeUnit.SECONDS.toMillis(TIMEOUT_SECONDS));
         } catch (InterruptedException e) {
@@ -150,11 +150,11 @@ public final class MovieWriter implements AutoCloseable {
             return "";
         }
         String last = errorText.strip().lines().reduce((_, line) -> line).orElse(fallback);
-        return Messages.tr("ffmpeg could not make the film: {0}",
+        return Messages.tr("ffmpeg failed: {0}",
                 Quote.path(last.substring(0, Math.min(MAX_REPORTED_CHARS, last.length()))));
     }
 
-    /** Ends ffmpeg where it still runs: then what it wrote is no film. */
+    /** Ends ffmpeg if it still runs; the video is then incomplete. */
     @Override
     public void close() {
         if (process != null) {

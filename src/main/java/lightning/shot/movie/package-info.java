@@ -1,4 +1,2 @@
-/**
- * A shot as files: its frames one after the other, as numbered pictures or as a film.
- */
+/** Export of a shot: its frames as numbered images or as a video. */
 package lightning.shot.movie;

@@ -25,7 +25,7 @@ import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Where modes are spoken of, on systems that have them. */
+/** Checks of modes apply to systems with POSIX permissions. */
 @DisabledOnOs(OS.WINDOWS)
 class AtomicFileTest {
     @TempDir
@@ -34,7 +34,7 @@ class AtomicFileTest {
     @Test
     void unprintableName_isEscapedInErrors() throws IOException {
         Path directory = Files.createDirectory(folder.resolve("a\n\u001B[2J"));
-        assertThatThrownBy(() -> AtomicFile.of(directory).check()).hasMessage(Quote.path(directory) + ": is a folder, expected a file");
+        assertThatThrownBy(() -> AtomicFile.of(directory).check()).hasMessage(Quote.path(directory) + ": expected a file, found a folder");
         assertThatThrownBy(() -> AtomicFile.of(directory.resolve("no/b.jen")).check()).hasMessageStartingWith("\"")
                 .satisfies(e -> assertThat(e.getMessage()).matches(PrintableText::isPrintable, "is visible"));
     }
@@ -111,18 +111,18 @@ class AtomicFileTest {
     void circularLink_isRejected() throws IOException {
         Path link = Files.createSymbolicLink(folder.resolve("b"), Path.of("b"));
         assertThatIOException().isThrownBy(() -> AtomicFile.write(link, out -> {}))
-                .withMessage(link + ": is a symbolic link that leads in a circle");
+                .withMessage(link + ": circular symbolic link");
     }
 
     @Test
     void irregularFile_isRejectedUnchanged() throws IOException {
-        // A socket stands for all of them: a real device would be lost if this ever failed for an administrator.
+        // A socket represents all special files: a real device would be lost if this failed for an administrator.
         Path socket = folder.resolve("s");
         Path link = Files.createSymbolicLink(folder.resolve("b"), socket);
         try (var server = ServerSocketChannel.open(StandardProtocolFamily.UNIX)) {
             server.bind(UnixDomainSocketAddress.of(socket));
             assertThatIOException().isThrownBy(() -> AtomicFile.write(link, out -> {}))
-                    .withMessage(link + ": is a device, a pipe or a socket, expected a file");
+                    .withMessage(link + ": expected a file, found a device, a pipe or a socket");
             assertThatIOException().isThrownBy(() -> AtomicFile.of(socket).check());
             assertThat(Files.isRegularFile(socket)).isFalse();
             assertThat(link).isSymbolicLink();
@@ -133,7 +133,7 @@ class AtomicFileTest {
     void missingFolder_isNamedInError() {
         Path file = folder.resolve("no/a");
         assertThatIOException().isThrownBy(() -> AtomicFile.write(file, out -> {}))
-                .withMessage(file + ": there is no folder " + folder.resolve("no"));
+                .withMessage(file + ": folder not found: " + folder.resolve("no"));
     }
 
     @Test
@@ -220,7 +220,7 @@ class AtomicFileTest {
         Path file = Files.writeString(folder.resolve("a"), "old");
         FileState state = FileState.of(file);
         Files.writeString(file, "his");
-        // Within the clock's grain, or by a program that keeps times.
+        // As if written within the clock's resolution, or by a program that preserves times.
         Files.setLastModifiedTime(file, state.modified());
         assertThatExceptionOfType(ChangedFileException.class)
                 .isThrownBy(() -> AtomicFile.of(file).ifUnchanged(state).write(new byte[] {1}))
@@ -295,7 +295,7 @@ class AtomicFileTest {
         Files.setPosixFilePermissions(file, PosixFilePermissions.fromString(mode));
     }
 
-    /** The name of the file that is being written. */
+    /** Returns the name of the temporary file being written. */
     private String temporary() throws IOException {
         return names().stream().filter(name -> name.startsWith(".")).findFirst().orElseThrow();
     }

@@ -12,7 +12,7 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** What is remembered of a file that others write. */
+/** Tests states of files that other programs write. */
 class FileStateTest {
     private static final int READS = 3000;
 
@@ -22,7 +22,7 @@ class FileStateTest {
     @Test
     void fileBeingWritten_sizeMatchesContent() throws Exception {
         Path file = folder.resolve("a.jen");
-        // All of one letter, so that a text of which a part was read before and a part after is one of them too.
+        // Each text repeats one letter, so that a torn read is also one of the known texts.
         Map<String, Long> sizes = new HashMap<>();
         for (String text : new String[] {"", "a", "aaa"}) {
             FileState state = FileState.of(Files.writeString(file, text));

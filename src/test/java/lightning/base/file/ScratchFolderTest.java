@@ -13,7 +13,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Files that go with their process. */
+/** Tests folders that are removed with their process. */
 class ScratchFolderTest {
     @TempDir
     Path place;
@@ -83,6 +83,6 @@ class ScratchFolderTest {
     @Test
     void parentThatIsNoFolder_isRejected() {
         assertThatThrownBy(() -> ScratchFolder.createIn(place.resolve("none"))).hasMessageContaining("none")
-                .hasMessageContaining("is no folder");
+                .hasMessageContaining("is not a folder");
     }
 }

@@ -2,7 +2,7 @@ package lightning.base.file;
 
 import java.nio.file.Path;
 
-/** A process that holds two scratch folders in one place until it is killed. */
+/** Process that holds two scratch folders in one place until it is killed. */
 final class ScratchHolder {
     private ScratchHolder() {}
 

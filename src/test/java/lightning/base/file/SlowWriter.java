@@ -7,7 +7,7 @@ import java.time.Duration;
 import java.time.Instant;
 import java.util.stream.Stream;
 
-/** A process that writes a file, and in the middle of it nothing for two hours: until it reads a line. */
+/** Process that writes a file and pauses in the middle until it reads a line. */
 final class SlowWriter {
     private SlowWriter() {}
 

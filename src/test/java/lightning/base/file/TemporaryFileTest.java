@@ -13,7 +13,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Whose temporary files are removed. */
+/** Tests which temporary files are removed. */
 class TemporaryFileTest {
     @TempDir
     private Path folder;
@@ -62,7 +62,7 @@ class TemporaryFileTest {
         assertThat(mine).exists();
     }
 
-    /** Another machine's process cannot be looked up here, nor that of an older release, which left no number. */
+    /** Processes of another machine cannot be looked up, nor those of an older release without a process id. */
     @Test
     void fileOfUnknownOwner_isKeptForAMonth() throws IOException {
         var elsewhere = new TemporaryFile.Owner("0123abcd", endedProcess().process());
@@ -75,7 +75,7 @@ class TemporaryFileTest {
         assertThat(List.of(staleFile, oldest)).allSatisfy(file -> assertThat(file).doesNotExist());
     }
 
-    /** No process has this number: it is beyond what any system hands out. */
+    /** Returns an owner with an impossible process id. */
     private static TemporaryFile.Owner endedProcess() {
         return new TemporaryFile.Owner(TemporaryFile.Owner.SELF.realm(), new ProcessIdentity(999_999_999_999L, 1));
     }

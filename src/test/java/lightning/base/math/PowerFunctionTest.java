@@ -14,7 +14,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 class PowerFunctionTest {
     private static final int VALUES = 3_000_000;
 
-    /** Bases as cosines are spread, and close to 0 and 1; exponents of every size that a scene may say. */
+    /** Uses bases distributed like cosines, and close to 0 and 1; exponents of every size that a scene may have. */
     @Test
     void randomValues_roundedToFloat_matchLibrary() {
         Random random = new Random(19);
@@ -63,7 +63,7 @@ class PowerFunctionTest {
         assertThat((float) PowerFunction.pow(x, n)).isBetween(0f, 1f);
     }
 
-    /** The error is far below a float's: 2⁻⁴⁰ of the value where it is normal in float. */
+    /** The error is far below a float's: 2⁻⁴⁰ of the value if it is normal in float. */
     @Property(tries = 2000)
     void relativeError_isBelowFloatPrecision(@ForAll @Scale(9) @DoubleRange(min = 1e-3, max = 1) double x,
             @ForAll @DoubleRange(min = 0, max = 12) double n) {

@@ -12,7 +12,7 @@ class TransformTest {
     private static final Transform A = new Transform(2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37);
     private static final Transform B = new Transform(41, 43, 47, 53, 59, 61, 67, 71, 73, 79, 83, 89);
 
-    /** Whole numbers: nothing is rounded. */
+    /** Whole numbers avoid rounding. */
     @Test
     void transformPoint_appliesMatrixAndTranslation() {
         assertThat(A.transformPoint(new Vec3(1, 10, 100)))
@@ -42,7 +42,7 @@ class TransformTest {
         assertThat(A.transposed()).isEqualTo(new Transform(2, 11, 23, 0, 3, 13, 29, 0, 5, 17, 31, 0));
     }
 
-    /** About x y goes to z, about y z to x, about z x to y; zeros and ones are exact. */
+    /** About x, y maps to z; about y, z to x; about z, x to y; zeros and ones are exact. */
     @Test
     void quarterTurns_areExactAndCounterClockwise() {
         Vec3 x = new Vec3(1, 0, 0);

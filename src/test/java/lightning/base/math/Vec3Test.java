@@ -25,7 +25,7 @@ class Vec3Test {
         assertThat(new Vec3(2, -6, 3).maxAbs()).isEqualTo(6);
     }
 
-    /** The squares of such components overflow, or have no digits. */
+    /** The squares of such components overflow or underflow. */
     @ParameterizedTest
     @ValueSource(doubles = {1, 1e-12, 1e12, 1e-200, 1e200, 1e-300, 1e300})
     void normalized_hasLengthOneAtEveryScale(double scale) {

@@ -40,7 +40,7 @@ class DecimalNumberTest {
         assertThat(DecimalNumber.parse(text)).hasValue(new BigDecimal(text).doubleValue());
     }
 
-    /** The number in the middle between two doubles, and its neighbors in the last place. */
+    /** Tests the midpoint of two doubles, and its neighbors in the last decimal place. */
     @Property
     void digitsNearMidpoint_parseToNearestDouble(@ForAll @LongRange(min = 1L << 52, max = (1L << 53) - 1) long mantissa,
             @ForAll @IntRange(min = 1, max = 6) int up, @ForAll @IntRange(max = 6) int decimals,

@@ -18,7 +18,7 @@ class NumberExpressionTest {
     private static final MathContext DIGITS = new MathContext(200);
     private static final BigDecimal HUNDRED = BigDecimal.valueOf(100);
 
-    /** @param value by decimal reckoning to 200 digits */
+    /** @param value computed with 200 decimal digits */
     private record Sum(String text, BigDecimal value) {}
 
     private static double value(String text, double current, NumberUnit measure) {
@@ -57,17 +57,17 @@ class NumberExpressionTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {"wide|must be a number, was 'wide'",
-        "0.3*|must be a number or a sum as 0.3*2: expected a number after '0.3*', found nothing",
-        "(1+2|must be a number or a sum as 0.3*2: expected ) after '(1+2', found nothing",
-        "1/0|must be a number or a sum as 0.3*2: division by zero in '1/0'",
-        "1/(2-2)|must be a number or a sum as 0.3*2: division by zero in '1/(2-2)'",
-        "3 cm|must be a number or a sum as 0.3*2: expected the unit stop, stops after '3', found 'cm'",
-        "0,5|must be a number or a sum as 0.3*2: expected +, -, *, / or the end after '0', found ',5'; decimals are written with a point",
-        "1e999999999|must be a number or a sum as 0.3*2: '1e999999999' is too large or too small",
-        "2*1e99999999999|must be a number or a sum as 0.3*2: '1e99999999999' is too large or too small"})
+        "0.3*|must be a number or an expression such as 0.3*2: expected a number after '0.3*', found the end",
+        "(1+2|must be a number or an expression such as 0.3*2: expected ) after '(1+2', found the end",
+        "1/0|must be a number or an expression such as 0.3*2: division by zero in '1/0'",
+        "1/(2-2)|must be a number or an expression such as 0.3*2: division by zero in '1/(2-2)'",
+        "3 cm|must be a number or an expression such as 0.3*2: expected the unit stop, stops after '3', found 'cm'",
+        "0,5|must be a number or an expression such as 0.3*2: expected +, -, *, / or the end after '0', found ',5'; use a decimal point",
+        "1e999999999|must be a number or an expression such as 0.3*2: '1e999999999' is too large or too small",
+        "2*1e99999999999|must be a number or an expression such as 0.3*2: '1e99999999999' is too large or too small"})
     void syntaxError_isReportedWithPosition(String text, String reason) {
         if (text.startsWith("1e")) {
-            // A plain number is read as everywhere.
+            // A plain number is parsed as everywhere else.
             assertThat(value(text, 1, NumberUnit.FACTOR)).isInfinite();
         } else {
             assertThat(reason(text)).isEqualTo(reason);
@@ -86,7 +86,7 @@ class NumberExpressionTest {
         }
         double read = value(sum.text(), 1, NumberUnit.FACTOR);
         BigDecimal off = new BigDecimal(read).subtract(sum.value()).abs();
-        // Half the way to the next double; the reckoning itself is off by less than a hundred roundings to 200 digits.
+        // Half the distance to the next double; the reference itself is off by less than a hundred roundings to 200 digits.
         BigDecimal half = new BigDecimal(Math.ulp(read)).divide(BigDecimal.TWO);
         assertThat(off).isLessThanOrEqualTo(half.add(new BigDecimal("1e-150")));
     }
@@ -119,7 +119,7 @@ class NumberExpressionTest {
             case '+' -> new Sum(text, a.value().add(b.value(), DIGITS));
             case '-' -> new Sum(text, a.value().subtract(b.value(), DIGITS));
             case '*' -> new Sum(text, a.value().multiply(b.value(), DIGITS));
-            // What is almost nothing may be nothing: that has no quotient.
+            // A divisor near 0 may be 0, so skip the quotient.
             default -> b.value().abs().compareTo(new BigDecimal("1e-9")) < 0 ? a : new Sum(text, a.value().divide(b.value(), DIGITS));
         };
     }

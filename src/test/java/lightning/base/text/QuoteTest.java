@@ -18,7 +18,7 @@ class QuoteTest {
         assertThat(Quote.path("scenes/old oak.jen")).isEqualTo("scenes/old oak.jen");
     }
 
-    /** What {@code git -c core.quotePath=true ls-files} prints for files of these names. */
+    /** Expects the output of {@code git -c core.quotePath=true ls-files} for files of these names. */
     @Test
     void unprintableCharacters_areEscapedLikeGit() {
         assertThat(Quote.path("a\nb\t\"c\"\\")).isEqualTo("\"a\\nb\\t\\\"c\\\"\\\\\"");

@@ -4,19 +4,19 @@ import java.util.concurrent.Callable;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 
-/** Waits for what other threads do. */
+/** Waits for conditions that other threads establish. */
 public final class Await {
-    /** Seconds: far more than anything takes on a machine that has other work: only what never comes about takes so long. */
+    /** Seconds: far longer than any passing condition takes on a busy machine. */
     public static final int TIMEOUT_SECONDS = 120;
 
     private Await() {}
 
     /** Returns as soon as the condition holds. */
     public static void until(Callable<Boolean> condition) throws Exception {
-        until("it came about", condition);
+        until("the condition holds", condition);
     }
 
-    /** Returns as soon as the condition holds that a sentence with "until" would end with. */
+    /** Returns as soon as the described condition holds. */
     public static void until(String description, Callable<Boolean> condition) throws Exception {
         long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(TIMEOUT_SECONDS);
         while (!condition.call()) {
@@ -27,10 +27,7 @@ public final class Await {
         }
     }
 
-    /**
-     * Returns as soon as no thread of that name runs: what was closed without waiting writes no file from then on, and the test's folder
-     * can go.
-     */
+    /** Returns as soon as no thread of that name runs: it then writes no more files, and the test's folder can be removed. */
     public static void untilThreadEnded(String name) throws Exception {
         until("no thread " + name + " runs",
                 () -> Thread.getAllStackTraces().keySet().stream().noneMatch(thread -> thread.getName().equals(name)));

@@ -40,7 +40,7 @@ class LowPriorityTest {
         assertThat(niceValue()).isEqualTo(ownNice);
     }
 
-    /** The calling thread's: the 19th field of its state, the 17th behind its name. */
+    /** Returns the nice value of the calling thread: field 19 of its stat file, the 17th after its name. */
     private static int niceValue() {
         try {
             String state = Files.readString(Path.of("/proc/thread-self/stat"));

@@ -14,12 +14,12 @@ import org.junit.jupiter.api.condition.OS;
 @EnabledOnOs(OS.LINUX)
 class ProcessRestartTest {
 
-    /** Gives its place to a program, which its arguments name. */
+    /** Replaces itself by the program that its arguments name. */
     static final class RestartingProgram {
         public static void main(String[] args) {
             Runtime.getRuntime().addShutdownHook(new Thread(() -> System.out.println("its hook")));
             ProcessRestart.exec(List.of(args));
-            System.out.println("goes on");
+            System.out.println("continues");
         }
     }
 
@@ -36,7 +36,7 @@ class ProcessRestartTest {
     @Test
     void missingProgram_continues() throws Exception {
         Process process = startRestarting("/no/such/program");
-        assertThat(output(process)).isEqualTo("goes on\nits hook\n");
+        assertThat(output(process)).isEqualTo("continues\nits hook\n");
         assertThat(process.waitFor()).isZero();
     }
 

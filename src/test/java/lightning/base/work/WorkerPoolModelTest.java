@@ -9,21 +9,21 @@ import lightning.modelcheck.ScheduleExplorer;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
-/** Tiles shared by threads, whatever these do when. */
+/** Model-checks the distribution of tiles to threads in all schedules. */
 @Tag("model")
 class WorkerPoolModelTest {
     private static final int TILES = 2;
 
-    /** A picture of tiles, each written once, and by nobody after the run. */
+    /** Counts writes per tile: each is written once, and never after the run. */
     private static final class TileCounter implements WorkerPool.TileTask {
         private final int[] writes = new int[TILES];
         private volatile boolean over;
 
         @Override
         public void run(int worker, int tile) {
-            check(!over, "nobody works on after the run");
+            check(!over, "no thread works after the run");
             writes[tile]++;
-            check(!over, "nobody works on after the run");
+            check(!over, "no thread works after the run");
         }
 
         boolean isComplete() {
@@ -45,7 +45,7 @@ class WorkerPoolModelTest {
         }
     }
 
-    /** A progress that can be stopped, and counts. */
+    /** Progress that can be canceled and counts polls. */
     private static final class CancelFlag implements Progress {
         private volatile boolean asked;
         private final AtomicInteger last = new AtomicInteger();
@@ -69,8 +69,8 @@ class WorkerPoolModelTest {
             try (var workers = new WorkerPool(2)) {
                 workers.run(TILES, tiles, heard);
                 tiles.over = true;
-                check(tiles.isComplete(), "every tile is done once");
-                check(heard.last.get() == TILES, "the last tile is told of");
+                check(tiles.isComplete(), "every tile runs once");
+                check(heard.last.get() == TILES, "the last tile is reported");
             }
         });
     }
@@ -84,10 +84,10 @@ class WorkerPoolModelTest {
             try (var workers = new WorkerPool(2)) {
                 workers.run(TILES, tiles, stop);
                 tiles.over = true;
-                check(tiles.isComplete(), "what is handed on is whole");
+                check(tiles.isComplete(), "a finished run is complete");
             } catch (CancellationException e) {
                 tiles.over = true;
-                check(!tiles.hasDuplicates(), "no tile is done twice");
+                check(!tiles.hasDuplicates(), "no tile runs twice");
             }
             other.end();
         });
@@ -105,10 +105,10 @@ class WorkerPoolModelTest {
                         throw problem;
                     }
                 }, Progress.NONE);
-                check(false, "a failure is handed on");
+                check(false, "a failure is rethrown");
             } catch (IllegalStateException e) {
                 tiles.over = true;
-                check(e == problem, "the failure itself is handed on");
+                check(e == problem, "the original failure is rethrown");
             }
         });
     }

@@ -13,10 +13,10 @@ import org.junit.jupiter.api.Timeout;
 
 class WorkerPoolTest {
     private static final int TILES = 1000;
-    /** More than are done before any thread gets its turn. */
+    /** More tiles than are processed before any other thread starts. */
     private static final int ENDLESS = Integer.MAX_VALUE;
 
-    /** An interrupted caller looks so to itself alone, once it waits for the others. */
+    /** An interrupted caller that waits appears interrupted only to itself. */
     @Test
     void cancellation_seenByOneWorker_stopsAll() {
         Thread caller = Thread.currentThread();
@@ -83,7 +83,7 @@ class WorkerPoolTest {
         }
     }
 
-    /** As on a machine whose processors are busy: a small update would wait for a thread that has nothing left to do. */
+    /** Simulates a busy machine, on which a small update would wait for a thread without work. */
     @Test
     @Timeout(value = Await.TIMEOUT_SECONDS, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
     void lateThread_isNotAwaited() throws Exception {

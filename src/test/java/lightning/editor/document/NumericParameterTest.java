@@ -105,8 +105,8 @@ class NumericParameterTest {
         assertThat(NumericParameter.ALL.stream().filter(dial -> dial.disabledReason(scene, scene.light("key")).isPresent())
                 .map(NumericParameter::title).toList())
                 .containsExactlyInAnyOrder("spread", "width", "height", "environment intensity", "environment rotation",
-                        "environment lamps",
-                        "environment softness");
+                        "environment samples",
+                        "environment shadow smoothing");
     }
 
     @Test

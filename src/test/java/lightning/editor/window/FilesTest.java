@@ -158,7 +158,7 @@ class FilesTest extends EditorFixture {
     void missingFile_showsError() {
         answer = folder.resolve("nowhere.jen");
         startCommand(Command.LOAD_FILE);
-        waitFor("it tells", () -> isMessageShown(answer + ": there is no such file"));
+        waitFor("it tells", () -> isMessageShown(answer + ": file not found"));
         robot.clickOn("Close");
     }
 

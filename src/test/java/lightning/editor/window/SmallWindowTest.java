@@ -100,7 +100,7 @@ class SmallWindowTest extends EditorFixture {
         ScrollPane scroll = robot.lookup("#properties .scroll-pane").query();
         robot.interact(() -> scroll.setVvalue(1));
         FastRobot.settle();
-        Node last = robot.lookup("#environment-softness").query();
+        Node last = robot.lookup("#environment-shadow-smoothing").query();
         assertThat(screenBounds(scroll)).as(screenBounds(last) + " is in it").matches(b -> b.contains(screenBounds(last)));
         assertThat(window()).as(screenBounds(last) + " is in it").matches(b -> b.contains(screenBounds(last)));
     }

@@ -89,7 +89,7 @@ class StartupSessionTest {
         show("16 12");
         WaitForAsyncUtils.waitFor(Await.TIMEOUT_SECONDS, TimeUnit.SECONDS,
                 () -> WaitForAsyncUtils
-                        .asyncFx(() -> startupSession.model().editor().message().textProperty().get().contains("there is no such file"))
+                        .asyncFx(() -> startupSession.model().editor().message().textProperty().get().contains("file not found"))
                         .get());
         assertThat(startupSession.model().picture().viewProperty().get().lut()).isEmpty();
     }

@@ -297,7 +297,7 @@ class SceneImporterTest {
         assertThat(new ProcessBuilder("mkfifo", from.resolve("pipe.png").toString()).start().waitFor()).isZero();
         Path file = withTexture("pipe.png");
         assertThatExceptionOfType(MeshException.class).isThrownBy(() -> read(file)).withMessageEndingWith("images[0].uri: must be a file in"
-                + " the folder of this one, was 'pipe.png', which is no file but a pipe or a device");
+                + " the folder of this one, was 'pipe.png', which is a pipe or a device");
     }
 
     @Test
@@ -314,7 +314,7 @@ class SceneImporterTest {
         Path file = Files.write(from.resolve("a.glb"), GltfFixtures.binary(SCENE, GltfFixtures.SQUARE));
         assertThat(new ProcessBuilder("mkfifo", to.resolveSibling("a.glb").toString()).start().waitFor()).isZero();
         assertThatExceptionOfType(IOException.class).isThrownBy(() -> read(file).write())
-                .withMessageEndingWith("a.glb: is no file but a pipe or a device, expected a file to lie beside the scene");
+                .withMessageEndingWith("a.glb: is a pipe or a device, expected a file to lie beside the scene");
     }
 
     @Test

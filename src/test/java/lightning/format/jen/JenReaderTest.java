@@ -156,7 +156,7 @@ class JenReaderTest {
         "jen 1 picture { antialias on } | 1:27: picture: antialias must be off, edges or every, was 'on'",
         "jen 1 picture { samples 9 } | 1:25: picture: samples must be from 2 to 8, was 9",
         "jen 1 world {} world {} | 1:16: world must be written once, found it again",
-        "jen 1 camera { from 1 2 3 to 1 2 3 } | 1:7: camera: from and to must be two different points",
+        "jen 1 camera { from 1 2 3 to 1 2 3 } | 1:7: camera: from and to must be different points",
         "jen 1 material m { repeat 2 2 } | 1:20: material 'm': repeat needs a texture, found none",
         "jen 1 world { ambience 1 $ } | 1:26: expected a word, a number or a brace, found '$'",
         "jen 1 world { ambience 1\u00a0} | 1:25: expected a space, found U+00A0",

@@ -164,7 +164,7 @@ class PropertyEditTest {
         "material:floor.shinines=1 | material 'floor': unknown property 'shinines', expected one of ambient, model, diffuse, base, texture, repeat, cutout, cutout_repeat, cutoff, bump, bump_repeat, height, normal_map, normal_repeat, strength, specular, shininess, metalness, roughness, f0, reflective, clear, ior, thin, tint, tint_distance, shadows, did you mean 'shininess'?",
         "material:floor.shininess=-1 | material 'floor': shininess must be ≥ 0, was -1",
         "material:floor.diffuse=1 1 2 | material 'floor': diffuse blue must be from 0 to 1, was 2",
-        "camera.from=0 0 0 | camera: from and to must be two different points",
+        "camera.from=0 0 0 | camera: from and to must be different points",
         "picture.depth=1.5 | picture: depth must be a whole number, was 1.5",
     })
     void invalidEdit_isReported(String edit, String message) {

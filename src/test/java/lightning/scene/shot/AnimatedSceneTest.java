@@ -25,7 +25,7 @@ import net.jqwik.api.Provide;
 import net.jqwik.api.constraints.IntRange;
 import org.junit.jupiter.api.Test;
 
-/** What an edit at a frame does to the scene and to its keys. */
+/** Tests the effect of an edit at a frame on the scene and its keyframes. */
 class AnimatedSceneTest {
     private static final Scene SCENE = new Scene(PictureSettings.DEFAULT, Camera.DEFAULT, World.DEFAULT, Stage.EMPTY, LightRig.of(
             List.of(Light.of("key", LightType.SPOT).withIntensity(7), Light.of("fill", LightType.POINT)), List.of(LightGroup.of("desk"))));
@@ -89,7 +89,9 @@ class AnimatedSceneTest {
         assertThat(MOVING.withEdit(15, shown, shown.withLights(List.of())).shot().orElseThrow().tracks()).isEmpty();
     }
 
-    /** Of any edit of the program: the frame is as edited, and what has keys is the same at all frames whose way it does not alter. */
+    /**
+     * After any edit, the frame is as edited, and animated attributes are unchanged at all frames that the new keyframe does not affect.
+     */
     @Property(tries = 100)
     @Slow
     void edit_isVisibleAtItsFrame(@ForAll("cases") Case of, @ForAll @IntRange(max = ShotArbitraries.LAST) int frame) {

@@ -39,7 +39,7 @@ import net.jqwik.api.constraints.DoubleRange;
 import net.jqwik.api.constraints.IntRange;
 import org.junit.jupiter.api.Test;
 
-/** What a scene is at each frame of a shot. */
+/** Tests the scene at each frame of a shot. */
 class ShotTest {
     private static final SceneNode BALL = new Shape(new Solid.Frustum(0.5, true), "ball", Material.DEFAULT.name(), Placement.IDENTITY);
     private static final Scene SCENE = new Scene(PictureSettings.DEFAULT, Camera.DEFAULT, World.DEFAULT,
@@ -151,7 +151,7 @@ class ShotTest {
         assertThatThrownBy(() -> valueAt(1, through)).isInstanceOf(IllegalArgumentException.class).hasMessage(
                 "frame 1: shape or group 'ball': scale must be at least 1e-9 in absolute value on every axis, was 0");
         Track blind = new Track(TrackTarget.CAMERA, "from", List.of(key(0, Interpolation.LINEAR, 0, 0, 0)));
-        assertThatThrownBy(() -> valueAt(7, blind)).hasMessage("frame 7: from and to must be two different points");
+        assertThatThrownBy(() -> valueAt(7, blind)).hasMessage("frame 7: from and to must be different points");
     }
 
     @Test
@@ -235,7 +235,7 @@ class ShotTest {
             assertThat((v - last) * Math.signum(c - b)).isGreaterThanOrEqualTo(-4 * Math.ulp(8.0));
             last = v;
         }
-        // The derivative, by a difference small beside the interval, is the slope at the key from both sides.
+        // A difference over a small interval approximates the derivative, which must equal the slope at the keyframe on both sides.
         double e = 0x1p-20;
         double before = (b - KeyframeInterpolator.cubic(a, b, 0, atB, h, 1 - e)) / (e * h);
         double after = (KeyframeInterpolator.cubic(b, c, atB, atC, k, e) - b) / (e * k);

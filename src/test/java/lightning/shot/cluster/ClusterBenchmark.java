@@ -31,8 +31,8 @@ import lightning.shot.ShotRelighter;
 import lightning.shot.ShotRevision;
 
 /**
- * What an edit without rays costs over frames on three nodes, beside the same work of three processes that are told by pipes which edit to
- * make: in turns, medians. With {@code piped} it is such a process. Prints a table.
+ * Measures an edit without rays over frames on three nodes against three processes that receive the edits through pipes; interleaved runs,
+ * medians. With {@code piped} it is such a process. Prints a table.
  *
  * <p>{@code ClusterBenchmark [WIDTH HEIGHT FRAMES EDITS NODES]}
  */
@@ -67,15 +67,15 @@ final class ClusterBenchmark {
         run(folder, scene, frames, edits, nodes);
     }
 
-    /** Counts what goes through a network. */
+    /** Counts the messages and bytes of a network. */
     private record CountingNetwork(ClusterNetwork network, AtomicLong messages, AtomicLong bytes) implements ClusterNetwork {
         @Override
         public void join(Listener listener) throws JoinException {
             network.join(new Listener() {
                 @Override
-                public void messageReceived(ClusterMember from, byte[] heard) {
-                    count(heard);
-                    listener.messageReceived(from, heard);
+                public void messageReceived(ClusterMember from, byte[] received) {
+                    count(received);
+                    listener.messageReceived(from, received);
                 }
 
                 @Override
@@ -117,8 +117,8 @@ final class ClusterBenchmark {
         return new ShotRevision(document.scene(), document.shot().orElseThrow());
     }
 
-    private static ShotRevision edited(ShotRevision take, int edit) {
-        return new ShotRevision(PropertyEdit.apply(take.scene(), "sun.intensity=" + (0.3 + 0.01 * (edit % 50))), take.shot());
+    private static ShotRevision edited(ShotRevision revision, int edit) {
+        return new ShotRevision(PropertyEdit.apply(revision.scene(), "sun.intensity=" + (0.3 + 0.01 * (edit % 50))), revision.shot());
     }
 
     private static void run(Path folder, Path scene, int frames, int edits, int nodes) throws Exception {
@@ -133,7 +133,7 @@ final class ClusterBenchmark {
         var config = new NodeConfig(loopback, NodeConfig.CLIENT_PORT, NodeConfig.CLIENT_PORTS,
                 ports.stream().map(port -> new InetSocketAddress(loopback, port)).toList(), folder.resolve("shared.p12"),
                 NodeConfig.Timing.DEFAULT);
-        ShotRevision take = revision(scene);
+        ShotRevision revision = revision(scene);
         var network = new CountingNetwork(new TlsNetwork(config), new AtomicLong(), new AtomicLong());
         try (ShotRelighter shot = ShotRelighter.of(1, frames, ShotListener.NONE);
                 NodePool machines =
@@ -145,8 +145,8 @@ final class ClusterBenchmark {
             while (machines.count() < nodes) {
                 Thread.sleep(50);
             }
-            System.out.println(nodes + " nodes are there");
-            shot.setRevision(take);
+            System.out.println(nodes + " nodes have joined");
+            shot.setRevision(revision);
             awaitAll(shot);
             for (int i = 0; i < nodes; i++) {
                 pipes.add(new PipedProcess(scene, 1 + frames * i / nodes, frames * (i + 1) / nodes));
@@ -162,7 +162,7 @@ final class ClusterBenchmark {
                 long sent = network.messages.get();
                 long length = network.bytes.get();
                 long start = System.nanoTime();
-                shot.setRevision(edited(take, edit));
+                shot.setRevision(edited(revision, edit));
                 awaitAll(shot);
                 double first = (System.nanoTime() - start) / 1e6;
                 long results = network.messages.get();
@@ -175,7 +175,7 @@ final class ClusterBenchmark {
                     pipe.in.readLine();
                 }
                 double second = (System.nanoTime() - start) / 1e6;
-                // The first half is for the compilers.
+                // The first half warms up the compilers.
                 if (edit >= edits) {
                     messages[edit - edits] = results - sent;
                     bytes[edit - edits] = carried - length;
@@ -210,7 +210,7 @@ final class ClusterBenchmark {
             film = shot.film(frame).orElse(null);
             times[frame - 1] = (System.nanoTime() - start) / 1e6;
             if (film == null) {
-                // Its node is lost: another traces it.
+                // Its node is lost; another traces the frame.
                 awaitAll(shot);
                 frame--;
             }
@@ -244,13 +244,13 @@ final class ClusterBenchmark {
         while (!shot.isIdle()) {
             shot.awaitIdle();
             if (!shot.isIdle()) {
-                // Nobody is there at the moment.
+                // No node is connected at the moment.
                 Thread.sleep(1);
             }
         }
     }
 
-    /** A process that holds frames without a network. */
+    /** Process that renders frames without a network. */
     private static final class PipedProcess {
         private final Process process;
         private final BufferedReader in;
@@ -268,16 +268,16 @@ final class ClusterBenchmark {
 
     private static void piped(Path scene, int first, int last) throws Exception {
         var in = new BufferedReader(new InputStreamReader(System.in, StandardCharsets.UTF_8));
-        ShotRevision take = revision(scene);
-        try (FrameHost keeper = new LocalFrameHost(RenderOptions.DEFAULT.withThreads(THREADS), MEMORY)) {
+        ShotRevision revision = revision(scene);
+        try (FrameHost host = new LocalFrameHost(RenderOptions.DEFAULT.withThreads(THREADS), MEMORY)) {
             for (int frame = first; frame <= last; frame++) {
-                keeper.update(frame, take, Progress.NONE);
+                host.update(frame, revision, Progress.NONE);
             }
             System.out.println("ready");
             for (String line = in.readLine(); line != null; line = in.readLine()) {
-                ShotRevision edited = edited(take, Integer.parseInt(line));
+                ShotRevision edited = edited(revision, Integer.parseInt(line));
                 for (int frame = first; frame <= last; frame++) {
-                    keeper.update(frame, edited, Progress.NONE);
+                    host.update(frame, edited, Progress.NONE);
                 }
                 System.out.println("done");
             }

@@ -13,7 +13,7 @@ import lightning.sample.Slow;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** The command, as a process, with nodes that are processes. */
+/** Runs the command as a process, with nodes as processes. */
 @Slow
 final class ClusterRelightTest {
     private static final int TIMEOUT_SECONDS = 240;
@@ -21,7 +21,7 @@ final class ClusterRelightTest {
     @TempDir
     private Path folder;
 
-    /** The program in a process of its own. */
+    /** The program in its own process. */
     private final class CommandProcess implements AutoCloseable {
         private final Path output = Files.createTempFile(folder, "output", "");
         private final Process process;
@@ -34,7 +34,7 @@ final class ClusterRelightTest {
             process = new ProcessBuilder(line).redirectErrorStream(true).redirectOutput(output.toFile()).start();
         }
 
-        /** Waits until it ends with an exit code; returns what it printed. */
+        /** Waits until it ends with an exit code; returns its output. */
         String end(int exit) throws Exception {
             assertThat(process.waitFor(TIMEOUT_SECONDS, TimeUnit.SECONDS)).as(Files.readString(output)).isTrue();
             assertThat(process.exitValue()).as(Files.readString(output)).isEqualTo(exit);
@@ -61,11 +61,11 @@ final class ClusterRelightTest {
         String[] words = {"shot", "relight", "scenes/dusk.jen", "--frames", "1-4", "--size", "60x40", "--set", "sky.on=no", "--then",
             "--set", "world.ambience=0.3"};
         try (var _ = new NodeProcess(port, List.of(port), folder)) {
-            // A command waits for a node that is there for half a minute, in which no Java need start.
+            // The command waits half a minute for a node, which should not include the start of Java.
             Await.until("the node takes part", () -> Files.readString(folder.resolve("node-" + port + ".log")).contains("a node at"));
             String other = folder.resolve("other.p12").toString();
             SelfSignedCertificate.write(Path.of(other));
-            // It asks in vain for half a minute, in which the others work.
+            // Tries for half a minute without success, while the others work.
             try (CommandProcess stranger = new CommandProcess(
                     with(words, "-o", folder.resolve("none").toString(), "--cluster", "127.0.0.1:" + port, "--certificate", other))) {
                 String output = run(0, with(words, "-o", folder.resolve("elsewhere").toString(), "--cluster", "127.0.0.1:" + port,

@@ -33,7 +33,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Nodes and a coordinator in one process; what is between them loses messages, and is cut. */
+/** Nodes and a coordinator in one process, over a network that loses messages and can be cut. */
 @Slow
 final class ClusterTest {
     private static final int LAST = 6;
@@ -47,7 +47,7 @@ final class ClusterTest {
         return node(end, release, 1 << 28);
     }
 
-    /** @param room bytes that its frames may take */
+    /** @param room bytes for its frames */
     private RenderNode node(LocalNetwork.Endpoint end, String release, long room) throws Exception {
         Path own = folder.resolve("node" + open.size());
         var node = new RenderNode(end, new RenderNode.Settings(release, 1, 1 << 30, own,
@@ -57,17 +57,17 @@ final class ClusterTest {
         return node;
     }
 
-    private static ShotRevision edited(ShotRevision take, String assignment) {
-        Scene scene = PropertyEdit.apply(take.scene(), assignment);
-        return new ShotRevision(scene, take.shot());
+    private static ShotRevision edited(ShotRevision revision, String assignment) {
+        Scene scene = PropertyEdit.apply(revision.scene(), assignment);
+        return new ShotRevision(scene, revision.shot());
     }
 
     private static void awaitAll(ShotRelighter shot) throws Exception {
         Await.until("all frames are current", shot::isIdle);
     }
 
-    /** A node may be lost after all frames were current, and while a film is on its way: then another traces it. */
-    private static void checkAll(ShotRelighter shot, ShotRevision take) throws Exception {
+    /** A node may be lost after all frames were current, while a film is in transit: another then traces it. */
+    private static void checkAll(ShotRelighter shot, ShotRevision revision) throws Exception {
         for (int frame = 1; frame <= LAST; frame++) {
             Film film = null;
             while (film == null) {
@@ -75,11 +75,11 @@ final class ClusterTest {
                 assertThat(shot.state(frame)).isIn(FrameState.CURRENT, FrameState.MISSING);
                 film = shot.film(frame).orElse(null);
             }
-            FilmAssert.assertSameBits(film, new ReferenceTracer(take.sceneAt(frame)).trace(), "cluster-" + frame);
+            FilmAssert.assertSameBits(film, new ReferenceTracer(revision.sceneAt(frame)).trace(), "cluster-" + frame);
         }
     }
 
-    /** What a node still does after it is closed ends before its folder goes. */
+    /** Waits for background work of closed nodes before their folder is removed. */
     @AfterEach
     void closeNodes() throws Exception {
         for (AutoCloseable each : open) {
@@ -91,16 +91,16 @@ final class ClusterTest {
 
     @Test
     void frames_withTextures_areTracedAndRelitByNodes() throws Exception {
-        ShotRevision take = textured();
+        ShotRevision revision = textured();
         var network = new LocalNetwork(1, 0);
         node(network.addEndpoint(), "r");
         node(network.addEndpoint(), "r");
         try (ShotRelighter shot = ShotRelighter.of(1, LAST, ShotListener.NONE);
                 NodePool machines = new NodePool(network.addEndpoint(), "r", folder, shot, _ -> {})) {
             machines.start();
-            shot.setRevision(take);
-            checkAll(shot, take);
-            ShotRevision edited = edited(take, "lamp.intensity=0.3");
+            shot.setRevision(revision);
+            checkAll(shot, revision);
+            ShotRevision edited = edited(revision, "lamp.intensity=0.3");
             shot.setRevision(edited);
             checkAll(shot, edited);
             assertThat(shot.usage().memoryBytes()).isPositive();
@@ -109,15 +109,15 @@ final class ClusterTest {
 
     @Test
     void downscaledFilm_isMeanOfFull() throws Exception {
-        ShotRevision take = textured();
+        ShotRevision revision = textured();
         var network = new LocalNetwork(1, 0);
         node(network.addEndpoint(), "r");
         try (ShotRelighter shot = ShotRelighter.of(1, LAST, ShotListener.NONE);
                 NodePool machines = new NodePool(network.addEndpoint(), "r", folder, shot, _ -> {})) {
             machines.start();
-            shot.setRevision(take);
+            shot.setRevision(revision);
             awaitAll(shot);
-            Film full = new ReferenceTracer(take.sceneAt(3)).trace();
+            Film full = new ReferenceTracer(revision.sceneAt(3)).trace();
             FilmAssert.assertSameBits(shot.film(3, 20, 9).orElseThrow(), new Downscale(12, 9).apply(full), "small-3");
             FilmAssert.assertSameBits(shot.film(3, 50, 30).orElseThrow(), full, "whole-3");
         }
@@ -144,7 +144,7 @@ final class ClusterTest {
     @ParameterizedTest
     @ValueSource(longs = {1, 2, 3})
     void reconnectingNodes_duringEdits_loseNoFrame(long seed) throws Exception {
-        ShotRevision take = textured();
+        ShotRevision revision = textured();
         var random = new Random(seed);
         var network = new LocalNetwork(seed, 0.01);
         List<LocalNetwork.Endpoint> ends = new ArrayList<>();
@@ -156,8 +156,8 @@ final class ClusterTest {
                 NodePool machines = new NodePool(network.addEndpoint(), "r", folder, shot, _ -> {})) {
             machines.start();
             for (int edit = 0; edit < 12; edit++) {
-                take = edited(take, "lamp.intensity=" + (1 + edit));
-                shot.setRevision(take);
+                revision = edited(revision, "lamp.intensity=" + (1 + edit));
+                shot.setRevision(revision);
                 shot.focus(1 + random.nextInt(LAST));
                 Thread.sleep(random.nextInt(30));
                 network.setDisconnected(ends.get(random.nextInt(3)), random.nextBoolean());
@@ -169,13 +169,13 @@ final class ClusterTest {
             for (LocalNetwork.Endpoint end : ends) {
                 network.setDisconnected(end, false);
             }
-            checkAll(shot, take);
+            checkAll(shot, revision);
         }
     }
 
     @Test
     void framesOfLostNode_areMissingUntilRetraced() throws Exception {
-        ShotRevision take = textured();
+        ShotRevision revision = textured();
         var network = new LocalNetwork(1, 0);
         LocalNetwork.Endpoint end = network.addEndpoint();
         node(end, "r");
@@ -189,32 +189,32 @@ final class ClusterTest {
         try (ShotRelighter shot = ShotRelighter.of(1, LAST, listener);
                 NodePool machines = new NodePool(network.addEndpoint(), "r", folder, shot, _ -> {})) {
             machines.start();
-            shot.setRevision(take);
+            shot.setRevision(revision);
             awaitAll(shot);
             assertThat(machines.count()).isEqualTo(1);
             network.setDisconnected(end, true);
-            Await.until("it is told that the node is gone", () -> !lostFrames.isEmpty());
-            assertThat(lostFrames).containsExactly("the node member 0 is there no more; others trace its frames again");
+            Await.until("the lost node is reported", () -> !lostFrames.isEmpty());
+            assertThat(lostFrames).containsExactly("lost node member 0; its frames are being rendered on other nodes");
             assertThat(shot.state(1)).isEqualTo(FrameState.MISSING);
             assertThat(shot.film(1)).isEmpty();
             node(network.addEndpoint(), "r");
-            checkAll(shot, take);
+            checkAll(shot, revision);
         }
     }
 
     @Test
     void nodeThatSawCoordinatorLeave_isReadmitted() throws Exception {
-        ShotRevision take = textured();
+        ShotRevision revision = textured();
         var network = new LocalNetwork(1, 0);
         RenderNode node = node(network.addEndpoint(), "r");
         LocalNetwork.Endpoint asking = network.addEndpoint();
         try (ShotRelighter shot = ShotRelighter.of(1, LAST, ShotListener.NONE);
                 NodePool machines = new NodePool(asking, "r", folder, shot, _ -> {})) {
             machines.start();
-            shot.setRevision(take);
+            shot.setRevision(revision);
             awaitAll(shot);
             node.membersChanged(Set.of());
-            checkAll(shot, take);
+            checkAll(shot, revision);
         }
     }
 
@@ -226,19 +226,19 @@ final class ClusterTest {
         try (ShotRelighter shot = ShotRelighter.of(1, LAST, ShotListener.NONE);
                 NodePool machines = new NodePool(network.addEndpoint(), "r", folder, shot, log::add)) {
             machines.start();
-            Await.until("it is told why the node is left aside", () -> !log.isEmpty());
-            assertThat(log).containsExactly("member 0 is left aside: it runs other, this machine r");
+            Await.until("the ignored node is reported", () -> !log.isEmpty());
+            assertThat(log).containsExactly("ignoring member 0: it runs other, this machine r");
             assertThat(machines.count()).isZero();
         }
     }
 
     @Test
     void frameRejectedByNode_isTracedByAnother_orFails() throws Exception {
-        ShotRevision take = textured();
+        ShotRevision revision = textured();
         long each;
-        try (LocalFrameHost keeper = new LocalFrameHost(RenderOptions.DEFAULT.withThreads(1), 1 << 28)) {
-            keeper.update(1, take, Progress.NONE);
-            each = keeper.usage().memoryBytes();
+        try (LocalFrameHost host = new LocalFrameHost(RenderOptions.DEFAULT.withThreads(1), 1 << 28)) {
+            host.update(1, revision, Progress.NONE);
+            each = host.usage().memoryBytes();
         }
         var joined = new AtomicInteger();
         List<String> failed = Collections.synchronizedList(new ArrayList<>());
@@ -258,14 +258,14 @@ final class ClusterTest {
         try (ShotRelighter shot = ShotRelighter.of(1, LAST, listener);
                 NodePool machines = new NodePool(network.addEndpoint(), "r", folder, shot, _ -> {})) {
             machines.start();
-            shot.setRevision(take);
+            shot.setRevision(revision);
             awaitAll(shot);
-            assertThat(failed).hasSize(LAST - 2).allSatisfy(sentence -> assertThat(sentence)
-                    .matches("nobody has room for it: the node member 0: the frame takes about .* MB, and there is room for .* MB more"));
+            assertThat(failed).hasSize(LAST - 2).allSatisfy(message -> assertThat(message)
+                    .matches("no node has enough memory for it: node member 0: the frame needs about .* MB, but only .* MB is free"));
             node(network.addEndpoint(), "r", LAST * each);
-            Await.until("the node is asked too", () -> joined.get() == 2);
-            checkAll(shot, take);
-            ShotRevision edited = edited(take, "lamp.at=2 4 3");
+            Await.until("the second node joins", () -> joined.get() == 2);
+            checkAll(shot, revision);
+            ShotRevision edited = edited(revision, "lamp.at=2 4 3");
             shot.setRevision(edited);
             checkAll(shot, edited);
             assertThat(failed).hasSize(LAST - 2);

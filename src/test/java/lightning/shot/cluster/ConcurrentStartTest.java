@@ -19,14 +19,17 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * Three nodes and a process that asks them start at the same moment. {@code -Dlightning.starts=50} starts them as often. Prints the seconds
- * until all nodes are in use.
+ * Starts three nodes and a client at the same moment. {@code -Dlightning.starts=50} repeats it as often. Prints the seconds until all nodes
+ * are in use.
  */
 @Slow
 final class ConcurrentStartTest {
     private static final int STARTS = Integer.getInteger("lightning.starts", 1);
     private static final int NODES = 3;
-    /** From the moment all nodes take part. On an idle machine it takes up to 6; a split that does not heal lasts for minutes. */
+    /**
+     * Counted from the moment when all nodes have joined. On an idle machine it takes up to 6; a split that does not heal lasts for
+     * minutes.
+     */
     private static final int TIMEOUT_SECONDS = Integer.getInteger("lightning.starts.seconds", 60);
     private static final int START_SECONDS = 180;
 
@@ -53,7 +56,7 @@ final class ConcurrentStartTest {
         assertThat(seconds).allMatch(s -> s <= TIMEOUT_SECONDS);
     }
 
-    /** Returns the seconds from the moment all nodes take part until all are in use. */
+    /** Returns the seconds from the moment when all nodes have joined until all are in use. */
     private double start(String name, boolean joinAll) throws Exception {
         Path nodeFolder = Files.createDirectory(folder.resolve(name));
         Files.copy(folder.resolve("shared.p12"), nodeFolder.resolve("shared.p12"));

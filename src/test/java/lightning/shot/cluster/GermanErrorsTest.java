@@ -9,7 +9,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
-/** What an editor in German says of other machines. */
+/** Tests German messages about other machines. */
 class GermanErrorsTest {
     @BeforeEach
     void setGerman() {
@@ -24,13 +24,13 @@ class GermanErrorsTest {
     @Test
     void invalidHost_isRejectedInGerman() {
         assertThatThrownBy(() -> HostPort.parse("a:99999")).isInstanceOf(IllegalArgumentException.class)
-                .hasMessageStartingWith("ein Rechner");
+                .hasMessageStartingWith("Rechner und Port");
     }
 
     @Test
     void missingCertificate_isReportedInGerman() {
         Path none = Path.of("none.p12");
         assertThatThrownBy(() -> ClusterCertificate.sslContext(none)).isInstanceOf(JoinException.class)
-                .hasMessageContaining("diese Datei gibt es nicht");
+                .hasMessageContaining("Datei nicht gefunden");
     }
 }

@@ -11,14 +11,14 @@ import java.util.UUID;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 
-/** Members in one process, whose messages can be lost and whose connections can be cut. */
+/** In-process network whose messages can be lost and whose connections can be cut. */
 final class LocalNetwork {
     private final Map<ClusterMember, Endpoint> endpoints = new LinkedHashMap<>();
     private final Set<ClusterMember> disconnected = new HashSet<>();
     private final Random random;
     private final double lossRate;
 
-    /** @param lost the share of messages that never arrives */
+    /** @param lost fraction of messages that never arrive */
     LocalNetwork(long seed, double lost) {
         random = new Random(seed);
         this.lossRate = lost;
@@ -28,7 +28,7 @@ final class LocalNetwork {
         return new Endpoint(new ClusterMember(UUID.randomUUID()));
     }
 
-    /** Cuts a member from all others, or gives it back to them. */
+    /** Cuts a member off from all others, or reconnects it. */
     synchronized void setDisconnected(Endpoint end, boolean is) {
         if (is ? disconnected.add(end.self) : disconnected.remove(end.self)) {
             notifyMembers();
@@ -75,8 +75,8 @@ final class LocalNetwork {
         }
 
         @Override
-        public void join(Listener heard) {
-            listener = heard;
+        public void join(Listener received) {
+            listener = received;
             add(this);
         }
 
@@ -87,7 +87,7 @@ final class LocalNetwork {
 
         @Override
         public void rejoin() {
-            // Whoever is not cut is seen.
+            // Connected members see each other.
         }
 
         @Override

@@ -17,7 +17,7 @@ import org.jgroups.stack.ProtocolStack;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Parts of a cluster that lost each other, or never met, become one: in each pair of members both hear the other. */
+/** Checks that parts of a cluster that lost each other, or never met, merge: in each pair of members both receive the other's messages. */
 @Slow
 final class NetworkSplitTest {
     private static final NodeConfig.Timing QUICK = new NodeConfig.Timing(500, 4000, 1000, 1000);
@@ -28,10 +28,10 @@ final class NetworkSplitTest {
     @TempDir
     private Path folder;
 
-    /** A member, and what its messages are lost by. */
+    /** Member with a filter that drops messages. */
     private static final class Endpoint implements ClusterNetwork.Listener, AutoCloseable {
         final TlsNetwork network;
-        private final Set<ClusterMember> heard = ConcurrentHashMap.newKeySet();
+        private final Set<ClusterMember> received = ConcurrentHashMap.newKeySet();
         private volatile Set<ClusterMember> others = Set.of();
         private JChannel channel;
         private DISCARD discard;
@@ -49,7 +49,7 @@ final class NetworkSplitTest {
             channel.getProtocolStack().insertProtocol(discard, ProtocolStack.Position.ABOVE, TCP.class);
         }
 
-        /** Loses all messages of another member from here on. */
+        /** Drops all further messages of another member. */
         void disconnectFrom(Endpoint other) {
             discard.addIgnoreMember(other.channel.getAddress());
         }
@@ -60,7 +60,7 @@ final class NetworkSplitTest {
 
         @Override
         public void messageReceived(ClusterMember from, byte[] bytes) {
-            heard.add(from);
+            received.add(from);
         }
 
         @Override
@@ -99,7 +99,7 @@ final class NetworkSplitTest {
         }
     }
 
-    /** Two members of each half know neither address of the other half: a view of all is worth nothing before they learn them. */
+    /** Two members of each half know no address of the other half: a common view is not stable until they learn them. */
     @Test
     void halvesStartedSeparately_merge() throws Exception {
         SelfSignedCertificate.write(folder.resolve("shared.p12"));
@@ -134,14 +134,14 @@ final class NetworkSplitTest {
         Await.until("each member sees " + count + " others", () -> ends.stream().allMatch(end -> end.others.size() == count));
     }
 
-    /** Messages tell more than views: members of one view may lack each other's addresses. */
+    /** Tests with messages rather than views: members of one view may lack each other's addresses. */
     private static void awaitAllReachAll(List<Endpoint> ends) throws Exception {
         awaitOthers(ends, MEMBERS - 1);
-        ends.forEach(end -> end.heard.clear());
-        Await.until("each member hears all others", () -> {
+        ends.forEach(end -> end.received.clear());
+        Await.until("each member receives from all others", () -> {
             ends.forEach(end -> end.others.forEach(other -> end.network.send(other, new byte[1])));
             Thread.sleep(PAUSE_MILLISECONDS);
-            return ends.stream().allMatch(end -> end.heard.size() == MEMBERS - 1);
+            return ends.stream().allMatch(end -> end.received.size() == MEMBERS - 1);
         });
     }
 }

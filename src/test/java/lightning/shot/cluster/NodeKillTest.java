@@ -31,8 +31,8 @@ import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * Three nodes, each a process, that are killed at random moments while edits go on, and started anew: every film of every frame is held
- * against its full trace. {@code -Dlightning.kills=100} kills as often, and stops every tenth for so long that it counts as lost.
+ * Kills and restarts three node processes at random moments during edits, and compares every film of every frame with its full trace.
+ * {@code -Dlightning.kills=100} kills as often, and suspends every tenth node until it counts as lost.
  */
 @Slow
 final class NodeKillTest {
@@ -40,7 +40,7 @@ final class NodeKillTest {
     private static final int NODES = 3;
     private static final int LAST = 12;
     private static final long TIMEOUT_NANOSECONDS = 240_000_000_000L;
-    /** Longer than silence and question together. */
+    /** Longer than the silence timeout and the check together. */
     private static final long STOPPED_MILLISECONDS = 22_000;
 
     @TempDir
@@ -49,7 +49,7 @@ final class NodeKillTest {
     @Test
     @EnabledOnOs({OS.LINUX, OS.MAC})
     void randomlyKilledNodes_loseNoFrame() throws Exception {
-        ShotRevision take = revision();
+        ShotRevision revision = revision();
         SelfSignedCertificate.write(folder.resolve("shared.p12"));
         List<Integer> ports = new ArrayList<>();
         for (int i = 0; i < NODES; i++) {
@@ -77,28 +77,28 @@ final class NodeKillTest {
                     WorkerPool workers = new WorkerPool(2)) {
                 machines.start();
                 await("all nodes are in use", () -> machines.count() == NODES);
-                shot.setRevision(take);
+                shot.setRevision(revision);
                 awaitAll(shot);
                 for (int kill = 0; kill < KILLS; kill++) {
-                    take = new ShotRevision(PropertyEdit.apply(take.scene(), edit(random)), take.shot());
-                    shot.setRevision(take);
+                    revision = new ShotRevision(PropertyEdit.apply(revision.scene(), edit(random)), revision.shot());
+                    shot.setRevision(revision);
                     shot.focus(1 + random.nextInt(LAST));
                     Thread.sleep(random.nextInt(150));
                     int which = random.nextInt(NODES);
                     if (kill % 10 == 9) {
                         nodes.get(which).setSuspended(true);
                         Thread.sleep(STOPPED_MILLISECONDS);
-                        take = new ShotRevision(PropertyEdit.apply(take.scene(), edit(random)), take.shot());
-                        shot.setRevision(take);
+                        revision = new ShotRevision(PropertyEdit.apply(revision.scene(), edit(random)), revision.shot());
+                        shot.setRevision(revision);
                         Thread.sleep(random.nextInt(500));
                         nodes.get(which).setSuspended(false);
                     } else {
                         nodes.get(which).kill();
                         nodes.set(which, new NodeProcess(ports.get(which), ports, folder));
                     }
-                    checkAll(shot, take, workers);
+                    checkAll(shot, revision, workers);
                 }
-                // A node that held no frame is missed by nobody before its silence tells.
+                // The loss of a node without frames is noticed only by its silence.
                 await("a node is known to be lost", () -> lost.get() > 0);
             }
         } finally {
@@ -108,7 +108,7 @@ final class NodeKillTest {
         }
     }
 
-    /** With rays and without. */
+    /** Returns an edit with or without rays. */
     private static String edit(Random random) {
         return switch (random.nextInt(3)) {
             case 0 -> "lamp.intensity=" + (1 + random.nextInt(100)) / 50.0;
@@ -147,7 +147,7 @@ final class NodeKillTest {
         }
     }
 
-    private static void checkAll(ShotRelighter shot, ShotRevision take, WorkerPool workers) throws InterruptedException {
+    private static void checkAll(ShotRelighter shot, ShotRevision revision, WorkerPool workers) throws InterruptedException {
         for (int frame = 1; frame <= LAST; frame++) {
             Film film = null;
             while (film == null) {
@@ -155,7 +155,7 @@ final class NodeKillTest {
                 assertThat(shot.state(frame)).isIn(FrameState.CURRENT, FrameState.MISSING);
                 film = shot.film(frame).orElse(null);
             }
-            Film traced = new TraditionalTracer(take.sceneAt(frame)).trace(workers, Progress.NONE).film();
+            Film traced = new TraditionalTracer(revision.sceneAt(frame)).trace(workers, Progress.NONE).film();
             assertThat(film.hasSameBits(traced)).as("frame " + frame).isTrue();
         }
     }

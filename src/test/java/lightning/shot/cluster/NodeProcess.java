@@ -8,14 +8,14 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 import lightning.base.work.Await;
 
-/** A node in a process of its own, as the command line starts it. */
+/** Node in its own process, started by the command line. */
 final class NodeProcess implements AutoCloseable {
     private final Process process;
 
     /**
-     * @param port   its own
-     * @param others ports that it joins, its own too
-     * @param folder for its certificate {@code shared.p12}, its content and what it says
+     * @param port   its port
+     * @param others ports that it joins, including its own
+     * @param folder folder for its certificate {@code shared.p12}, its content and its log
      */
     NodeProcess(int port, List<Integer> others, Path folder, String... more) throws IOException {
         List<String> line = new ArrayList<>(List.of(System.getProperty("java.home") + "/bin/java", "--add-modules", "jdk.incubator.vector",
@@ -37,20 +37,20 @@ final class NodeProcess implements AutoCloseable {
     /** Waits until it ends by itself; returns its exit code. */
     int exit() throws InterruptedException {
         if (!process.waitFor(Await.TIMEOUT_SECONDS, TimeUnit.SECONDS)) {
-            throw new IllegalStateException("a process that does not end");
+            throw new IllegalStateException("the process does not end");
         }
         return process.exitValue();
     }
 
-    /** Ends it in the midst of whatever it does. */
+    /** Kills it. */
     void kill() throws InterruptedException {
         process.destroyForcibly();
         if (!process.waitFor(60, TimeUnit.SECONDS)) {
-            throw new IllegalStateException("a process that does not end");
+            throw new IllegalStateException("the process does not end");
         }
     }
 
-    /** Stops it, or lets it go on: what a network that is cut looks like to others. */
+    /** Suspends or resumes it, which looks like a network split to others. */
     void setSuspended(boolean is) throws IOException, InterruptedException {
         new ProcessBuilder("kill", is ? "-STOP" : "-CONT", String.valueOf(pid())).start().waitFor();
     }

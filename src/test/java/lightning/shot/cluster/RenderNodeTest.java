@@ -31,7 +31,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** What a node does with messages that no coordinator sends. */
+/** Tests a node's handling of messages that no coordinator sends. */
 final class RenderNodeTest {
     private static final UUID SESSION = new UUID(3, 4);
     private static final byte[] TEXT = """
@@ -49,7 +49,7 @@ final class RenderNodeTest {
     private RenderNode node;
     private Peer peer;
 
-    /** A member that sends what it likes. */
+    /** Member that sends arbitrary messages. */
     private static final class Peer implements ClusterNetwork.Listener {
         private final LocalNetwork.Endpoint end;
         private final BlockingQueue<Set<ClusterMember>> views = new LinkedBlockingQueue<>();
@@ -98,9 +98,9 @@ final class RenderNodeTest {
         }
 
         void sendUpdate(long call, Map<String, SceneManifest.Content> files, SceneManifest.Content text) {
-            byte[] bill = new SceneManifest(text, new TreeMap<>(files)).encode();
-            contents.put(ContentHash.of(bill), bill);
-            send(new Message.UpdateFrame(SESSION, call, 1, ContentHash.of(bill), bill.length));
+            byte[] manifest = new SceneManifest(text, new TreeMap<>(files)).encode();
+            contents.put(ContentHash.of(manifest), manifest);
+            send(new Message.UpdateFrame(SESSION, call, 1, ContentHash.of(manifest), manifest.length));
         }
     }
 
@@ -136,8 +136,8 @@ final class RenderNodeTest {
         peer.sendBytes("rO0ABXNyABFqYXZhLnV0aWwuSGFzaE1hcA==".getBytes(StandardCharsets.UTF_8));
         peer.sendUpdate(1, Map.of(), text());
         assertThat(peer.await(Message.FrameUpdated.class).width()).isEqualTo(40);
-        assertThat(log).filteredOn(sentence -> sentence.contains("left aside")).singleElement().asString()
-                .contains("expected version 1 of the protocol, found 2");
+        assertThat(log).filteredOn(line -> line.contains("ignoring")).singleElement().asString()
+                .contains("expected protocol version 1, found 2");
     }
 
     @Test
@@ -148,7 +148,7 @@ final class RenderNodeTest {
         peer.sendUpdate(1, Map.of(), text());
         Message.UpdateFailed failed = peer.await(Message.UpdateFailed.class);
         assertThat(failed.reason()).isEqualTo(Message.FailureReason.INVALID);
-        assertThat(failed.message()).contains("other bytes than its hash says");
+        assertThat(failed.message()).contains("does not match its hash");
     }
 
     @Test
@@ -170,7 +170,7 @@ final class RenderNodeTest {
     void pathOutsideFolder_isRejected() throws Exception {
         for (String name : List.of("../stolen.png", "/etc/passwd", "a/../../b", "")) {
             peer.sendUpdate(name.hashCode() & 0xff, Map.of(name, text()), text());
-            assertThat(peer.await(Message.UpdateFailed.class).message()).contains("expected the name of a file beside a scene");
+            assertThat(peer.await(Message.UpdateFailed.class).message()).contains("expected a file name relative to the scene");
         }
         assertThat(folder).isDirectoryNotContaining("glob:**stolen*");
     }
@@ -208,7 +208,7 @@ final class RenderNodeTest {
     @Test
     void foreignMember_cannotUseSession() throws Exception {
         var other = new Peer(network.addEndpoint());
-        // The peer hears of it before the node is asked for more.
+        // The peer is notified before the node receives further requests.
         other.node = peer.node;
         other.send(new Message.UpdateFrame(SESSION, 1, 1, ContentHash.of(TEXT), 10));
         other.send(new Message.CloseSession(SESSION));
@@ -240,7 +240,7 @@ final class RenderNodeTest {
         contents.clear();
         assertThatThrownBy(() -> contents.sceneFolder(new SceneManifest(text(), new TreeMap<>()), (_, _) -> TEXT))
                 .isInstanceOf(IOException.class);
-        // Its lock, which the next node takes.
+        // Its lock, which the next node takes over.
         assertThat(contentFolder.toFile().list()).containsExactly("in-use");
     }
 
@@ -250,7 +250,7 @@ final class RenderNodeTest {
         peer.await(Message.FrameUpdated.class);
         Path nodeFolder = folder.resolve("own");
         assertThatThrownBy(() -> new ContentFolder(nodeFolder)).isInstanceOf(IOException.class)
-                .hasMessage(nodeFolder + ": another node uses this folder; name another one with --folder");
+                .hasMessage(nodeFolder + ": another node uses this folder; choose another one with --folder");
         assertThat(nodeFolder.resolve("contents")).isNotEmptyDirectory();
         node.close();
         new ContentFolder(nodeFolder).clear();
@@ -260,6 +260,6 @@ final class RenderNodeTest {
     void lateOpenSession_atEndedNode_isIgnored() {
         node.close();
         node.messageReceived(new ClusterMember(UUID.randomUUID()), MessageCodec.encode(new Message.OpenSession(new UUID(5, 6), "r")));
-        assertThat(log).containsExactly("holds frames for member 1");
+        assertThat(log).containsExactly("rendering for member 1");
     }
 }

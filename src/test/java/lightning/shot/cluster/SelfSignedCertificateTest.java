@@ -15,7 +15,7 @@ import java.time.ZonedDateTime;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** The certificate's bytes, read by a reader of DER of its own. */
+/** Checks the certificate's bytes with an independent DER reader. */
 final class SelfSignedCertificateTest {
     private static final int UTC_TIME = 0x17;
     private static final int GENERALIZED_TIME = 0x18;
@@ -24,7 +24,7 @@ final class SelfSignedCertificateTest {
     @TempDir
     private Path folder;
 
-    /** A value's tag and content. */
+    /** Tag and content of a value. */
     private record Der(int tag, ByteBuffer content) {
         static Der next(ByteBuffer from) {
             int tag = from.get() & 0xff;

@@ -10,10 +10,10 @@ import lightning.sample.Slow;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Nodes as processes that are given one folder, as machines with one home folder are. */
+/** Node processes with a common folder, like machines with a shared home folder. */
 @Slow
 final class SharedFolderTest {
-    private static final String REFUSED = "another node uses this folder; name another one with --folder";
+    private static final String REFUSED = "another node uses this folder; choose another one with --folder";
 
     @TempDir
     private Path folder;

@@ -56,7 +56,7 @@ final class TlsNetworkTest {
         SelfSignedCertificate.write(other);
     }
 
-    /** What a member heard. */
+    /** Records the events that a member received. */
     private static final class RecordingListener implements ClusterNetwork.Listener {
         final BlockingQueue<byte[]> messages = new LinkedBlockingQueue<>();
         final BlockingQueue<Set<ClusterMember>> views = new LinkedBlockingQueue<>();
@@ -109,7 +109,7 @@ final class TlsNetworkTest {
         }
     }
 
-    /** JGroups lets a member send some megabytes before it must hear that these were taken. */
+    /** JGroups lets a member send some megabytes before it needs new credits. */
     @Test
     void largeMessage_arrivesComplete() throws Exception {
         int first = FreePort.next();
@@ -155,14 +155,14 @@ final class TlsNetworkTest {
         int port = FreePort.next();
         try (var member = new TlsNetwork(config(port, port, certificate))) {
             member.join(new RecordingListener());
-            // It trusts whomever it meets, but has nothing to show.
+            // Trusts every peer, but has no certificate.
             var context = javax.net.ssl.SSLContext.getInstance("TLSv1.3");
             context.init(null, new javax.net.ssl.TrustManager[] {new TrustAllManager()}, null);
             try (SSLSocket socket = (SSLSocket) context.getSocketFactory().createSocket(InetAddress.getLoopbackAddress(), port)) {
                 socket.setSoTimeout(Await.TIMEOUT_SECONDS * 1000);
                 assertThatThrownBy(() -> {
                     socket.startHandshake();
-                    // With TLS 1.3 the refusal comes behind the client's own end of the handshake; who was let in hears nothing.
+                    // With TLS 1.3 the rejection arrives after the client's own handshake; an accepted peer receives nothing.
                     socket.getInputStream().read();
                 }).isInstanceOf(SSLException.class).hasMessageContaining("certificate");
             }
@@ -170,7 +170,7 @@ final class TlsNetworkTest {
                 plain.setSoTimeout(Await.TIMEOUT_SECONDS * 1000);
                 plain.getOutputStream().write(new byte[100]);
                 InputStream in = plain.getInputStream();
-                // An alert of TLS, then the end.
+                // A TLS alert, then the end.
                 assertThat(in.readAllBytes().length).isLessThan(100);
             }
         }
@@ -213,12 +213,12 @@ final class TlsNetworkTest {
             for (Object object : List.of("words", 1, new View(UUID.randomUUID(), 1, List.of(UUID.randomUUID())),
                     new ObjectWrapperSerializable(new ArrayList<>()))) {
                 assertThatThrownBy(() -> roundTrip(new ObjectMessage(null, object))).isInstanceOf(IOException.class)
-                        .hasMessageContaining("expected numbers of messages, found an object");
+                        .hasMessageContaining("expected sequence numbers, found an object");
             }
         }
     }
 
-    /** What a message is to who reads it. */
+    /** Returns a message as its reader decodes it. */
     private static Message roundTrip(Message message) throws Exception {
         var out = new ByteArrayDataOutputStream();
         message.writeTo(out);
@@ -242,7 +242,7 @@ final class TlsNetworkTest {
             assertThat(roundTrip(new ObjectMessage(null, sofar)).<Digest>getObject()).isEqualTo(digest);
             assertThat(roundTrip(new LongMessage(null, 5_000_000)).<Long>getObject()).isEqualTo(5_000_000);
             assertThatThrownBy(() -> roundTrip(new ObjectMessage(null, new SeqnoList(1 << 21, 7)))).isInstanceOf(IOException.class)
-                    .hasMessageContaining("expected 1 to 1048576 numbers of messages");
+                    .hasMessageContaining("expected 1 to 1048576 sequence numbers");
         }
     }
 

@@ -21,7 +21,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
-/** Films made by ffmpeg; without it only what is told then is tested. */
+/** Tests videos encoded by ffmpeg; without it, only the error message. */
 class MovieWriterTest {
     @TempDir
     Path folder;
@@ -82,7 +82,7 @@ class MovieWriterTest {
         byte[] pixels = Files.readAllBytes(raw);
         for (int i = 0; i < 3; i++) {
             int expected = ViewTransform.DEFAULT.encode(new float[] {0, 0.2f, 1}[i]);
-            // A film keeps brightness in 219 steps, and no more of it than its encoder does.
+            // A video stores brightness in 219 steps, and loses more in its encoder.
             assertThat(pixels[i * 3 * 256] & 0xFF).isBetween(expected - 3, expected + 3);
         }
     }
@@ -94,7 +94,7 @@ class MovieWriterTest {
         Path script = Files.writeString(folder.resolve("ffmpeg"), "#!/bin/sh\necho 'no codec here' >&2\nexit 3\n");
         Files.setPosixFilePermissions(script, PosixFilePermissions.fromString("rwxr-xr-x"));
         assertThatThrownBy(() -> write(new Ffmpeg(script), file, 24, gray(400, 400, 0), gray(400, 400, 0))).isInstanceOf(IOException.class)
-                .hasMessage("ffmpeg could not make the film: no codec here");
+                .hasMessage("ffmpeg failed: no codec here");
         assertThat(Files.readString(file)).isEqualTo("old");
         assertThat(files()).containsExactlyInAnyOrder(file, script);
     }
@@ -109,6 +109,6 @@ class MovieWriterTest {
         assertThat(Ffmpeg.findIn(first + File.pathSeparator + File.pathSeparator + second)).contains(new Ffmpeg(program));
         assertThat(Ffmpeg.findIn(first.toString())).isEmpty();
         assertThat(Ffmpeg.findIn(null)).isEmpty();
-        assertThat(Ffmpeg.missingMessage()).contains("ffmpeg, which is not installed here");
+        assertThat(Ffmpeg.missingMessage()).contains("needs ffmpeg, which is not installed");
     }
 }

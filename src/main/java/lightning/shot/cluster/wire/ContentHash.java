@@ -9,9 +9,9 @@ import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
 
 /**
- * What content is called: its SHA-256.
+ * SHA-256 hash that identifies content.
  *
- * @param hex 64 digits, small letters
+ * @param hex 64 digits, lower case
  */
 public record ContentHash(String hex) {
     /** Bytes of a hash. */
@@ -24,7 +24,7 @@ public record ContentHash(String hex) {
         }
     }
 
-    /** @param bytes {@value #BYTES} of them */
+    /** @param bytes {@value #BYTES} bytes */
     static ContentHash ofBytes(byte[] bytes) {
         return new ContentHash(HexFormat.of().formatHex(bytes));
     }
@@ -33,12 +33,12 @@ public record ContentHash(String hex) {
         return HexFormat.of().parseHex(hex);
     }
 
-    /** The hash of what is in memory. */
+    /** Hashes bytes in memory. */
     public static ContentHash of(byte[] content) {
         return ofBytes(digest().digest(content));
     }
 
-    /** The hash of a file, of whatever length. */
+    /** Hashes a file of any length. */
     public static ContentHash of(Path file) throws IOException {
         MessageDigest digest = digest();
         byte[] buffer = new byte[BUFFER];
@@ -54,7 +54,7 @@ public record ContentHash(String hex) {
         try {
             return MessageDigest.getInstance("SHA-256");
         } catch (NoSuchAlgorithmException e) {
-            throw new IllegalStateException("every Java has SHA-256", e);
+            throw new IllegalStateException("every Java runtime has SHA-256", e);
         }
     }
 }

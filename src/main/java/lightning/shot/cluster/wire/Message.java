@@ -3,86 +3,87 @@ package lightning.shot.cluster.wire;
 import java.util.UUID;
 
 /**
- * What a member says to another. A coordinator asks, a node answers; any message may come twice, and any may be asked for again: what is
- * lost on the way costs time alone.
+ * Message between members of a cluster. A coordinator requests, a node answers. Any message may arrive twice or be repeated; a lost message
+ * only costs time.
  *
- * <p>A session is one node's frames for one coordinator; a call is one wish within it, and names the film that came of it.
+ * <p>A session is one node's frames for one coordinator. A call is one request within it, and identifies the resulting film.
  */
 public sealed interface Message {
-    /** Bytes of a message, at most. */
+    /** Maximum bytes of a message. */
     int MAX_BYTES = 1 << 21;
-    /** Bytes of content that one message carries, at most. */
+    /** Maximum bytes of content in one message. */
     int PART_BYTES = 1 << 20;
-    /** Bytes of a sentence, in UTF-8. */
+    /** Maximum bytes of a text, in UTF-8. */
     int TEXT_BYTES = 3000;
 
     UUID session();
 
-    /** A coordinator opens a session. */
+    /** Opens a session; sent by a coordinator. */
     record OpenSession(UUID session, String release) implements Message {}
 
-    /** A node is there for it. @param memory bytes that it may take for frames */
+    /** Accepts a session; sent by a node. @param memory bytes available for frames */
     record SessionOpened(UUID session, String release, int threads, long memory) implements Message {}
 
-    /** Wants a frame to show a take, which a bill tells. @param billBytes the length of the bill */
+    /** Requests a frame in the revision of a manifest. @param manifestBytes length of the manifest */
     record UpdateFrame(UUID session, long call, int frame, ContentHash manifest, int manifestBytes) implements Message {}
 
     /**
-     * The frame shows it.
+     * Reports an updated frame.
      *
-     * @param memory bytes that frames of the session take in memory
-     * @param disk   and on disk
+     * @param memory bytes of the session's frames in memory
+     * @param disk   bytes of the session's frames on disk
      */
     record FrameUpdated(UUID session, long call, boolean traced, String plan, long rays, long nanoseconds, int width, int height,
             long memory,
             long disk) implements Message {}
 
-    /** The frame does not. */
+    /** Reports a failed update. */
     record UpdateFailed(UUID session, long call, FailureReason reason, String message) implements Message {}
 
-    /** Why a frame was not brought to a take. */
+    /** Reason of a failed update. */
     enum FailureReason {
-        /** It was asked to stop. */
+        /** The update was canceled. */
         CANCELED,
-        /** The take has no such frame, or is none. */
+        /** The revision is invalid or has no such frame. */
         INVALID,
-        /** This node has no room for it, or for what it needs; another may. */
+        /** This node lacks memory or disk space; another may have it. */
         REJECTED,
-        /** An error of the program. */
+        /** Internal error. */
         ERROR
     }
 
-    /** Wants no more that a frame is brought. */
+    /** Cancels a request. */
     record CancelUpdate(UUID session, long call) implements Message {}
 
-    /** Asks for content. */
+    /** Requests content. */
     record RequestContent(UUID session, ContentHash hash, long offset) implements Message {}
 
-    /** Some of the content, at most {@link #PART_BYTES}; empty at its end, and where there is none such. */
+    /** Part of the content, at most {@link #PART_BYTES}; empty at its end or for an unknown hash. */
     record ContentPart(UUID session, ContentHash hash, long offset, byte[] bytes) implements Message {}
 
     /**
-     * Asks for tiles of the film that a call made, made smaller so as to have room.
+     * Requests tiles of a call's film, downscaled to fit.
      *
-     * @param maxWidth pixels; likewise {@code maxHeight}
+     * @param maxWidth  pixels
+     * @param maxHeight pixels
      */
     record RequestTiles(UUID session, long call, int frame, int maxWidth, int maxHeight, int firstTile, int tileCount) implements Message {}
 
-    /** Tiles of that film: of each all red, all green, all blue, floats with their highest byte first. */
+    /** Tiles of the film: for each all red, all green, all blue, as big-endian floats. */
     record FilmTileData(UUID session, long call, int frame, int maxWidth, int maxHeight, int firstTile, byte[] bytes) implements Message {}
 
-    /** The film of that call is there no more. */
+    /** Reports that the call's film is gone. */
     record FilmUnavailable(UUID session, long call, int frame) implements Message {}
 
-    /** Tells which frame is looked at. */
+    /** Sets the focused frame. */
     record FocusFrame(UUID session, int frame) implements Message {}
 
-    /** Wants a frame to be dropped. */
+    /** Drops a frame. */
     record DropFrame(UUID session, int frame) implements Message {}
 
-    /** Asks whether a node still has a session; it says the same, or that the session has ended. */
+    /** Checks that a node still has a session; the node echoes it, or answers that the session has ended. */
     record Heartbeat(UUID session) implements Message {}
 
-    /** Ends a session; of a node, that it has none such. */
+    /** Ends a session; from a node, reports that the session does not exist. */
     record CloseSession(UUID session) implements Message {}
 }

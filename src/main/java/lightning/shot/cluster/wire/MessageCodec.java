@@ -18,9 +18,9 @@ import lightning.shot.cluster.wire.Message.SessionOpened;
 import lightning.shot.cluster.wire.Message.UpdateFailed;
 import lightning.shot.cluster.wire.Message.UpdateFrame;
 
-/** Messages as bytes: two letters, the version, the kind, the session, and what the kind has. */
+/** Binary message format: two magic bytes, the version, the kind, the session, and the fields of the kind. */
 public final class MessageCodec {
-    /** Of the protocol: members of another one are told so, and do not go together. */
+    /** Protocol version; members of another version are reported and ignored. */
     public static final int VERSION = 1;
     private static final int MAGIC = 'L' << 8 | 'n';
     private static final int MAX_SIDE = 1 << 20;
@@ -50,7 +50,7 @@ public final class MessageCodec {
             case FocusFrame m -> out.int32(m.frame());
             case DropFrame m -> out.int32(m.frame());
             case Heartbeat _,CloseSession _ -> {
-                // Nothing but its session.
+                // No fields except the session.
             }
         }
         return out.toBytes();
@@ -76,19 +76,19 @@ public final class MessageCodec {
         };
     }
 
-    /** @throws WireException if the bytes are no message of this version, whole and nothing behind */
+    /** @throws WireException if the bytes are not exactly one message of this version */
     public static Message decode(byte[] bytes) throws WireException {
         if (bytes.length > Message.MAX_BYTES) {
             throw new WireException("expected at most " + Message.MAX_BYTES + " bytes, found " + bytes.length);
         }
         var in = new WireReader(bytes);
-        int magic = in.unsignedByte("the mark") << 8 | in.unsignedByte("the mark");
+        int magic = in.unsignedByte("the magic number") << 8 | in.unsignedByte("the magic number");
         if (magic != MAGIC) {
-            throw WireReader.invalid(0, "the mark", String.valueOf(MAGIC), magic);
+            throw WireReader.invalid(0, "the magic number", String.valueOf(MAGIC), magic);
         }
         int version = in.unsignedByte("the version");
         if (version != VERSION) {
-            throw new WireException("at byte 2: expected version " + VERSION + " of the protocol, found " + version
+            throw new WireException("at byte 2: expected protocol version " + VERSION + ", found " + version
                     + "; all machines must run the same release");
         }
         int kind = in.unsignedByte("the kind");
@@ -103,20 +103,21 @@ public final class MessageCodec {
             case 1 -> new OpenSession(session, in.text("the release", Message.TEXT_BYTES));
             case 2 -> new SessionOpened(session, in.text("the release", Message.TEXT_BYTES), in.int32("threads", MAX_INT),
                     in.int64("memory"));
-            case 3 -> new UpdateFrame(session, in.int64("the call"), frame(in), in.hash("the bill"), in.int32("the bill's bytes", MAX_INT));
-            case 4 -> new FrameUpdated(session, in.int64("the call"), in.bool("traced"), in.text("the plan", Message.TEXT_BYTES),
+            case 3 -> new UpdateFrame(session, in.int64("the request"), frame(in), in.hash("the manifest"),
+                    in.int32("the manifest's size", MAX_INT));
+            case 4 -> new FrameUpdated(session, in.int64("the request"), in.bool("traced"), in.text("the plan", Message.TEXT_BYTES),
                     in.int64("rays"), in.int64("nanoseconds"), in.int32("the width", MAX_SIDE), in.int32("the height", MAX_SIDE),
                     in.int64("memory"), in.int64("disk"));
-            case 5 -> new UpdateFailed(session, in.int64("the call"), reason(in), in.text("the sentence", Message.TEXT_BYTES));
-            case 6 -> new CancelUpdate(session, in.int64("the call"));
+            case 5 -> new UpdateFailed(session, in.int64("the request"), reason(in), in.text("the message", Message.TEXT_BYTES));
+            case 6 -> new CancelUpdate(session, in.int64("the request"));
             case 7 -> new RequestContent(session, in.hash("the content"), in.int64("the offset"));
             case 8 -> new ContentPart(session, in.hash("the content"), in.int64("the offset"), in.bytes("the part", Message.PART_BYTES));
-            case 9 -> new RequestTiles(session, in.int64("the call"), frame(in), in.int32("the most width", MAX_SIDE),
-                    in.int32("the most height", MAX_SIDE), in.int32("the first tile", MAX_SIDE), in.int32("tiles", MAX_SIDE));
-            case 10 -> new FilmTileData(session, in.int64("the call"), frame(in), in.int32("the most width", MAX_SIDE),
-                    in.int32("the most height", MAX_SIDE), in.int32("the first tile", MAX_SIDE),
+            case 9 -> new RequestTiles(session, in.int64("the request"), frame(in), in.int32("the maximum width", MAX_SIDE),
+                    in.int32("the maximum height", MAX_SIDE), in.int32("the first tile", MAX_SIDE), in.int32("tiles", MAX_SIDE));
+            case 10 -> new FilmTileData(session, in.int64("the request"), frame(in), in.int32("the maximum width", MAX_SIDE),
+                    in.int32("the maximum height", MAX_SIDE), in.int32("the first tile", MAX_SIDE),
                     in.bytes("the pixels", Message.PART_BYTES));
-            case 11 -> new FilmUnavailable(session, in.int64("the call"), frame(in));
+            case 11 -> new FilmUnavailable(session, in.int64("the request"), frame(in));
             case 12 -> new FocusFrame(session, frame(in));
             case 13 -> new DropFrame(session, frame(in));
             case 14 -> new CloseSession(session);

@@ -5,10 +5,10 @@ import java.util.SortedMap;
 import java.util.TreeMap;
 
 /**
- * What a take is made of: its text, and the files that this names, each under its name there.
+ * Manifest of a revision: its scene text and the files that this names.
  *
- * @param text  the scene's text with its keys
- * @param files by the names that the text writes, at most {@value #MAX_FILES}
+ * @param text  the scene's text with its keyframes
+ * @param files files by their names in the text, at most {@value #MAX_FILES}
  */
 public record SceneManifest(Content text, SortedMap<String, Content> files) {
     /** More than a scene may have. */
@@ -16,13 +16,13 @@ public record SceneManifest(Content text, SortedMap<String, Content> files) {
     private static final int NAME_BYTES = 800;
 
     /**
-     * Something of which a bill knows the hash.
+     * Content identified by its hash.
      *
      * @param bytes its length
      */
     public record Content(ContentHash hash, long bytes) {}
 
-    /** The bill's own bytes, at most {@link Message#PART_BYTES}. */
+    /** Encodes the manifest, at most {@link Message#PART_BYTES}. */
     public byte[] encode() {
         var out = new WireWriter();
         out.unsignedByte(MessageCodec.VERSION).hash(text.hash()).int64(text.bytes()).int32(files.size());
@@ -32,7 +32,7 @@ public record SceneManifest(Content text, SortedMap<String, Content> files) {
         return out.toBytes();
     }
 
-    /** @throws WireException if the bytes are no bill, whole and nothing behind */
+    /** @throws WireException if the bytes are not exactly one manifest */
     public static SceneManifest decode(byte[] bytes) throws WireException {
         var in = new WireReader(bytes);
         int version = in.unsignedByte("the version");

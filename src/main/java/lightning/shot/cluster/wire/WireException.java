@@ -2,7 +2,7 @@ package lightning.shot.cluster.wire;
 
 import lightning.base.text.UserFacingException;
 
-/** Bytes that are no message; the sentence tells where, what was expected and what was found. */
+/** Thrown for malformed messages; the message has the position, the expected and the actual data. */
 public final class WireException extends Exception implements UserFacingException {
     private static final long serialVersionUID = 1;
 

@@ -6,7 +6,7 @@ import java.nio.charset.CodingErrorAction;
 import java.nio.charset.StandardCharsets;
 import java.util.UUID;
 
-/** Reads a message's bytes from front to back; nothing is taken that is not there. */
+/** Reader of a message's bytes, with bounds checks. */
 final class WireReader {
     private final ByteBuffer bytes;
 
@@ -27,7 +27,7 @@ final class WireReader {
         return value == 1;
     }
 
-    /** A whole number from 0 to {@code max}. */
+    /** Reads a whole number from 0 to {@code max}. */
     int int32(String name, int max) throws WireException {
         int offset = bytes.position();
         int value = require(name, Integer.BYTES).getInt();
@@ -37,7 +37,7 @@ final class WireReader {
         return value;
     }
 
-    /** A whole number from 0. */
+    /** Reads a whole number from 0. */
     long int64(String name) throws WireException {
         int offset = bytes.position();
         long value = require(name, Long.BYTES).getLong();
@@ -58,7 +58,7 @@ final class WireReader {
         return ContentHash.ofBytes(hash);
     }
 
-    /** Bytes behind their number; memory is asked for once they are known to be there. */
+    /** Reads length-prefixed bytes; allocates only if they have arrived. */
     byte[] bytes(String name, int maxBytes) throws WireException {
         int length = int32("the length of " + name, maxBytes);
         ByteBuffer from = require(name, length);

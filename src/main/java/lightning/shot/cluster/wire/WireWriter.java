@@ -7,7 +7,7 @@ import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.util.UUID;
 
-/** Writes a message's bytes, numbers with their highest byte first. */
+/** Big-endian writer of a message's bytes. */
 final class WireWriter {
     private final ByteArrayOutputStream bytes = new ByteArrayOutputStream();
     private final DataOutputStream out = new DataOutputStream(bytes);
@@ -53,9 +53,9 @@ final class WireWriter {
         return int32(v.length).write(() -> out.write(v));
     }
 
-    /** Text of at most so many bytes; what is longer is cut. */
+    /** Writes text, truncated to a maximum of bytes. */
     WireWriter text(String v, int maxBytes) {
-        // No character takes more than three bytes for each of its chars.
+        // UTF-8 needs at most three bytes for each char.
         String truncated = v.length() > maxBytes / 3 ? v.substring(0, maxBytes / 3) : v;
         return bytes(truncated.getBytes(StandardCharsets.UTF_8));
     }

@@ -1,5 +1,5 @@
 /**
- * What members of a cluster say to each other: a closed set of messages and their bytes. A message is read with every length checked against
- * what arrived and against a limit before memory is asked for it; no class is ever named by bytes.
+ * Wire protocol of a cluster: a closed set of messages and their encoding. Checks every length against the received bytes and a limit
+ * before allocating memory; no class is named in a message.
  */
 package lightning.shot.cluster.wire;

@@ -54,7 +54,7 @@ class MotionPathFileTest {
         Path pipe = folder.resolve("pipe.path");
         assertThat(new ProcessBuilder("mkfifo", pipe.toString()).start().waitFor()).isZero();
         assertThatIOException().isThrownBy(() -> MotionPathFile.load(pipe, "key"))
-                .withMessageContaining("pipe.path: is no file but a pipe or a device");
+                .withMessageContaining("pipe.path: is a pipe or a device");
     }
 
     @Property
@@ -150,7 +150,7 @@ class MotionPathFileTest {
         Path zeros = Path.of("/dev/zero");
         assumeTrue(Files.exists(zeros));
         assertThatIOException().isThrownBy(() -> MotionPathFile.load(zeros, "key"))
-                .withMessage("/dev/zero: is no file but a pipe or a device, expected a motion path");
+                .withMessage("/dev/zero: is a pipe or a device, expected a motion path");
     }
 
     @Test

@@ -298,7 +298,7 @@ class MixerPaneTest extends EditorFixture {
         robot.moveTo(head("bank2")).press(MouseButton.PRIMARY).moveBy(-20, 0).moveTo(to.getMinX() + 2, to.getCenterY())
                 .release(MouseButton.PRIMARY);
         assertThat(strips()).containsExactly("lamp", "bank2", "stage", "bank", "sun");
-        assertThat(model().editor().editorStateProperty().get().undoLabel()).hasValue("order of banks");
+        assertThat(model().editor().editorStateProperty().get().undoLabel()).hasValue("order of light groups");
         String text = model().editor().document().text(model().editor().document().content());
         assertThat(text.indexOf("\nbank bank2")).isPositive().isLessThan(text.indexOf("\nbank bank "));
         assertPictureShowsTheScene();

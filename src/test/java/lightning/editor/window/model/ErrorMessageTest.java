@@ -18,8 +18,8 @@ class ErrorMessageTest {
 
     @Test
     void fileInsteadOfFolder_isReported() {
-        assertThat(ErrorMessage.of(new NotDirectoryException("out"))).isEqualTo("out: is no folder");
-        assertThat(ErrorMessage.of(new FileAlreadyExistsException("out"))).isEqualTo("out: is there already and is no folder");
+        assertThat(ErrorMessage.of(new NotDirectoryException("out"))).isEqualTo("out: is not a folder");
+        assertThat(ErrorMessage.of(new FileAlreadyExistsException("out"))).isEqualTo("out: already exists and is not a folder");
     }
 
     @Test

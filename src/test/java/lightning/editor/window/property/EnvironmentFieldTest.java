@@ -74,7 +74,7 @@ class EnvironmentFieldTest extends EditorFixture {
 
     @Test
     void environmentNumbers_withoutEnvironment_areDisabled() throws IOException {
-        Stream.of("intensity", "rotation", "lamps", "softness").map(n -> robot.lookup("#environment-" + n).<Node>query())
+        Stream.of("intensity", "rotation", "samples", "shadow-smoothing").map(n -> robot.lookup("#environment-" + n).<Node>query())
                 .forEach(dial -> assertThat(robot.from(dial).lookup((Node n) -> n instanceof TextField).<Node>query().isDisabled())
                         .isTrue());
         writeEnvironmentMap("dusk.hdr");
@@ -83,13 +83,13 @@ class EnvironmentFieldTest extends EditorFixture {
         robot.interact(() -> model().editor().selection().selectLight(null));
         type("environment-intensity", "2.5");
         type("environment-rotation", "-30");
-        type("environment-softness", "0.5");
-        type("environment-lamps", "7");
+        type("environment-shadow-smoothing", "0.5");
+        type("environment-samples", "7");
         assertThat(world().intensity()).isEqualTo(2.5);
         assertThat(world().rotation()).isEqualTo(-30);
         assertThat(world().lightCount()).isEqualTo(7);
         assertThat(world().softness()).isEqualTo(0.5);
-        assertThat(model().editor().editorStateProperty().get().undoLabel()).contains("environment lamps 16 → 7");
+        assertThat(model().editor().editorStateProperty().get().undoLabel()).contains("environment samples 16 → 7");
         choose("None");
         waitFor("the file is removed", () -> choiceText().isEmpty());
         assertThat(world().rotation()).as("rotation is kept").isEqualTo(-30);

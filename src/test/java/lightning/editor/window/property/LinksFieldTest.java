@@ -42,7 +42,7 @@ class LinksFieldTest extends EditorFixture {
         String shape = check("illuminates");
         assertThat(model().editor().selection().light().illuminates()).isEqualTo(ShapeLinks.except(shape));
         assertThat(model().editor().selection().light().shadowedBy()).isEqualTo(ShapeLinks.ALL);
-        assertThat(menu("illuminates").getText()).isEqualTo("all but '" + shape + "'");
+        assertThat(menu("illuminates").getText()).isEqualTo("all except '" + shape + "'");
         robot.interact(() -> model().commands().run(Command.UNDO));
         assertThat(menu("illuminates").getText()).isEqualTo("all");
     }
@@ -60,7 +60,7 @@ class LinksFieldTest extends EditorFixture {
         robot.interact(() -> LinkDrop.toggleLink("lamp", "ball", false, model().editor()));
         assertThat(light("lamp").illuminates()).isEqualTo(ShapeLinks.except("ball"));
         assertThat(model().editor().message().textProperty().get()).isEqualTo("lamp does not shine on ball");
-        assertThat(model().editor().editorStateProperty().get().undoLabel()).contains("lamp: illuminates all → all but 'ball'");
+        assertThat(model().editor().editorStateProperty().get().undoLabel()).contains("lamp: illuminates all → all except 'ball'");
         assertGoShowsTheScene();
         robot.interact(() -> LinkDrop.toggleLink("lamp", "ball", false, model().editor()));
         assertThat(light("lamp").illuminates()).isEqualTo(ShapeLinks.ALL);

@@ -53,8 +53,8 @@ class PropertyPaneTest {
     private static final List<String> NUMBERS = List.of("intensity", "angle", "dropoff", "constant", "linear", "quadratic",
             "position", "direction", "ambience");
     private static final List<String> SCENE_NUMBERS =
-            List.of("ambience", "environment-intensity", "environment-rotation", "environment-lamps",
-                    "environment-softness");
+            List.of("ambience", "environment-intensity", "environment-rotation", "environment-samples",
+                    "environment-shadow-smoothing");
 
     @TempDir
     private Path folder;

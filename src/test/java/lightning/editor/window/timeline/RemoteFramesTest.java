@@ -218,7 +218,7 @@ class RemoteFramesTest extends EditorFixture {
     void invalidCertificate_showsError_andKeepsInput() throws Exception {
         Path none = Files.writeString(folder.resolve("none.p12"), "words");
         join("127.0.0.1:1", none);
-        waitFor("the message is shown", () -> text("machines-status").contains("none.p12: expected a key and its certificate"));
+        waitFor("the message is shown", () -> text("machines-status").contains("none.p12: expected a key and certificate"));
         assertThat(text("machines-status")).doesNotContain("Exception");
         type("machines-certificate", folder.resolve("gone.p12").toString());
         click("machines-begin");
@@ -226,7 +226,7 @@ class RemoteFramesTest extends EditorFixture {
         assertThat(robot.lookup("#strip-1").tryQuery()).isEmpty();
         type("machines-hosts", "a b");
         click("machines-begin");
-        assertThat(text("machines-status")).contains("expected a machine and a port");
+        assertThat(text("machines-status")).contains("expected a host and a port");
         var preferences = new Preferences(folder.resolve("p"), Runnable::run);
         var next = new RenderMachines();
         robot.interact(() -> model().renderMachines().save(preferences));

@@ -168,7 +168,7 @@ class ArrowWidgetTest {
         robot.push(KeyCode.ENTER);
         assertThat(gestures).isEmpty();
         assertThat(RefusalTexts.shown(robot))
-                .containsExactly("gain must be a number or a sum as 0.3*2: expected a number after '2*', found nothing");
+                .containsExactly("gain must be a number or an expression such as 0.3*2: expected a number after '2*', found the end");
     }
 
     @Test

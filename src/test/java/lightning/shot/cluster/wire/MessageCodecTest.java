@@ -60,14 +60,14 @@ final class MessageCodecTest {
         byte[] bytes = MessageCodec.encode(new Message.CloseSession(SESSION));
         bytes[2] = 9;
         assertThatThrownBy(() -> MessageCodec.decode(bytes)).isInstanceOf(WireException.class)
-                .hasMessage("at byte 2: expected version 1 of the protocol, found 9; all machines must run the same release");
+                .hasMessage("at byte 2: expected protocol version 1, found 9; all machines must run the same release");
     }
 
     @Test
     void excessiveLength_allocatesNothing() {
         byte[] bytes = MessageCodec.encode(new Message.ContentPart(SESSION, HASH, 0, new byte[4]));
         int length = bytes.length - 8;
-        // Nearly a mebibyte, of which four bytes are there; then two gibibytes.
+        // Nearly a mebibyte with only four bytes present; then two gibibytes.
         bytes[length + 1] = 0x0f;
         bytes[length + 2] = (byte) 0xff;
         bytes[length + 3] = 0;
