@@ -79,9 +79,9 @@ public record BaselineComparison(int compared, List<String> worse) {
 
     private static void addAccuracyLoss(String name, PictureError previous, PictureError current, List<String> worse) {
         List<String> measures = new ArrayList<>();
-        addIfLarger(measures, "values that differ", previous.values(), current.values());
-        addIfLarger(measures, "largest ulp", previous.maxUlp(), current.maxUlp());
-        addIfLarger(measures, "largest difference", previous.maxAbsolute(), current.maxAbsolute());
+        addIfLarger(measures, "differing values", previous.values(), current.values());
+        addIfLarger(measures, "maximum ulp", previous.maxUlp(), current.maxUlp());
+        addIfLarger(measures, "maximum difference", previous.maxAbsolute(), current.maxAbsolute());
         addIfLarger(measures, "mean difference", previous.meanAbsolute(), current.meanAbsolute());
         addIfLarger(measures, "rmse", previous.rmse(), current.rmse());
         addIfLarger(measures, "1 - ssim", 1 - previous.ssim(), 1 - current.ssim());

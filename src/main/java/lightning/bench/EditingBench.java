@@ -55,7 +55,7 @@ final class EditingBench {
     }
 
     private BenchPart part(Point point) {
-        String title = "editing " + point.shapes() + " shapes under " + point.lights() + " lights";
+        String title = "editing " + point.shapes() + " shapes, " + point.lights() + " lights";
         double predictedMs = SHAPE_MS * point.shapes() * (1 + longSampleCount(point.shapes())) + LIGHT_MS * point.lights() + 500;
         return new BenchPart(title, predictedMs, progress -> ledger.addEditing(measure(point, progress)));
     }
@@ -130,7 +130,7 @@ final class EditingBench {
         try {
             return JenReader.read(text, "generated", Path.of(""));
         } catch (JenException e) {
-            throw new IllegalStateException("a written scene must be read", e);
+            throw new IllegalStateException("a written scene cannot be read", e);
         }
     }
 

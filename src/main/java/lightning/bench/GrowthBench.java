@@ -110,7 +110,7 @@ final class GrowthBench {
             edits.add(new GrowthPoint.EditTime(name, TimeSamples.of(saving.time())));
         } else {
             ledger.addProblem(
-                    new MeasurementFailure(MeasurementFailure.Kind.BROKEN, title + ", " + name, "the picture is not that of a full trace"));
+                    new MeasurementFailure(MeasurementFailure.Kind.BROKEN, title + ", " + name, "the image differs from a full trace"));
         }
     }
 }

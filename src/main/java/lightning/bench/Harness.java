@@ -200,7 +200,7 @@ public final class Harness {
             ledger.addProblem(new MeasurementFailure(MeasurementFailure.Kind.UNMEASURED, part.where(), e.getMessage()));
         } catch (OutOfMemoryError e) {
             ledger.addProblem(
-                    new MeasurementFailure(MeasurementFailure.Kind.UNMEASURED, part.where(), "there is not enough memory for it"));
+                    new MeasurementFailure(MeasurementFailure.Kind.UNMEASURED, part.where(), "not enough memory"));
         }
     }
 

@@ -40,7 +40,7 @@ final class MeshBench {
 
     private BenchPart part(int triangles) {
         PictureSize size = settings.quick() ? new PictureSize(160, 120) : new PictureSize(1920, 1080);
-        String title = "a mesh of " + triangles + " triangles";
+        String title = "mesh of " + triangles + " triangles";
         double predictedMs = settings.repetitions() * (TRIANGLE_MS * triangles + RAY_MS * size.pixels());
         return new BenchPart(title, predictedMs, progress -> {
             try (Embree embree = settings.peers() ? Embree.start().orElse(null) : null) {
@@ -120,7 +120,7 @@ final class MeshBench {
 
     private static void checkCanceled(Progress progress) {
         if (progress.isCanceled()) {
-            throw new CancellationException("canceled while meshes were measured");
+            throw new CancellationException("canceled while measuring meshes");
         }
     }
 }

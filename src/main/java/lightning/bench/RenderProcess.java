@@ -28,7 +28,7 @@ final class RenderProcess {
             if (process.waitFor() != 0) {
                 String last = Files.readString(log, StandardCharsets.UTF_8).lines().filter(line -> !line.isBlank())
                         .reduce("nothing", (_, line) -> line);
-                throw new IOException("'lightning render' failed; it ended with: " + last.strip());
+                throw new IOException("'lightning render' failed: " + last.strip());
             }
         } finally {
             process.destroy();

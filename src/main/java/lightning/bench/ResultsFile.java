@@ -53,18 +53,18 @@ public final class ResultsFile {
      */
     public static BenchResults readJson(Path file) throws IOException {
         if (Files.exists(file) && !Files.isRegularFile(file)) {
-            throw new IOException(file + ": is no file, expected results of 'lightning bench'");
+            throw new IOException(file + ": expected a results file of 'lightning bench', found no regular file");
         }
         if (Files.exists(file) && Files.size(file) > MAX_BYTES) {
             throw new IOException(
-                    file + ": no results of 'lightning bench': they have at most " + MAX_BYTES + " bytes, it has " + Files.size(file));
+                    file + ": expected a results file of 'lightning bench' of at most " + MAX_BYTES + " bytes, found " + Files.size(file));
         }
         try {
             return JSON.readValue(Files.readAllBytes(file), BenchResults.class);
         } catch (JacksonException e) {
             var at = e.getLocation();
             throw new IOException(Quote.path(file) + (at == null ? "" : ":" + at.getLineNr() + ":" + at.getColumnNr())
-                    + ": no results of 'lightning bench': " + e.getOriginalMessage(), e);
+                    + ": expected a results file of 'lightning bench': " + e.getOriginalMessage(), e);
         }
     }
 

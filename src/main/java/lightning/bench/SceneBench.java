@@ -75,7 +75,7 @@ final class SceneBench implements AutoCloseable {
         collector.setEffects(costs.effects().stream().filter(EffectCost::measured).map(EffectResult::of).toList());
         costs.effectsOverMemory().forEach(effect -> ledger.addProblem(new MeasurementFailure(MeasurementFailure.Kind.UNMEASURED,
                 name + " at " + scene.picture().width() + "x" + scene.picture().height() + ", effects",
-                "there is not enough memory for " + effect.title())));
+                "not enough memory for " + effect.title())));
     }
 
     /** The cases by name, with each value that changes the scene. */

@@ -22,8 +22,8 @@ public record SweepPointResult(@JsonProperty("level") AccuracySetting grade, Tim
         String difference) {
     public SweepPointResult {
         // Results that are read may lack anything, and would be missed only after all was measured.
-        Objects.requireNonNull(grade, "a level is missing");
-        Objects.requireNonNull(time, "a time is missing");
-        Objects.requireNonNull(error, "an error is missing");
+        Objects.requireNonNull(grade, "missing level");
+        Objects.requireNonNull(time, "missing time");
+        Objects.requireNonNull(error, "missing error");
     }
 }

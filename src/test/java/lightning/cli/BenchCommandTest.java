@@ -131,7 +131,7 @@ class BenchCommandTest {
         bench(scene, "--repetitions", 0).assertRejected("repetitions");
         bench(scene, "--size", "0x5").assertRejected("width and height must be from 1");
         bench(scene, "--baseline", folder.resolve("no.json")).assertRejected("no.json: there is no such file");
-        bench(scene, "--baseline", scene).assertRejected("no results of 'lightning bench'");
+        bench(scene, "--baseline", scene).assertRejected("expected a results file of 'lightning bench'");
         bench(folder.resolve("no.jen")).assertRejected("no.jen: there is no such file", "there is no scene to measure");
     }
 

@@ -50,12 +50,12 @@ public record AccuracyGuarantee(RenderedScenes scenes, ViewEffects view, double 
     /** {@code exact}, or {@code off by at most 1.2e-06}; and whether the mirrors are older. */
     public String text() {
         return (bound == 0 ? Messages.tr("exact") : Messages.tr("off by at most {0}", number(bound)))
-                + (isStale() ? Messages.tr(", reflections of an older light") : "");
+                + (isStale() ? Messages.tr(", reflections out of date") : "");
     }
 
     /** The {@link #text} of the promise for an update, and whether that computed contributions anew. */
     public String text(UpdateResult update) {
-        return text() + (update.wasRefreshed() ? Messages.tr(", refreshed") : "");
+        return text() + (update.wasRefreshed() ? Messages.tr(", recomputed") : "");
     }
 
     /** By how much values differ at most, linear: two digits, rounded up. */

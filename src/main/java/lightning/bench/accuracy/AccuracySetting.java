@@ -16,19 +16,19 @@ import lightning.scene.effects.ViewEffects;
 
 /** The grades of accuracy, each a way to show an edit, from the roughest to the full trace. */
 public enum AccuracySetting {
-    HALF_RESOLUTION("half resolution", "re-rendered exactly, mirrors included, at half the width and height; each pixel enlarged to "
-            + "those nearest to it"),
-    FAST_SHADING("fast shading", "re-rendered without shadows and reflections, as previews of other editors are (paper §1.1, §2.3)"),
-    FEW_SAMPLES("few samples", "re-rendered exactly, mirrors included, with 4 samples of each light that is larger than a point; only "
-            + "where the scene has one"),
+    HALF_RESOLUTION("half resolution", "exact re-render with reflections at half the width and height, each pixel enlarged to "
+            + "its nearest ones"),
+    FAST_SHADING("fast shading", "re-render without shadows and reflections, like previews of other editors (paper §1.1, §2.3)"),
+    FEW_SAMPLES("few samples", "exact re-render with reflections and 4 samples per area light; only "
+            + "for scenes with area lights"),
     NO_ANTIALIASING("no anti-aliasing",
-            "re-rendered exactly, mirrors included, with one sample in each pixel; only where the scene asks for "
-                    + "finer samples"),
-    RATIO("ratio", "the paper's update of stored contributions; mirrors stay as they were"),
-    EXACT("exact", "bit-equal to a full trace whose mirrors stay as they were"),
-    EXACT_UPDATED("exact, mirrors updated", "exact, and then the mirrors: both times together (paper §4.8)"),
-    EXACT_CURRENT("exact, mirrors current", "bit-equal to a full trace, mirrors included, in one step"),
-    FULL_TRACE("full trace", "a traditional trace that keeps nothing: the reference");
+            "exact re-render with reflections and one sample per pixel; only for scenes with "
+                    + "anti-aliasing"),
+    RATIO("ratio", "the paper's update of stored contributions; reflections are not updated"),
+    EXACT("exact", "bit-identical to a full trace with the old reflections"),
+    EXACT_UPDATED("exact, mirrors updated", "exact update, then Update Reflections: sum of both times (paper §4.8)"),
+    EXACT_CURRENT("exact, mirrors current", "bit-identical to a full trace with current reflections, in one step"),
+    FULL_TRACE("full trace", "traditional trace without a cache: the reference");
 
     /** What the program shows unless it is told otherwise: headlines are about this grade. */
     public static final AccuracySetting DEFAULT = EXACT_CURRENT;
@@ -74,7 +74,7 @@ public enum AccuracySetting {
                     .withView(ViewEffects.ALL.withHidden(Set.of(RenderEffect.SHADOWS, RenderEffect.REFLECTION)));
             case RATIO -> exact.withReflections(ReflectionMode.STALE).withAccuracy(Accuracy.RATIO);
             case EXACT, EXACT_UPDATED -> exact.withReflections(ReflectionMode.STALE);
-            case FULL_TRACE -> throw new IllegalArgumentException("a full trace re-renders nothing");
+            case FULL_TRACE -> throw new IllegalArgumentException("expected a setting of a re-render, found the full trace");
         };
     }
 

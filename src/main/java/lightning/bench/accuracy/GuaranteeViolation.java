@@ -15,7 +15,7 @@ public final class GuaranteeViolation extends RuntimeException {
      */
     static void require(Verification verification, AccuracySetting setting) {
         if (!verification.hasPassed()) {
-            throw new GuaranteeViolation("grade " + setting.label() + ": " + verification.text() + "; not measured");
+            throw new GuaranteeViolation("accuracy setting " + setting.label() + ": " + verification.text() + "; not measured");
         }
     }
 }

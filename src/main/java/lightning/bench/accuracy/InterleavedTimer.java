@@ -38,7 +38,7 @@ record InterleavedTimer(int repetitions, double maxWarmUpMs, double steadyMs) {
 
     InterleavedTimer {
         if (repetitions < 1) {
-            throw new IllegalArgumentException("the number of repetitions must be ≥ 1, was " + repetitions);
+            throw new IllegalArgumentException("number of repetitions: expected ≥ 1, found " + repetitions);
         }
     }
 

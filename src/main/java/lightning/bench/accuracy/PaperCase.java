@@ -20,7 +20,7 @@ public record PaperCase(String name, String figure, double paperSaving, List<Sce
     public PaperCase {
         scenes = List.copyOf(scenes);
         if (scenes.size() < 2) {
-            throw new IllegalArgumentException("case " + Quote.of(name) + " must have at least two scenes, had " + scenes.size());
+            throw new IllegalArgumentException("case " + Quote.of(name) + ": expected at least two scenes, found " + scenes.size());
         }
     }
 

@@ -13,11 +13,11 @@ public record Timing(List<Double> milliseconds) {
     public Timing {
         milliseconds = List.copyOf(milliseconds);
         if (milliseconds.isEmpty()) {
-            throw new IllegalArgumentException("a timing must have at least one sample");
+            throw new IllegalArgumentException("timing: expected at least one sample, found none");
         }
         for (double ms : milliseconds) {
             if (!(ms >= 0) || Double.isInfinite(ms)) {
-                throw new IllegalArgumentException("a sample must be a time in milliseconds ≥ 0, was " + ms);
+                throw new IllegalArgumentException("timing: expected milliseconds ≥ 0, found " + ms);
             }
         }
     }

@@ -31,19 +31,19 @@ public record Verification(AccuracyGuarantee guarantee, Film picture, Film full,
 
     /** The verdict in a sentence, {@code Verified: equal to a full trace in every bit}, for people and for scripts. */
     public String text() {
-        String trace = guarantee.isStale() ? Messages.tr("a full trace whose mirrors show an older light") : Messages.tr("a full trace");
+        String trace = guarantee.isStale() ? Messages.tr("a full trace with outdated reflections") : Messages.tr("a full trace");
         String verdict = expectedDifference.isNone() ? Messages.tr("equal to {0} in every bit", trace)
-                : Messages.count(expectedDifference.values(), "{0} in {1} differs from {2}, by at most {3} where {4}",
-                        "{0} in {1} differ from {2}, by at most {3} where {4}", values(expectedDifference.values()),
+                : Messages.count(expectedDifference.values(), "{0} in {1} differs from {2} by at most {3} ({4})",
+                        "{0} in {1} differ from {2} by at most {3} ({4})", values(expectedDifference.values()),
                         pixels(expectedDifference.pixels()), trace,
                         AccuracyGuarantee.number(expectedDifference.maxAbsolute()),
-                        guarantee.bound() == 0 ? Messages.tr("no bit may differ")
-                                : Messages.tr("{0} is promised", AccuracyGuarantee.number(guarantee.bound())));
-        String mirrors = !guarantee.isStale() ? "" : currentDifference.isNone() ? Messages.tr("; and to one with current mirrors")
-                : String.format(Messages.locale(), Messages.tr("; %s would change with current mirrors, by at most %s, PSNR %.1f dB"),
+                        guarantee.bound() == 0 ? Messages.tr("expected: no difference")
+                                : Messages.tr("expected: at most {0}", AccuracyGuarantee.number(guarantee.bound())));
+        String mirrors = !guarantee.isStale() ? "" : currentDifference.isNone() ? Messages.tr("; also with current reflections")
+                : String.format(Messages.locale(), Messages.tr("; %s would change with current reflections, by at most %s, PSNR %.1f dB"),
                         pixels(currentDifference.pixels()), AccuracyGuarantee.number(currentDifference.maxAbsolute()),
                         currentDifference.displayPsnr());
-        return (hasPassed() ? Messages.tr("Verified: ") : Messages.tr("NOT KEPT: ")) + verdict + mirrors;
+        return (hasPassed() ? Messages.tr("Verified: ") : Messages.tr("Verification failed: ")) + verdict + mirrors;
     }
 
     private static String values(long n) {

@@ -85,7 +85,7 @@ public final class Embree implements AutoCloseable {
             if (compilation.waitFor() != 0) {
                 String last = Files.readString(log, StandardCharsets.ISO_8859_1).lines().filter(line -> !line.isBlank())
                         .reduce("nothing", (_, line) -> line);
-                throw new IOException("Embree's program cannot be translated; the compiler ended with: " + last.strip());
+                throw new IOException("the Embree program does not compile: " + last.strip());
             }
         } finally {
             compilation.destroy();
@@ -99,7 +99,7 @@ public final class Embree implements AutoCloseable {
         requests.flush();
         String response = responses.readLine();
         if (response == null || response.startsWith("cannot")) {
-            throw new IOException("Embree's program " + (response == null ? "ended" : response) + " when it was asked: " + command);
+            throw new IOException("the Embree program " + (response == null ? "ended" : response) + " on command: " + command);
         }
         return response;
     }

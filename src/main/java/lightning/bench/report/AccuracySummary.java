@@ -29,8 +29,8 @@ record AccuracySummary(AccuracySetting setting, List<SweepPointResult> points) {
 
     /** Writes the table of all grades and what each of them is. */
     static void table(HtmlWriter page, List<AccuracySummary> summaries) {
-        try (HtmlTable table = new HtmlTable(page, null, "Each grade over all edits: median time; worst error.", "grade", "time", "saves",
-                "values that differ", "largest ulp", "largest difference", "mean difference", "RMSE", "PSNR", "PSNR displayed", "SSIM",
+        try (HtmlTable table = new HtmlTable(page, null, "Each accuracy setting over all edits: median time, worst error.", "setting", "time", "saves",
+                "differing values", "max. ulp", "max. difference", "mean difference", "RMSE", "PSNR", "PSNR displayed", "SSIM",
                 "ꟻLIP")) {
             summaries.forEach(summary -> table.row(summary.setting().label(), summary.cells()));
         }

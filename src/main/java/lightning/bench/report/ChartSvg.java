@@ -47,8 +47,8 @@ final class ChartSvg {
     static String of(JFreeChart chart, int width, int height, String label) {
         if (!HAS_FONTS) {
             return new HtmlWriter()
-                    .element("p", "No chart (" + label + "): Java finds no font on this computer. With fontconfig and a font "
-                            + "installed (Debian: fontconfig fonts-dejavu-core) there would be one.", "class", "note")
+                    .element("p", "No chart (" + label + "): Java finds no font on this computer. Install fontconfig and a font "
+                            + "(on Debian: fontconfig fonts-dejavu-core).", "class", "note")
                     .finish();
         }
         VectorGraphics2D graphics = new VectorGraphics2D();
@@ -57,7 +57,7 @@ final class ChartSvg {
         try {
             new SVGProcessor().getDocument(graphics.getCommands(), new PageSize(width, height)).writeTo(out);
         } catch (IOException e) {
-            throw new UncheckedIOException("memory cannot be written", e);
+            throw new UncheckedIOException("writing to memory failed", e);
         }
         String svg = SVG_HEADER.matcher(out.toString(StandardCharsets.UTF_8)).replaceFirst("");
         svg = CLIPS.matcher(svg).replaceAll("");

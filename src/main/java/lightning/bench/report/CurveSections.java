@@ -27,8 +27,8 @@ final class CurveSections {
         if (!results.drift().isEmpty()) {
             page.open("section", "id", "drift");
             page.element("h2", "Drift");
-            page.element("p", "After many edits in a row, how far is a picture from a full trace? Grade exact starts from the stored rows "
-                    + "each time; grade ratio multiplies what it has, knows a bound of its error, and computes anew before that could show.",
+            page.element("p", "Error against a full trace after many edits in a row. Setting exact recomputes from the stored rows "
+                    + "each time. Setting ratio multiplies stored values, tracks an error bound, and recomputes before an error is visible.",
                     "class", "lead");
             page.open("div", "class", "charts");
             results.drift().forEach(drift -> drift(page, drift));
@@ -50,13 +50,13 @@ final class CurveSections {
             PlotColor ink = PlotColor.of(accuracy);
             curves.add(curve(name, ink, false, drift, accuracy, p -> p.error().maxAbsolute()));
             if (!accuracy.isExact()) {
-                curves.add(curve(name + ", its bound", ink, true, drift, accuracy, DriftPoint::bound));
+                curves.add(curve(name + ", bound", ink, true, drift, accuracy, DriftPoint::bound));
             }
         }
         int refreshes = drift.points().stream().mapToInt(DriftPoint::refreshes).max().orElse(0);
         SceneSection.figure(page, drift.scene() + ", " + drift.width() + " × " + drift.height(),
-                "Largest difference of any value (linear) against the number of edits. Grade ratio "
-                        + (refreshes == 0 ? "never had to compute anew." : "computed anew " + refreshes + " times."),
+                "Maximum difference of any value (linear) against the number of edits. Setting ratio "
+                        + (refreshes == 0 ? "never had to recompute." : "recomputed " + refreshes + " times."),
                 CurveChart.svg("Error after many edits", curves, WIDTH, HEIGHT, NumberText::tick,
                         at -> NumberText.power((int) Math.round(Math.log10(at)))));
     }
@@ -68,7 +68,7 @@ final class CurveSections {
     }
 
     private static void growth(HtmlWriter page, GrowthCurve growth) {
-        SceneSection.figure(page, "With " + growth.along(), "Time (ms) against " + growth.along() + "; " + growth.scene() + "."
+        SceneSection.figure(page, "Growth with " + growth.along(), "Time (ms) against " + growth.along() + "; " + growth.scene() + "."
                 + (hasFewEdits(growth) ? "" : " Gray: the other edits."), growth(growth));
     }
 

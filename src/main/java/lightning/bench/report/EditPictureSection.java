@@ -88,12 +88,12 @@ final class EditPictureSection {
         page.close().close();
         page.open("div", "class", "view");
         page.open("div", "class", "stage", "style", aspectRatio);
-        page.element("p", "equal in every bit", "class", "equal");
+        page.element("p", "bit-identical", "class", "equal");
         int difference = index(differences, pictures.get(after).setting, -1);
         page.element("div", "", "class", "pic difference " + (difference < 0 ? "" : differences.get(difference).style));
         page.close();
-        page.open("div", "class", "controls").open("label").text("difference to the full trace ");
-        page.open("select", "class", "of", "aria-label", "difference of which grade");
+        page.open("div", "class", "controls").open("label").text("difference from the full trace ");
+        page.open("select", "class", "of", "aria-label", "accuracy setting of the difference");
         for (LabeledPicture s : pictures) {
             if (s.setting != null && s.setting != AccuracySetting.FULL_TRACE) {
                 int i = index(differences, s.setting, -1);
@@ -143,7 +143,7 @@ final class EditPictureSection {
                 240));
         page.element("p", "RMSE against time, ms", "class", "axes").close();
         try (HtmlTable table =
-                new HtmlTable(page, "tight", value.value(), "grade", "time", "saves", "values differ", "ulp", "largest", "RMSE",
+                new HtmlTable(page, "tight", value.value(), "setting", "time", "saves", "differing values", "max. ulp", "max. difference", "RMSE",
                         "PSNR", "SSIM", "ꟻLIP")) {
             value.rungs().forEach(point -> row(table, point));
         }

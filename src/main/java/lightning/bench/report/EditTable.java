@@ -13,9 +13,9 @@ final class EditTable {
 
     static void write(HtmlWriter page, SceneResult scene) {
         try (HtmlTable table = new HtmlTable(page, "plans",
-                "Each edit at grade " + AccuracySetting.DEFAULT.label() + ": work of its first value, savings averaged over all values.",
+                "Each edit at setting " + AccuracySetting.DEFAULT.label() + ": work of its first value, savings averaged over all values.",
                 "edit", "plan", "rows touched", "shadow rays", "avoided", "time", "full trace", "saves", "paper", "cap",
-                "saves with mirrors as they were", "updated afterwards", "above floor")) {
+                "saves without reflections", "updated afterwards", "× memory floor")) {
             scene.edits().forEach(edit -> row(table, edit));
         }
     }

@@ -12,7 +12,7 @@ public final class HtmlReport {
     /** The name of the report. */
     public static final String FILE = "report.html";
 
-    private static final String TITLE = "Lightning: what re-rendering saves, and what accuracy costs";
+    private static final String TITLE = "Lightning benchmark: savings of re-rendering, cost of accuracy";
 
     private HtmlReport() {}
 
@@ -65,7 +65,7 @@ public final class HtmlReport {
         try (var in = HtmlReport.class.getResourceAsStream(name)) {
             return new String(in.readAllBytes(), StandardCharsets.UTF_8);
         } catch (IOException e) {
-            throw new UncheckedIOException("the program misses its file " + name, e);
+            throw new UncheckedIOException("missing resource of the program: " + name, e);
         }
     }
 }

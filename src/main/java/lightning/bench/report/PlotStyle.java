@@ -37,7 +37,7 @@ final class PlotStyle {
         plot.setBackgroundPaint(null);
         plot.setOutlineVisible(false);
         plot.setInsets(new RectangleInsets(4, 2, 2, 8));
-        plot.setNoDataMessage("nothing was measured");
+        plot.setNoDataMessage("no measurements");
         plot.setNoDataMessageFont(ChartSvg.FONT);
         plot.setNoDataMessagePaint(PlotColor.MUTED.color());
         JFreeChart chart = new JFreeChart(null, null, plot, false);

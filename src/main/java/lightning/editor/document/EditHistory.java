@@ -177,8 +177,8 @@ public final class EditHistory {
     public EditOutcome goToLightStep(long id, int position) {
         int current = lightPosition(id);
         if (position < 0 || position > lightSteps(id).size() || position == current) {
-            return new EditOutcome.Refused(position > current ? Messages.tr("there is nothing to redo of this light")
-                    : Messages.tr("there is nothing to undo of this light"));
+            return new EditOutcome.Refused(position > current ? Messages.tr("nothing to redo for this light")
+                    : Messages.tr("nothing to undo for this light"));
         }
         return EditOutcome.of(() -> {
             DocumentState changed = state;
@@ -187,8 +187,8 @@ public final class EditHistory {
             }
             String name = light(id).orElseThrow().name();
             undoneSteps.clear();
-            push(changed, null, position < current ? Messages.tr("{0}: {1} undone of it alone", name, current - position)
-                    : Messages.tr("{0}: {1} redone of it alone", name, position - current));
+            push(changed, null, position < current ? Messages.tr("{0}: {1} undone for this light only", name, current - position)
+                    : Messages.tr("{0}: {1} redone for this light only", name, position - current));
             return changed.scene();
         });
     }
@@ -223,8 +223,8 @@ public final class EditHistory {
 
     private EditOutcome moveLight(long id, boolean isUndo, Optional<String> label) {
         if (label.isEmpty()) {
-            return new EditOutcome.Refused(isUndo ? Messages.tr("there is nothing to undo of this light")
-                    : Messages.tr("there is nothing to redo of this light"));
+            return new EditOutcome.Refused(isUndo ? Messages.tr("nothing to undo for this light")
+                    : Messages.tr("nothing to redo for this light"));
         }
         return EditOutcome.of(() -> {
             DocumentState changed = state.stepLight(id, isUndo);

@@ -92,8 +92,8 @@ public record EditorState(Scene scene, Optional<Frame> frame, Optional<Scene> sc
         if (frame.isEmpty()) {
             return Optional.empty();
         }
-        return hasPendingEdits() ? Optional.of(Messages.tr("the picture does not show the edits since the last Go"))
-                : lacksSamples() ? Optional.of(Messages.tr("the picture lacks the finer samples of its edges")) : Optional.empty();
+        return hasPendingEdits() ? Optional.of(Messages.tr("the image is out of date"))
+                : lacksSamples() ? Optional.of(Messages.tr("the image is not anti-aliased yet")) : Optional.empty();
     }
 
     /** Whether the traced picture is one of pixels' centers, that finer samples are still to follow. */
@@ -111,8 +111,8 @@ public record EditorState(Scene scene, Optional<Frame> frame, Optional<Scene> sc
             return Optional.empty();
         }
         boolean isUnlit = shownScene.lights().stream().noneMatch(shownScene::isActive);
-        return Optional.of(isUnlit ? Messages.tr("No light shines here; the mirrors still show those of before")
-                : Messages.tr("The mirrors are older than the lights"));
+        return Optional.of(isUnlit ? Messages.tr("No lights on; reflections out of date")
+                : Messages.tr("Reflections out of date"));
     }
 
     Optional<LightType> selectedLightType() {

@@ -40,7 +40,7 @@ public final class KeyEdits {
     public static AnimatedScene setKey(AnimatedScene scene, Scene shownScene, TrackTarget target, String attribute, int frame) {
         AnimatedScene withShot = addShot(scene);
         SceneAttribute<?, ?> keyable = target.attribute(shownScene, attribute).<SceneAttribute<?, ?>>map(a -> a)
-                .orElseThrow(() -> new IllegalArgumentException(Messages.tr("{0} has no keys", attribute)));
+                .orElseThrow(() -> new IllegalArgumentException(Messages.tr("{0} has no keyframes", attribute)));
         var key = new Keyframe(frame, target.value(shownScene, attribute),
                 keyable.kind().keyframeSupport() == KeyframeSupport.STEPPED ? Interpolation.STEPPED : Interpolation.LINEAR);
         Shot shot = shot(withShot);

@@ -27,7 +27,7 @@ public final class LightEdits {
      * @throws IllegalArgumentException if there is none
      */
     public static Light light(Scene scene, String name) {
-        return scene.light(name).orElseThrow(() -> new IllegalArgumentException(Messages.tr("there is no light {0}", Quote.of(name))));
+        return scene.light(name).orElseThrow(() -> new IllegalArgumentException(Messages.tr("light {0} not found", Quote.of(name))));
     }
 
     /** Any edit of one light that keeps its name. */

@@ -22,7 +22,7 @@ public final class LightGroupEdits {
      */
     static LightGroup lightGroup(Scene scene, String name) {
         return scene.rig().lightGroup(name)
-                .orElseThrow(() -> new IllegalArgumentException(Messages.tr("there is no bank {0}", Quote.of(name))));
+                .orElseThrow(() -> new IllegalArgumentException(Messages.tr("light group {0} not found", Quote.of(name))));
     }
 
     /** Puts a light into a bank, out of the one that it was in. */

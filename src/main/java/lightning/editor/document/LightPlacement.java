@@ -73,14 +73,14 @@ public record LightPlacement(Light startLight, Goal goal, double distance) {
             case Goal.Rim() -> {
                 Vec3 tangent = view.minus(normal.times(view.dot(normal)));
                 if (!(tangent.length() >= MIN_RIM_SINE)) {
-                    throw new IllegalArgumentException(Messages.tr("the surface faces the eye there; a rim is where it turns away"));
+                    throw new IllegalArgumentException(Messages.tr("the surface faces the camera here; a rim light needs a silhouette"));
                 }
                 yield placeAlong(point, tangent.normalized(), distance);
             }
             case Goal.Shadow(Vec3 thrower) -> {
                 Vec3 toOccluder = thrower.minus(point);
                 if (!(toOccluder.maxAbs() >= MIN_DISTANCE)) {
-                    throw new IllegalArgumentException(Messages.tr("the shadow falls on what throws it"));
+                    throw new IllegalArgumentException(Messages.tr("the shadow falls on its own caster"));
                 }
                 yield placeAlong(point, toOccluder.normalized(), distance > toOccluder.length() ? distance : 2 * toOccluder.length());
             }
@@ -110,7 +110,7 @@ public record LightPlacement(Light startLight, Goal goal, double distance) {
         });
         Vec3 direction = point.minus(startLight.position());
         if (!(direction.maxAbs() >= 1e-12)) {
-            throw new IllegalArgumentException(Messages.tr("the light stands at the point that it should aim at"));
+            throw new IllegalArgumentException(Messages.tr("the target is at the light's position"));
         }
         return startLight.withDirection(direction);
     }

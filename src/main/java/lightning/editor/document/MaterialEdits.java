@@ -32,7 +32,7 @@ public final class MaterialEdits {
     private static Material material(Scene scene, String name) {
         Material material = scene.materialsByName().get(name);
         if (material == null) {
-            throw new IllegalArgumentException(Messages.tr("there is no material {0}", Quote.of(name)));
+            throw new IllegalArgumentException(Messages.tr("material {0} not found", Quote.of(name)));
         }
         return material;
     }

@@ -24,7 +24,7 @@ public final class NodeEdits {
 
     private static SceneNode node(Scene scene, String name) {
         return scene.stage().node(name)
-                .orElseThrow(() -> new IllegalArgumentException(Messages.tr("there is no shape {0}", Quote.of(name))));
+                .orElseThrow(() -> new IllegalArgumentException(Messages.tr("object {0} not found", Quote.of(name))));
     }
 
     /** Any edit of one shape or group that keeps its name. */

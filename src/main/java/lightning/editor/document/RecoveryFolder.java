@@ -70,7 +70,7 @@ public final class RecoveryFolder {
         byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
         if (bytes.length > JenLimits.FILE_BYTES) {
             throw new IOException(Quote.path(file) + ": "
-                    + Messages.tr("the text of a scene may have at most {0} bytes, found {1}", JenLimits.FILE_BYTES, bytes.length));
+                    + Messages.tr("expected at most {0} bytes of scene text, found {1}", JenLimits.FILE_BYTES, bytes.length));
         }
         AtomicFile.of(recoveryFile(file)).forOwnerOnly().write((AtomicFile.Content) out -> {
             out.write(header);

@@ -45,7 +45,7 @@ record SaveRequest(SavedScene source, AnimatedScene content, Path target, Set<Ov
         try {
             JenReader.read(text.text(), target.toString(), target.toAbsolutePath().getParent());
         } catch (JenException e) {
-            throw new IOException(Messages.tr("the scene cannot be read from there: {0}", e.problems().getFirst()), e);
+            throw new IOException(Messages.tr("the saved scene cannot be read: {0}", e.problems().getFirst()), e);
         }
         Set<OverwriteConfirmation> allAllowed = EnumSet.of(OverwriteConfirmation.OVERWRITE_CHANGED);
         allAllowed.addAll(allowed);

@@ -12,7 +12,7 @@ import lightning.base.text.Messages;
 public record Viewport(double width, double height) {
     public Viewport {
         if (!(width >= 1 && height >= 1)) {
-            throw new IllegalArgumentException(Messages.tr("a canvas is at least 1 × 1 pixel, was {0} × {1}", width, height));
+            throw new IllegalArgumentException(Messages.tr("expected a canvas of at least 1 × 1 pixel, found {0} × {1}", width, height));
         }
     }
 

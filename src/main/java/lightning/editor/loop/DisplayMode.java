@@ -39,7 +39,7 @@ public record DisplayMode(Optional<String> light, ViewEffects effects) {
             }
         }
         if (!effects.litTextures()) {
-            parts.add(Messages.tr("glowing textures"));
+            parts.add(Messages.tr("self-illuminated textures"));
         }
         String text = String.join(", ", parts);
         return text.isEmpty() ? "" : Character.toUpperCase(text.charAt(0)) + text.substring(1);

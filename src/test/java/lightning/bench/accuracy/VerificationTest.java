@@ -74,7 +74,7 @@ class VerificationTest {
     @Test
     void text_statesBoundAndStaleMirrors() {
         assertThat(guarantee(STUDIO, STUDIO, 0).text()).isEqualTo("exact");
-        assertThat(guarantee(DIM, STUDIO, 0).text()).isEqualTo("exact, reflections of an older light");
+        assertThat(guarantee(DIM, STUDIO, 0).text()).isEqualTo("exact, reflections out of date");
         assertThat(guarantee(DIM, DIM, 1.21e-6).text()).as("never less than it is").isEqualTo("off by at most 1.3e-06");
         Scene renamed = STUDIO.withLights(List.of(KEY.withName("rim")));
         assertThat(guarantee(renamed, STUDIO, 0).text()).as("no picture tells").isEqualTo("exact");
@@ -90,8 +90,8 @@ class VerificationTest {
             UpdateResult update = renderer.render(DIM, Progress.NONE);
             Verification verification = verify(AccuracyGuarantee.of(renderer, update), renderer.film());
             assertThat(verification.hasPassed()).isTrue();
-            assertThat(verification.text()).startsWith("Verified: ").contains("whose mirrors show an older light",
-                    "would change with current mirrors");
+            assertThat(verification.text()).startsWith("Verified: ").contains("with outdated reflections",
+                    "would change with current reflections");
             assertThat(verification.full().hasSameBits(new ReferenceTracer(DIM).trace())).isTrue();
             assertThat(verification.currentDifference().pixels()).isPositive();
         }
@@ -115,7 +115,7 @@ class VerificationTest {
         Film film = new ReferenceTracer(STUDIO).trace();
         assertThat(verify(guarantee(STUDIO, STUDIO, 0), film).text()).isEqualTo("Verified: equal to a full trace in every bit");
         assertThat(verify(guarantee(STUDIO, STUDIO, 0.5), withError(film)).text())
-                .isEqualTo("Verified: 1 value in 1 pixel differs from a full trace, by at most 2.5e-01 where 5.0e-01 is promised");
+                .isEqualTo("Verified: 1 value in 1 pixel differs from a full trace by at most 2.5e-01 (expected: at most 5.0e-01)");
     }
 
     @Test
@@ -124,10 +124,10 @@ class VerificationTest {
         Verification broken = verify(guarantee(STUDIO, STUDIO, 0), film);
         assertThat(broken.hasPassed()).isFalse();
         assertThat(broken.text())
-                .isEqualTo("NOT KEPT: 1 value in 1 pixel differs from a full trace, by at most 2.5e-01 where no bit may differ");
+                .isEqualTo("Verification failed: 1 value in 1 pixel differs from a full trace by at most 2.5e-01 (expected: no difference)");
         assertThatThrownBy(() -> GuaranteeViolation.require(broken, AccuracySetting.EXACT)).isInstanceOf(GuaranteeViolation.class)
-                .hasMessage("grade exact: " + broken.text() + "; not measured");
-        assertThat(verify(guarantee(STUDIO, STUDIO, 0.2), film).text()).startsWith("NOT KEPT: ").endsWith("where 2.0e-01 is promised");
+                .hasMessage("accuracy setting exact: " + broken.text() + "; not measured");
+        assertThat(verify(guarantee(STUDIO, STUDIO, 0.2), film).text()).startsWith("Verification failed: ").endsWith("(expected: at most 2.0e-01)");
         assertThatCode(() -> GuaranteeViolation.require(verify(guarantee(STUDIO, STUDIO, 0.3), film), AccuracySetting.RATIO))
                 .doesNotThrowAnyException();
     }

@@ -185,8 +185,8 @@ class EditHistoryTest {
     void lightWithoutEdits_hasNothingToUndo() {
         set(DeskScene.parameter("intensity"), "key", 2);
         assertThat(history.undoLabel(history.id("fill"))).isEmpty();
-        assertThat(history.undoLight(history.id("fill")).refusal()).contains("there is nothing to undo of this light");
-        assertThat(history.redoLight(history.id("key")).refusal()).contains("there is nothing to redo of this light");
+        assertThat(history.undoLight(history.id("fill")).refusal()).contains("nothing to undo for this light");
+        assertThat(history.redoLight(history.id("key")).refusal()).contains("nothing to redo for this light");
     }
 
     @Test

@@ -96,7 +96,7 @@ class LightPlacementTest {
     void rimOnSurfaceFacingEye_isRefused() {
         var at = new ScenePicker.SurfaceHit("ball", new Vec3(0, 1, 1), new Vec3(0, 0, 1), new Vec3(0, 1, 9));
         assertThatThrownBy(() -> LightPlacement.start(DeskScene.light(scene, "fill"), new LightPlacement.Goal.Rim(), at.point()).place(at))
-                .hasMessage("the surface faces the eye there; a rim is where it turns away");
+                .hasMessage("the surface faces the camera here; a rim light needs a silhouette");
     }
 
     @Test
@@ -112,7 +112,7 @@ class LightPlacementTest {
         var at = new ScenePicker.SurfaceHit("ball", Vec3.ZERO, Vec3.Y, new Vec3(0, 0, 9));
         assertThatThrownBy(
                 () -> LightPlacement.start(DeskScene.light(scene, "key"), new LightPlacement.Goal.Shadow(Vec3.ZERO), Vec3.ZERO).place(at))
-                .hasMessage("the shadow falls on what throws it");
+                .hasMessage("the shadow falls on its own caster");
     }
 
     @Test

@@ -58,8 +58,8 @@ class NodeEditsTest {
 
     @Test
     void editOfMissingShape_isRefused() {
-        assertThat(NodeEdits.setVisible(scene(), "ball", false).refusal()).contains("there is no shape 'ball'");
-        assertThat(NodeEdits.delete(scene(), "ball").refusal()).contains("there is no shape 'ball'");
+        assertThat(NodeEdits.setVisible(scene(), "ball", false).refusal()).contains("object 'ball' not found");
+        assertThat(NodeEdits.delete(scene(), "ball").refusal()).contains("object 'ball' not found");
     }
 
     @Test

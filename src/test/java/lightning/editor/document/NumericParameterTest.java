@@ -84,8 +84,8 @@ class NumericParameterTest {
 
     @Test
     void unknownLight_isRefused() {
-        assertThat(DeskScene.parameter("intensity").set(scene, "nobody", 1).refusal()).contains("there is no light 'nobody'");
-        assertThat(DeskScene.parameter("intensity").step(scene, "nobody", 1).refusal()).contains("there is no light 'nobody'");
+        assertThat(DeskScene.parameter("intensity").set(scene, "nobody", 1).refusal()).contains("light 'nobody' not found");
+        assertThat(DeskScene.parameter("intensity").step(scene, "nobody", 1).refusal()).contains("light 'nobody' not found");
     }
 
     @Test

@@ -128,7 +128,7 @@ class OpenDocumentTest {
         OpenDocument open = OpenDocument.open(textured);
         Path away = folder.resolve("away.jen");
         assertThatIOException().isThrownBy(() -> TestSaves.saveAs(open, away))
-                .withMessageStartingWith("the scene cannot be read from there: ").withMessageContaining("wood.png");
+                .withMessageStartingWith("the saved scene cannot be read: ").withMessageContaining("wood.png");
         assertThat(open.file()).isEqualTo(textured);
         assertThat(away).doesNotExist();
     }

@@ -128,7 +128,7 @@ class RecoveryFolderTest {
         recovery.store(folder.resolve("a.jen"), "older");
         String text = "x".repeat(JenLimits.FILE_BYTES + 1);
         assertThatIOException().isThrownBy(() -> recovery.store(folder.resolve("a.jen"), text))
-                .withMessage(folder.resolve("a.jen") + ": the text of a scene may have at most 268435456 bytes, found 268435457");
+                .withMessage(folder.resolve("a.jen") + ": expected at most 268435456 bytes of scene text, found 268435457");
         assertThat(new RecoveryFolder(recoveryFile()).list()).extracting(RecoveryFolder.RecoverableScene::text).containsExactly("older");
     }
 

@@ -157,7 +157,7 @@ class WorkbenchTest {
     @Test
     void undoAndRedoOfTheSelectedLight_areEdits() {
         setIntensity(2);
-        assertThat(workbench.undoLight()).contains("there is nothing to undo of this light");
+        assertThat(workbench.undoLight()).contains("nothing to undo for this light");
         workbench.selectLight("key");
         assertThat(workbench.undoLight()).isEmpty();
         assertThat(workbench.document().scene()).isEqualTo(DeskScene.scene());
@@ -186,7 +186,7 @@ class WorkbenchTest {
     @Test
     void copiedSettings_arePastedToSelectedLight() {
         workbench.selectLight("fill");
-        assertThat(workbench.pasteSettings()).contains("no settings were copied");
+        assertThat(workbench.pasteSettings()).contains("no settings are copied");
         workbench.selectLight("key");
         workbench.copySettings();
         workbench.selectLight("fill");
@@ -384,6 +384,6 @@ class WorkbenchTest {
         awaitIdle();
         assertThat(shownScene().light("key")).contains(away);
         assertThat(workbench.document().scene()).isEqualTo(DeskScene.scene());
-        assertThat(Command.UNDO.disabledReason(workbench.editorState())).contains("an animation is open; close it first");
+        assertThat(Command.UNDO.disabledReason(workbench.editorState())).contains("close the open animation first");
     }
 }

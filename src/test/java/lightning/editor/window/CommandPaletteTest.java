@@ -49,7 +49,7 @@ class CommandPaletteTest extends EditorFixture {
     @Test
     void disabledCommand_showsReasonAndStaysOpen() {
         find("undo");
-        assertThat(robot.lookup("#palette-about").<Label>query().getText()).contains("Not now: there is nothing to undo.");
+        assertThat(robot.lookup("#palette-about").<Label>query().getText()).contains("Not now: nothing to undo.");
         robot.push(KeyCode.ENTER);
         assertThat(isOpen()).isTrue();
         robot.push(KeyCode.ESCAPE);

@@ -51,17 +51,17 @@ public final class CueFolder {
     /** Why a cue cannot have a name: a clause; empty where it can. */
     public static Optional<String> nameProblem(String name) {
         if (name.isBlank()) {
-            return Optional.of(Messages.tr("a cue needs a name"));
+            return Optional.of(Messages.tr("enter a look name"));
         }
         if (name.length() > MAX_NAME_LENGTH) {
-            return Optional.of(Messages.tr("the name of a cue may have {0} characters, this has {1}", MAX_NAME_LENGTH, name.length()));
+            return Optional.of(Messages.tr("a look name can have at most {0} characters, found {1}", MAX_NAME_LENGTH, name.length()));
         }
         Optional<String> forbidden = name.chars().filter(c -> FORBIDDEN_CHARACTERS.indexOf(c) >= 0 || Character.isISOControl(c)).boxed()
                 .findFirst()
-                .map(c -> Messages.tr("the name of a cue is that of a file, which cannot have {0}", Quote.of(Character.toString(c))));
+                .map(c -> Messages.tr("a look name is a file name and cannot contain {0}", Quote.of(Character.toString(c))));
         return forbidden.or(() -> name.startsWith(".") || name.endsWith(".") || !name.equals(name.strip())
                 ? Optional
-                        .of(Messages.tr("the name of a cue begins and ends with neither a space nor a full stop, {0} does", Quote.of(name)))
+                        .of(Messages.tr("a look name cannot start or end with a space or period, found {0}", Quote.of(name)))
                 : Optional.empty());
     }
 
@@ -118,7 +118,7 @@ public final class CueFolder {
     /** No link leads out of the scene's folder. */
     private void checkInsideSceneFolder(Path file) throws IOException {
         if (!file.toRealPath().startsWith(scene.getParent().toRealPath())) {
-            throw new IOException(Messages.tr("{0}: leads out of the scene's folder", Quote.path(file)));
+            throw new IOException(Messages.tr("{0}: expected a file in the scene's folder", Quote.path(file)));
         }
     }
 
@@ -163,7 +163,7 @@ public final class CueFolder {
         checkInsideSceneFolder(folder);
         for (String extension : List.of(LIGHTS_EXTENSION, PICTURE_EXTENSION)) {
             if (Files.exists(file(to, extension))) {
-                throw new FileAlreadyExistsException(file(to, extension).toString(), null, Messages.tr("is there already"));
+                throw new FileAlreadyExistsException(file(to, extension).toString(), null, Messages.tr("name already in use"));
             }
         }
         if (Files.exists(file(from, PICTURE_EXTENSION))) {
@@ -190,7 +190,7 @@ public final class CueFolder {
     public void restore(String name) throws IOException {
         checkInsideSceneFolder(folder);
         if (has(name)) {
-            throw new FileAlreadyExistsException(file(name, LIGHTS_EXTENSION).toString(), null, Messages.tr("is there already"));
+            throw new FileAlreadyExistsException(file(name, LIGHTS_EXTENSION).toString(), null, Messages.tr("name already in use"));
         }
         for (String extension : List.of(PICTURE_EXTENSION, LIGHTS_EXTENSION)) {
             if (Files.exists(file(name, extension + ".gone"))) {

@@ -62,7 +62,7 @@ public record Lighting(World world, LightRig rig) {
                 extended = LightEdits.add(extended, light.withLightGroup(names.get(light.lightGroup()))).sceneOr(extended);
             }
             if (extended.lights().size() < scene.lights().size() + rig.lights().size()) {
-                throw new IllegalArgumentException(Messages.tr("the scene has no room for {0} lights more", rig.lights().size()));
+                throw new IllegalArgumentException(Messages.tr("the scene has no room for {0} more lights", rig.lights().size()));
             }
             return extended;
         });
