@@ -6,8 +6,8 @@ import java.util.function.Function;
 import lightning.base.text.Messages;
 
 /**
- * Everything that an artist can ask for: its words, its key, and why it has nothing to do now (paper §3.2 to §3.7). All
- * menus, and the buttons that do the same, are made of these; what one does says whoever can do it.
+ * Commands of the editor, with titles, tooltips, shortcuts and reasons for being disabled (paper §3.2 to §3.7). All menus and their buttons
+ * use them; the actions are implemented elsewhere.
  */
 public enum Command {
     NEW_SCENE(Messages.key("New Scene…"), Messages.key("New scene with a ball, a floor and three lights"),
@@ -76,7 +76,8 @@ public enum Command {
             "mdi2i-image-plus", "",
             DisabledReasons.NONE),
 
-    CHOOSE_GOBO(Messages.key("Choose Gobo"), Messages.key("Project an image from the scene's folder with the light (gobo)"), "mdi2p-projector",
+    CHOOSE_GOBO(Messages.key("Choose Gobo"),
+            Messages.key("Project an image from the scene's folder with the light (gobo)"), "mdi2p-projector",
             "",
             DisabledReasons.NONE),
 
@@ -129,7 +130,8 @@ public enum Command {
     DELETE_BANK(Messages.key("Delete Light Group"), Messages.key("Delete the selected light's group and keep its lights"),
             "mdi2t-trash-can-outline", "",
             DisabledReasons.unlessAnimating(DisabledReasons::noLightGroup)),
-    LOOK_THROUGH_LIGHT(Messages.key("Look Through Light"), Messages.key("Show the preview from the selected light, or from the camera again"),
+    LOOK_THROUGH_LIGHT(Messages.key("Look Through Light"),
+            Messages.key("Show the preview from the selected light, or from the camera again"),
             "mdi2e-eye-outline",
             "Shortcut+Shift+T", DisabledReasons::noLight),
     AIM(Messages.key("Aim Light…"), Messages.key("Click a point in the render to aim at, or drag the spot"),
@@ -174,7 +176,8 @@ public enum Command {
     LOAD_RIG(Messages.key("Import Light Rig…"), Messages.key("Replace the scene's lights and light groups with those of a file"),
             "mdi2f-file-import-outline", "",
             DisabledReasons.unlessAnimating()),
-    ADD_RIG(Messages.key("Add Light Rig…"), Messages.key("Add the lights and light groups of a file to the scene"), "mdi2f-file-plus-outline",
+    ADD_RIG(Messages.key("Add Light Rig…"),
+            Messages.key("Add the lights and light groups of a file to the scene"), "mdi2f-file-plus-outline",
             "",
             DisabledReasons.unlessAnimating()),
     SAVE_RIG(Messages.key("Export Light Rig…"), Messages.key("Export the scene's lights, light groups and environment to a file"),
@@ -327,7 +330,8 @@ public enum Command {
             "mdi2c-console-line",
             "Shortcut+Shift+P",
             DisabledReasons.NONE),
-    KEYS(Messages.key("Mouse and Keyboard"), Messages.key("Show mouse actions and keyboard shortcuts, and change shortcuts"), "mdi2k-keyboard-outline",
+    KEYS(Messages.key("Mouse and Keyboard"),
+            Messages.key("Show mouse actions and keyboard shortcuts, and change shortcuts"), "mdi2k-keyboard-outline",
             "F1",
             DisabledReasons.NONE),
     ABOUT(Messages.key("About Lightning"), Messages.key("Show version and license"), "mdi2i-information-outline", "", DisabledReasons.NONE);
@@ -353,47 +357,47 @@ public enum Command {
         this.subject = subject;
     }
 
-    /** As menus have it; it ends in … where something is asked first. */
+    /** Returns the menu title; it ends in … if the command opens a dialog. */
     public String title() {
         return Messages.tr(title);
     }
 
-    /** The title, and what it would act on where that changes: {@code Undo (intensity of key)}. */
+    /** Returns the title with the command's current subject, if any: {@code Undo (intensity of key)}. */
     public String title(EditorState s) {
         return title() + subject.apply(s).map(what -> " (" + what + ")").orElse("");
     }
 
-    /** The title as buttons and tables have it, without the dots. */
+    /** Returns the title for buttons and tables, without the dots. */
     public String plainTitle() {
         return title().replace("…", "");
     }
 
-    /** What it does, a sentence without a full stop. */
+    /** Returns the tooltip, one sentence without a period. */
     public String help() {
         return Messages.tr(help);
     }
 
-    /** The icon's name in the set of Material Design. */
+    /** Returns the icon's name in the Material Design set. */
     public String icon() {
         return icon;
     }
 
-    /** The key as the window toolkit reads it, {@code Shortcut+Shift+Z}; empty where there is none. */
+    /** Returns the default shortcut in JavaFX notation, {@code Shortcut+Shift+Z}; empty if none. */
     public String shortcut() {
         return shortcut;
     }
 
-    /** How the parts of a window that show it are called: {@code go} for {@code GO}, {@code save-scene} for {@code SAVE_SCENE}. */
+    /** Returns the id of the command's controls: {@code go} for {@code GO}, {@code save-scene} for {@code SAVE_SCENE}. */
     public String id() {
         return name().toLowerCase(Locale.ROOT).replace('_', '-');
     }
 
-    /** Whether the command has something to do. */
+    /** Tests if the command is enabled. */
     public boolean isEnabled(EditorState s) {
         return disabledReason(s).isEmpty();
     }
 
-    /** Why the command is disabled: a clause without a full stop; empty if it is enabled. */
+    /** Returns the reason why the command is disabled, a clause without a period; empty if it is enabled. */
     public Optional<String> disabledReason(EditorState s) {
         return disabledReason.apply(s);
     }

@@ -8,21 +8,21 @@ import lightning.scene.SceneLimits;
 import lightning.scene.VisibleState;
 import lightning.scene.shot.TrackTarget;
 
-/** Why commands have nothing to do: each a clause without a full stop, or empty where nothing is in the way. */
+/** Reasons why commands are disabled: each a clause without a period, or empty if the command is enabled. */
 final class DisabledReasons {
-    /** There is always something to do. */
+    /** Condition of a command that is always enabled. */
     static final Function<EditorState, Optional<String>> NONE = _ -> Optional.empty();
 
     private static final String NO_PICTURE = Messages.key("nothing is rendered yet");
 
     private DisabledReasons() {}
 
-    /** Of a command that changes the document, or writes what an animation has changed for a while. */
+    /** Returns the condition of a command that changes the document, or saves state that an open animation changes temporarily. */
     static Function<EditorState, Optional<String>> unlessAnimating() {
         return unlessAnimating(NONE);
     }
 
-    /** The same, with an obstacle of its own. */
+    /** Adds another condition to {@link #unlessAnimating()}. */
     static Function<EditorState, Optional<String>> unlessAnimating(Function<EditorState, Optional<String>> reason) {
         return s -> s.animating() ? Optional.of(Messages.tr("close the open animation first")) : reason.apply(s);
     }
@@ -91,7 +91,8 @@ final class DisabledReasons {
 
     static Optional<String> noLightGroup(EditorState s) {
         return noLight(s)
-                .or(() -> reasonUnless(!s.selectedLight().orElseThrow().lightGroup().isEmpty(), Messages.tr("the light is in no light group")));
+                .or(() -> reasonUnless(!s.selectedLight().orElseThrow().lightGroup().isEmpty(),
+                        Messages.tr("the light is in no light group")));
     }
 
     static Optional<String> noLightOrTooManyGroups(EditorState s) {
