@@ -16,14 +16,14 @@ import tools.jackson.databind.json.JsonMapper;
 import tools.jackson.dataformat.csv.CsvMapper;
 
 /**
- * Results as files: JSON, which holds everything and can be read again, and CSV, a row for each measurement.
+ * Benchmark results as files: lossless JSON that can be read back, and CSV with a row per measurement.
  *
- * <p>In both, numbers that do not exist are the string {@code NaN}, and infinite ones {@code Infinity}.
+ * <p>Missing numbers are the string {@code NaN}, infinite ones {@code Infinity}.
  */
 public final class ResultsFile {
-    /** A line for each property, so that two results can be compared by eye; spaces before it would double the file. */
+    /** One line per property, for readable diffs, without indentation, which would double the file size. */
     private static final DefaultIndenter LINE_INDENTER = new DefaultIndenter("", "\n");
-    /** Results of a full run have some MB. */
+    /** Exceeds the few MB of a full run. */
     private static final long MAX_BYTES = 200_000_000;
     private static final JsonMapper JSON = JsonMapper.builder()
             .disable(MapperFeature.SORT_PROPERTIES_ALPHABETICALLY)
@@ -49,7 +49,7 @@ public final class ResultsFile {
     /**
      * Reads results that {@link #writeJson} wrote.
      *
-     * @throws IOException if the file cannot be read, or holds no results; the message says where and why
+     * @throws IOException if the file cannot be read or is invalid; the message has position and reason
      */
     public static BenchResults readJson(Path file) throws IOException {
         if (Files.exists(file) && !Files.isRegularFile(file)) {
@@ -69,7 +69,7 @@ public final class ResultsFile {
     }
 
     /**
-     * Writes a row for each measurement as CSV, with a line of column names.
+     * Writes a row per measurement as CSV, with a line of column names.
      *
      * @throws IOException if the file cannot be written
      */

@@ -14,7 +14,7 @@ import lightning.scene.SceneLimits;
 import lightning.scene.effects.RenderEffect;
 import lightning.scene.effects.ViewEffects;
 
-/** The grades of accuracy, each a way to show an edit, from the roughest to the full trace. */
+/** Accuracy settings, each a method to show an edit, from the roughest to the full trace. */
 public enum AccuracySetting {
     HALF_RESOLUTION("half resolution", "exact re-render with reflections at half the width and height, each pixel enlarged to "
             + "its nearest ones"),
@@ -30,10 +30,10 @@ public enum AccuracySetting {
     EXACT_CURRENT("exact, mirrors current", "bit-identical to a full trace with current reflections, in one step"),
     FULL_TRACE("full trace", "traditional trace without a cache: the reference");
 
-    /** What the program shows unless it is told otherwise: headlines are about this grade. */
+    /** Default setting of the program, used for headline results. */
     public static final AccuracySetting DEFAULT = EXACT_CURRENT;
 
-    /** The lights' samples of the grade that has few. */
+    /** Number of light samples of the setting with few samples. */
     private static final int REDUCED_LIGHT_SAMPLES = SceneLimits.MIN_LIGHT_SAMPLES;
 
     private final String label;
@@ -44,7 +44,7 @@ public enum AccuracySetting {
         this.description = note;
     }
 
-    /** Whether it is another than its neighbors for edits of a scene. */
+    /** Tests if the setting differs from its neighbors for edits of a scene. */
     boolean appliesTo(Scene scene) {
         return switch (this) {
             case FEW_SAMPLES -> scene.lights().stream().anyMatch(Light::isArea);
@@ -53,7 +53,7 @@ public enum AccuracySetting {
         };
     }
 
-    /** The scene that it renders for one that is wanted. */
+    /** Returns the scene that the setting renders for a requested one. */
     Scene sceneFor(Scene scene) {
         PictureSettings p = scene.picture();
         return switch (this) {
@@ -65,7 +65,7 @@ public enum AccuracySetting {
         };
     }
 
-    /** How it renders. */
+    /** Returns the render options of the setting. */
     RenderOptions options() {
         RenderOptions exact = RenderOptions.DEFAULT.withAccuracy(Accuracy.EXACT).withEngines(Engines.FASTEST);
         return switch (this) {
@@ -78,17 +78,17 @@ public enum AccuracySetting {
         };
     }
 
-    /** Whether its edits start from what grade exact keeps. */
+    /** Tests if its edits start from the cache of setting exact. */
     boolean startsFromExact() {
         return this == EXACT_UPDATED || this == EXACT_CURRENT;
     }
 
-    /** A few words, for a table. */
+    /** Returns a short label for tables. */
     public String label() {
         return label;
     }
 
-    /** What it does, in a line. */
+    /** Returns a description, one line. */
     public String description() {
         return description;
     }

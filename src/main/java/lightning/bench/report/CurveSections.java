@@ -13,11 +13,11 @@ import lightning.bench.GrowthCurve;
 import lightning.bench.GrowthPoint;
 import lightning.render.relight.plan.Accuracy;
 
-/** What becomes of pictures after many edits, and how times grow. */
+/** Report sections of image drift and growth of times. */
 final class CurveSections {
     private static final int WIDTH = 560;
     private static final int HEIGHT = 320;
-    /** Where there are many edits: one of each kind of update. */
+    /** Edits to highlight among many: one per kind of update. */
     private static final List<String> TYPICAL_EDITS = List.of("color", "position", "attenuation", "angle-larger", "add",
             "mirrors updated after position");
 
@@ -80,7 +80,7 @@ final class CurveSections {
         return growth.points().stream().flatMap(p -> p.edits().stream()).map(GrowthPoint.EditTime::edit).distinct();
     }
 
-    /** The chart of one curve. */
+    /** Returns the chart of one curve. */
     static String growth(GrowthCurve growth) {
         List<CurveChart.Curve> curves = new ArrayList<>();
         curves.add(new CurveChart.Curve("full trace", PlotColor.TEXT, false,
@@ -97,7 +97,7 @@ final class CurveSections {
         return CurveChart.svg("Time against " + growth.along(), curves, WIDTH, HEIGHT, NumberText::tick, NumberText::tick);
     }
 
-    /** Those that a chart can show. */
+    /** Returns the points that a chart can show. */
     private static List<double[]> points(Stream<double[]> points) {
         return points.filter(p -> ChartRange.isPlausibleOrZero(p[0]) && ChartRange.isPlausibleOrZero(p[1])).toList();
     }

@@ -10,9 +10,9 @@ import lightning.bench.ValueResult;
 import lightning.bench.accuracy.AccuracySetting;
 import lightning.bench.accuracy.PictureError;
 
-/** Each edit by itself: its pictures to wipe between, its grades, its error against time. */
+/** Report section of single edits: images with a wipe comparison, accuracy settings, error against time. */
 final class EditPictureSection {
-    /** A picture with the words for it. */
+    /** Image with its label. */
     private record LabeledPicture(String name, String style, AccuracySetting setting) {}
 
     private EditPictureSection() {}
@@ -67,7 +67,7 @@ final class EditPictureSection {
         return defaultIndex;
     }
 
-    /** For the screen. */
+    /** Writes controls for the screen. */
     private static void wipeControls(HtmlWriter page, List<LabeledPicture> pictures, List<LabeledPicture> differences, int after,
             String aspectRatio) {
         page.open("div", "class", "wipe");
@@ -113,7 +113,7 @@ final class EditPictureSection {
         page.close();
     }
 
-    /** For paper, and where no script runs: the same side by side. */
+    /** Writes images side by side, for print and without scripts. */
     private static void sideBySide(HtmlWriter page, List<LabeledPicture> pictures, List<LabeledPicture> differences, int after,
             String aspectRatio) {
         page.open("div", "class", "side");

@@ -7,7 +7,7 @@ import lightning.bench.SweepPointResult;
 import lightning.bench.UpdateWork;
 import lightning.bench.accuracy.AccuracySetting;
 
-/** The table of a scene's edits: what each did, what it saved, and why not more. */
+/** Table of a scene's edits: work, saving, and its limits. */
 final class EditTable {
     private EditTable() {}
 

@@ -3,7 +3,7 @@ package lightning.bench.report;
 import lightning.bench.BenchResults;
 import lightning.bench.EditingCost;
 
-/** What editing large scenes costs below the editor. */
+/** Table of editing costs in large scenes, without a window. */
 final class EditingTable {
     private EditingTable() {}
 

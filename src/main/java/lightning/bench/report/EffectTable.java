@@ -4,7 +4,7 @@ import java.util.List;
 import lightning.bench.EffectResult;
 import lightning.bench.SceneResult;
 
-/** What each effect of a scene takes, and what it saves that others are absent. */
+/** Table of a scene's effects: costs of used ones, savings from absent ones. */
 final class EffectTable {
     private EffectTable() {}
 

@@ -9,7 +9,7 @@ import lightning.bench.SceneResult;
 import lightning.bench.SweepPointResult;
 import lightning.bench.accuracy.AccuracySetting;
 
-/** The run in four numbers, all of the default grade: a headline that mixes grades would promise what none of them keeps. */
+/** Four key numbers of a run at the default accuracy setting. Mixing settings would be misleading, as no single setting has all of them. */
 final class KeyNumbers {
     private static final String AT_DEFAULT = "at setting " + AccuracySetting.DEFAULT.label() + " (default)";
 

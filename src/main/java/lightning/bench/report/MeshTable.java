@@ -4,7 +4,7 @@ import lightning.bench.BenchResults;
 import lightning.bench.MeshPoint;
 import lightning.bench.RayThroughput;
 
-/** How fast rays are traced against meshes. */
+/** Tables of ray throughput on meshes. */
 final class MeshTable {
     private MeshTable() {}
 

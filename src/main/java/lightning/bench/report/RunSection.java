@@ -7,7 +7,7 @@ import lightning.bench.MachineSpec;
 import lightning.bench.SceneResult;
 import lightning.bench.SystemLoad;
 
-/** The head of the report: what ran where, what went wrong, all scenes at a glance; and its foot: how it was measured. */
+/** Head and foot of the report: machine and settings, failures, overview of all scenes, and method. */
 final class RunSection {
     private RunSection() {}
 
@@ -43,7 +43,7 @@ final class RunSection {
         }
     }
 
-    /** What other work did to the run. */
+    /** Returns a sentence about other work during the run. */
     private static String load(BenchRun run) {
         SystemLoad load = run.load();
         String facts =

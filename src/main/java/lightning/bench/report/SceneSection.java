@@ -9,9 +9,9 @@ import lightning.bench.PeerResult;
 import lightning.bench.SceneResult;
 import lightning.bench.accuracy.AccuracySetting;
 
-/** All that was measured on one scene at one size. */
+/** Report section of one scene at one size. */
 final class SceneSection {
-    /** The paper's first pass and full trace on its scene of four spheres, two cones, four cylinders and a plane, seconds (§4.1). */
+    /** First pass and full trace of the paper on its scene of four spheres, two cones, four cylinders and a plane, seconds (§4.1). */
     private static final double PAPER_FIRST_PASS = 100 * 22.1 / 18.6;
     private static final String PAPER_SCENE = "bird";
 
@@ -66,7 +66,7 @@ final class SceneSection {
                 "tick: limit from ray counts and memory");
     }
 
-    /** The chart of the paper's edits. */
+    /** Returns the chart of the paper's edits. */
     static String shares(SceneResult scene) {
         List<ShareChart.Bar> bars = new ArrayList<>();
         if (scene.firstPass() != null) {
@@ -88,7 +88,7 @@ final class SceneSection {
                 accuracy(summaries));
     }
 
-    /** The chart of error against time. */
+    /** Returns the chart of error against time. */
     static String accuracy(List<AccuracySummary> summaries) {
         return AccuracyChart.svg("Error against time of each accuracy setting", summaries.stream().map(AccuracySummary::point).toList(),
                 550, 330);
@@ -130,7 +130,7 @@ final class SceneSection {
                 + " of its time."), "class", "peer");
     }
 
-    /** A chart with a title, a line that says what its axes are, and a legend of inks and their meanings. */
+    /** Writes a chart with title, axis description, and legend. */
     static void figure(HtmlWriter page, String title, String axes, String chart, Object... legend) {
         page.open("figure").open("figcaption");
         page.element("h3", title).element("p", axes);
