@@ -61,7 +61,7 @@ final class PovRayBench {
         } catch (IOException | InterruptedException | RuntimeException e) {
             throw e;
         } catch (Exception e) {
-            throw new IllegalStateException("a trace throws nothing else", e);
+            throw new IllegalStateException("unexpected exception of a trace", e);
         }
     }
 

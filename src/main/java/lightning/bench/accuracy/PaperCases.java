@@ -132,8 +132,8 @@ public final class PaperCases {
     }
 
     /**
-     * Applies the printed change if the light has the printed value. Otherwise adds two attenuation terms that take effect at one extent
-     * from the light.
+     * Applies the printed change if the light has the printed value. Otherwise increases the linear and quadratic terms, scaled to the
+     * extent of the view.
      */
     private Light attenuated(Light light) {
         Attenuation a = light.attenuation();

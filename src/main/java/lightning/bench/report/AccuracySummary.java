@@ -29,7 +29,8 @@ record AccuracySummary(AccuracySetting setting, List<SweepPointResult> points) {
 
     /** Writes the table of all settings with their descriptions. */
     static void table(HtmlWriter page, List<AccuracySummary> summaries) {
-        try (HtmlTable table = new HtmlTable(page, null, "Each accuracy setting over all edits: median time, worst error.", "setting", "time", "saves",
+        try (HtmlTable table = new HtmlTable(page, null, "Each accuracy setting over all edits: median time, worst error.",
+                "setting", "time", "saves",
                 "differing values", "max. ulp", "max. difference", "mean difference", "RMSE", "PSNR", "PSNR displayed", "SSIM",
                 "ꟻLIP")) {
             summaries.forEach(summary -> table.row(summary.setting().label(), summary.cells()));

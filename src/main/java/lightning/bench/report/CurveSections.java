@@ -28,7 +28,8 @@ final class CurveSections {
             page.open("section", "id", "drift");
             page.element("h2", "Drift");
             page.element("p", "Error against a full trace after many edits in a row. Setting exact recomputes from the stored rows "
-                    + "each time. Setting ratio multiplies stored values, tracks an error bound, and recomputes before an error is visible.",
+                    + "each time. Setting ratio multiplies stored values, tracks an error bound, and recomputes before an error is "
+                    + "visible.",
                     "class", "lead");
             page.open("div", "class", "charts");
             results.drift().forEach(drift -> drift(page, drift));

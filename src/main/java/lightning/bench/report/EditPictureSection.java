@@ -143,7 +143,8 @@ final class EditPictureSection {
                 240));
         page.element("p", "RMSE against time, ms", "class", "axes").close();
         try (HtmlTable table =
-                new HtmlTable(page, "tight", value.value(), "setting", "time", "saves", "differing values", "max. ulp", "max. difference", "RMSE",
+                new HtmlTable(page, "tight", value.value(), "setting", "time", "saves", "differing values", "max. ulp",
+                        "max. difference", "RMSE",
                         "PSNR", "SSIM", "ꟻLIP")) {
             value.rungs().forEach(point -> row(table, point));
         }

@@ -166,7 +166,7 @@ public final class OpenDocument {
         return diskStatus;
     }
 
-    /** Keeps the open content although another program changed the file; a save still asks for confirmation. */
+    /** Keeps the open content although another program changed the file. A save still requires confirmation. */
     public void ignoreDiskChange() {
         ignoresDiskChange = true;
     }

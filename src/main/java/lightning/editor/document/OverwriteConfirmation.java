@@ -5,7 +5,7 @@ import java.util.Set;
 import lightning.base.file.AtomicFile;
 import lightning.base.file.FileState;
 
-/** Confirmation by the artist of what a save may overwrite. */
+/** Confirmed overwrites of a save. */
 public enum OverwriteConfirmation {
     /** Overwrites changes by another program. */
     OVERWRITE_CHANGED,

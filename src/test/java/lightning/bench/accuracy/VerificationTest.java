@@ -31,7 +31,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
-/** One promise of a picture, and what is said of one that keeps it and of one that does not. */
+/** Tests of a guarantee and the messages of images that satisfy or violate it. */
 class VerificationTest {
     private static final Scene STUDIO = StudioScene.of(LightType.POINT);
     private static final Light KEY = STUDIO.lights().getFirst();
@@ -51,7 +51,7 @@ class VerificationTest {
         }
     }
 
-    /** A picture that is brighter by 0.25 in one value. */
+    /** Returns an image that is brighter by 0.25 in one value. */
     private static Film withError(Film film) {
         Film off = film.copy();
         off.blue(0)[33] += 0.25f;
@@ -75,11 +75,11 @@ class VerificationTest {
     void text_statesBoundAndStaleMirrors() {
         assertThat(guarantee(STUDIO, STUDIO, 0).text()).isEqualTo("exact");
         assertThat(guarantee(DIM, STUDIO, 0).text()).isEqualTo("exact, reflections out of date");
-        assertThat(guarantee(DIM, DIM, 1.21e-6).text()).as("never less than it is").isEqualTo("off by at most 1.3e-06");
+        assertThat(guarantee(DIM, DIM, 1.21e-6).text()).as("rounded up").isEqualTo("off by at most 1.3e-06");
         Scene renamed = STUDIO.withLights(List.of(KEY.withName("rim")));
-        assertThat(guarantee(renamed, STUDIO, 0).text()).as("no picture tells").isEqualTo("exact");
+        assertThat(guarantee(renamed, STUDIO, 0).text()).as("not visible in the image").isEqualTo("exact");
         Scene matt = DIM.withPicture(DIM.picture().withDepth(0));
-        assertThat(guarantee(matt, STUDIO.withPicture(matt.picture()), 0).text()).as("there are no mirrors").isEqualTo("exact");
+        assertThat(guarantee(matt, STUDIO.withPicture(matt.picture()), 0).text()).as("no mirrors").isEqualTo("exact");
     }
 
     @ParameterizedTest
@@ -127,12 +127,13 @@ class VerificationTest {
                 .isEqualTo("Verification failed: 1 value in 1 pixel differs from a full trace by at most 2.5e-01 (expected: no difference)");
         assertThatThrownBy(() -> GuaranteeViolation.require(broken, AccuracySetting.EXACT)).isInstanceOf(GuaranteeViolation.class)
                 .hasMessage("accuracy setting exact: " + broken.text() + "; not measured");
-        assertThat(verify(guarantee(STUDIO, STUDIO, 0.2), film).text()).startsWith("Verification failed: ").endsWith("(expected: at most 2.0e-01)");
+        assertThat(verify(guarantee(STUDIO, STUDIO, 0.2), film).text()).startsWith("Verification failed: ")
+                .endsWith("(expected: at most 2.0e-01)");
         assertThatCode(() -> GuaranteeViolation.require(verify(guarantee(STUDIO, STUDIO, 0.3), film), AccuracySetting.RATIO))
                 .doesNotThrowAnyException();
     }
 
-    /** The boxes of the renderer's tree hold nothing any more: a trace over the same tree sees as little as the picture. */
+    /** Empties the boxes of the renderer's BVH: a trace with the same BVH would be as wrong as the image. */
     @Test
     void wrongBvh_isDetected() throws ReflectiveOperationException {
         try (Renderer renderer = renderer(Accuracy.EXACT, ReflectionMode.CURRENT); WorkerPool workers = new WorkerPool(1)) {

@@ -28,7 +28,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Every command is enabled exactly when it has something to do, in a session with real pictures. */
+/** Tests that commands are enabled exactly when applicable, in a session with real images. */
 class CommandTest {
     @TempDir
     private Path folder;

@@ -230,7 +230,7 @@ class EditHistoryTest {
         assertThat(selection.light(history)).map(Light::name).contains("key");
     }
 
-    /** Lights a, b, c: without b, c stands where it stood; without c too, the last does. */
+    /** Deletes b, then c, of lights a, b, c: the selection moves to c at b's index, then to the last light. */
     @Test
     void selectionOfDeletedLight_isItsNeighbor() {
         String second = scene.lights().get(1).name();

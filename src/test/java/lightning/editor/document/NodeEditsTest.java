@@ -53,7 +53,7 @@ class NodeEditsTest {
         assertThat(copy.name()).isEqualTo("g2");
         assertThat(copy.children()).extracting(SceneNode::name).containsExactly("a3", "a4");
         assertThat(copy.placement().position().x()).isPositive();
-        assertThat(copy.children().getFirst().placement()).as("inside, nothing moved").isEqualTo(Placement.IDENTITY);
+        assertThat(copy.children().getFirst().placement()).as("children unmoved").isEqualTo(Placement.IDENTITY);
     }
 
     @Test

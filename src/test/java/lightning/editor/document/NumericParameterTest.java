@@ -27,7 +27,7 @@ import org.junit.jupiter.params.provider.FieldSource;
 class NumericParameterTest {
     private final Scene scene = DeskScene.scene();
 
-    /** What the documents call degrees is typed and shown in degrees, and nothing else is. */
+    /** Checks that exactly the documented degree parameters are entered and shown in degrees. */
     @Test
     void degreeParameters_matchDocumentation() {
         Stream<SceneAttribute<?, ?>> all = Stream.<List<? extends SceneAttribute<?, ?>>>of(LightAttribute.ALL, MaterialAttribute.ALL,
