@@ -123,7 +123,8 @@ class ResultsFileTest {
         Files.writeString(file, "{\"scenes\": []}");
         assertThatThrownBy(() -> ResultsFile.readJson(file)).isInstanceOf(IOException.class).hasMessageContaining("run");
         Files.writeString(file, "");
-        assertThatThrownBy(() -> ResultsFile.readJson(file)).isInstanceOf(IOException.class).hasMessageContaining("expected a results file");
+        assertThatThrownBy(() -> ResultsFile.readJson(file)).isInstanceOf(IOException.class)
+                .hasMessageContaining("expected a results file");
         assertThatThrownBy(() -> ResultsFile.readJson(folder.resolve("none.json"))).isInstanceOf(IOException.class);
     }
 }

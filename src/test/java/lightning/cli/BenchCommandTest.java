@@ -110,7 +110,7 @@ class BenchCommandTest {
         Path stored = Files.copy(old, folder.resolve("old.json"));
         CliResult run = bench(scene, "--figure", 21, "--baseline", stored);
         assertThat(run.exit()).isEqualTo(1);
-        assertThat(run.out()).contains("less accurate: a at 24x16, ambience, ambience 0.5 → 0.05, half resolution: values that differ",
+        assertThat(run.out()).contains("less accurate: a at 24x16, ambience, ambience 0.5 → 0.05, half resolution: differing values",
                 "baseline: 7 measurements compared");
     }
 

@@ -171,7 +171,8 @@ class RelightCommandTest {
         CliResult relit =
                 CliResult.run("relight", file, "-o", picture, "--case", name, "--size", "18x12", "--update-reflections", "--verify",
                         "--no-savings");
-        assertThat(relit.assertSuccess().out()).contains("Verified: equal to a full trace in every bit").doesNotContain("Verification failed");
+        assertThat(relit.assertSuccess().out()).contains("Verified: equal to a full trace in every bit")
+                .doesNotContain("Verification failed");
     }
 
     @Test

@@ -102,6 +102,6 @@ class UpdateSavingMeterTest {
     @Test
     void zeroRepetitions_areRejected() {
         assertThatThrownBy(() -> new UpdateSavingMeter(RenderOptions.DEFAULT, 0)).isInstanceOf(IllegalArgumentException.class)
-                .hasMessage("the number of repetitions must be ≥ 1, was 0");
+                .hasMessage("number of repetitions: expected ≥ 1, found 0");
     }
 }

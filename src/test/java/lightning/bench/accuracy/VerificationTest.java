@@ -124,7 +124,8 @@ class VerificationTest {
         Verification broken = verify(guarantee(STUDIO, STUDIO, 0), film);
         assertThat(broken.hasPassed()).isFalse();
         assertThat(broken.text())
-                .isEqualTo("Verification failed: 1 value in 1 pixel differs from a full trace by at most 2.5e-01 (expected: no difference)");
+                .isEqualTo("Verification failed: 1 value in 1 pixel differs from a full trace by at most 2.5e-01 "
+                        + "(expected: no difference)");
         assertThatThrownBy(() -> GuaranteeViolation.require(broken, AccuracySetting.EXACT)).isInstanceOf(GuaranteeViolation.class)
                 .hasMessage("accuracy setting exact: " + broken.text() + "; not measured");
         assertThat(verify(guarantee(STUDIO, STUDIO, 0.2), film).text()).startsWith("Verification failed: ")
