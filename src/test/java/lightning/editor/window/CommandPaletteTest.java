@@ -58,7 +58,7 @@ class CommandPaletteTest extends EditorFixture {
 
     @Test
     void longReason_isShownInFull() {
-        find("way keys");
+        find("path keyframes");
         Label about = robot.lookup("#palette-about").query();
         assertThat(about.getText()).contains("Not now: ");
         assertThat(about.getHeight()).isGreaterThanOrEqualTo(about.prefHeight(about.getWidth()));
