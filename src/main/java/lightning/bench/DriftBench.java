@@ -32,7 +32,7 @@ final class DriftBench {
         this.seed = seed;
     }
 
-    /** @param editCount  number of edits at the end */
+    /** @param editCount number of edits at the end */
     DriftCurve measure(int editCount, Progress progress) {
         RandomEdits edits = new RandomEdits(seed);
         List<DriftPoint> points = new ArrayList<>();

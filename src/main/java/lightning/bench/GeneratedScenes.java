@@ -31,9 +31,9 @@ final class GeneratedScenes {
     private GeneratedScenes() {}
 
     /**
-     * @param shapes  number of shapes including the floor, ≥ 1
-     * @param lights  number of lights, ≥ 1, alternating point, directional and spot
-     * @param depth   maximum reflection depth
+     * @param shapes number of shapes including the floor, ≥ 1
+     * @param lights number of lights, ≥ 1, alternating point, directional and spot
+     * @param depth  maximum reflection depth
      */
     static Scene of(long seed, PictureSize size, int shapes, int lights, int depth) {
         Random random = new Random(seed);

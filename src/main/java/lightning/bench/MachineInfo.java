@@ -59,7 +59,7 @@ final class MachineInfo {
         }
     }
 
-    /** @param program  jar or class folder of the program */
+    /** @param program jar or class folder of the program */
     static String commit(Path program) {
         Optional<Path> repository = repository(program);
         if (repository.isEmpty()) {

@@ -16,7 +16,7 @@ final class PictureWriter {
 
     private final Path resultsFolder;
 
-    /** @param results  folder of the results */
+    /** @param results folder of the results */
     PictureWriter(Path results) {
         this.resultsFolder = results;
     }

@@ -29,7 +29,7 @@ final class ResultCollector {
             firstPass = cost;
         }
 
-        /** @param file  image before all edits, relative to the results */
+        /** @param file image before all edits, relative to the results */
         void setPictureBefore(String file) {
             pictureBefore = file;
         }

@@ -123,7 +123,7 @@ final class SceneBench implements AutoCloseable {
         collector.addEdit(EditResult.of(values.getFirst(), results));
     }
 
-    /** @param namePrefix  prefix of the image names; null if none are written */
+    /** @param namePrefix prefix of the image names; null if none are written */
     private List<SweepPointResult> results(AccuracySweep sweep, String namePrefix) throws IOException {
         SweepPoint full = sweep.point(AccuracySetting.FULL_TRACE);
         double fullMs = full.time().median();

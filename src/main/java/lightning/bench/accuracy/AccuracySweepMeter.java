@@ -29,9 +29,9 @@ public final class AccuracySweepMeter implements AutoCloseable {
     private PixelCache startCache;
 
     /**
-     * @param threads      number of threads of each setting, ≥ 1
-     * @param repetitions  number of measurements of each setting, ≥ 1
-     * @param maxWarmUpMs  maximum warm-up, milliseconds
+     * @param threads     number of threads of each setting, ≥ 1
+     * @param repetitions number of measurements of each setting, ≥ 1
+     * @param maxWarmUpMs maximum warm-up, milliseconds
      * @throws IllegalArgumentException if {@code threads} or {@code repetitions} is below 1
      */
     public AccuracySweepMeter(int threads, int repetitions, double maxWarmUpMs) {

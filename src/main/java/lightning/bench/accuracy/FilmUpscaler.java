@@ -11,8 +11,8 @@ final class FilmUpscaler {
     private FilmUpscaler() {}
 
     /**
-     * @param width   pixels, ≥ 1
-     * @param height  pixels, ≥ 1
+     * @param width  pixels, ≥ 1
+     * @param height pixels, ≥ 1
      */
     static Film upscale(Film small, int width, int height, WorkerPool workers, Progress progress) {
         int[] columns = sourceIndices(width, small.width());

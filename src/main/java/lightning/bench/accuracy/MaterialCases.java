@@ -34,7 +34,7 @@ final class MaterialCases {
         usedMaterials = scene.placedShapes().stream().map(shape -> shape.material()).distinct().toList();
     }
 
-    /** @param value  0 to {@link PaperCases#VALUES} − 1 */
+    /** @param value 0 to {@link PaperCases#VALUES} − 1 */
     static List<PaperCase> of(Scene scene, int value) {
         var builder = new MaterialCases(scene, value);
         double share = new double[] {0.5, 0.8, 0.25}[value];

@@ -19,7 +19,7 @@ final class ShapeCases {
         this.scene = scene;
     }
 
-    /** @param value  0 to {@link PaperCases#VALUES} − 1 for the first, second or third nearest shape; no cases if there are fewer */
+    /** @param value 0 to {@link PaperCases#VALUES} − 1 for the first, second or third nearest shape; no cases if there are fewer */
     static List<PaperCase> of(Scene scene, int value) {
         var builder = new ShapeCases(scene);
         CameraFraming framing = CameraFraming.of(scene.camera());
@@ -33,7 +33,7 @@ final class ShapeCases {
         return shape.toWorld().transformPoint(Vec3.ZERO);
     }
 
-    /** @param step  distance of the movement */
+    /** @param step distance of the movement */
     private void addEdits(Shape shape, double step) {
         Placement p = shape.placement();
         add("shape-moved", withPlacement(shape, new Placement(p.position().plus(new Vec3(step, 0, 0)), p.rotation(), p.scale())));

@@ -11,7 +11,7 @@ public final class BumpySphere {
 
     private BumpySphere() {}
 
-    /** @param triangles  at least 12; the result has up to about √triangles·7 more or fewer */
+    /** @param triangles at least 12; the result has up to about √triangles·7 more or fewer */
     public static Mesh of(int triangles) {
         int n = Math.max(1, (int) Math.round(Math.sqrt(triangles / 12.0)));
         int grid = (n + 1) * (n + 1);

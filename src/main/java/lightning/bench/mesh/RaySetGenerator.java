@@ -20,7 +20,7 @@ public final class RaySetGenerator {
     private final float[][] mirroredRays = new float[6][];
     private final int hitCount;
 
-    /** @param width  width of the image and, with {@code height}, a multiple of 8 */
+    /** @param width width of the image and, with {@code height}, a multiple of 8 */
     public RaySetGenerator(MeshSolid solid, int width, int height) {
         mesh = solid.mesh();
         eyeRays = eyeRays(width, height);

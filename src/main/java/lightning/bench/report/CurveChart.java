@@ -23,8 +23,8 @@ final class CurveChart {
     private CurveChart() {}
 
     /**
-     * @param xLabel  label of a horizontal tick
-     * @param yLabel  label of a vertical tick
+     * @param xLabel label of a horizontal tick
+     * @param yLabel label of a vertical tick
      */
     static String svg(String label, List<Curve> all, int width, int height, DoubleFunction<String> xLabel, DoubleFunction<String> yLabel) {
         List<Curve> curves = all.stream().filter(c -> !c.points.isEmpty()).toList();

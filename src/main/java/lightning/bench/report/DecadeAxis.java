@@ -22,9 +22,9 @@ final class DecadeAxis extends LogAxis {
     private final double high;
 
     /**
-     * @param low    lower end, > 0
-     * @param high   upper end, > {@code low}
-     * @param label  formats a tick
+     * @param low   lower end, > 0
+     * @param high  upper end, > {@code low}
+     * @param label formats a tick
      */
     DecadeAxis(double low, double high, DoubleFunction<String> label) {
         this.label = label;

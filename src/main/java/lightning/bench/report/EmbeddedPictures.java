@@ -32,7 +32,7 @@ final class EmbeddedPictures {
     private final Map<String, String> byFile = new HashMap<>();
     private final Map<String, String> byContent = new LinkedHashMap<>();
 
-    /** @param folder  base folder of image names */
+    /** @param folder base folder of image names */
     EmbeddedPictures(Path folder) {
         this.folder = folder;
     }

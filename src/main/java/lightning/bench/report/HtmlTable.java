@@ -4,7 +4,7 @@ package lightning.bench.report;
 final class HtmlTable implements AutoCloseable {
     private final HtmlWriter page;
 
-    /** @param style  style sheet class, or null */
+    /** @param style style sheet class, or null */
     HtmlTable(HtmlWriter page, String style, String caption, String... columns) {
         this.page = page;
         page.open("div", "class", "wide").open("table", "class", style);

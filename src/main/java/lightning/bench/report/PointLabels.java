@@ -27,7 +27,7 @@ final class PointLabels extends AbstractXYAnnotation {
 
     private final transient List<Label> labels = new ArrayList<>();
 
-    /** @param isRightOfPoint  whether labels are right of points, where lines end; otherwise above and below, clear of whiskers */
+    /** @param isRightOfPoint whether labels are right of points, where lines end; otherwise above and below, clear of whiskers */
     PointLabels(boolean isRightOfPoint) {
         this.isRightOfPoint = isRightOfPoint;
     }

@@ -32,9 +32,9 @@ public final class ReportStatements {
     private final Map<String, Supplier<String>> statements = new LinkedHashMap<>();
 
     /**
-     * @param figures  results of edits
-     * @param cold     results of cold-start processes
-     * @param meshes   results of ray throughput on meshes
+     * @param figures results of edits
+     * @param cold    results of cold-start processes
+     * @param meshes  results of ray throughput on meshes
      */
     public ReportStatements(BenchResults figures, BenchResults cold, BenchResults meshes) {
         scenes = figures.scenes().stream().filter(s -> s.firstPass() != null && !s.edits().isEmpty()).toList();

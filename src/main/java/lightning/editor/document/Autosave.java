@@ -28,7 +28,7 @@ public final class Autosave implements AutoCloseable {
 
     private record PendingSave(Path file, JenDocument saved, AnimatedScene content) {}
 
-    /** @param failureListener  receives, on the autosave thread, any failure to save */
+    /** @param failureListener receives, on the autosave thread, any failure to save */
     public Autosave(RecoveryFolder recovery, Duration delay, Consumer<Throwable> failureListener) {
         this.recovery = recovery;
         this.delay = delay;

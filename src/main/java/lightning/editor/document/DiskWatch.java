@@ -27,8 +27,8 @@ public final class DiskWatch implements AutoCloseable {
     private Path registeredFile;
 
     /**
-     * @param openScenes  registry of the scenes in all editors; closed with the watch
-     * @param listener    receives, on the watch thread, the first state of a file and every change
+     * @param openScenes registry of the scenes in all editors; closed with the watch
+     * @param listener   receives, on the watch thread, the first state of a file and every change
      */
     public DiskWatch(OpenSceneRegistry openScenes, Duration period, Consumer<DiskStatus> listener) {
         this.openScenes = openScenes;

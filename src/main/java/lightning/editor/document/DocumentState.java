@@ -19,7 +19,7 @@ import lightning.scene.shot.TrackTarget;
  * Scene with numbered lights, whose numbers survive renames, and a history per light. Immutable, so that undoing a document step also
  * restores the lights' histories.
  *
- * @param ids  number of each light of the scene
+ * @param ids number of each light of the scene
  */
 record DocumentState(AnimatedScene content, List<Long> ids, Map<Long, LightHistory> lightHistories) {
     DocumentState {

@@ -16,21 +16,21 @@ import lightning.scene.shot.TrackTarget;
 /**
  * State of the editor that determines which commands are enabled.
  *
- * @param scene             scene of the document
- * @param frame             traced image; empty before the first
- * @param sceneInProgress   scene that is being rendered; empty if none
- * @param verifying         whether a verification is running
- * @param selectedLight     selected light
- * @param selectedNode      selected shape or group; empty if a light is selected
- * @param undoLabel         label of the step that undo reverts; {@code redoLabel} and the two of the selected light correspond
- * @param dirty             whether there are unsaved edits
- * @param changedOnDisk     whether another program changed the file
- * @param copiedLight       light whose settings were copied
- * @param animating         whether an animation is open
- * @param reading           whether a scene file is being read
- * @param shotFrame         displayed frame; empty if the scene has no shot
- * @param selectedKeyCount  number of selected keyframes
- * @param motionRecorded    whether the open animation has a path
+ * @param scene            scene of the document
+ * @param frame            traced image; empty before the first
+ * @param sceneInProgress  scene that is being rendered; empty if none
+ * @param verifying        whether a verification is running
+ * @param selectedLight    selected light
+ * @param selectedNode     selected shape or group; empty if a light is selected
+ * @param undoLabel        label of the step that undo reverts; {@code redoLabel} and the two of the selected light correspond
+ * @param dirty            whether there are unsaved edits
+ * @param changedOnDisk    whether another program changed the file
+ * @param copiedLight      light whose settings were copied
+ * @param animating        whether an animation is open
+ * @param reading          whether a scene file is being read
+ * @param shotFrame        displayed frame; empty if the scene has no shot
+ * @param selectedKeyCount number of selected keyframes
+ * @param motionRecorded   whether the open animation has a path
  */
 @RecordBuilder
 public record EditorState(Scene scene, Optional<Frame> frame, Optional<Scene> sceneInProgress,

@@ -16,7 +16,7 @@ public final class FileThread implements Executor, AutoCloseable {
     private final Executor windowExecutor;
     private final ExecutorService thread = DedicatedThread.sequentialExecutor("lightning-files");
 
-    /** @param window  runs tasks in order on the window's thread */
+    /** @param window runs tasks in order on the window's thread */
     public FileThread(Executor window) {
         this.windowExecutor = window;
     }

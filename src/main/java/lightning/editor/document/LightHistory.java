@@ -13,7 +13,7 @@ import lightning.scene.shot.Track;
 record LightHistory(Entry past, Entry future) {
     static final LightHistory EMPTY = new LightHistory(null, null);
 
-    /** @param keys  keyframe tracks of the light */
+    /** @param keys keyframe tracks of the light */
     record Entry(Light light, List<Track> keys, Entry next) {}
 
     LightHistory afterEdit(Light previous, List<Track> keys) {

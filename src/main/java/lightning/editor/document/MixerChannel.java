@@ -14,10 +14,10 @@ import lightning.scene.SceneLimits;
 
 /** Channel of the light mixer: a light, a light group, or the environment. */
 public sealed interface MixerChannel {
-    /** @param name  name of a light of the scene */
+    /** @param name name of a light of the scene */
     record OfLight(String name) implements MixerChannel {}
 
-    /** @param name  name of a light group of the scene */
+    /** @param name name of a light group of the scene */
     record OfLightGroup(String name) implements MixerChannel {}
 
     /** Channel of the environment's light. */

@@ -34,7 +34,7 @@ public final class OpenSceneRegistry implements AutoCloseable {
     private final Path ownFile;
     private FileChannel channel;
 
-    /** @param folder  dedicated folder, created when the first scene is opened */
+    /** @param folder dedicated folder, created when the first scene is opened */
     public OpenSceneRegistry(Path folder) {
         this.folder = folder;
         ownFile = folder.resolve(UUID.randomUUID() + EXTENSION);

@@ -8,11 +8,7 @@ import lightning.scene.Light;
 import lightning.scene.Scene;
 import lightning.scene.SceneLimits;
 
-/**
- * Camera of the preview (paper §3.6). It orbits its target and never affects the traced image.
- *
- * @param camera camera whose {@code up} is perpendicular to the view and of length 1
- */
+/** Camera of the preview (paper §3.6). It orbits its target and never affects the traced image. */
 public final class PreviewCamera {
     /** Zoom of a drag over the whole canvas, as a power of e. */
     private static final double ZOOM_PER_CANVAS = 2;
@@ -23,13 +19,14 @@ public final class PreviewCamera {
     private static final double MIN_LIGHT_FOV = 2;
     private static final double MAX_LIGHT_FOV = 150;
 
+    /** Camera whose {@code up} is perpendicular to the view and of length 1. */
     private final Camera camera;
     private final Vec3 forward;
     private final Vec3 right;
     private final double sin;
     private final double cos;
 
-    /** @param source  camera whose up direction need not be perpendicular to the view */
+    /** @param source camera whose up direction need not be perpendicular to the view */
     public PreviewCamera(Camera source) {
         forward = source.to().minus(source.from()).normalized();
         Vec3 side = forward.cross(source.up().normalized()).normalized();

@@ -34,7 +34,7 @@ public final class RecoveryFolder {
     private final Path folder;
     private final String process;
 
-    /** @param folder  folder, created when the first scene is stored */
+    /** @param folder folder, created when the first scene is stored */
     public RecoveryFolder(Path folder) {
         this(folder, ProcessIdentity.current().toString());
     }

@@ -11,7 +11,7 @@ public sealed interface Selection {
 
     record None() implements Selection {}
 
-    /** @param id  number of the light in the {@link EditHistory} */
+    /** @param id number of the light in the {@link EditHistory} */
     record OfLight(long id) implements Selection {}
 
     /** Selected shape or group by name; nothing while the name does not exist. */

@@ -20,7 +20,7 @@ import lightning.scene.Scene;
  * Low-resolution preview image of a whole scene.
  *
  * @param scene    scene of the image
- * @param geometry  primitives and BVH of the scene, reusable by a first pass
+ * @param geometry primitives and BVH of the scene, reusable by a first pass
  * @param film     image, smaller than the scene's
  */
 public record CoarsePicture(Scene scene, Geometry geometry, Film film) {
@@ -51,7 +51,7 @@ public record CoarsePicture(Scene scene, Geometry geometry, Film film) {
         return PIXEL_COUNTS.stream().filter(pixels -> samples / pixels >= MIN_SAMPLES_PER_PIXEL).toList();
     }
 
-    /** @param geometryOf  supplies the geometry of a scene */
+    /** @param geometryOf supplies the geometry of a scene */
     static CoarsePicture trace(Scene scene, int pixels, Function<Scene, Geometry> geometryOf, int threads, Progress progress) {
         PictureSettings picture = scene.picture();
         double shrink = Math.max(1, Math.sqrt(pixels(picture) / pixels));

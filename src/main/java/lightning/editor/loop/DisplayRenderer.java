@@ -42,7 +42,7 @@ final class DisplayRenderer implements AutoCloseable {
         return effectRenderer;
     }
 
-    /** @param isFinished  whether to render the anti-aliasing samples too */
+    /** @param isFinished whether to render the anti-aliasing samples too */
     private void update(Scene scene, boolean isFinished, Progress progress) {
         if (isFinished) {
             effectRenderer.render(scene, progress);

@@ -8,15 +8,15 @@ import lightning.render.relight.plan.UpdatePlan;
 /**
  * State of the image and its renders.
  *
- * @param plan          plan of the running or last update; null before the first
- * @param done          finished tiles of {@code total}
- * @param total         tiles of the update
- * @param verifiedTiles finished tiles of {@code tilesToVerify}, which is 0 if no verification runs
- * @param frame         last image; null before the first
+ * @param plan           plan of the running or last update; null before the first
+ * @param done           finished tiles of {@code total}
+ * @param total          tiles of the update
+ * @param verifiedTiles  finished tiles of {@code tilesToVerify}, which is 0 if no verification runs
+ * @param frame          last image; null before the first
  * @param measuredSaving saving of the last update or an older one; null if unknown
- * @param verification  last verification of this image or an equal one; null if none
- * @param problem       failure of the last job; null if it succeeded
- * @param canceled      whether the last job was canceled
+ * @param verification   last verification of this image or an equal one; null if none
+ * @param problem        failure of the last job; null if it succeeded
+ * @param canceled       whether the last job was canceled
  */
 public record RenderState(UpdatePlan plan, int done, int total, int verifiedTiles, int tilesToVerify, Frame frame,
         WarmSaving measuredSaving,

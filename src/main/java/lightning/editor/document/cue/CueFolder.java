@@ -35,7 +35,7 @@ public final class CueFolder {
     private final Path scene;
     private final Path folder;
 
-    /** @param scene  scene file */
+    /** @param scene scene file */
     public CueFolder(Path scene) {
         this.scene = scene.toAbsolutePath();
         String name = scene.getFileName().toString();

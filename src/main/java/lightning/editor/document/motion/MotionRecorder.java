@@ -12,7 +12,7 @@ public final class MotionRecorder {
     private final List<Light> samples = new ArrayList<>();
     private int frameCount;
 
-    /** @param interval  frames between keyframes, 1…{@value RecordedShot#MAX_INTERVAL} */
+    /** @param interval frames between keyframes, 1…{@value RecordedShot#MAX_INTERVAL} */
     public MotionRecorder(int interval) {
         SceneLimits.checkRange("resolution", interval, 1, RecordedShot.MAX_INTERVAL);
         this.interval = interval;

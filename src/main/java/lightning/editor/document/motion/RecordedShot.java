@@ -31,7 +31,7 @@ public record RecordedShot(int interval, Shot shot) {
         SceneLimits.checkRange("the number of keys", shot.tracks().getFirst().keys().size(), 1, MAX_KEYS);
     }
 
-    /** @param samples  light at each keyframe, at least one */
+    /** @param samples light at each keyframe, at least one */
     static RecordedShot of(int interval, List<Light> samples) {
         return ofTracks(interval,
                 List.of(track(LightAttribute.POSITION, interval, samples), track(LightAttribute.DIRECTION, interval, samples)));
