@@ -9,25 +9,24 @@ import lightning.bench.accuracy.AccuracySetting;
 import lightning.bench.accuracy.PictureError;
 
 /**
- * Compares results with older ones.
+ * Comparison of benchmark results with older ones.
  *
- * <p>A time is worse where the quartiles do not overlap, the new ones above the old, and the median rose by more than
- * {@link #NOISE_PERCENT} percent, both in milliseconds and as a share of the full trace that was measured in turns with it:
- * a machine that is slower as a whole slows both. A picture is worse where any measure of its error rose at all: errors do not depend on
- * the machine.
+ * <p>A time is worse if the quartiles do not overlap and the median rose by more than {@link #NOISE_PERCENT} percent. Both must hold in
+ * milliseconds and relative to the full trace measured in turns with it, as a slower machine slows both. An image is worse if any error
+ * measure rose at all, as errors do not depend on the machine.
  *
- * @param compared how many rungs of edits both results hold
- * @param worse    what became slower or less accurate, a line each
+ * @param compared number of measurements that both results have
+ * @param worse    regressions in time or accuracy, one line each
  */
 public record BaselineComparison(int compared, List<String> worse) {
-    /** By how much a median may rise, percent. */
+    /** Tolerated rise of a median, in percent. */
     public static final double NOISE_PERCENT = 10;
 
     public BaselineComparison {
         worse = List.copyOf(worse);
     }
 
-    /** Compares the rungs that both results hold. */
+    /** Compares the measurements that both results have. */
     public static BaselineComparison compare(BenchResults previous, BenchResults current) {
         Map<String, MeasuredPoint> oldPoints = points(previous);
         List<String> worse = new ArrayList<>();
@@ -43,9 +42,9 @@ public record BaselineComparison(int compared, List<String> worse) {
         return new BaselineComparison(compared, worse);
     }
 
-    /** A rung, and the median of the full trace that was measured in turns with it. */
+    /** Measurement, and the median of the full trace measured in turns with it. */
     private record MeasuredPoint(SweepPointResult rung, double fullMs) {
-        /** The time as a share of the full trace's; the full trace itself has only its own. */
+        /** Returns the time relative to the full trace; for the full trace itself, its time. */
         double share() {
             return rung.grade() == AccuracySetting.FULL_TRACE ? rung.time().median() : rung.time().median() / fullMs;
         }
@@ -79,9 +78,9 @@ public record BaselineComparison(int compared, List<String> worse) {
 
     private static void addAccuracyLoss(String name, PictureError previous, PictureError current, List<String> worse) {
         List<String> measures = new ArrayList<>();
-        addIfLarger(measures, "values that differ", previous.values(), current.values());
-        addIfLarger(measures, "largest ulp", previous.maxUlp(), current.maxUlp());
-        addIfLarger(measures, "largest difference", previous.maxAbsolute(), current.maxAbsolute());
+        addIfLarger(measures, "differing values", previous.values(), current.values());
+        addIfLarger(measures, "maximum ulp", previous.maxUlp(), current.maxUlp());
+        addIfLarger(measures, "maximum difference", previous.maxAbsolute(), current.maxAbsolute());
         addIfLarger(measures, "mean difference", previous.meanAbsolute(), current.meanAbsolute());
         addIfLarger(measures, "rmse", previous.rmse(), current.rmse());
         addIfLarger(measures, "1 - ssim", 1 - previous.ssim(), 1 - current.ssim());

@@ -3,15 +3,15 @@ package lightning.bench;
 import java.util.List;
 
 /**
- * All that a run of the harness measured. Times are milliseconds; where a number does not exist it is NaN.
+ * Results of a benchmark run. Times are milliseconds; missing numbers are NaN.
  *
- * @param run      how it was made
- * @param scenes   one for each scene and size, in the order in which they were measured
- * @param drift    what becomes of pictures after many edits
- * @param growth   how times grow, one curve for each thing that grows
- * @param editing  what editing large scenes costs below the editor
- * @param meshes   how fast rays are traced against meshes
- * @param problems what could not be measured
+ * @param run      settings and circumstances of the run
+ * @param scenes   results per scene and size, in the order of measurement
+ * @param drift    image errors after many edits
+ * @param growth   times as a function of size, one curve per dimension
+ * @param editing  costs of editing large scenes without rendering
+ * @param meshes   ray throughput on meshes
+ * @param problems failed measurements
  */
 public record BenchResults(BenchRun run, List<SceneResult> scenes, List<DriftCurve> drift, List<GrowthCurve> growth,
         List<EditingCost> editing,

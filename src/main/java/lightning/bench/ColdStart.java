@@ -1,22 +1,21 @@
 package lightning.bench;
 
 /**
- * A picture by programs that have just been started, in turns: whole processes, from the start to the end, with the picture as a
- * PNG file.
+ * Cold-start timing of whole processes that render an image to a PNG file, measured in turns.
  *
- * @param process   ours: {@code lightning render}
- * @param processor processor time of it, all threads together; null where the system does not tell
- * @param rival     another program; null where none is installed
+ * @param process   time of {@code lightning render}
+ * @param processor its processor time, all threads; null if the system does not report it
+ * @param rival     another program; null if none is installed
  */
 public record ColdStart(TimeSamples process, TimeSamples processor, Rival rival) {
 
     /**
-     * The same picture by another program.
+     * Cold start of another program for the same image.
      *
-     * @param program   its name and version
-     * @param process   as ours
-     * @param processor as ours
-     * @param share     the median of our process in units of that of its
+     * @param program   name and version
+     * @param process   time of its process
+     * @param processor processor time of its process
+     * @param share     median of our process relative to its median
      */
     public record Rival(String program, TimeSamples process, TimeSamples processor, double share) {}
 }

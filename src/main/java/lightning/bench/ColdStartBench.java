@@ -11,9 +11,9 @@ import lightning.base.work.Progress;
 import lightning.format.pov.PovRayRunner;
 import lightning.format.pov.PovScene;
 
-/** Measures whole processes that render a picture from cold: ours, and POV-Ray's in turns with them where it is installed. */
+/** Benchmark of cold-start processes that render an image: ours, in turns with POV-Ray if installed. */
 final class ColdStartBench {
-    /** A process takes about so long to start, and to trace so many times as long as a warm full trace. */
+    /** Predicted start time of a process in milliseconds, and its trace time relative to a warm full trace. */
     private static final double START_MS = 1000;
     private static final double COLD_SLOWDOWN = 20;
 
@@ -25,7 +25,7 @@ final class ColdStartBench {
         this.ledger = ledger;
     }
 
-    /** What is to be measured; where a program fails, that becomes a problem. */
+    /** Returns the measurement; a failure of a program becomes a failed measurement. */
     BenchPart part(ResultCollector.SceneCollector collector, NamedScene scene, PictureSize size, TraceThroughput throughput) {
         Optional<PovRayRunner> povRay = PovRayRunner.find();
         String title = scene.name() + " at " + size + ", from cold";
@@ -48,7 +48,7 @@ final class ColdStartBench {
         try {
             ProcessTimer.ProcessRun render =
                     () -> RenderProcess.render(scene.file(), size, settings.threads(), folder.resolve("picture.png"), folder);
-            // Files come into memory.
+            // Loads files into the page cache.
             render.run();
             for (int i = 0; i < settings.processes(); i++) {
                 if (progress.isCanceled()) {

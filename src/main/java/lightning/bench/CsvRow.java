@@ -8,15 +8,15 @@ import lightning.base.text.DecimalNumber;
 import lightning.bench.accuracy.PictureError;
 
 /**
- * One measurement. A text that a spreadsheet would compute has an apostrophe before it. What a kind of measurement does not have is NaN, 0 or empty.
+ * Measurement as a CSV row. Text that a spreadsheet would evaluate gets an apostrophe prefix. Missing values are NaN, 0 or empty.
  *
- * @param kind  {@code first-pass}, {@code full-trace}, {@code edit}, {@code peer}, {@code effect} (by how much it makes the first pass longer),
- *              {@code growth}, {@code drift}, {@code editing}, {@code mesh} and {@code mesh-peer}, or of whole processes from cold {@code cold} (ours) and {@code cold-peer}, with the
- *              processor time of each as {@code …-processor}
- * @param edit  the edit's name; of growth, what grows and the edit; of editing, what was done; of a mesh, its tree or the rays
- * @param value the varying value; of growth and drift, how many pixels, lights, …, edits
- * @param grade the grade of accuracy, which the file calls a level
- * @param n     how many samples the median and the quartiles are of
+ * @param kind  {@code first-pass}, {@code full-trace}, {@code edit}, {@code peer}, {@code effect} (added time of the first pass), {@code
+ *         growth}, {@code drift}, {@code editing}, {@code mesh} or {@code mesh-peer}. Cold-start processes are {@code cold} (ours) and
+ *         {@code cold-peer}, with processor times as {@code …-processor}
+ * @param edit  name of the edit; of growth, dimension and edit; of editing, the operation; of a mesh, its BVH or the rays
+ * @param value value of the edit; of growth and drift, the number of pixels, lights, … or edits
+ * @param grade accuracy setting, called level in the file
+ * @param n     number of samples of the median and the quartiles
  */
 record CsvRow(String kind, String scene, int width, int height, String edit, String value, @JsonProperty("level") String grade,
         int n, double medianMs,
@@ -31,7 +31,7 @@ record CsvRow(String kind, String scene, int width, int height, String edit, Str
     private static final PictureError NO_ERROR = new PictureError(0, 0, 0, NONE, NONE, NONE, NONE, NONE, NONE, NONE);
     private static final TimeSamples NO_SAMPLES = new TimeSamples(NONE, NONE, NONE, List.of());
 
-    /** The rows of results, in their order. */
+    /** Returns the rows of results in order. */
     static List<CsvRow> of(BenchResults results) {
         List<CsvRow> rows = new ArrayList<>();
         for (SceneResult scene : results.scenes()) {
@@ -139,9 +139,9 @@ record CsvRow(String kind, String scene, int width, int height, String edit, Str
     }
 
     /**
-     * Text as a cell holds it. Spreadsheets compute what begins with = + - @ (or their wide forms), also behind a tab or a line
-     * end; an apostrophe before it keeps it text. It also stands before an apostrophe that is the text's own, so that whoever takes away the
-     * first one has the text again. A number stays one.
+     * Escapes text for a cell. Spreadsheets evaluate text that starts with = + - @ (or their wide forms), also after a tab or line end; an
+     * apostrophe prefix prevents that. An apostrophe of the text itself also gets the prefix, so that removing the first one restores the
+     * text. Numbers stay unchanged.
      */
     static String cell(String text) {
         boolean isFormula = !text.isEmpty() && FORMULA_STARTS.indexOf(text.charAt(0)) >= 0 && DecimalNumber.parse(text).isEmpty();

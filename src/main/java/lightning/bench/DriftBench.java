@@ -16,7 +16,7 @@ import lightning.render.relight.plan.ReflectionMode;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Scene;
 
-/** Measures what becomes of a picture after 1, 10, 100, … edits, at each accuracy. */
+/** Benchmark of image error after 1, 10, 100, … edits, at each accuracy. */
 final class DriftBench {
     private static final RenderOptions CURRENT = RenderOptions.DEFAULT.withReflections(ReflectionMode.CURRENT);
 
@@ -32,7 +32,7 @@ final class DriftBench {
         this.seed = seed;
     }
 
-    /** @param editCount the number of edits at the end */
+    /** @param editCount number of edits at the end */
     DriftCurve measure(int editCount, Progress progress) {
         RandomEdits edits = new RandomEdits(seed);
         List<DriftPoint> points = new ArrayList<>();

@@ -3,9 +3,9 @@ package lightning.bench;
 import java.util.List;
 
 /**
- * What becomes of a picture after many edits in a row, mirrors kept current.
+ * Image error after many edits in a row, with current reflections.
  *
- * @param seed what the edits were drawn from
+ * @param seed random seed of the edits
  */
 public record DriftCurve(String scene, int width, int height, long seed, List<DriftPoint> points) {
     public DriftCurve {

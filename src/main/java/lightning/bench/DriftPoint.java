@@ -4,11 +4,11 @@ import lightning.bench.accuracy.PictureError;
 import lightning.render.relight.plan.Accuracy;
 
 /**
- * A picture after so many edits.
+ * Image error after a number of edits.
  *
- * @param edits     how many
- * @param error     how far it is from a full trace
- * @param bound     how far any value may be off by the engine's own account, linear; 0 at grade exact
- * @param refreshes how often contributions were computed anew until then because that bound had grown too large
+ * @param edits     number of edits
+ * @param error     difference from a full trace
+ * @param bound     the engine's error bound of any value, linear; 0 at setting exact
+ * @param refreshes number of recomputations so far because the bound was exceeded
  */
 public record DriftPoint(Accuracy accuracy, int edits, PictureError error, double bound, int refreshes) {}

@@ -7,15 +7,15 @@ import lightning.bench.accuracy.AccuracySetting;
 import lightning.bench.accuracy.PaperCase;
 
 /**
- * One kind of edit on a scene, with each of its varying values.
+ * Results of one kind of edit on a scene, for each of its values.
  *
- * @param edit        the case's name, as in {@code angle-larger}
- * @param figure      where the paper shows it, as in {@code Fig. 10}; empty where it does not
- * @param paperSaving percent of a full trace's time that the paper saved on its own scene; NaN where it printed none
- * @param saving      percent of the full trace's time that the default grade saves: the average of all values, as the paper's are; NaN where
- *                    that of any value is not certain
- * @param cap         percent that ray counts and memory allow it to save, the average of all values
- * @param values      at least one
+ * @param edit        name of the case, as in {@code angle-larger}
+ * @param figure      figure of the paper, as in {@code Fig. 10}; empty if none
+ * @param paperSaving saving in the paper on its own scene, percent of a full trace's time; NaN if not printed
+ * @param saving      saving of the default setting, percent of the full trace's time: mean of all values, as in the paper; NaN if any is
+ *         uncertain
+ * @param cap         maximum saving given ray counts and memory, percent, mean of all values
+ * @param values      results per value, at least one
  */
 public record EditResult(String edit, String figure, double paperSaving, double saving, double cap, List<ValueResult> values) {
     public EditResult {
@@ -28,7 +28,7 @@ public record EditResult(String edit, String figure, double paperSaving, double 
                 average(values, AccuracySetting.DEFAULT, point -> point.work().cap()), values);
     }
 
-    /** What a grade saves, the average of all values; NaN where it was not measured or any value's is not certain. */
+    /** Returns the saving of a setting, mean of all values; NaN if not measured or any is uncertain. */
     public double saving(AccuracySetting setting) {
         return average(values, setting, SweepPointResult::saving);
     }
@@ -37,7 +37,7 @@ public record EditResult(String edit, String figure, double paperSaving, double 
         return values.stream().flatMap(value -> value.find(setting).stream()).mapToDouble(measure).average().orElse(Double.NaN);
     }
 
-    /** A grade of the first value; empty where it was not measured. */
+    /** Returns a setting's result for the first value; empty if not measured. */
     public Optional<SweepPointResult> first(AccuracySetting setting) {
         return values.stream().findFirst().flatMap(value -> value.find(setting));
     }

@@ -20,19 +20,19 @@ import lightning.scene.Light;
 import lightning.scene.Scene;
 
 /**
- * Measures what editing costs in generated scenes of up to a million shapes and a thousand lights, below the editor: reading, the
- * new scene of an edit, its plan, a hover, and the heap that all takes. Pictures are small: what an edit traces is not asked here.
+ * Benchmark of editing in generated scenes of up to a million shapes and a thousand lights, without window or rendering. Measures loading,
+ * creating an edit's scene, planning, a hover and heap size.
  */
 final class EditingBench {
     private static final PictureSize SIZE = new PictureSize(64, 48);
     private static final int DEPTH = 2;
-    /** What takes less than milliseconds has so many samples for each repetition, and as many more before them. */
+    /** Number of samples per repetition for sub-millisecond tasks, with as many for warm-up. */
     private static final int SHORT_SAMPLES = 8;
-    /** The heap is measured from here on: fewer shapes take less than all else in it. */
+    /** Minimum number of shapes for heap measurements; smaller scenes are dominated by other objects. */
     private static final int MIN_HEAP_SHAPES = 10_000;
-    /** More shapes are read and put into a tree once. */
+    /** Maximum number of shapes for repeated loading and BVH building; larger scenes are measured once. */
     private static final int MAX_REPEATED_SHAPES = 100_000;
-    /** Milliseconds for each shape, as often as it is read, and for each light. */
+    /** Predicted milliseconds per shape and load, and per light. */
     private static final double SHAPE_MS = 0.02;
     private static final double LIGHT_MS = 4;
 
@@ -46,7 +46,7 @@ final class EditingBench {
         this.ledger = ledger;
     }
 
-    /** What is to be measured: a part for each scene. */
+    /** Returns the parts, one per scene. */
     List<BenchPart> parts() {
         List<Point> points = settings.quick() ? List.of(new Point(10, 10), new Point(1000, 100))
                 : List.of(new Point(10, 10), new Point(10, 1000), new Point(100_000, 10), new Point(100_000, 1000),
@@ -55,7 +55,7 @@ final class EditingBench {
     }
 
     private BenchPart part(Point point) {
-        String title = "editing " + point.shapes() + " shapes under " + point.lights() + " lights";
+        String title = "editing " + point.shapes() + " shapes, " + point.lights() + " lights";
         double predictedMs = SHAPE_MS * point.shapes() * (1 + longSampleCount(point.shapes())) + LIGHT_MS * point.lights() + 500;
         return new BenchPart(title, predictedMs, progress -> ledger.addEditing(measure(point, progress)));
     }
@@ -130,13 +130,13 @@ final class EditingBench {
         try {
             return JenReader.read(text, "generated", Path.of(""));
         } catch (JenException e) {
-            throw new IllegalStateException("a written scene must be read", e);
+            throw new IllegalStateException("a written scene cannot be read", e);
         }
     }
 
-    /** Bytes of heap in use once what is not is gone. */
+    /** Returns the bytes of heap in use after garbage collection. */
     private static long usedHeapBytes() {
-        // The second takes what the first has found to be finalizable or referenced softly.
+        // The second run frees objects that the first found finalizable or softly reachable.
         System.gc();
         System.gc();
         Runtime runtime = Runtime.getRuntime();

@@ -1,17 +1,17 @@
 package lightning.bench;
 
 /**
- * What editing a scene costs below the editor's window.
+ * Costs of editing a scene without a window.
  *
- * @param shapes        how many
- * @param lights        how many
- * @param load          reading the scene from its text
- * @param tree          making primitives and their tree of boxes
- * @param newScene      the scene of an edit, made of the one before
- * @param plan          planning an edit of a light
- * @param hover         the first explanation of a pixel after a light was moved
- * @param documentBytes bytes of heap for each shape that the document takes beside its text; NaN where there are few shapes
- * @param treeBytes     the same of primitives and tree
+ * @param shapes        number of shapes
+ * @param lights        number of lights
+ * @param load          parsing the scene from text
+ * @param tree          building primitives and their BVH
+ * @param newScene      creating the scene of an edit from the previous one
+ * @param plan          planning the update of an edited light
+ * @param hover         first explanation of a pixel after a light moved
+ * @param documentBytes heap bytes of the document per shape, without its text; NaN for few shapes
+ * @param treeBytes     heap bytes of primitives and BVH per shape
  */
 public record EditingCost(int shapes, int lights, TimeSamples load, TimeSamples tree, TimeSamples newScene, TimeSamples plan,
         TimeSamples hover,

@@ -4,17 +4,17 @@ import java.util.List;
 import lightning.bench.accuracy.EffectCost;
 
 /**
- * What an effect takes on a scene, or what its absence saves there; see {@link EffectCost}.
+ * Cost of an effect on a scene, or saving from its absence; see {@link EffectCost}.
  *
- * @param effect   for people, as in {@code shadows}
- * @param inUse    whether the scene calls for it
- * @param callers  who calls for it
- * @param firstMs  by how much it makes the first pass longer, milliseconds
- * @param updateMs by how much it makes the update after an edit longer, milliseconds
- * @param noiseMs  how far the first pass's times scatter: half the distance between their quartiles, with it or without it, the larger
- * @param updateNoiseMs likewise of the update's times
- * @param bytes    by how much it makes the kept picture larger
- * @param rays     how many more rays the first pass casts
+ * @param effect        name for people, as in {@code shadows}
+ * @param inUse         whether the scene uses it
+ * @param callers       names of lights, materials or shapes that use it
+ * @param firstMs       added time of the first pass, milliseconds
+ * @param updateMs      added time of the update after an edit, milliseconds
+ * @param noiseMs       noise of the first pass: half the interquartile range with or without the effect, whichever is larger
+ * @param updateNoiseMs noise of the update, as {@code noiseMs}
+ * @param bytes         added bytes of the image's cache
+ * @param rays          added rays of the first pass
  */
 public record EffectResult(String effect, boolean inUse, List<String> callers, double firstMs, double updateMs, double noiseMs,
         double updateNoiseMs,
@@ -23,12 +23,12 @@ public record EffectResult(String effect, boolean inUse, List<String> callers, d
         callers = List.copyOf(callers);
     }
 
-    /** By how much it makes the first pass longer; NaN where that is no more than the times scatter. */
+    /** Returns the added time of the first pass; NaN if it does not exceed the noise. */
     public double certainFirstMs() {
         return Math.abs(firstMs) > noiseMs ? firstMs : Double.NaN;
     }
 
-    /** By how much it makes the update longer; NaN where that is no more than the times scatter. */
+    /** Returns the added time of the update; NaN if it does not exceed the noise. */
     public double certainUpdateMs() {
         return Math.abs(updateMs) > updateNoiseMs ? updateMs : Double.NaN;
     }

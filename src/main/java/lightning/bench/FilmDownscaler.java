@@ -3,21 +3,21 @@ package lightning.bench;
 import java.util.function.DoubleBinaryOperator;
 import lightning.render.image.Film;
 
-/** Makes a picture smaller by a whole factor: a square of its pixels becomes one. */
+/** Downscaler of images by an integer factor, one pixel per square. */
 final class FilmDownscaler {
     private FilmDownscaler() {}
 
     /**
-     * Each pixel the linear average of a square.
+     * Returns the image with the linear mean of each square.
      *
-     * @param maxWidth the widest result, pixels; a picture that is no wider stays as it is
+     * @param maxWidth maximum width of the result, pixels; narrower images are unchanged
      */
     static Film average(Film film, int maxWidth) {
         int factor = factor(film, maxWidth);
         return factor == 1 ? film : downscale(film, factor, Double::sum, factor * factor);
     }
 
-    /** Each value the largest of a square: what is a single pixel stays visible. */
+    /** Returns the image with the maximum of each square, so that single pixels stay visible. */
     static Film maximum(Film film, int maxWidth) {
         int factor = factor(film, maxWidth);
         return factor == 1 ? film : downscale(film, factor, Math::max, 1);

@@ -3,15 +3,15 @@ package lightning.bench;
 import lightning.bench.accuracy.FirstPassCost;
 
 /**
- * What the first pass costs, beside the traditional trace that keeps nothing.
+ * Cost of the first pass, compared with a traditional trace without a cache.
  *
- * @param time          of the first pass
- * @param fullTrace     of the traditional trace, measured in turns with it
- * @param percentSlower by how much the first pass is slower
+ * @param time          time of the first pass
+ * @param fullTrace     time of the traditional trace, measured in turns with it
+ * @param percentSlower added time of the first pass, percent
  * @param fullRays      rays of the full trace
- * @param rows          hit rows kept, mirror images included
- * @param bytes         kept, the film left out
- * @param editsToPayOff after how many edits of average saving the first pass has paid for itself; NaN where edits save nothing
+ * @param rows          cached rows, reflections included
+ * @param bytes         bytes of the cache, without the film
+ * @param editsToPayOff number of edits with mean saving until break-even; NaN if edits save nothing
  */
 public record FirstPassResult(TimeSamples time, TimeSamples fullTrace, double percentSlower, long fullRays, long rows, long bytes,
         double bytesPerRow,

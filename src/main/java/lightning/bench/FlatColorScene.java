@@ -12,13 +12,13 @@ import lightning.scene.Shape;
 import lightning.scene.World;
 
 /**
- * Shows each shape of a scene in a flat color of its own, without lights, mirrors or textures: two programs that agree on
- * the geometry show the same picture, but for pixels through whose center an edge runs.
+ * Flat-color variant of a scene: a unique color per shape, without lights, reflections or textures. Programs with the same geometry render
+ * the same image, except for pixels whose center is on an edge.
  */
 final class FlatColorScene {
-    /** Display codes between two colors of a channel: far more than programs round differently. */
+    /** Distance of two colors in display codes, well above rounding differences. */
     static final int STEP = 17;
-    /** 15 codes in each of three channels, black left to the background. */
+    /** Codes per channel: 15, with black reserved for the background. */
     private static final int LEVELS = 255 / STEP;
 
     private final List<Material> materials = new ArrayList<>();
@@ -38,7 +38,7 @@ final class FlatColorScene {
         };
     }
 
-    /** The name of a new material; colors begin again after 15³ shapes. */
+    /** Returns the name of a new material; colors repeat after 15³ shapes. */
     private String nextMaterial() {
         int i = materials.size();
         Rgb color = new Rgb(channel(i), channel(i / LEVELS), channel(i / LEVELS / LEVELS));

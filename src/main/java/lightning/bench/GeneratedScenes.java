@@ -19,27 +19,27 @@ import lightning.scene.Solid;
 import lightning.scene.World;
 
 /**
- * Scenes of any number of shapes and lights, for curves of growth: balls that fill a block over a floor, every second
- * one a mirror, under lights of all types. The same seed makes the same scene.
+ * Generator of scenes with any number of shapes and lights, for growth curves: balls in a block above a floor, every second one reflective,
+ * with lights of all types. Deterministic in the seed.
  */
 final class GeneratedScenes {
     private static final Camera CAMERA = new Camera(new Vec3(0, 3, 9), new Vec3(0, 1.5, 0), Vec3.Y, 40);
-    /** The block that balls fill, scene units. */
+    /** Size of the block of balls, in scene units. */
     private static final double WIDTH = 6;
     private static final double HEIGHT = 3;
 
     private GeneratedScenes() {}
 
     /**
-     * @param shapes the floor included, ≥ 1
-     * @param lights a point light first, then a directional, then a spot, again and again; ≥ 1
-     * @param depth  how many mirror bounces are followed
+     * @param shapes number of shapes including the floor, ≥ 1
+     * @param lights number of lights, ≥ 1, alternating point, directional and spot
+     * @param depth  maximum reflection depth
      */
     static Scene of(long seed, PictureSize size, int shapes, int lights, int depth) {
         Random random = new Random(seed);
         List<SceneNode> nodes = new ArrayList<>();
         nodes.add(new Shape(Solid.PLANE, "floor", "matt", new Placement(Vec3.ZERO, Vec3.ZERO, new Vec3(20, 1, 20))));
-        // So many balls of this radius take a tenth of the block, whatever their number.
+        // With this radius, any number of balls fills a tenth of the block.
         double radius = Math.cbrt(0.1 * WIDTH * WIDTH * HEIGHT / (Math.max(shapes - 1, 1) * 4 / 3.0 * Math.PI));
         for (int i = 1; i < shapes; i++) {
             Vec3 at = new Vec3(WIDTH * (random.nextDouble() - 0.5), radius + HEIGHT * random.nextDouble(),

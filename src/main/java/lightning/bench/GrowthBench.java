@@ -15,7 +15,7 @@ import lightning.render.relight.plan.ReflectionMode;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Scene;
 
-/** Measures how the times of edits grow with pixels, lights, shapes and mirror bounces, on generated scenes. */
+/** Benchmark of edit times as a function of pixels, lights, shapes and reflection depth, on generated scenes. */
 final class GrowthBench {
     private static final int SHAPES = 100;
     private static final int LIGHTS = 4;
@@ -24,19 +24,19 @@ final class GrowthBench {
     private final BenchSettings settings;
     private final ResultCollector ledger;
     private final double bytesPerMs;
-    /** The size of pictures while something else grows. */
+    /** Image size of all curves but that of pixels. */
     private final PictureSize fixedSize;
 
     GrowthBench(BenchSettings settings, ResultCollector ledger, double bytesPerMs) {
         this.settings = settings;
         this.ledger = ledger;
         this.bytesPerMs = bytesPerMs;
-        // Tests that ask for no times set a small one.
+        // Functional tests set a small value.
         int side = Integer.getInteger("lightning.growth", 300);
         fixedSize = new PictureSize(side, side);
     }
 
-    /** What is to be measured: a part for each point of each curve. */
+    /** Returns the parts, one per point of each curve. */
     List<BenchPart> parts(TraceThroughput throughput) {
         List<BenchPart> parts = new ArrayList<>();
         List<PictureSize> sizes =
@@ -110,7 +110,7 @@ final class GrowthBench {
             edits.add(new GrowthPoint.EditTime(name, TimeSamples.of(saving.time())));
         } else {
             ledger.addProblem(
-                    new MeasurementFailure(MeasurementFailure.Kind.BROKEN, title + ", " + name, "the picture is not that of a full trace"));
+                    new MeasurementFailure(MeasurementFailure.Kind.BROKEN, title + ", " + name, "the image differs from a full trace"));
         }
     }
 }

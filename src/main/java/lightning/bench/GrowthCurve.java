@@ -3,11 +3,11 @@ package lightning.bench;
 import java.util.List;
 
 /**
- * How times grow with one thing.
+ * Times as a function of one dimension.
  *
  * @param along  {@code pixels}, {@code lights}, {@code shapes} or {@code depth}
- * @param scene  what was traced, in a few words
- * @param points in rising order
+ * @param scene  short description of the scene
+ * @param points points in ascending order
  */
 public record GrowthCurve(String along, String scene, List<GrowthPoint> points) {
     public GrowthCurve {

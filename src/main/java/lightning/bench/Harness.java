@@ -21,24 +21,24 @@ import lightning.render.relight.PictureTooLargeException;
 import lightning.render.relight.tile.RenderOptions;
 
 /**
- * A run: measures scenes, part by part.
+ * Benchmark run over scenes, part by part.
  *
- * <p>What cannot be measured becomes a {@link MeasurementFailure} and costs that part alone. After each part the results until then
- * are handed on, so that a run that is canceled leaves what it has.
+ * <p>A failed measurement becomes a {@link MeasurementFailure} and affects only its part. The harness reports results after each part, so
+ * that a canceled run keeps its results.
  */
 public final class Harness {
     private static final int DRIFT_EDITS = 10_000;
     private static final int QUICK_DRIFT_EDITS = 100;
     private static final PictureSize DRIFT_SIZE = new PictureSize(96, 96);
-    /** For how long the first scene is traced at least before anything is measured. */
+    /** Minimum time of tracing the first scene before any measurement. */
     private static final double JIT_WARM_UP_MS = 2000;
     private static final double THROUGHPUT_MS = 250;
     private static final double WARM_UP_MS = 3000;
     private static final double QUICK_WARM_UP_MS = 1500;
 
-    /** Hears of a run while it goes on. */
+    /** Listener for progress of a run. */
     public interface Listener {
-        /** What was measured until now; the last part is the last in it. */
+        /** Receives the results so far; those of the finished part are last. */
         void partMeasured(String part, BenchResults results) throws IOException;
     }
 
@@ -52,20 +52,20 @@ public final class Harness {
     private final SystemLoadMeter loadMeter = new SystemLoadMeter();
     private final BenchRun run;
 
-    /** Parts that share something, which is closed after the last. */
+    /** Parts with a shared resource, closed after the last part. */
     private record PartGroup(List<BenchPart> parts, AutoCloseable shared) {}
 
     /**
-     * Prepares a run: lets the compiler see the first scene's edits, measures the bandwidth of memory, traces each scene for a
-     * moment, and predicts how long all will take.
+     * Prepares a run: warms up with the first scene's edits, measures memory bandwidth, traces each scene briefly, and predicts the total
+     * duration.
      *
-     * @param scenes    in the order in which they are measured; their names differ
-     * @param problems  of scenes that could not be read
-     * @param folder    where pictures go
-     * @param arguments the command's, to be written down
-     * @throws PictureTooLargeException       if no scene fits into memory at any size; where some do, the others become problems. Asked
-     *                               before anything is measured
-     * @throws CancellationException if {@code progress} asked to stop
+     * @param scenes    scenes in order of measurement, with unique names
+     * @param problems  scenes that could not be read
+     * @param folder    folder for images
+     * @param arguments command arguments, for the results
+     * @throws PictureTooLargeException if no scene fits into memory at any size. If some do, the others become failed measurements. Checked
+     *         before any measurement
+     * @throws CancellationException    if {@code progress} requests a stop
      */
     public Harness(BenchSettings settings, List<NamedScene> scenes, List<MeasurementFailure> problems, Path folder, List<String> arguments,
             Progress progress) {
@@ -102,10 +102,10 @@ public final class Harness {
                 triad.stream().map(d -> d / 1e6).toList());
     }
 
-    /** A scene at a size. */
+    /** Scene at one size. */
     private record Measurable(NamedScene scene, PictureSize size) {}
 
-    /** What fits into memory; the rest becomes problems, and if that is all there is, nothing begins. */
+    /** Returns the scenes that fit into memory; the others become failed measurements. Throws if none fits. */
     private Set<Measurable> measurableScenes() {
         Set<Measurable> measurable = new HashSet<>();
         PictureTooLargeException tooLarge = null;
@@ -153,24 +153,24 @@ public final class Harness {
                 progress -> ledger.addDrift(drift.measure(edits, progress)));
     }
 
-    /** How long the run will take, seconds, good to about a factor of two. */
+    /** Returns the predicted duration in seconds, accurate to about a factor of two. */
     public double predictedSeconds() {
         return predictedMs / 1e3;
     }
 
-    /** What was measured until now. */
+    /** Returns the results so far. */
     public BenchResults results(boolean complete) {
         return ledger.results(run.withOutcome((System.nanoTime() - startNs) / 1e9, complete, loadMeter.current()));
     }
 
     /**
-     * Measures everything.
+     * Runs all measurements.
      *
-     * @param progress hears how much of the predicted time is over
+     * @param progress receives the share of the predicted duration
      * @return the results
-     * @throws IOException              if results or pictures cannot be written
-     * @throws InterruptedException     if this thread was interrupted while another program ran
-     * @throws CancellationException    if {@code progress} asked to stop; {@link #results} still has what was measured
+     * @throws IOException           if results or images cannot be written
+     * @throws InterruptedException  if this thread was interrupted while another program ran
+     * @throws CancellationException if {@code progress} requests a stop; {@link #results} has the results so far
      */
     public BenchResults run(Listener listener, Progress progress) throws IOException, InterruptedException {
         double doneMs = 0;
@@ -200,11 +200,11 @@ public final class Harness {
             ledger.addProblem(new MeasurementFailure(MeasurementFailure.Kind.UNMEASURED, part.where(), e.getMessage()));
         } catch (OutOfMemoryError e) {
             ledger.addProblem(
-                    new MeasurementFailure(MeasurementFailure.Kind.UNMEASURED, part.where(), "there is not enough memory for it"));
+                    new MeasurementFailure(MeasurementFailure.Kind.UNMEASURED, part.where(), "not enough memory"));
         }
     }
 
-    /** Lets the compiler see the first scene's edits. */
+    /** Warms up the JIT compiler with the first scene's edits. */
     private void warmUp(WorkerPool workers, Progress progress) {
         if (scenes.isEmpty() || !settings.isWarm()) {
             return;
@@ -220,7 +220,7 @@ public final class Harness {
                 }
             }
         } catch (GuaranteeViolation e) {
-            // The part that measures it will say so.
+            // Reported by the part that measures it.
         }
     }
 }

@@ -14,14 +14,14 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import jdk.incubator.vector.FloatVector;
 
-/** The machine and the program that run now. */
+/** Information about the current machine and build. */
 final class MachineInfo {
     private static final String UNKNOWN = "unknown";
     private static final String DIRTY_SUFFIX = "-dirty";
     private static final long TIMEOUT_MS = 5000;
-    /** What the program is built from, and the scenes that it measures. */
+    /** Sources of the program, and the scenes of the benchmark. */
     private static final List<String> SOURCES = List.of("src/main", "pom.xml", "scenes", "textures");
-    /** The last commit that changed the program: later commits of documents or results do not make it another build. */
+    /** Command for the last commit that changed the program; commits of documents or results do not count. */
     private static final List<String> COMMIT_COMMAND = git("log", "-1", "--format=%H");
     private static final List<String> STATUS_COMMAND = git("status", "--porcelain");
     private static final Path CPU_INFO = Path.of("/proc/cpuinfo");
@@ -46,20 +46,20 @@ final class MachineInfo {
     }
 
     /**
-     * The commit that the program was built from, 40 digits, if the program is still in its own repository, with {@code -dirty} where its
-     * sources have changes that are not committed; else {@code unknown}.
+     * Returns the commit of the build, 40 digits, with {@code -dirty} for uncommitted changes of its sources. Returns {@code unknown} if
+     * the program is not in its own repository.
      */
     static String commit() {
         try {
             URL program = MachineInfo.class.getProtectionDomain().getCodeSource().getLocation();
-            // Of classes that come out of an archive Java may know no place.
+            // Java may not know the location of classes from a CDS archive.
             return program == null ? UNKNOWN : commit(Path.of(program.toURI()));
         } catch (URISyntaxException e) {
             return UNKNOWN;
         }
     }
 
-    /** @param program the program's jar or classes */
+    /** @param program jar or class folder of the program */
     static String commit(Path program) {
         Optional<Path> repository = repository(program);
         if (repository.isEmpty()) {
@@ -74,7 +74,9 @@ final class MachineInfo {
         return Stream.of(Stream.of("git"), Stream.of(words), Stream.of("--"), SOURCES.stream()).flatMap(s -> s).toList();
     }
 
-    /** The nearest folder around it with Maven's project of this program and Git's folder: another's says nothing of this program. */
+    /**
+     * Returns the nearest parent folder with this program's Maven project and a Git folder. Other repositories do not identify the build.
+     */
     private static Optional<Path> repository(Path program) {
         for (Path folder = program.toAbsolutePath().getParent(); folder != null; folder = folder.getParent()) {
             if (Files.exists(folder.resolve(".git"))) {
@@ -85,13 +87,13 @@ final class MachineInfo {
     }
 
     /**
-     * What a program prints about a repository; empty if it fails or does not end in time, and it is ended then.
+     * Runs a command in a repository and returns its output; empty if it fails or exceeds the time limit, in which case it is killed.
      *
-     * @param timeoutMs how long it may take, milliseconds
+     * @param timeoutMs time limit, milliseconds
      */
     static Optional<String> output(Path repository, List<String> program, long timeoutMs) {
         try {
-            // Into a file, not a pipe: a pipe would be read until the process ends, however long that takes.
+            // A file, not a pipe: reading a pipe would block until the process ends.
             Path outputFile = Files.createTempFile("lightning", ".commit");
             try {
                 return output(repository, program, timeoutMs, outputFile);

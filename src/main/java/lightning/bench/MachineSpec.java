@@ -1,14 +1,14 @@
 package lightning.bench;
 
 /**
- * The computer that measured, in general terms.
+ * Hardware and software of the measuring machine.
  *
  * @param system      operating system and instruction set
- * @param processor   the processor's model name; {@code unknown} where the system does not report it
- * @param processors  how many processors the program may use
- * @param vectorBits  the width of its vectors, bits
+ * @param processor   processor model; {@code unknown} if the system does not report it
+ * @param processors  number of available processors
+ * @param vectorBits  vector width, bits
  * @param memoryBytes physical memory, bytes
- * @param heapBytes   how much of it the program may use for objects, bytes
- * @param java        name and version of the Java machine
+ * @param heapBytes   maximum heap, bytes
+ * @param java        name and version of the Java VM
  */
 public record MachineSpec(String system, String processor, int processors, int vectorBits, long memoryBytes, long heapBytes, String java) {}

@@ -1,19 +1,19 @@
 package lightning.bench;
 
 /**
- * Something that could not be measured, while the rest was.
+ * Failed measurement of a run that continued.
  *
- * @param where the scene's file, its size and the edit, as far as known
- * @param what  a sentence
+ * @param where scene file, size and edit, as far as known
+ * @param what  reason, a sentence
  */
 public record MeasurementFailure(Kind kind, String where, String what) {
-    /** What a problem says about the program. */
+    /** Severity of a failure. */
     public enum Kind {
-        /** A scene could not be read. */
+        /** Scene that could not be read. */
         UNREAD,
-        /** A picture is not what its grade of accuracy promises. */
+        /** Image that violates the guarantee of its accuracy setting. */
         BROKEN,
-        /** Memory was too small, or another program failed. */
+        /** Insufficient memory, or failure of another program. */
         UNMEASURED
     }
 }

@@ -15,11 +15,11 @@ import lightning.render.trace.mesh.MeshSolid;
 import lightning.scene.Mesh;
 
 /**
- * Measures how fast rays are traced against generated meshes of up to ten million triangles, and Embree's in turns with it where that is
- * installed: the same mesh, the same rays, one thread.
+ * Benchmark of ray throughput on generated meshes of up to ten million triangles, in turns with Embree if installed: same mesh, same rays,
+ * one thread.
  */
 final class MeshBench {
-    /** Milliseconds for each triangle and sample, and for each ray. */
+    /** Predicted milliseconds per triangle and sample, and per ray. */
     private static final double TRIANGLE_MS = 1.5e-3;
     private static final double RAY_MS = 1e-3;
     private static final int WARM_UP = 3;
@@ -32,7 +32,7 @@ final class MeshBench {
         this.ledger = ledger;
     }
 
-    /** What is to be measured: a part for each mesh. */
+    /** Returns the parts, one per mesh. */
     List<BenchPart> parts() {
         List<Integer> counts = settings.quick() ? List.of(10_000) : List.of(100_000, 1_000_000, 10_000_000);
         return counts.stream().map(this::part).toList();
@@ -40,7 +40,7 @@ final class MeshBench {
 
     private BenchPart part(int triangles) {
         PictureSize size = settings.quick() ? new PictureSize(160, 120) : new PictureSize(1920, 1080);
-        String title = "a mesh of " + triangles + " triangles";
+        String title = "mesh of " + triangles + " triangles";
         double predictedMs = settings.repetitions() * (TRIANGLE_MS * triangles + RAY_MS * size.pixels());
         return new BenchPart(title, predictedMs, progress -> {
             try (Embree embree = settings.peers() ? Embree.start().orElse(null) : null) {
@@ -120,7 +120,7 @@ final class MeshBench {
 
     private static void checkCanceled(Progress progress) {
         if (progress.isCanceled()) {
-            throw new CancellationException("canceled while meshes were measured");
+            throw new CancellationException("canceled while measuring meshes");
         }
     }
 }

@@ -3,14 +3,14 @@ package lightning.bench;
 import java.util.List;
 
 /**
- * How fast rays are traced against one generated mesh, on one thread, and what its tree takes.
+ * Ray throughput on one generated mesh on one thread, with the cost of its BVH.
  *
- * @param triangles how many
- * @param meshBytes bytes of its vertices and indices for each triangle
- * @param treeBytes bytes of its tree for each triangle
- * @param tree      building that, on all processors
- * @param rays      one for each kind of rays
- * @param rival     another program; null where none is installed
+ * @param triangles number of triangles
+ * @param meshBytes bytes of vertices and indices per triangle
+ * @param treeBytes bytes of the BVH per triangle
+ * @param tree      build time of the BVH on all processors
+ * @param rays      throughput per kind of rays
+ * @param rival     another program; null if none is installed
  */
 public record MeshPoint(int triangles, double meshBytes, double treeBytes, TimeSamples tree, List<RayThroughput> rays, Rival rival) {
     public MeshPoint {
@@ -18,11 +18,11 @@ public record MeshPoint(int triangles, double meshBytes, double treeBytes, TimeS
     }
 
     /**
-     * The tree of another program over the same mesh.
+     * BVH of another program for the same mesh.
      *
-     * @param program   its name and how it is set
-     * @param treeBytes as ours
-     * @param tree      as ours, measured in turns with it
+     * @param program   name and settings
+     * @param treeBytes bytes of its BVH per triangle
+     * @param tree      build time, measured in turns with ours
      */
     public record Rival(String program, double treeBytes, TimeSamples tree) {}
 }

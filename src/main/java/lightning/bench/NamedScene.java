@@ -4,9 +4,9 @@ import java.nio.file.Path;
 import lightning.scene.Scene;
 
 /**
- * A scene to measure.
+ * Scene to measure.
  *
- * @param name its file's without the ending; unique in a run
- * @param file where it was read from, for processes of their own; null where from nowhere, and there are none then
+ * @param name file name without extension; unique in a run
+ * @param file source file for cold-start processes; null if none, which skips them
  */
 public record NamedScene(String name, Scene scene, Path file) {}

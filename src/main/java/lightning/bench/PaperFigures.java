@@ -8,24 +8,24 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import lightning.bench.accuracy.PaperCase;
 
-/** Which edits the paper's figures are about: a figure of pictures is followed by one of times. */
+/** Mapping from the paper's figures to their edits: an image figure is followed by a timing figure. */
 public final class PaperFigures {
-    /** A figure of times, and the one of the pictures that it is about. */
+    /** Timing figures, each with its image figure. */
     private static final Map<Integer, Integer> PICTURE_FIGURES = new TreeMap<>(Map.of(7, 6, 9, 8, 11, 10, 14, 13, 16, 15, 18, 17, 20, 19,
             22, 21, 23, 23, 25, 24));
-    /** All edits, reflections updated. */
+    /** Figure of all edits with updated reflections. */
     private static final int ALL_EDITS = 26;
     private static final String BIRD = "bird";
-    /** The paper's Appendix B: all edits of its body on four further scenes, in its order. */
+    /** Appendix B of the paper: all of its edits on four further scenes, in its order. */
     private static final List<String> APPENDIX = List.of("balls", "spaceship", "desk", "house");
     private static final Pattern EXAMPLE = Pattern.compile("[Bb]([1-4])?");
     private static final Pattern NUMBER = Pattern.compile("[0-9]{1,2}");
 
     /**
-     * What a figure is about.
+     * Edits and scenes of a figure.
      *
-     * @param figure the number of the paper's figure that shows its edits
-     * @param scenes the names of its scenes
+     * @param figure number of the paper's figure with these edits
+     * @param scenes names of its scenes
      */
     public record Subject(int figure, List<String> scenes) {
         public Subject {
@@ -36,9 +36,9 @@ public final class PaperFigures {
     private PaperFigures() {}
 
     /**
-     * Reads a figure's name: its number, or {@code B1} to {@code B4} for an example of Appendix B, {@code B} for all four.
+     * Parses a figure's name: its number, {@code B1} to {@code B4} for an example of Appendix B, or {@code B} for all four.
      *
-     * @return empty where it shows no measured edits
+     * @return empty if the figure has no measured edits
      */
     public static Optional<Subject> parse(String name) {
         Matcher example = EXAMPLE.matcher(name);
@@ -50,17 +50,17 @@ public final class PaperFigures {
                 ? Optional.of(new Subject(Integer.parseInt(name), List.of(BIRD))) : Optional.empty();
     }
 
-    /** Whether a figure shows measured edits. */
+    /** Tests if a figure has measured edits. */
     static boolean isMeasured(int figure) {
         return figure == ALL_EDITS || PICTURE_FIGURES.containsKey(figure) || PICTURE_FIGURES.containsValue(figure);
     }
 
-    /** Which figures show measured edits, for a sentence. */
+    /** Returns the figures with measured edits, as text for a sentence. */
     public static String measuredRange() {
         return "6 to 11, 13 to 26, B1 to B4 or B for Appendix B";
     }
 
-    /** Whether a figure is about a case. */
+    /** Tests if a figure includes a case. */
     static boolean shows(int figure, PaperCase edit) {
         return figure == ALL_EDITS ? edit.isPrinted() : edit.figure().equals("Fig. " + PICTURE_FIGURES.getOrDefault(figure, figure));
     }

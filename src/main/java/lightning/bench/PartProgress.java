@@ -3,11 +3,11 @@ package lightning.bench;
 import lightning.base.work.Progress;
 
 /**
- * The progress of a part, as a share of the whole.
+ * Progress of a part, scaled to the whole.
  *
- * @param whole   hears thousandths of the whole
- * @param from    share of the whole that is done before the part, 0…1
- * @param share   the part's own, 0…1
+ * @param whole receives thousandths of the whole
+ * @param from  share of the whole before the part, 0…1
+ * @param share share of the part, 0…1
  */
 record PartProgress(Progress whole, double from, double share) implements Progress {
     private static final int THOUSANDTHS = 1000;

@@ -3,15 +3,15 @@ package lightning.bench;
 import java.util.List;
 
 /**
- * The same picture traced by another program.
+ * Timing of another program that traces the same image.
  *
- * @param program    its name and version
- * @param time       its own trace time
- * @param fullTrace  ours, measured in turns with it
- * @param ratio      how many times as fast ours is
- * @param agreement  share of pixels, 0…1, for which the pictures agree by {@code measure}
- * @param measure    what was compared
- * @param losses     what it cannot say, or not exactly
+ * @param program   name and version
+ * @param time      its own trace time
+ * @param fullTrace our trace time, measured in turns with it
+ * @param ratio     speedup of ours
+ * @param agreement share of matching pixels, 0…1, by {@code measure}
+ * @param measure   comparison method
+ * @param losses    features that it does not support exactly
  */
 public record PeerResult(String program, TimeSamples time, TimeSamples fullTrace, double ratio, double agreement, String measure,
         List<String> losses) {

@@ -2,9 +2,9 @@ package lightning.bench;
 
 import lightning.scene.Scene;
 
-/** A picture's size, pixels. */
+/** Image size in pixels. */
 public record PictureSize(int width, int height) {
-    /** The scene with a picture of this size. */
+    /** Returns the scene at this size. */
     Scene of(Scene scene) {
         return scene.withPicture(scene.picture().withSize(width, height));
     }

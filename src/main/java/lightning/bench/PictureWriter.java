@@ -8,25 +8,25 @@ import lightning.render.image.DifferenceImage;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
 
-/** Writes the pictures of a run, small enough for a page. */
+/** Writer of a run's images, downscaled for a web page. */
 final class PictureWriter {
-    /** The widest picture, pixels. */
+    /** Maximum width of an image, in pixels. */
     static final int MAX_WIDTH = 480;
     private static final String FOLDER = "pictures";
 
     private final Path resultsFolder;
 
-    /** @param results the folder of the results */
+    /** @param results folder of the results */
     PictureWriter(Path results) {
         this.resultsFolder = results;
     }
 
-    /** Writes a picture as it is displayed; returns its name, relative to the results. */
+    /** Writes an image as displayed; returns its name, relative to the results. */
     String writePicture(String name, Film film) throws IOException {
         return write(name, FilmDownscaler.average(film, MAX_WIDTH));
     }
 
-    /** Writes where two pictures differ; returns its name, relative to the results, or null where they do not differ. */
+    /** Writes the difference of two images; returns its name, relative to the results, or null if they are equal. */
     String writeDifference(String name, Film film, Film reference) throws IOException {
         return film.hasSameBits(reference) ? null : write(name, FilmDownscaler.maximum(DifferenceImage.of(film, reference), MAX_WIDTH));
     }

@@ -14,14 +14,14 @@ import lightning.render.image.ViewTransform;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Scene;
 
-/** Measures POV-Ray beside our full trace, and compares what the two see. */
+/** Benchmark of POV-Ray against our full trace, with a comparison of their visible shapes. */
 final class PovRayBench {
     static final String PROGRAM = "POV-Ray 3.7";
     private static final String MEASURE = "pixels that show the same shape (or background), each shape in a flat color of its own";
     private static final int REPETITIONS = 3;
-    /** Warming up, starting the program, and the picture of flat colors, as traces. */
+    /** Number of traces for warm-up, program start, and the flat-color image. */
     private static final int EXTRA_TRACES = 6;
-    /** It is about so many times as slow as our full trace of the same scene. */
+    /** Approximate slowdown relative to our full trace of the same scene. */
     private static final double SLOWDOWN = 10;
     private static final double START_MS = 300;
 
@@ -31,12 +31,12 @@ final class PovRayBench {
         this.povRay = povRay;
     }
 
-    /** The installed POV-Ray, if there is one. */
+    /** Returns the installed POV-Ray, if any. */
     static Optional<PovRayBench> find() {
         return PovRayRunner.find().map(PovRayBench::new);
     }
 
-    /** What is to be measured; where POV-Ray fails, that becomes a problem. */
+    /** Returns the measurement; a failure of POV-Ray becomes a failed measurement. */
     BenchPart part(BenchSettings settings, ResultCollector ledger, ResultCollector.SceneCollector collector, NamedScene scene,
             PictureSize size, TraceThroughput throughput) {
         int traces = REPETITIONS + EXTRA_TRACES;
@@ -61,7 +61,7 @@ final class PovRayBench {
         } catch (IOException | InterruptedException | RuntimeException e) {
             throw e;
         } catch (Exception e) {
-            throw new IllegalStateException("a trace throws nothing else", e);
+            throw new IllegalStateException("unexpected exception of a trace", e);
         }
     }
 
@@ -72,7 +72,7 @@ final class PovRayBench {
         }
     }
 
-    /** The share of pixels, 0…1, whose display codes are nearer than two colors can be. */
+    /** Returns the share of pixels, 0…1, whose display codes differ less than any two flat colors. */
     static double agreement(Film ours, Film rival) {
         int[] a = ViewTransform.DEFAULT.toPixels(ours);
         int[] b = ViewTransform.DEFAULT.toPixels(rival);

@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.OptionalDouble;
 import lightning.bench.accuracy.Timing;
 
-/** How long processes take that are started one after the other, from the start of each to its end. */
+/** Timer of whole processes that run one after the other. */
 final class ProcessTimer {
     private final List<Double> wallMs = new ArrayList<>();
     private final List<Double> processorMs = new ArrayList<>();
@@ -32,7 +32,7 @@ final class ProcessTimer {
         return TimeSamples.of(new Timing(wallMs));
     }
 
-    /** Null where the system does not tell. */
+    /** Returns the processor times; null if the system does not report them. */
     TimeSamples processorTime() {
         return processorMs.size() < wallMs.size() ? null : TimeSamples.of(new Timing(processorMs));
     }

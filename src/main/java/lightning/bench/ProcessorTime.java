@@ -7,25 +7,25 @@ import java.util.Optional;
 import java.util.stream.IntStream;
 
 /**
- * Processor time as Linux counts it, in ticks of a hundredth of a second.
+ * Processor time from Linux counters, in ticks of 10 ms.
  *
  * @param own      time of this process, all threads
- * @param children time of the processes that it started and that have ended
- * @param busy     time that all processors of the machine worked, or that the machine's host gave to others
- * @param all      time of all processors, idle or not
+ * @param children time of its child processes that have ended
+ * @param busy     busy time of all processors, including time stolen by the host
+ * @param all      total time of all processors, idle or busy
  */
 record ProcessorTime(long own, long children, long busy, long all) {
     static final double TICK_MS = 10;
     private static final Path PROCESS_STAT = Path.of("/proc/self/stat");
     private static final Path SYSTEM_STAT = Path.of("/proc/stat");
-    /** Places in {@link #PROCESS_STAT} after the program's name: user and kernel time, then the children's. */
+    /** Field indices in {@link #PROCESS_STAT} after the program's name: user and kernel time, then those of children. */
     private static final int USER = 11;
-    /** Places in the first line of {@link #SYSTEM_STAT}: user, nice, system, idle, waiting for disks, two of interrupts, stolen. */
+    /** Field indices in the first line of {@link #SYSTEM_STAT}: user, nice, system, idle, I/O wait, two of interrupts, stolen. */
     private static final int IDLE = 3;
     private static final int IO_WAIT = 4;
     private static final int FIELD_COUNT = 8;
 
-    /** The time until now; empty where the system does not report it. */
+    /** Returns the current time; empty if the system does not report it. */
     static Optional<ProcessorTime> now() {
         try {
             return Optional.of(parse(Files.readString(PROCESS_STAT), Files.readString(SYSTEM_STAT)));
@@ -34,7 +34,7 @@ record ProcessorTime(long own, long children, long busy, long all) {
         }
     }
 
-    /** Reads it from the text of both files. */
+    /** Parses the text of both files. */
     static ProcessorTime parse(String process, String machine) {
         long[] processTicks = numbers(process.substring(process.lastIndexOf(')') + 2), USER, USER + 4);
         long[] systemTicks = numbers(machine.lines().findFirst().orElseThrow().replaceFirst("cpu +", ""), 0, FIELD_COUNT);
@@ -48,7 +48,7 @@ record ProcessorTime(long own, long children, long busy, long all) {
         return IntStream.range(from, to).mapToLong(i -> Long.parseLong(words[i])).toArray();
     }
 
-    /** The share of the machine's processor time since {@code start} that neither this process nor its children had, 0…1. */
+    /** Returns the share, 0…1, of the machine's processor time since {@code start} that other processes used. */
     double otherShareSince(ProcessorTime start) {
         long ownTicks = own + children - start.own - start.children;
         long elapsedTicks = all - start.all;

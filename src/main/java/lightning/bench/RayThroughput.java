@@ -1,21 +1,21 @@
 package lightning.bench;
 
 /**
- * How fast rays of one kind are traced.
+ * Throughput of one kind of rays.
  *
- * @param rays  the kind
- * @param count how many there are
+ * @param rays  kind of rays
+ * @param count number of rays
  * @param time  processor time of tracing all of them on one thread
- * @param rival the same of another program, measured in turns; null where none is installed
- * @param share how fast we are in percent of it; NaN where it is not there
+ * @param rival processor time of another program, measured in turns; null if none is installed
+ * @param share our speed in percent of it; NaN without it
  */
 public record RayThroughput(String rays, int count, TimeSamples time, TimeSamples rival, double share) {
-    /** Million rays a second. */
+    /** Returns million rays per second. */
     public double millionsPerSecond() {
         return count / time.median() / 1e3;
     }
 
-    /** The same of the other program; NaN where it is not there. */
+    /** Returns million rays per second of the other program; NaN without it. */
     public double rivalMillionsPerSecond() {
         return rival == null ? Double.NaN : count / rival.median() / 1e3;
     }

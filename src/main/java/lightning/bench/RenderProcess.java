@@ -7,16 +7,16 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Starts this program anew, as its user does. */
+/** Launcher of this program as a separate process, as a user starts it. */
 final class RenderProcess {
     private RenderProcess() {}
 
     /**
-     * Renders a scene to a file in a process of its own.
+     * Renders a scene to a file in a separate process.
      *
-     * @param folder where its messages go
-     * @throws IOException          if it fails; the message ends with the last line that it printed
-     * @throws InterruptedException if this thread was interrupted; the process is then ended
+     * @param folder folder for its log
+     * @throws IOException          if it fails; the message ends with the last line of its output
+     * @throws InterruptedException if this thread was interrupted; the process is then killed
      */
     static void render(Path scene, PictureSize size, int threads, Path picture, Path folder) throws IOException, InterruptedException {
         List<String> commandLine = new ArrayList<>(command());
@@ -28,14 +28,14 @@ final class RenderProcess {
             if (process.waitFor() != 0) {
                 String last = Files.readString(log, StandardCharsets.UTF_8).lines().filter(line -> !line.isBlank())
                         .reduce("nothing", (_, line) -> line);
-                throw new IOException("'lightning render' failed; it ended with: " + last.strip());
+                throw new IOException("'lightning render' failed: " + last.strip());
             }
         } finally {
             process.destroy();
         }
     }
 
-    /** The launcher of the installed image or of the program's folder, or where this was started without one, Java on the same classes. */
+    /** Returns the launcher of the installed image or the program's folder. Without one, returns Java with the current class path. */
     private static List<String> command() {
         String installed = System.getProperty("jpackage.app-path");
         if (installed != null) {

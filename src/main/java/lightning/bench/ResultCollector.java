@@ -7,9 +7,9 @@ import java.util.Map;
 import lightning.bench.accuracy.AccuracySetting;
 import lightning.bench.accuracy.FirstPassCost;
 
-/** What was measured until now. */
+/** Collector of a run's results so far. */
 final class ResultCollector {
-    /** One scene at one size. */
+    /** Collector for one scene at one size. */
     static final class SceneCollector {
         private final NamedScene scene;
         private final PictureSize size;
@@ -29,7 +29,7 @@ final class ResultCollector {
             firstPass = cost;
         }
 
-        /** @param file the picture before all edits, relative to the results */
+        /** @param file image before all edits, relative to the results */
         void setPictureBefore(String file) {
             pictureBefore = file;
         }
@@ -57,7 +57,7 @@ final class ResultCollector {
                     peer, coldStart);
         }
 
-        /** What an edit at the default grade saves, the average of all. */
+        /** Returns the mean saving of edits at the default setting. */
         private double averageSavedMs() {
             return edits.stream().flatMap(edit -> edit.values().stream()).mapToDouble(result -> result.rungs().getLast().time().median()
                     - result.point(AccuracySetting.DEFAULT).time().median()).average().orElse(0);
@@ -98,7 +98,7 @@ final class ResultCollector {
         problems.add(problem);
     }
 
-    /** Everything, as a run's results. */
+    /** Returns all results of a run. */
     BenchResults results(BenchRun run) {
         return new BenchResults(run, scenes.stream().map(SceneCollector::result).toList(), drifts, List.copyOf(growths.values()), editing,
                 meshes,

@@ -16,14 +16,14 @@ import tools.jackson.databind.json.JsonMapper;
 import tools.jackson.dataformat.csv.CsvMapper;
 
 /**
- * Results as files: JSON, which holds everything and can be read again, and CSV, a row for each measurement.
+ * Benchmark results as files: lossless JSON that can be read back, and CSV with a row per measurement.
  *
- * <p>In both, numbers that do not exist are the string {@code NaN}, and infinite ones {@code Infinity}.
+ * <p>Missing numbers are the string {@code NaN}, infinite ones {@code Infinity}.
  */
 public final class ResultsFile {
-    /** A line for each property, so that two results can be compared by eye; spaces before it would double the file. */
+    /** One line per property, for readable diffs, without indentation, which would double the file size. */
     private static final DefaultIndenter LINE_INDENTER = new DefaultIndenter("", "\n");
-    /** Results of a full run have some MB. */
+    /** Exceeds the few MB of a full run. */
     private static final long MAX_BYTES = 200_000_000;
     private static final JsonMapper JSON = JsonMapper.builder()
             .disable(MapperFeature.SORT_PROPERTIES_ALPHABETICALLY)
@@ -49,27 +49,27 @@ public final class ResultsFile {
     /**
      * Reads results that {@link #writeJson} wrote.
      *
-     * @throws IOException if the file cannot be read, or holds no results; the message says where and why
+     * @throws IOException if the file cannot be read or is invalid; the message has position and reason
      */
     public static BenchResults readJson(Path file) throws IOException {
         if (Files.exists(file) && !Files.isRegularFile(file)) {
-            throw new IOException(file + ": is no file, expected results of 'lightning bench'");
+            throw new IOException(file + ": expected a results file of 'lightning bench', found no regular file");
         }
         if (Files.exists(file) && Files.size(file) > MAX_BYTES) {
             throw new IOException(
-                    file + ": no results of 'lightning bench': they have at most " + MAX_BYTES + " bytes, it has " + Files.size(file));
+                    file + ": expected a results file of 'lightning bench' of at most " + MAX_BYTES + " bytes, found " + Files.size(file));
         }
         try {
             return JSON.readValue(Files.readAllBytes(file), BenchResults.class);
         } catch (JacksonException e) {
             var at = e.getLocation();
             throw new IOException(Quote.path(file) + (at == null ? "" : ":" + at.getLineNr() + ":" + at.getColumnNr())
-                    + ": no results of 'lightning bench': " + e.getOriginalMessage(), e);
+                    + ": expected a results file of 'lightning bench': " + e.getOriginalMessage(), e);
         }
     }
 
     /**
-     * Writes a row for each measurement as CSV, with a line of column names.
+     * Writes a row per measurement as CSV, with a line of column names.
      *
      * @throws IOException if the file cannot be written
      */

@@ -3,17 +3,17 @@ package lightning.bench;
 import java.io.IOException;
 import java.nio.file.Path;
 
-/** Makes something to look at of results. */
+/** Reporter that presents results. */
 @FunctionalInterface
 public interface ResultsReporter {
-    /** Makes nothing. */
+    /** Reporter that does nothing. */
     ResultsReporter NONE = (_, _) -> {};
 
     /**
-     * Writes into the folder that holds the results.
+     * Writes a report to the folder of the results.
      *
-     * @param folder where {@code results.json} is; the pictures that results name are relative to it
-     * @throws IOException if a picture cannot be read or a file not be written
+     * @param folder folder of {@code results.json}; image names in results are relative to it
+     * @throws IOException if an image cannot be read or a file cannot be written
      */
     void write(BenchResults results, Path folder) throws IOException;
 }

@@ -20,11 +20,11 @@ import lightning.render.image.Film;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Scene;
 
-/** Measures one scene at one size: its first pass, and the ladder of each edit with each value. */
+/** Benchmark of one scene at one size: its first pass, and all accuracy settings for each edit and value. */
 final class SceneBench implements AutoCloseable {
-    /** First passes for each repetition of an edit. */
+    /** Number of first passes per repetition of an edit. */
     private static final int FIRST_PASSES = 3;
-    /** Of each effect, with it and without. */
+    /** Number of passes per effect: with and without it. */
     private static final int EFFECT_PASSES = 2;
 
     private final BenchSettings settings;
@@ -33,7 +33,7 @@ final class SceneBench implements AutoCloseable {
     private final String name;
     private final Scene scene;
     private final double bytesPerMs;
-    /** Null where no pictures are written. */
+    /** Image writer; null if no images are written. */
     private final PictureWriter pictures;
     private AccuracySweepMeter meter;
 
@@ -49,7 +49,7 @@ final class SceneBench implements AutoCloseable {
         scene = size.of(namedScene.scene());
     }
 
-    /** What is to be measured. */
+    /** Returns the parts to measure. */
     List<BenchPart> parts(TraceThroughput throughput, PictureSize size) {
         String title = name + " at " + size;
         List<BenchPart> parts = new ArrayList<>();
@@ -65,20 +65,20 @@ final class SceneBench implements AutoCloseable {
         return parts;
     }
 
-    /** What each effect takes, in the first pass and in the update after a light was moved. */
+    /** Measures the cost of each effect in the first pass and in the update after moving a light. */
     private void measureEffects(Progress progress) {
         Scene after = PaperCases.moveCase(scene).map(PaperCase::after).orElse(scene);
-        // The ladder's pictures need not lie in memory beside all the samples.
+        // Frees the images of the sweep before all samples are in memory.
         close();
         EffectCosts costs = EffectCosts.of(scene, after, RenderOptions.DEFAULT.withThreads(settings.threads()),
                 settings.isWarm() ? EFFECT_PASSES * settings.repetitions() : 1, progress);
         collector.setEffects(costs.effects().stream().filter(EffectCost::measured).map(EffectResult::of).toList());
         costs.effectsOverMemory().forEach(effect -> ledger.addProblem(new MeasurementFailure(MeasurementFailure.Kind.UNMEASURED,
                 name + " at " + scene.picture().width() + "x" + scene.picture().height() + ", effects",
-                "there is not enough memory for " + effect.title())));
+                "not enough memory for " + effect.title())));
     }
 
-    /** The cases by name, with each value that changes the scene. */
+    /** Returns the cases by name, with each value that changes the scene. */
     private Map<String, List<PaperCase>> cases() {
         Map<String, List<PaperCase>> cases = new LinkedHashMap<>();
         for (int value = 0; value < settings.values(); value++) {
@@ -88,7 +88,7 @@ final class SceneBench implements AutoCloseable {
                 }
             }
         }
-        // A value that says the same again is the same edit: a scene of depth 0 or 10 has fewer depths to change to.
+        // Skips duplicate values: a scene of depth 0 or 10 has fewer other depths.
         cases.values().forEach(values -> {
             List<String> seenValues = new ArrayList<>();
             values.removeIf(edit -> seenValues.contains(edit.value()) || !seenValues.add(edit.value()));
@@ -97,7 +97,7 @@ final class SceneBench implements AutoCloseable {
     }
 
     private void measureFirstPass(Progress progress) throws IOException {
-        // The collector makes some of them slow; the median of a few would tell of it by chance.
+        // Garbage collection slows some of them; a median of few samples would depend on chance.
         int passes = FIRST_PASSES * settings.repetitions();
         try (UpdateSavingMeter meter = new UpdateSavingMeter(RenderOptions.DEFAULT.withThreads(settings.threads()), passes,
                 settings.patienceMs(),
@@ -123,7 +123,7 @@ final class SceneBench implements AutoCloseable {
         collector.addEdit(EditResult.of(values.getFirst(), results));
     }
 
-    /** @param namePrefix how the names of its pictures begin, or null where none are written */
+    /** @param namePrefix prefix of the image names; null if none are written */
     private List<SweepPointResult> results(AccuracySweep sweep, String namePrefix) throws IOException {
         SweepPoint full = sweep.point(AccuracySetting.FULL_TRACE);
         double fullMs = full.time().median();
@@ -147,7 +147,7 @@ final class SceneBench implements AutoCloseable {
                 : Double.NaN;
     }
 
-    /** A picture equal to the reference needs no file of its own. */
+    /** Returns the file of an image; images equal to the reference share its file. */
     private String pictureFile(String pictureName, Film film, Film full, String reference) throws IOException {
         return film.hasSameBits(full) ? reference : pictures.writePicture(pictureName, film);
     }

@@ -3,18 +3,18 @@ package lightning.bench;
 import java.util.List;
 
 /**
- * What was measured on one scene at one size.
+ * Results of one scene at one size.
  *
- * @param scene     the scene's name: its file's without the ending
+ * @param scene     scene name: its file name without extension
  * @param width     pixels
  * @param height    pixels
- * @param depth     how many mirror bounces are followed
- * @param before    the file of the picture before all edits, relative to the results; null where none was written
- * @param firstPass what keeping the picture costs; null where it was not measured
- * @param edits     in the paper's order
- * @param effects   what each effect takes, and what the absence of others saves; empty where it was not measured
- * @param peer      the same trace by another program; null where there is none
- * @param cold      the picture by processes that have just begun; null where it was not measured
+ * @param depth     maximum reflection depth
+ * @param before    file of the image before all edits, relative to the results; null if not written
+ * @param firstPass cost of building the cache; null if not measured
+ * @param edits     results in the paper's order
+ * @param effects   cost of each used effect and saving of each absent one; empty if not measured
+ * @param peer      trace by another program; null if none
+ * @param cold      cold-start processes; null if not measured
  */
 public record SceneResult(String scene, int width, int height, int depth, int shapes, int lights, String before,
         FirstPassResult firstPass, List<EditResult> edits, List<EffectResult> effects, PeerResult peer, ColdStart cold) {

@@ -6,24 +6,22 @@ import lightning.bench.accuracy.AccuracySetting;
 import lightning.bench.accuracy.PictureError;
 
 /**
- * One grade of accuracy for one edit.
+ * Result of one accuracy setting for one edit.
  *
- * @param grade      in files of results it is called a level
- * @param saving     percent of the full trace's time; negative where it takes longer; NaN where the quartiles of both overlap, so that
- *                   nothing can be said
- * @param error      how far its picture is from the full trace
- * @param work       what it did; null for the full trace
- * @param picture    the file of its picture, relative to the results; null where none was written
- * @param difference the file of the false-color picture of its difference to the full trace; null where none was
- *                   written or there is none
+ * @param grade      accuracy setting; called level in result files
+ * @param saving     percent of the full trace's time; negative if slower; NaN if the quartiles of both overlap
+ * @param error      difference from the full trace
+ * @param work       work of the update; null for the full trace
+ * @param picture    image file, relative to the results; null if not written
+ * @param difference file of the false-color difference from the full trace; null if not written or equal
  */
 public record SweepPointResult(@JsonProperty("level") AccuracySetting grade, TimeSamples time, double saving, PictureError error,
         UpdateWork work, String picture,
         String difference) {
     public SweepPointResult {
-        // Results that are read may lack anything, and would be missed only after all was measured.
-        Objects.requireNonNull(grade, "a level is missing");
-        Objects.requireNonNull(time, "a time is missing");
-        Objects.requireNonNull(error, "an error is missing");
+        // Checked here, as a missing field of a parsed file would otherwise surface only after all measurements.
+        Objects.requireNonNull(grade, "missing level");
+        Objects.requireNonNull(time, "missing time");
+        Objects.requireNonNull(error, "missing error");
     }
 }

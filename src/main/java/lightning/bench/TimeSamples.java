@@ -4,22 +4,22 @@ import java.util.List;
 import lightning.bench.accuracy.Timing;
 
 /**
- * One work's times, milliseconds.
+ * Times of one task in milliseconds.
  *
- * @param median        of all samples
- * @param lowerQuartile a quarter of the samples are below it
- * @param upperQuartile a quarter of the samples are above it
- * @param samples       every sample in the order in which it was taken
+ * @param median        median of all samples
+ * @param lowerQuartile first quartile
+ * @param upperQuartile third quartile
+ * @param samples       samples in order of measurement
  */
 public record TimeSamples(double median, double lowerQuartile, double upperQuartile, List<Double> samples) {
     public TimeSamples {
         samples = List.copyOf(samples);
     }
 
-    /** With fewer samples quartiles say nothing. */
+    /** Minimum number of samples for quartiles. */
     private static final int MIN_SAMPLES = 3;
 
-    /** Whether it is certain which of two works takes longer: both have quartiles, and these do not overlap. */
+    /** Tests if two tasks differ significantly: both have quartiles, which do not overlap. */
     boolean isDistinctFrom(TimeSamples other) {
         return Math.min(samples.size(), other.samples.size()) >= MIN_SAMPLES
                 && (upperQuartile < other.lowerQuartile || other.upperQuartile < lowerQuartile);

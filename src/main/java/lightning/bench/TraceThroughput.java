@@ -7,36 +7,36 @@ import lightning.render.fulltrace.TraditionalTracer;
 import lightning.scene.Scene;
 
 /**
- * How fast a scene is traced in full here: what predictions are made of.
+ * Full-trace speed of a scene on this machine, the basis of predictions.
  *
- * <p>The factors were fitted to runs on two cores; a prediction is good to about a factor of two.
+ * <p>The factors were fitted to runs on two cores; predictions are accurate to about a factor of two.
  *
- * @param msPerPixel milliseconds
+ * @param msPerPixel milliseconds per pixel
  */
 record TraceThroughput(double msPerPixel) {
     private static final PictureSize TRACE_SIZE = new PictureSize(320, 240);
-    /** It traces until so many traces were not notably faster than the best before: the compiler is done. */
+    /** Number of traces without notable improvement after which the JIT compiler counts as finished. */
     private static final int STEADY_TRACES = 12;
     private static final double FASTER_FACTOR = 0.9;
-    /** How many times the least time it waits for that. */
+    /** Maximum warm-up, as a multiple of the minimum time. */
     private static final double MAX_TIME_FACTOR = 5;
-    /** Warming up takes so many rounds, as a rule. */
+    /** Typical number of warm-up rounds. */
     private static final double WARM_UP_ROUNDS = 3;
-    /** One round of a ladder in full traces: the trace, and re-renders of all kinds. */
+    /** Duration of one round of a sweep in full traces: the trace, and re-renders of all settings. */
     private static final double SWEEP_ROUND = 1.5;
-    /** Comparing the grades with their oracles, in full traces. */
+    /** Duration of verifying all settings, in full traces. */
     private static final double SWEEP_CHECK = 6;
-    /** What a ladder takes however small its pictures are, milliseconds: code that is met for the first time, files. */
+    /** Minimum duration of a sweep for any image size, in milliseconds: cold code and files. */
     private static final double SWEEP_MIN_MS = 120;
-    /** The same of an effect, which has works of its own to warm up. */
+    /** Minimum duration of an effect's measurement, including its warm-up. */
     private static final double EFFECT_MIN_MS = 2500;
-    /** Measuring how far a ladder's pictures are off, milliseconds a pixel. */
+    /** Duration of computing a sweep's image errors, in milliseconds per pixel. */
     private static final double ERROR_MS_PER_PIXEL = 0.7e-3;
 
     /**
-     * Traces small pictures until they are fast; in cold code that takes a while.
+     * Traces small images until times are steady.
      *
-     * @param minMs for how long at least, milliseconds: the compiler takes its time
+     * @param minMs minimum duration for the JIT compiler, milliseconds
      */
     static TraceThroughput measure(Scene scene, WorkerPool workers, double minMs, Progress progress) {
         var tracer = new TraditionalTracer(TRACE_SIZE.of(scene)).withEngines(Engines.FASTEST);
@@ -68,12 +68,12 @@ record TraceThroughput(double msPerPixel) {
         return fullMs(size) * 2.2 * (WARM_UP_ROUNDS + repetitions);
     }
 
-    /** So many effects, each in turns with the picture as it is, in the first pass and an update. */
+    /** Predicts measuring a number of effects, each in turns with the plain image, in the first pass and an update. */
     double effectsMs(PictureSize size, int repetitions, int effects) {
         return (fullMs(size) * 2.5 * (WARM_UP_ROUNDS + repetitions) + EFFECT_MIN_MS) * effects;
     }
 
-    /** So many edits and a full trace in turns. */
+    /** Predicts measuring a number of edits in turns with a full trace. */
     double updatesMs(PictureSize size, int repetitions, int edits) {
         return fullMs(size) * ((WARM_UP_ROUNDS + repetitions) * (1 + 0.2 * edits) + 2 * edits);
     }

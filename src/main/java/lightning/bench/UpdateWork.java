@@ -5,28 +5,27 @@ import lightning.render.relight.UpdateResult;
 import lightning.render.shading.RayCounts;
 
 /**
- * What a re-render did.
+ * Work of an update.
  *
- * @param plan              in the paper's words
- * @param rowsTouched       rows of light layers, a row once for each light
- * @param shadowRays        rays to lights that it cast
- * @param shadowRaysAvoided how many fewer that is than the full trace casts
- * @param rays              all rays that it cast
- * @param bytesMoved        bytes that memory must move if no cache helps
- * @param floorMs           milliseconds that memory needs to move them
- * @param timesFloor        the measured time in units of that floor; NaN where there is none
- * @param cap               percent that it could save at most if it cast its rays as fast as the full trace casts its own and
- *                          moved its bytes at the speed of memory
- * @param errorBound        how far any value of the film may be off by the engine's own account, linear
+ * @param plan              plan in the paper's terms
+ * @param rowsTouched       touched rows of light layers, counted per light
+ * @param shadowRays        cast shadow rays
+ * @param shadowRaysAvoided saved shadow rays relative to the full trace
+ * @param rays              cast rays of all kinds
+ * @param bytesMoved        bytes of memory traffic without caches
+ * @param floorMs           minimum time of this traffic, milliseconds
+ * @param timesFloor        measured time relative to that floor; NaN if there is none
+ * @param cap               maximum saving in percent at the full trace's ray rate and at memory speed
+ * @param errorBound        the engine's error bound of any value, linear
  */
 public record UpdateWork(String plan, long rowsTouched, long shadowRays, long shadowRaysAvoided, long rays, long bytesMoved, double floorMs,
         double timesFloor, double cap, double errorBound) {
 
     /**
-     * @param ms         the re-render's time, median
-     * @param fullMs     the full trace's
-     * @param fullRays       the full trace's rays
-     * @param bytesPerMs the bandwidth of memory
+     * @param ms         median time of the update, milliseconds
+     * @param fullMs     median time of the full trace, milliseconds
+     * @param fullRays   rays of the full trace
+     * @param bytesPerMs memory bandwidth
      */
     static UpdateWork of(UpdateResult update, double ms, double fullMs, RayCounts fullRays, double bytesPerMs) {
         double floor = update.bytesMoved() / bytesPerMs;

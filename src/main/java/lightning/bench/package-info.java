@@ -1,5 +1,5 @@
 /**
- * The harness: what re-rendering saves and what accuracy costs, measured on any scenes and left behind as results.
+ * Benchmark harness: savings of re-rendering and cost of accuracy on any scenes, with result files.
  *
  * <pre>{@code
  * BenchResults results = ResultsFile.readJson(Path.of("results.json"));
@@ -10,6 +10,6 @@
  * }
  * }</pre>
  *
- * <p>Times are milliseconds and come with every raw sample. What is measured with each other is measured in turns.
+ * <p>Times are milliseconds and keep every raw sample. Compared tasks are measured in turns.
  */
 package lightning.bench;

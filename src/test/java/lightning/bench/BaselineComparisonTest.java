@@ -55,8 +55,8 @@ class BaselineComparisonTest {
         List<String> worse = compare(SampleResults.scene(0, 5, 5, 5), SampleResults.scene(1e-9, 5, 5, 5)).worse();
         assertThat(worse).hasSize(1);
         assertThat(worse.getFirst())
-                .startsWith("less accurate: bird at 300x200, color, sun: color 1 1 1 → 1 0 0, on yes → no, exact: values that differ 1")
-                .contains("largest difference 1.00000e-09, was 0.00000");
+                .startsWith("less accurate: bird at 300x200, color, sun: color 1 1 1 → 1 0 0, on yes → no, exact: differing values 1")
+                .contains("maximum difference 1.00000e-09, was 0.00000");
         assertThat(compare(SampleResults.scene(1e-9, 5, 5, 5), SampleResults.scene(0, 5, 5, 5)).worse()).isEmpty();
     }
 

@@ -48,7 +48,7 @@ class ColdStartBenchTest {
         assertThat(results.problems()).singleElement().satisfies(problem -> {
             assertThat(problem.kind()).isEqualTo(MeasurementFailure.Kind.UNMEASURED);
             assertThat(problem.where()).isEqualTo("generated at 24x16, from cold");
-            assertThat(problem.what()).startsWith("'lightning render' failed; it ended with: ").contains("none.jen");
+            assertThat(problem.what()).startsWith("'lightning render' failed: ").contains("none.jen");
         });
     }
 

@@ -6,7 +6,7 @@ import lightning.render.image.Film;
 import org.junit.jupiter.api.Test;
 
 class FilmDownscalerTest {
-    /** Red counts pixels from 0, green is 1 at pixel (1, 1) alone. */
+    /** Returns a film whose red counts pixels from 0, and whose green is 1 only at pixel (1, 1). */
     private static Film film(int width, int height) {
         Film film = Film.black(width, height);
         for (int y = 0; y < height; y++) {

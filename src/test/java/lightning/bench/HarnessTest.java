@@ -143,7 +143,7 @@ class HarnessTest {
         assertThat(exact.work().shadowRaysAvoided()).isPositive();
         assertThat(exact.work().floorMs()).isPositive();
         assertThat(exact.work().timesFloor()).isEqualTo(exact.time().median() / exact.work().floorMs());
-        assertThat(List.of(edit.saving(), exact.saving())).as("one sample tells no saving").containsOnly(Double.NaN);
+        assertThat(List.of(edit.saving(), exact.saving())).as("one sample gives no saving").containsOnly(Double.NaN);
         assertThat(edit.cap()).isEqualTo(result(rungs, AccuracySetting.DEFAULT).work().cap());
         assertThat(result(rungs, AccuracySetting.EXACT_CURRENT).error().values()).isZero();
         assertThat(rungs.getLast().work()).isNull();

@@ -63,7 +63,7 @@ class HtmlReportTest {
                 "bird, 300 × 200");
     }
 
-    /** A scene of edits at the default grade and with mirrors as they were, which saved this much of a full trace of 100 ms. */
+    /** Returns a scene of edits with these savings of a 100 ms full trace, at the default setting and without updated reflections. */
     private static SceneResult scene(double... savings) {
         var same = new PictureError(0, 300, 0, 0, 0, 0, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, 1, 0);
         var stale = new PictureError(7, 300, 0, 0.1, 0.1, 0.1, 20, 20, 0.9, 0.1);
@@ -94,7 +94,7 @@ class HtmlReportTest {
 
         assertThat(texts(key, "dt").subList(0, 3)).containsExactly("80.0\u00a0%", "60.0\u00a0%", "3 of 3");
         assertThat(texts(key, "dd").subList(0, 3))
-                .allSatisfy(text -> assertThat(text).contains("at grade " + AccuracySetting.DEFAULT.label()));
+                .allSatisfy(text -> assertThat(text).contains("at setting " +  AccuracySetting.DEFAULT.label()));
         assertThat(texts(key, "dd").get(1)).contains("edit0 on bird");
     }
 
@@ -127,7 +127,7 @@ class HtmlReportTest {
 
     @Test
     void barsOfLosses_endInsideChart() throws Exception {
-        // An edit that takes ten times as long as the full trace.
+        // An edit ten times as slow as the full trace.
         Document page = write(results(SampleResults.RUN, scene(80, -900)), folder);
         Element chart = elements(page.getElementsByTagName("svg")).getFirst();
         List<Double> widths = elements(chart.getElementsByTagName("rect")).stream()
@@ -218,7 +218,7 @@ class HtmlReportTest {
                 .doesNotContain("<svg class");
     }
 
-    /** Writes a report in a process of its own. */
+    /** Writes a report in a separate process. */
     static final class FontlessProcess {
         private FontlessProcess() {}
 

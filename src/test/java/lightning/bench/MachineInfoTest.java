@@ -36,17 +36,17 @@ class MachineInfoTest {
         assertThat(MachineInfo.commit(classes)).isEqualTo(built);
 
         Files.writeString(docs.resolve("results.md"), "what was measured");
-        assertThat(MachineInfo.commit(classes)).as("a document that is not committed").isEqualTo(built);
+        assertThat(MachineInfo.commit(classes)).as("uncommitted document").isEqualTo(built);
         commitAll("documents");
         assertThat(head()).isNotEqualTo(built);
-        assertThat(MachineInfo.commit(classes)).as("a later commit of documents").isEqualTo(built);
+        assertThat(MachineInfo.commit(classes)).as("later commit of documents").isEqualTo(built);
 
         Files.writeString(main, "two");
-        assertThat(MachineInfo.commit(classes)).as("a changed source").isEqualTo(built + "-dirty");
+        assertThat(MachineInfo.commit(classes)).as("changed source").isEqualTo(built + "-dirty");
         commitAll("changed");
         assertThat(MachineInfo.commit(classes)).isEqualTo(head());
         Files.writeString(sources.resolve("New.java"), "new");
-        assertThat(MachineInfo.commit(classes)).as("a new source").isEqualTo(head() + "-dirty");
+        assertThat(MachineInfo.commit(classes)).as("new source").isEqualTo(head() + "-dirty");
     }
 
     private void commitAll(String message) throws Exception {
@@ -62,7 +62,7 @@ class MachineInfoTest {
     @Test
     @DisabledOnOs(OS.WINDOWS)
     void commandTimeout_endsProcessAndGivesNoOutput() throws Exception {
-        // It holds its output open, and never ends by itself.
+        // Keeps its output open and never ends.
         Path open = Files.writeString(folder.resolve("open"), "");
         assertThat(MachineInfo.output(folder, List.of("sh", "-c", "echo abc; exec tail -f " + open), 1000)).isEmpty();
         Await.until("it is ended", () -> ProcessHandle.current().descendants()

@@ -23,8 +23,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * README.md, docs/results.md and docs/performance.md agree with the kept runs: their tables and the measured parts of their sentences are
- * between marks, and are made from those runs. {@code -Dlightning.write=true} writes them again, unless the runs must not be published.
+ * Tests that the marked tables and values in README.md, docs/results.md and docs/performance.md match the stored runs. {@code -Dlightning.write=true}
+ * regenerates them, unless the runs must not be published.
  */
 class ResultsDocumentTest {
     private static final Path RESULTS = Path.of("docs", "results.md");
@@ -33,15 +33,15 @@ class ResultsDocumentTest {
     private static final Path DECISIONS = Path.of("docs", "decisions");
     private static final Path PICTURES = Path.of("docs", "pictures");
     private static final Pattern MARKED = Pattern.compile("(<!-- (table|value): (.+?) -->\n?)(.*?)(<!-- end -->)", Pattern.DOTALL);
-    /** Ends the names of tables that are made from another part than their own. */
+    /** Matches table names that refer to another part than their own. */
     private static final Pattern OF_PART = Pattern.compile("(.+), of (\\w+)");
-    /** A measured figure: one with a fraction, or of percent or milliseconds. */
+    /** Matches a measured number: one with a fraction, or in percent or milliseconds. */
     private static final Pattern MEASURED = Pattern.compile("(?<![\\w.×§])(\\d+\\.\\d+(?:e-?\\d+)?|\\d+(?= %| ms))");
     private static final Pattern NUMBER = Pattern.compile("\\d+(?:\\.\\d+)?(?:e-?\\d+)?");
-    /** What another publication measured. */
+    /** Matches measurements of another publication. */
     private static final Pattern QUOTED = Pattern.compile("\\(the paper: [^)]*\\)");
     private static final Pattern COSTS = Pattern.compile("(?s)\n## Results\n(.*?)\n## ");
-    /** Where a decision keeps the measurements that led to it. */
+    /** Matches the measurements that led to a decision. */
     private static final Pattern RECORD = Pattern.compile("(?ms)^## Measurements\n(.*?)(?=^## |\\z)");
 
     static List<String> names() {
@@ -91,7 +91,7 @@ class ResultsDocumentTest {
         })).of(name);
     }
 
-    /** Their bytes depend on the fonts of who made them, their numbers on the run that they name. */
+    /** Compares the measured build only, as the bytes of charts depend on installed fonts. */
     @Test
     @Slow
     void everyChart_matchesStoredRun() throws IOException {
@@ -118,7 +118,7 @@ class ResultsDocumentTest {
         String text = Files.readString(RESULTS);
         String tables = MARKED.matcher(text).results().map(m -> m.group(4)).collect(Collectors.joining());
         Set<String> shown = NUMBER.matcher(tables).results().map(m -> m.group()).collect(Collectors.toSet());
-        assertThat(measuredNumbers(text).filter(n -> !shown.contains(n))).as("figures in sentences that no table of the document shows")
+        assertThat(measuredNumbers(text).filter(n -> !shown.contains(n))).as("numbers in sentences without a table in the document")
                 .isEmpty();
     }
 
@@ -142,7 +142,7 @@ class ResultsDocumentTest {
         return figures.stream();
     }
 
-    /** A line that begins with a comment ends the paragraph in Markdown, and is not formatted. */
+    /** Checks that no line starts with a comment, which would end the paragraph in Markdown and disable formatting. */
     @ParameterizedTest
     @MethodSource("documents")
     void markerInSentence_doesNotStartLine(Path document) throws IOException {
@@ -175,13 +175,13 @@ class ResultsDocumentTest {
                 List.of(new SceneResult("bird", 300, 200, 3, 10, 3, null, first, scene.edits(), List.of(),
                         null, null)),
                 List.of(), List.of(), List.of(), List.of(), List.of());
-        // The sample has no picture of the default grade, so nothing was compared.
+        // The sample has no image at the default setting, so nothing was compared.
         assertThatThrownBy(() -> new ReportStatements(results, results, results).of("equal pictures"))
                 .isInstanceOf(IllegalStateException.class)
                 .hasMessageStartingWith("bird, color, ");
     }
 
-    /** They are of many builds. */
+    /** Checks the tables of decisions, which come from many builds. */
     @Test
     void everyTableOfADecisionsMeasurements_namesItsDateAndCommit() throws IOException {
         int records = 0;

@@ -119,11 +119,12 @@ class ResultsFileTest {
         Path file = folder.resolve("old.json");
         Files.writeString(file, "{\n  \"run\": 5 oops }");
         assertThatThrownBy(() -> ResultsFile.readJson(file)).isInstanceOf(IOException.class)
-                .hasMessageStartingWith(file + ":2:").hasMessageContaining("no results of 'lightning bench'");
+                .hasMessageStartingWith(file + ":2:").hasMessageContaining("expected a results file of 'lightning bench'");
         Files.writeString(file, "{\"scenes\": []}");
         assertThatThrownBy(() -> ResultsFile.readJson(file)).isInstanceOf(IOException.class).hasMessageContaining("run");
         Files.writeString(file, "");
-        assertThatThrownBy(() -> ResultsFile.readJson(file)).isInstanceOf(IOException.class).hasMessageContaining("no results");
+        assertThatThrownBy(() -> ResultsFile.readJson(file)).isInstanceOf(IOException.class)
+                .hasMessageContaining("expected a results file");
         assertThatThrownBy(() -> ResultsFile.readJson(folder.resolve("none.json"))).isInstanceOf(IOException.class);
     }
 }

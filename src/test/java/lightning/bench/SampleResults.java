@@ -6,7 +6,7 @@ import lightning.bench.accuracy.AccuracySetting;
 import lightning.bench.accuracy.PictureError;
 import lightning.bench.accuracy.Timing;
 
-/** Results made by hand. */
+/** Handmade results. */
 final class SampleResults {
     static final BenchRun RUN = new BenchRun("2026-01-31T12:00:00Z", "abc", List.of("--quick"),
             new MachineSpec("Linux, amd64", "AMD EPYC", 2, 512, 16_000_000_000L, 4_000_000_000L, "Java 25"), new SystemLoad(0.1, 1.9, 0.02),
@@ -20,17 +20,17 @@ final class SampleResults {
         return TimeSamples.of(new Timing(Arrays.stream(ms).boxed().toList()));
     }
 
-    /** A scene with one edit at grade exact, which took about {@code ms} milliseconds. */
+    /** Returns a scene with one edit at setting exact that took about {@code ms} milliseconds. */
     static SceneResult scene(double ms) {
         return scene(0, ms, ms - 2, ms + 2);
     }
 
-    /** A scene with one edit at grade exact, its samples, and its largest error, beside a full trace of 20 ms. */
+    /** Returns a scene with one edit at setting exact, given its samples and maximum error, and a full trace of 20 ms. */
     static SceneResult scene(double error, double... ms) {
         return scene(samples(20, 20, 20), error, ms);
     }
 
-    /** A scene with one edit at grade exact, beside a full trace. */
+    /** Returns a scene with one edit at setting exact and a full trace. */
     static SceneResult scene(TimeSamples full, double error, double... ms) {
         var none = new PictureError(error > 0 ? 1 : 0, 180_000, 0, error, error / 180_000, error / 424, 60, 70, 1, 0);
         var work = new UpdateWork("sun: weight", 0, 0, 100, 0, 1000, 0.5, 10, 90, 0);

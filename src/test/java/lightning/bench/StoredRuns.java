@@ -13,7 +13,7 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import lightning.bench.accuracy.AccuracySetting;
 
-/** The results of {@code benchmarks/run} that are kept, by the names of its parts. */
+/** Stored results of {@code benchmarks/run}, by part name. */
 record StoredRuns(Map<String, BenchResults> parts) {
     static final Path FOLDER = Path.of("benchmarks", "results");
     private static final List<String> PARTS = List.of("figures", "grades", "effects", "surfaces", "cold", "editing", "meshes");
@@ -39,7 +39,7 @@ record StoredRuns(Map<String, BenchResults> parts) {
         return runs;
     }
 
-    /** Why they must not be published; empty where they may. */
+    /** Returns the reasons against publishing them; empty if none. */
     List<String> findFaults() {
         List<String> faults = new ArrayList<>();
         parts.forEach((name, results) -> {
@@ -78,7 +78,7 @@ record StoredRuns(Map<String, BenchResults> parts) {
         }
     }
 
-    /** The names of files in the folder of kept results that are none of them. */
+    /** Returns the names of other files in the folder of stored results. */
     static List<String> otherFiles(Path folder) throws IOException {
         try (Stream<Path> files = Files.list(folder)) {
             return List.copyOf(files.map(file -> file.getFileName().toString())

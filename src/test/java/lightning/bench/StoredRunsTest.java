@@ -35,7 +35,7 @@ class StoredRunsTest {
         return runAt(BUILD, true, 5, List.of());
     }
 
-    /** A scene whose picture of the default grade differs in some values. */
+    /** Returns a scene whose image at the default setting has differing values. */
     private static SceneResult scene(long differing) {
         var error = new PictureError(differing, 300, 0, 0, 0, 0, 99, 99, 1, 0);
         var rungs = List.of(new SweepPointResult(AccuracySetting.DEFAULT, SampleResults.samples(1, 2, 3), 80, error, null, null, null),
@@ -47,7 +47,7 @@ class StoredRunsTest {
     @Test
     void storedRuns_areCompleteAndFromOneCleanBuild() throws IOException {
         assertThat(StoredRuns.read(StoredRuns.FOLDER).findFaults()).isEmpty();
-        assertThat(StoredRuns.otherFiles(StoredRuns.FOLDER)).as("files of benchmarks/results that no part of benchmarks/run writes")
+        assertThat(StoredRuns.otherFiles(StoredRuns.FOLDER)).as("files in benchmarks/results not written by benchmarks/run")
                 .isEmpty();
     }
 

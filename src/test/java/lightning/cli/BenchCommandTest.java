@@ -110,7 +110,7 @@ class BenchCommandTest {
         Path stored = Files.copy(old, folder.resolve("old.json"));
         CliResult run = bench(scene, "--figure", 21, "--baseline", stored);
         assertThat(run.exit()).isEqualTo(1);
-        assertThat(run.out()).contains("less accurate: a at 24x16, ambience, ambience 0.5 → 0.05, half resolution: values that differ",
+        assertThat(run.out()).contains("less accurate: a at 24x16, ambience, ambience 0.5 → 0.05, half resolution: differing values",
                 "baseline: 7 measurements compared");
     }
 
@@ -131,7 +131,7 @@ class BenchCommandTest {
         bench(scene, "--repetitions", 0).assertRejected("repetitions");
         bench(scene, "--size", "0x5").assertRejected("width and height must be from 1");
         bench(scene, "--baseline", folder.resolve("no.json")).assertRejected("no.json: file not found");
-        bench(scene, "--baseline", scene).assertRejected("no results of 'lightning bench'");
+        bench(scene, "--baseline", scene).assertRejected("expected a results file of 'lightning bench'");
         bench(folder.resolve("no.jen")).assertRejected("no.jen: file not found", "there is no scene to measure");
     }
 

@@ -106,7 +106,7 @@ class IrregularFilesTest {
     @Test
     void deviceAsBaseline_isRejectedFirst() throws IOException {
         CliResult.run("bench", CliResult.scene(folder), "-o", folder.resolve("out"), "--baseline", "/dev/zero")
-                .assertRejected("/dev/zero: is no file, expected results of 'lightning bench'");
+                .assertRejected("/dev/zero: expected a results file of 'lightning bench', found no regular file");
     }
 
     @Test
@@ -118,7 +118,7 @@ class IrregularFilesTest {
         String broken = json.substring(0, index) + "\"level\" : null" + json.substring(json.indexOf('"', index + level.length()) + 1);
         Path file = Files.writeString(folder.resolve("old.json"), broken);
         CliResult.run("bench", CliResult.scene(folder), "-o", folder.resolve("out"), "--baseline", file)
-                .assertRejected("old.json", "no results of 'lightning bench'", "a level is missing");
+                .assertRejected("old.json", "expected a results file of 'lightning bench'", "missing level");
     }
 
     @Test

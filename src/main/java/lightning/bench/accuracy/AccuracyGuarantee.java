@@ -23,51 +23,50 @@ import lightning.render.trace.Geometry;
 import lightning.scene.effects.ViewEffects;
 
 /**
- * What a picture is said to be: the one promise that the status line, Verify, {@code relight --verify}, the harness and the
- * tests speak of.
+ * Accuracy guarantee of an image, shared by the status line, Verify, {@code relight --verify}, the benchmark and the tests.
  *
- * @param scenes what the picture and its mirrors show
- * @param view  which effects are shown; all of them in a picture
- * @param bound how far a value may be off, linear, finite; 0 where every bit must agree with a full trace of the scenes
+ * @param scenes scenes of the image and of its reflections
+ * @param view   shown effects; all of them in a full image
+ * @param bound  maximum error of a value, linear, finite; 0 if the image is bit-identical to a full trace of the scenes
  */
 public record AccuracyGuarantee(RenderedScenes scenes, ViewEffects view, double bound) {
 
-    /** The promise for a renderer's last update. */
+    /** Returns the guarantee of a renderer's last update. */
     public static AccuracyGuarantee of(Renderer renderer, UpdateResult update) {
         return new AccuracyGuarantee(renderer.cache().scenes(), renderer.options().view(), update.errorBound());
     }
 
-    /** Whether the mirrors show an older scene, as far as a picture can tell. */
+    /** Tests if reflections show an older scene that differs visibly. */
     public boolean isStale() {
         return !scenes.areReflectionsCurrent();
     }
 
-    /** Whether a picture that differs so much from a full trace of the scenes is as promised. */
+    /** Tests if a difference from a full trace of the scenes satisfies the guarantee. */
     public boolean isMetBy(Difference difference) {
         return bound == 0 ? difference.isNone() : difference.maxAbsolute() <= bound;
     }
 
-    /** {@code exact}, or {@code off by at most 1.2e-06}; and whether the mirrors are older. */
+    /** Returns {@code exact} or {@code off by at most 1.2e-06}, with a note if reflections are out of date. */
     public String text() {
         return (bound == 0 ? Messages.tr("exact") : Messages.tr("off by at most {0}", number(bound)))
-                + (isStale() ? Messages.tr(", reflections of an older light") : "");
+                + (isStale() ? Messages.tr(", reflections out of date") : "");
     }
 
-    /** The {@link #text} of the promise for an update, and whether that computed contributions anew. */
+    /** Returns the {@link #text}, with a note if the update recomputed contributions. */
     public String text(UpdateResult update) {
-        return text() + (update.wasRefreshed() ? Messages.tr(", refreshed") : "");
+        return text() + (update.wasRefreshed() ? Messages.tr(", recomputed") : "");
     }
 
-    /** By how much values differ at most, linear: two digits, rounded up. */
+    /** Formats a maximum difference, linear, with two digits rounded up. */
     static String number(double v) {
         return Double.isInfinite(v) ? "∞"
                 : String.format(Locale.ROOT, "%.1e", BigDecimal.valueOf(v).round(new MathContext(2, RoundingMode.UP)));
     }
 
     /**
-     * Compares a picture with full traces, over shapes and a tree of boxes that are made for this alone.
+     * Compares an image with full traces, using separate primitives and a separate BVH.
      *
-     * @throws CancellationException if {@code progress} asked to stop
+     * @throws CancellationException if {@code progress} requests a stop
      */
     public Verification verify(Film picture, WorkerPool workers, Progress progress) {
         var geometry = new Geometry(scenes.scene());
@@ -81,7 +80,7 @@ public record AccuracyGuarantee(RenderedScenes scenes, ViewEffects view, double 
                 isWarm ? OptionalDouble.of(milliseconds) : OptionalDouble.empty());
     }
 
-    /** From nothing: where all effects are shown a full trace that keeps nothing, else a first pass with the same effects. */
+    /** Traces from scratch: a full trace without a cache if all effects are shown, otherwise a first pass with the same effects. */
     private Film trace(RenderedScenes seenScenes, Geometry geometry, WorkerPool workers, Progress progress) {
         if (view.equals(ViewEffects.ALL)) {
             return new TraditionalTracer(seenScenes.scene(), seenScenes.mirrored(), geometry).trace(workers, progress).film();

@@ -14,26 +14,26 @@ import lightning.scene.SceneLimits;
 import lightning.scene.effects.RenderEffect;
 import lightning.scene.effects.ViewEffects;
 
-/** The grades of accuracy, each a way to show an edit, from the roughest to the full trace. */
+/** Accuracy settings, each a method to show an edit, from the roughest to the full trace. */
 public enum AccuracySetting {
-    HALF_RESOLUTION("half resolution", "re-rendered exactly, mirrors included, at half the width and height; each pixel enlarged to "
-            + "those nearest to it"),
-    FAST_SHADING("fast shading", "re-rendered without shadows and reflections, as previews of other editors are (paper §1.1, §2.3)"),
-    FEW_SAMPLES("few samples", "re-rendered exactly, mirrors included, with 4 samples of each light that is larger than a point; only "
-            + "where the scene has one"),
+    HALF_RESOLUTION("half resolution", "exact re-render with reflections at half the width and height, each pixel enlarged to "
+            + "its nearest ones"),
+    FAST_SHADING("fast shading", "re-render without shadows and reflections, like previews of other editors (paper §1.1, §2.3)"),
+    FEW_SAMPLES("few samples", "exact re-render with reflections and 4 samples per area light; only "
+            + "for scenes with area lights"),
     NO_ANTIALIASING("no anti-aliasing",
-            "re-rendered exactly, mirrors included, with one sample in each pixel; only where the scene asks for "
-                    + "finer samples"),
-    RATIO("ratio", "the paper's update of stored contributions; mirrors stay as they were"),
-    EXACT("exact", "bit-equal to a full trace whose mirrors stay as they were"),
-    EXACT_UPDATED("exact, mirrors updated", "exact, and then the mirrors: both times together (paper §4.8)"),
-    EXACT_CURRENT("exact, mirrors current", "bit-equal to a full trace, mirrors included, in one step"),
-    FULL_TRACE("full trace", "a traditional trace that keeps nothing: the reference");
+            "exact re-render with reflections and one sample per pixel; only for scenes with "
+                    + "anti-aliasing"),
+    RATIO("ratio", "the paper's update of stored contributions; reflections are not updated"),
+    EXACT("exact", "bit-identical to a full trace with the old reflections"),
+    EXACT_UPDATED("exact, mirrors updated", "exact update, then Update Reflections: sum of both times (paper §4.8)"),
+    EXACT_CURRENT("exact, mirrors current", "bit-identical to a full trace with current reflections, in one step"),
+    FULL_TRACE("full trace", "traditional trace without a cache: the reference");
 
-    /** What the program shows unless it is told otherwise: headlines are about this grade. */
+    /** Default setting of the program, used for headline results. */
     public static final AccuracySetting DEFAULT = EXACT_CURRENT;
 
-    /** The lights' samples of the grade that has few. */
+    /** Number of light samples of the setting with few samples. */
     private static final int REDUCED_LIGHT_SAMPLES = SceneLimits.MIN_LIGHT_SAMPLES;
 
     private final String label;
@@ -44,7 +44,7 @@ public enum AccuracySetting {
         this.description = note;
     }
 
-    /** Whether it is another than its neighbors for edits of a scene. */
+    /** Tests if the setting differs from its neighbors for edits of a scene. */
     boolean appliesTo(Scene scene) {
         return switch (this) {
             case FEW_SAMPLES -> scene.lights().stream().anyMatch(Light::isArea);
@@ -53,7 +53,7 @@ public enum AccuracySetting {
         };
     }
 
-    /** The scene that it renders for one that is wanted. */
+    /** Returns the scene that the setting renders for a requested one. */
     Scene sceneFor(Scene scene) {
         PictureSettings p = scene.picture();
         return switch (this) {
@@ -65,7 +65,7 @@ public enum AccuracySetting {
         };
     }
 
-    /** How it renders. */
+    /** Returns the render options of the setting. */
     RenderOptions options() {
         RenderOptions exact = RenderOptions.DEFAULT.withAccuracy(Accuracy.EXACT).withEngines(Engines.FASTEST);
         return switch (this) {
@@ -74,21 +74,21 @@ public enum AccuracySetting {
                     .withView(ViewEffects.ALL.withHidden(Set.of(RenderEffect.SHADOWS, RenderEffect.REFLECTION)));
             case RATIO -> exact.withReflections(ReflectionMode.STALE).withAccuracy(Accuracy.RATIO);
             case EXACT, EXACT_UPDATED -> exact.withReflections(ReflectionMode.STALE);
-            case FULL_TRACE -> throw new IllegalArgumentException("a full trace re-renders nothing");
+            case FULL_TRACE -> throw new IllegalArgumentException("expected a setting of a re-render, found the full trace");
         };
     }
 
-    /** Whether its edits start from what grade exact keeps. */
+    /** Tests if its edits start from the cache of setting exact. */
     boolean startsFromExact() {
         return this == EXACT_UPDATED || this == EXACT_CURRENT;
     }
 
-    /** A few words, for a table. */
+    /** Returns a short label for tables. */
     public String label() {
         return label;
     }
 
-    /** What it does, in a line. */
+    /** Returns a description, one line. */
     public String description() {
         return description;
     }

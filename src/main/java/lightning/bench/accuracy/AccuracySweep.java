@@ -6,24 +6,24 @@ import lightning.render.shading.RayCounts;
 import lightning.scene.Scene;
 
 /**
- * What each grade of accuracy costs for one edit, and how far its picture is from the full trace.
+ * Cost and image error of each accuracy setting for one edit.
  *
- * @param original the picture before the edit
- * @param points    one for each {@link AccuracySetting} that the scene has, in their order
- * @param fullRays the rays of the full trace
- * @param isWarm     whether Java was warm to all of it: else the times tell little, and what they save nothing
+ * @param original image before the edit
+ * @param points   results per {@link AccuracySetting} of the scene, in order
+ * @param fullRays rays of the full trace
+ * @param isWarm   whether the JIT compiler had finished; otherwise times are unreliable and savings meaningless
  */
 public record AccuracySweep(Scene before, Scene after, Film original, List<SweepPoint> points, RayCounts fullRays, boolean isWarm) {
     public AccuracySweep {
         points = List.copyOf(points);
     }
 
-    /** @throws java.util.NoSuchElementException if the scene has no such grade */
+    /** @throws java.util.NoSuchElementException if the scene does not have the setting */
     public SweepPoint point(AccuracySetting setting) {
         return points.stream().filter(point -> point.setting() == setting).findFirst().orElseThrow();
     }
 
-    /** Percent of the full trace's time that a grade saves; negative where it takes longer. */
+    /** Returns a setting's saving in percent of the full trace's time; negative if slower. */
     public double saving(AccuracySetting setting) {
         return point(setting).time().percentSavedOf(point(AccuracySetting.FULL_TRACE).time().median());
     }

@@ -15,11 +15,11 @@ import lightning.scene.Scene;
 import lightning.scene.effects.ViewEffects;
 
 /**
- * Measures the ladder of an edit: every grade of accuracy, in turns with a full trace.
+ * Meter of all accuracy settings for an edit, in turns with a full trace.
  *
- * <p>Each grade makes the edit once and is compared with its oracle before anything is timed. Each timed edit starts from
- * what was kept of the scene before it, so none profits from the one before. The full trace gets its tree of boxes for free.
- * Edits that start from the same scene share its first pass; what is kept of it stays in memory until the meter is closed.
+ * <p>Each setting renders the edit once and is verified before any timing. Each timed edit starts from the cache of the original scene, so
+ * that none profits from a previous one. The full trace does not include building its BVH. Edits from the same scene share its first pass,
+ * whose cache stays in memory until the meter is closed.
  */
 public final class AccuracySweepMeter implements AutoCloseable {
     private final WorkerPool workers;
@@ -29,16 +29,16 @@ public final class AccuracySweepMeter implements AutoCloseable {
     private PixelCache startCache;
 
     /**
-     * @param threads     how many threads each grade works with, ≥ 1
-     * @param repetitions how often each grade is measured, ≥ 1
-     * @param maxWarmUpMs  how long warming up takes at most, milliseconds
+     * @param threads     number of threads of each setting, ≥ 1
+     * @param repetitions number of measurements of each setting, ≥ 1
+     * @param maxWarmUpMs maximum warm-up, milliseconds
      * @throws IllegalArgumentException if {@code threads} or {@code repetitions} is below 1
      */
     public AccuracySweepMeter(int threads, int repetitions, double maxWarmUpMs) {
         this(threads, new InterleavedTimer(repetitions, maxWarmUpMs));
     }
 
-    /** A meter for a Java that has not run for long, as an editor's: works must be steady for a while. */
+    /** Returns a meter for a recently started Java VM, as in an editor: times must be steady for a while. */
     public static AccuracySweepMeter untilSteady(int threads, int repetitions, double maxWarmUpMs) {
         return new AccuracySweepMeter(threads, new InterleavedTimer(repetitions, maxWarmUpMs, WarmSaving.STEADY_MS));
     }
@@ -54,11 +54,11 @@ public final class AccuracySweepMeter implements AutoCloseable {
     }
 
     /**
-     * Measures the edit that leads from one scene to another.
+     * Measures the edit from one scene to another.
      *
-     * @param progress hears of finished rounds
-     * @throws GuaranteeViolation if a grade's picture is not what it promises
-     * @throws java.util.concurrent.CancellationException if {@code progress} asked to stop
+     * @param progress receives finished rounds
+     * @throws GuaranteeViolation if the image of a setting violates its guarantee
+     * @throws java.util.concurrent.CancellationException if {@code progress} requests a stop
      */
     public AccuracySweep measure(Scene before, Scene after, Progress progress) {
         Progress silent = progress.cancellationOnly();
@@ -70,7 +70,7 @@ public final class AccuracySweepMeter implements AutoCloseable {
         }
         var tracer = new TraditionalTracer(after, this.renderers.getLast().geometry()).withEngines(Engines.FASTEST);
         TraditionalTracer.Result full = tracer.trace(workers, silent);
-        // What shows the scene as it is must be the very picture that it is measured beside.
+        // A setting with current reflections must be bit-identical to the reference image.
         var currentGuarantee = new AccuracyGuarantee(RenderedScenes.of(after), ViewEffects.ALL, 0);
         renderers.stream().filter(
                 renderer -> renderer.setting() == AccuracySetting.EXACT_UPDATED || renderer.setting() == AccuracySetting.EXACT_CURRENT)
@@ -84,7 +84,7 @@ public final class AccuracySweepMeter implements AutoCloseable {
         return new AccuracySweep(before, after, startCache.film(), points(renderers, times, full.film(), silent), full.rays(), isWarm);
     }
 
-    /** What is kept of the scene that the last measured edit started from. */
+    /** Returns the cache of the scene that the last measured edit started from. */
     public PixelCache startCache() {
         return startCache;
     }
@@ -95,7 +95,7 @@ public final class AccuracySweepMeter implements AutoCloseable {
         }
         startScene = null;
         startCache = null;
-        // The grades' pictures lie in memory beside each other.
+        // The images of all settings are in memory together.
         long memory = HeapBudget.availableBytes();
         for (SettingRenderer renderer : renderers.stream().filter(g -> g.setting().appliesTo(before)).toList()) {
             if (renderer.setting().startsFromExact()) {

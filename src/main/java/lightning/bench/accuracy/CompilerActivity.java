@@ -5,17 +5,17 @@ import java.lang.management.ManagementFactory;
 import java.util.function.DoubleSupplier;
 
 /**
- * Whether Java's compilers rested while something was timed: what they still worked on is not as fast yet as it will be.
+ * Activity of the JIT compilers during a measurement. Times of code that is still being compiled are too long.
  *
- * @param compileMs milliseconds that they have worked until now
- * @param nowMs    milliseconds from any origin
+ * @param compileMs supplies the compilers' total milliseconds so far
+ * @param nowMs     supplies the current time, milliseconds from any origin
  */
 record CompilerActivity(DoubleSupplier compileMs, DoubleSupplier nowMs) {
-    /** Above this share of the time that passed they are at work. */
+    /** Share of elapsed time above which the compilers are busy. */
     private static final double BUSY_SHARE = 0.05;
     private static final CompilationMXBean COMPILATION_BEAN = ManagementFactory.getCompilationMXBean();
 
-    /** Those of this Java; they rest where it does not report their time. */
+    /** Returns the activity of this Java VM; idle if it does not report compile times. */
     static CompilerActivity ofVm() {
         return new CompilerActivity(
                 () -> COMPILATION_BEAN != null && COMPILATION_BEAN.isCompilationTimeMonitoringSupported()
@@ -23,14 +23,14 @@ record CompilerActivity(DoubleSupplier compileMs, DoubleSupplier nowMs) {
                 () -> System.nanoTime() / 1e6);
     }
 
-    /** Watches them from now on. */
+    /** Starts watching the compilers. */
     CompilerWatch startWatch() {
         return new CompilerWatch(this, compileMs.getAsDouble(), nowMs.getAsDouble());
     }
 
-    /** What they did since a moment. */
+    /** Activity since a start time. */
     record CompilerWatch(CompilerActivity compilers, double startCompileMs, double startMs) {
-        /** Whether they worked for less than a twentieth of the time. */
+        /** Tests if they worked for less than a twentieth of the time. */
         boolean isIdle() {
             return compilers.compileMs.getAsDouble() - startCompileMs < BUSY_SHARE * (compilers.nowMs.getAsDouble() - startMs);
         }

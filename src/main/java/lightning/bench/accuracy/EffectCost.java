@@ -5,20 +5,18 @@ import lightning.render.shading.RayCounts;
 import lightning.scene.effects.RenderEffect;
 
 /**
- * What an effect takes, found by rendering with it and without it in turns: where the scene calls for it, by hiding it;
- * where it does not, by forcing it on, and then these are what its absence saves.
+ * Cost of an effect, measured by rendering with and without it in turns. If the scene uses it, it is hidden. Otherwise it is forced on, and
+ * the values are the savings from its absence.
  *
- * @param callers    the names of the lights, materials or shapes that call for it, in the order of the scene; empty where
- *                   nobody does
- * @param measured   whether it was: an absent kind of light or shape has nothing that could be forced on, and finer
- *                   samples may need more memory than there is
- * @param firstMs    by how much it makes the first pass longer, milliseconds; below 0 only by noise, or where a scene without
- *                   it has more to do
- * @param updateMs   likewise the update after an edit
- * @param firstNoise half the distance between the quartiles of the first passes with it or without it, the larger, milliseconds
- * @param updateNoise likewise of the updates
- * @param bytes      by how much it makes the picture's cache larger; below 0 where other columns are needed without it
- * @param rays       how many more rays the first pass casts
+ * @param callers     names of the lights, materials or shapes that use it, in scene order; empty if none
+ * @param measured    whether it was measured; an absent kind of light or shape cannot be forced on, and anti-aliasing samples may exceed
+ *         memory
+ * @param firstMs     added time of the first pass, milliseconds; negative by noise, or if a scene without it has more work
+ * @param updateMs    added time of the update after an edit, as {@code firstMs}
+ * @param firstNoise  half the interquartile range of the first passes with or without it, whichever is larger, milliseconds
+ * @param updateNoise noise of the updates, as {@code firstNoise}
+ * @param bytes       added bytes of the cache; negative if other columns are needed without it
+ * @param rays        added rays of the first pass
  */
 public record EffectCost(RenderEffect effect, List<String> callers, boolean measured, double firstMs, double updateMs, double firstNoise,
         double updateNoise, long bytes, RayCounts rays) {
@@ -26,7 +24,7 @@ public record EffectCost(RenderEffect effect, List<String> callers, boolean meas
         callers = List.copyOf(callers);
     }
 
-    /** Whether the scene calls for it. */
+    /** Tests if the scene uses it. */
     public boolean inUse() {
         return !callers.isEmpty();
     }

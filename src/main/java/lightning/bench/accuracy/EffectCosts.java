@@ -13,13 +13,13 @@ import lightning.scene.effects.SceneEffects;
 import lightning.scene.effects.ViewEffects;
 
 /**
- * What every effect takes on one scene, in its first pass and in the update after one edit.
+ * Costs of every effect on one scene, in its first pass and in the update after one edit.
  *
  * @param first   milliseconds of the first pass
  * @param update  milliseconds of the update
- * @param plan    what the update did, in words
- * @param bytes   bytes of the picture's cache
- * @param effects one for each effect, in their order
+ * @param plan    description of the update's plan
+ * @param bytes   bytes of the image's cache
+ * @param effects costs per effect, in order
  */
 public record EffectCosts(Timing first, Timing update, String plan, long bytes, List<EffectCost> effects) {
     public EffectCosts {
@@ -27,13 +27,13 @@ public record EffectCosts(Timing first, Timing update, String plan, long bytes, 
     }
 
     /**
-     * Measures them.
+     * Measures the costs of all effects.
      *
-     * @param before      the scene
-     * @param after       the scene after an edit
-     * @param options     how pictures are rendered; its view is not used
-     * @param repetitions how often each is rendered, ≥ 1
-     * @throws java.util.concurrent.CancellationException if {@code progress} asked to stop
+     * @param before      scene
+     * @param after       scene after an edit
+     * @param options     render options; their view is ignored
+     * @param repetitions number of renders of each, ≥ 1
+     * @throws java.util.concurrent.CancellationException if {@code progress} requests a stop
      */
     public static EffectCosts of(Scene before, Scene after, RenderOptions options, int repetitions, Progress progress) {
         SceneEffects effects = SceneEffects.of(before);
@@ -51,13 +51,13 @@ public record EffectCosts(Timing first, Timing update, String plan, long bytes, 
         }
     }
 
-    /** The effects that could be measured if there were more memory. */
+    /** Returns the effects that were not measured for lack of memory. */
     public List<RenderEffect> effectsOverMemory() {
         return effects.stream().filter(cost -> !cost.measured() && (cost.inUse() || cost.effect().isForcible())).map(EffectCost::effect)
                 .toList();
     }
 
-    /** One effect, measured in turns with the picture as it is, so that two caches at most are held at a time. */
+    /** Measures one effect in turns with the plain image, so that at most two caches are in memory. */
     private static EffectCost compare(EffectVariant plain, RenderEffect effect, SceneEffects effects, Scene before, Scene after,
             RenderOptions options,
             int repetitions, Progress progress) {
@@ -75,7 +75,7 @@ public record EffectCosts(Timing first, Timing update, String plan, long bytes, 
                     withEffect.bytes() - withoutEffect.bytes(),
                     withEffect.rays().minus(withoutEffect.rays()));
         } catch (PictureTooLargeException | OutOfMemoryError e) {
-            // Finer samples may take twenty times what the picture takes; the other effects are measured all the same.
+            // Anti-aliasing samples may need twenty times the memory of the image; other effects are still measured.
             return unmeasuredCost(effect, effects);
         }
     }
@@ -88,7 +88,7 @@ public record EffectCosts(Timing first, Timing update, String plan, long bytes, 
         return (timing.upperQuartile() - timing.lowerQuartile()) / 2;
     }
 
-    /** How many effects are measured of a scene, where memory is enough. */
+    /** Returns the number of measurable effects of a scene, given enough memory. */
     public static int measurableCount(Scene scene) {
         SceneEffects effects = SceneEffects.of(scene);
         return (int) RenderEffect.ALL.stream().filter(effect -> canMeasure(effect, effects)).count();

@@ -16,9 +16,9 @@ import lightning.scene.Scene;
 import lightning.scene.effects.RenderEffect;
 import lightning.scene.effects.ViewEffects;
 
-/** One way to render a scene and an edit of it: with all that it calls for, without one effect, or with one forced. */
+/** Variant of a scene and its edit for effect costs: plain, without one effect, or with one forced on. */
 final class EffectVariant implements AutoCloseable {
-    /** Bytes of a picture that the collector notices. */
+    /** Size in bytes from which an image causes notable garbage collection. */
     private static final long LARGE = 1 << 24;
 
     private final Scene before;
@@ -36,7 +36,9 @@ final class EffectVariant implements AutoCloseable {
         renderer = new Renderer(options.withEngines(Engines.FASTEST));
     }
 
-    /** Without an effect that is in use, or with one that is not. Finer samples are forced by asking for them. */
+    /**
+     * Returns the variant without an effect in use, or with an unused one forced on. Anti-aliasing is forced on in the picture settings.
+     */
     static EffectVariant of(RenderEffect effect, boolean inUse, Scene before, Scene after, RenderOptions options) {
         ViewEffects view = inUse ? ViewEffects.ALL.with(effect, false) : ViewEffects.ALL.withForced(List.of(effect));
         boolean addsSamples = effect == RenderEffect.ANTIALIASING && !inUse;
@@ -49,7 +51,7 @@ final class EffectVariant implements AutoCloseable {
         return scene.withPicture(picture.withSampling(new SamplingSettings(AntialiasMode.EDGES, picture.sampling().grid())));
     }
 
-    /** Renders all of them in turns; a single time is for a look, without a warm-up. */
+    /** Renders all variants in turns; a single repetition is a preview without warm-up. */
     static void measure(List<EffectVariant> variants, int repetitions, Progress progress) {
         List<InterleavedTimer.TimedTask<RuntimeException>> tasks = new ArrayList<>();
         for (EffectVariant variant : variants) {
@@ -69,7 +71,7 @@ final class EffectVariant implements AutoCloseable {
         renderer.clear();
         cache = null;
         if (large) {
-            // A pause of the collector is longer than most effects; so it comes here, and in none of the times.
+            // Collects garbage here, as a pause during timing is longer than most effects.
             System.gc();
         }
         firstPass = renderer.render(before, progress);
@@ -95,7 +97,7 @@ final class EffectVariant implements AutoCloseable {
         return lastUpdate.plan().description();
     }
 
-    /** What is kept of the first pass. */
+    /** Returns the cache of the first pass. */
     PixelCache cache() {
         return cache;
     }

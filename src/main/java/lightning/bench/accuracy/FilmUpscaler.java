@@ -6,7 +6,7 @@ import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
 import lightning.render.image.Film;
 
-/** Enlarges a picture: each pixel takes the color of the small picture's pixel that its center falls in. */
+/** Nearest-neighbor upscaler of images: each pixel takes the color of the source pixel that contains its center. */
 final class FilmUpscaler {
     private FilmUpscaler() {}
 
@@ -22,7 +22,7 @@ final class FilmUpscaler {
         return large;
     }
 
-    /** For each pixel along a side the pixel of the small picture that shows its center: ⌊(i + ½)·small/large⌋. */
+    /** Returns, for each pixel along a side, the source pixel that contains its center: ⌊(i + ½)·small/large⌋. */
     private static int[] sourceIndices(int large, int small) {
         IntUnaryOperator source = i -> (int) ((2L * i + 1) * small / (2L * large));
         return IntStream.range(0, large).map(source).toArray();

@@ -1,24 +1,24 @@
 package lightning.bench.accuracy;
 
 /**
- * What keeping a picture costs, beside a full trace that keeps nothing.
+ * Cost of building the cache in the first pass, compared with a full trace without a cache.
  *
  * @param first       milliseconds of the first pass
  * @param full        milliseconds of the full trace
  * @param fullRays    rays of the full trace
- * @param rows        hit rows kept
- * @param bytes       bytes kept, the film left out
- * @param bandwidthMs milliseconds that memory needs to write those bytes
- * @param isWarm        whether Java's compilers rested while it was timed: else its times say little
+ * @param rows        cached rows
+ * @param bytes       bytes of the cache, without the film
+ * @param bandwidthMs minimum milliseconds to write those bytes to memory
+ * @param isWarm      whether the JIT compilers were idle; otherwise its times are unreliable
  */
 public record FirstPassCost(Timing first, Timing full, long fullRays, long rows, long bytes, double bandwidthMs,
         boolean isWarm) {
-    /** By how many percent the first pass is slower. */
+    /** Returns the added time of the first pass, percent. */
     public double percentSlower() {
         return 100 * (first.median() / full.median() - 1);
     }
 
-    /** By how many percent it would be slower if only memory set the limit. */
+    /** Returns the added time if only memory bandwidth limited the first pass, percent. */
     public double percentAtMemoryLimit() {
         return 100 * bandwidthMs / full.median();
     }

@@ -1,6 +1,6 @@
 package lightning.bench.accuracy;
 
-/** A picture is not what its grade of accuracy promises: it is not worth measuring. */
+/** Exception for an image that violates the guarantee of its accuracy setting, and is therefore not measured. */
 public final class GuaranteeViolation extends RuntimeException {
     private static final long serialVersionUID = 1;
 
@@ -9,13 +9,13 @@ public final class GuaranteeViolation extends RuntimeException {
     }
 
     /**
-     * Requires that a grade's picture is what it promises.
+     * Requires that the image of a setting satisfies its guarantee.
      *
-     * @throws GuaranteeViolation if it is not; the message says how far it is off
+     * @throws GuaranteeViolation if it does not; the message contains the difference
      */
     static void require(Verification verification, AccuracySetting setting) {
         if (!verification.hasPassed()) {
-            throw new GuaranteeViolation("grade " + setting.label() + ": " + verification.text() + "; not measured");
+            throw new GuaranteeViolation("accuracy setting " + setting.label() + ": " + verification.text() + "; not measured");
         }
     }
 }

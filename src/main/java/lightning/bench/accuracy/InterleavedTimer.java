@@ -9,23 +9,20 @@ import java.util.concurrent.CancellationException;
 import lightning.base.work.Progress;
 
 /**
- * Measures several works in turns, one after the other and again, so that whatever slows the machine for a while slows
- * all of them.
+ * Timer that measures several tasks in turns, so that a temporary slowdown of the machine affects all of them.
  *
- * <p>Before that it warms up until it is steady: until no work has become notably faster for two rounds and for a while, or
- * patience ends.
+ * <p>It warms up first, until no task has become notably faster for two rounds and {@code steadyMs}, or the time limit ends.
  *
- * @param repetitions  how often each work is measured, ≥ 1
- * @param maxWarmUpMs   how long it warms up at most, milliseconds of its thread's own work, beyond the least number of rounds: where others
- *                     have the processors, Java comes to compile as late
- * @param steadyMs     for how long, milliseconds of the works' own time, no work may have become faster: works that take next
- *                     to nothing stay as slow as they are for many rounds, until Java comes to compile them
+ * @param repetitions number of measurements of each task, ≥ 1
+ * @param maxWarmUpMs maximum warm-up beyond the minimum number of rounds, in milliseconds of the thread's processor time: on a busy machine
+ *         the JIT compiler is delayed too
+ * @param steadyMs    minimum steady time, milliseconds of the tasks: very short tasks need many rounds until the JIT compiler compiles them
  */
 record InterleavedTimer(int repetitions, double maxWarmUpMs, double steadyMs) {
-    /** One work; it may prepare something before the time that it tells. */
+    /** Task to measure; untimed preparation is allowed. */
     @FunctionalInterface
     interface TimedTask<X extends Exception> {
-        /** Works once and tells how long that took, milliseconds. */
+        /** Runs once and returns the time in milliseconds. */
         double runMs() throws X;
     }
 
@@ -33,16 +30,16 @@ record InterleavedTimer(int repetitions, double maxWarmUpMs, double steadyMs) {
     private static final double MAX_WARM_UP_MS = 3000;
     private static final int MIN_WARM_UPS = 2;
     private static final int STEADY_ROUNDS = 2;
-    /** A new best time counts where it is so much shorter than the last. */
+    /** Ratio to the previous best time below which a task counts as faster. */
     private static final double FASTER_FACTOR = 0.95;
 
     InterleavedTimer {
         if (repetitions < 1) {
-            throw new IllegalArgumentException("the number of repetitions must be ≥ 1, was " + repetitions);
+            throw new IllegalArgumentException("number of repetitions: expected ≥ 1, found " + repetitions);
         }
     }
 
-    /** Two rounds that are no faster are enough: for works that ran for a while before. */
+    /** Creates a timer that stops warming up after two rounds without improvement, for tasks that ran before. */
     InterleavedTimer(int repetitions, double maxWarmUpMs) {
         this(repetitions, maxWarmUpMs, 0);
     }
@@ -52,19 +49,19 @@ record InterleavedTimer(int repetitions, double maxWarmUpMs, double steadyMs) {
     }
 
     /**
-     * Measures works in turns.
+     * Measures tasks in turns.
      *
-     * @param progress hears of finished rounds
-     * @return a timing for each work
-     * @throws CancellationException if {@code progress} asked to stop
-     * @throws X whatever a work throws
+     * @param progress receives finished rounds
+     * @return timings per task
+     * @throws CancellationException if {@code progress} requests a stop
+     * @throws X any exception of a task
      */
     <X extends Exception> List<Timing> warmUpAndMeasure(List<TimedTask<X>> tasks, Progress progress) throws X {
         warmUp(tasks, progress);
         return measure(tasks, progress);
     }
 
-    /** The same without warming up. */
+    /** Measures tasks in turns without warm-up. */
     <X extends Exception> List<Timing> measure(List<TimedTask<X>> tasks, Progress progress) throws X {
         List<List<Double>> samples = new ArrayList<>();
         tasks.forEach(_ -> samples.add(new ArrayList<>()));
@@ -77,7 +74,7 @@ record InterleavedTimer(int repetitions, double maxWarmUpMs, double steadyMs) {
         return samples.stream().map(Timing::new).toList();
     }
 
-    /** Works until all works are steady; returns false where patience ended before. */
+    /** Runs all tasks until they are steady; returns false if the time limit ended first. */
     <X extends Exception> boolean warmUp(List<TimedTask<X>> tasks, Progress progress) throws X {
         double[] best = new double[tasks.size()];
         Arrays.fill(best, Double.POSITIVE_INFINITY);
@@ -111,14 +108,14 @@ record InterleavedTimer(int repetitions, double maxWarmUpMs, double steadyMs) {
         return task.runMs();
     }
 
-    /** How long a work takes, milliseconds. */
+    /** Returns the time of a task in milliseconds. */
     static double timeMs(Runnable task) {
         long start = System.nanoTime();
         task.run();
         return (System.nanoTime() - start) / 1e6;
     }
 
-    /** How long the calling thread had a processor, milliseconds. */
+    /** Returns the processor time of the calling thread in milliseconds. */
     private static double threadCpuMs() {
         return THREADS.getCurrentThreadCpuTime() / 1e6;
     }

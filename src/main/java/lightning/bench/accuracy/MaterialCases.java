@@ -14,8 +14,8 @@ import lightning.scene.SceneLimits;
 import lightning.scene.Transmission;
 
 /**
- * Edits of materials, which the paper leaves as future work (§5.2). Each edits the first material on a shape that has
- * what it needs (switches, of another value, the next), and is left out where none has.
+ * Edits of materials, which the paper leaves as future work (§5.2). Each edits the first suitable material on a shape (other values: the
+ * next one). Cases without a suitable material are skipped.
  */
 final class MaterialCases {
     private static final Predicate<Material> ANY = m -> true;
@@ -25,7 +25,7 @@ final class MaterialCases {
     private final Scene scene;
     private final List<Material> usedMaterials;
 
-    /** Which of the {@link PaperCases#VALUES} values edits take. */
+    /** Index of the value, below {@link PaperCases#VALUES}. */
     private final int value;
 
     private MaterialCases(Scene scene, int value) {
@@ -58,7 +58,7 @@ final class MaterialCases {
         usedMaterials.stream().filter(condition).findFirst().ifPresent(m -> add(name, scene.withMaterial(edit.apply(m))));
     }
 
-    /** Something taken from a material, and given back; another value is another material. */
+    /** Adds cases that remove and restore a property of a material; other values edit other materials. */
     private void addOffAndOn(String name, Predicate<Material> condition, UnaryOperator<Material> off) {
         usedMaterials.stream().filter(condition).skip(value).findFirst().map(m -> scene.withMaterial(off.apply(m))).ifPresent(changed -> {
             add(name + "-off", changed);

@@ -6,22 +6,22 @@ import java.util.List;
 import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
 
-/** How fast this machine's memory is, by the triad {@code a[i] = b[i] + s·c[i]} (McCalpin, STREAM, 1995). */
+/** Memory bandwidth by the triad {@code a[i] = b[i] + s·c[i]} (McCalpin, STREAM, 1995). */
 public final class MemoryBandwidth {
-    /** Floats of one array of one thread: far more than caches hold. */
+    /** Number of floats per array and thread, far beyond cache sizes. */
     private static final int FLOATS = 1 << 24;
-    /** Enough for one that nothing disturbs. */
+    /** Number of triads, enough to include an undisturbed one. */
     public static final int REPETITIONS = 7;
     private static final int ARRAYS = 3;
 
     private MemoryBandwidth() {}
 
-    /** Bytes read and written in a millisecond by all threads together; the best of a few triads. */
+    /** Returns the bytes that all threads together read and write per millisecond, the best of a few triads. */
     static double bytesPerMs(WorkerPool workers) {
         return bytesPerMs(triad(workers, REPETITIONS));
     }
 
-    /** Bytes in a millisecond at the best of some samples: whatever else the machine did, it could do that. */
+    /** Returns the best of some samples in bytes per millisecond, a lower bound of the machine's capability. */
     private static double bytesPerMs(List<Double> samples) {
         return samples.stream().mapToDouble(d -> d).max().orElseThrow();
     }
@@ -29,12 +29,12 @@ public final class MemoryBandwidth {
     /**
      * Runs triads.
      *
-     * @param repetitions how many, ≥ 1
-     * @return bytes read and written in a millisecond by all threads together, a value for each triad
+     * @param repetitions number of triads, ≥ 1
+     * @return bytes read and written per millisecond by all threads together, a value per triad
      */
     public static List<Double> triad(WorkerPool workers, int repetitions) {
         float[][][] arrays = new float[workers.count()][ARRAYS][FLOATS];
-        // Pages that were never written may all be one and the same.
+        // Pages that were never written may share physical memory.
         Arrays.stream(arrays).flatMap(Arrays::stream).forEach(array -> Arrays.fill(array, 1));
         double bytes = (double) ARRAYS * Float.BYTES * FLOATS * workers.count();
         List<Double> samples = new ArrayList<>();

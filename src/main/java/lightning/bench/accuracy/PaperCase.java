@@ -7,12 +7,12 @@ import lightning.scene.Scene;
 import lightning.scene.SceneDiff;
 
 /**
- * A named edit, or a sequence of edits, of one scene.
+ * Named edit, or sequence of edits, of one scene.
  *
- * @param name        lower case, the same on every scene: {@code color}, {@code angle-smaller}, …
- * @param figure      where the paper shows it, as in {@code Fig. 6}; empty where it does not
- * @param paperSaving percent of a full trace's time that the paper saved on its own scene, 0…100; NaN where it printed none
- * @param scenes      what is rendered, one after the other; at least two
+ * @param name        name in lower case, equal on every scene: {@code color}, {@code angle-smaller}, …
+ * @param figure      figure of the paper, as in {@code Fig. 6}; empty if none
+ * @param paperSaving saving in the paper on its own scene, 0…100 percent of a full trace's time; NaN if not printed
+ * @param scenes      scenes rendered in sequence; at least two
  */
 public record PaperCase(String name, String figure, double paperSaving, List<Scene> scenes) {
 
@@ -20,31 +20,31 @@ public record PaperCase(String name, String figure, double paperSaving, List<Sce
     public PaperCase {
         scenes = List.copyOf(scenes);
         if (scenes.size() < 2) {
-            throw new IllegalArgumentException("case " + Quote.of(name) + " must have at least two scenes, had " + scenes.size());
+            throw new IllegalArgumentException("case " + Quote.of(name) + ": expected at least two scenes, found " + scenes.size());
         }
     }
 
-    /** A case that the paper does not have, from a scene by some steps. */
+    /** Returns a case that is not in the paper, created from a scene by some steps. */
     static PaperCase unprinted(String name, Scene before, Scene... steps) {
         return new PaperCase(name, "", Double.NaN, Stream.concat(Stream.of(before), Stream.of(steps)).toList());
     }
 
-    /** The scene that is traced in full at first. */
+    /** Returns the initial scene, traced in full. */
     public Scene before() {
         return scenes.getFirst();
     }
 
-    /** The scene whose picture the case is about. */
+    /** Returns the final scene, whose image the case measures. */
     public Scene after() {
         return scenes.getLast();
     }
 
-    /** What the last step changes to what, as in {@code sun: color 1 1 1 → 1 0 0}. */
+    /** Returns the change of the last step, as in {@code sun: color 1 1 1 → 1 0 0}. */
     public String value() {
         return SceneDiff.describe(scenes.get(scenes.size() - 2), after());
     }
 
-    /** Whether the paper prints this edit. */
+    /** Tests if the paper prints this edit. */
     public boolean isPrinted() {
         return !figure.isEmpty();
     }

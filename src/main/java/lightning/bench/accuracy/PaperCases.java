@@ -16,15 +16,14 @@ import lightning.scene.Scene;
 import lightning.scene.SceneLimits;
 
 /**
- * The paper's printed edits (§4.1–4.9) and a few more, of materials and shapes too, for any scene.
+ * Edits printed in the paper (§4.1–4.9), and more of materials and shapes, for any scene.
  *
- * <p>Each case edits the first light of the type it needs that shines; a case that finds no such
- * light, or would change nothing, is left out. Where no point light shines, another that has a place is moved. On {@code scenes/bird.jen} the values are those that
- * the paper prints (colors, attenuation, ambience); where the paper shows only pictures, and on other
- * scenes, they follow from the scene's own values and from what its camera sees.
+ * <p>Each case edits the first enabled light of the required type. Cases without such a light, or without an effect, are skipped. Without a
+ * point light, another light with a position is moved. On {@code scenes/bird.jen} the values are printed in the paper (colors, attenuation,
+ * ambience). Others follow from the scene's own values and its camera's view.
  */
 public final class PaperCases {
-    /** How many values each case has; some scenes allow fewer of some cases. */
+    /** Number of values of each case; some scenes allow fewer for some cases. */
     public static final int VALUES = 3;
 
     private static final Rgb RED = new Rgb(1, 0, 0);
@@ -36,7 +35,7 @@ public final class PaperCases {
     private final List<PaperCase> cases = new ArrayList<>();
     private final Scene scene;
     private final CameraFraming framing;
-    /** Which of the {@link #VALUES} values edits take. */
+    /** Index of the value, below {@link #VALUES}. */
     private final int value;
 
     private PaperCases(Scene scene, int value) {
@@ -45,16 +44,16 @@ public final class PaperCases {
         this.value = value;
     }
 
-    /** The cases of a scene with their first values, the paper's first, in its order. */
+    /** Returns the cases of a scene with their first values; the paper's come first, in its order. */
     public static List<PaperCase> of(Scene scene) {
         return of(scene, 0);
     }
 
     /**
-     * The cases of a scene with other values: the paper's times are averages of three runs "of the same test with varying
-     * values" (§4.1).
+     * Returns the cases of a scene with other values: the paper's times are averages of three runs "of the same test with varying values"
+     * (§4.1).
      *
-     * @param value 0 to {@link #VALUES} − 1; 0 for what the paper prints
+     * @param value 0 to {@link #VALUES} − 1; 0 for the printed values
      */
     public static List<PaperCase> of(Scene scene, int value) {
         PaperCases builder = new PaperCases(scene, value);
@@ -65,7 +64,7 @@ public final class PaperCases {
         return List.copyOf(builder.cases);
     }
 
-    /** The edit that moves a light, with its first value; where none has a place, the one that turns a directional light. */
+    /** Returns the edit that moves a light, with its first value; without a position, the one that rotates a directional light. */
     public static Optional<PaperCase> moveCase(Scene scene) {
         List<PaperCase> cases = of(scene);
         return Stream.of("position", "direction").flatMap(name -> cases.stream().filter(c -> c.name().equals(name))).findFirst();
@@ -132,7 +131,10 @@ public final class PaperCases {
         return light.withDropoff(Math.min(light.dropoff() * pick(3, 2, 4) + pick(8, 4, 16), SceneLimits.MAX_DROPOFF));
     }
 
-    /** The printed change where the printed value stands; else the light at one reach fades by two further terms. */
+    /**
+     * Applies the printed change if the light has the printed value. Otherwise increases the linear and quadratic terms, scaled to the
+     * extent of the view.
+     */
     private Light attenuated(Light light) {
         Attenuation a = light.attenuation();
         double factor = pick(1.0, 0.5, 2.0);
@@ -147,19 +149,19 @@ public final class PaperCases {
         return Math.min(attenuation, SceneLimits.MAX_ATTENUATION);
     }
 
-    /** Directional to point, directional to spot, point to directional. */
+    /** Changes directional to point, directional to spot, or point to directional. */
     private Light withOtherType(Light light) {
         return pick(withPosition(light).withType(LightType.POINT), withPosition(light).withType(LightType.SPOT),
                 light.withType(LightType.DIRECTIONAL));
     }
 
-    /** A directional light that was never given a place gets one on its way to the focus. */
+    /** Gives a directional light without a position one on its axis to the focus. */
     private Light withPosition(Light light) {
         return light.withPosition(light.position().equals(Vec3.ZERO)
                 ? framing.focus().minus(light.direction().normalized().times(3 * framing.extent())) : light.position());
     }
 
-    /** The light turned towards a point; as it is where it stands in that very point. */
+    /** Turns the light to a point; unchanged if it is at that point. */
     private static Light aimedAt(Light light, Vec3 target) {
         Vec3 direction = target.minus(light.position());
         return direction.equals(Vec3.ZERO) ? light : light.withDirection(direction);
@@ -207,7 +209,7 @@ public final class PaperCases {
         return scene.withLights(lights);
     }
 
-    /** A name that neither a light nor a node has. */
+    /** Returns a name that no light or node has. */
     private String freeName() {
         String name = "light_new";
         for (int i = 2; scene.isNameUsed(name); i++) {

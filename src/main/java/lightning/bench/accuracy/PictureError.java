@@ -5,24 +5,24 @@ import lightning.render.image.Film;
 import lightning.render.image.Flip;
 
 /**
- * How far a picture is from the full trace of the wanted scene; see {@link Difference} for what each measure is taken of.
+ * Error of an image against the full trace of the requested scene; see {@link Difference} for the definition of each measure.
  *
- * @param values       how many values (three a pixel) have other bits
- * @param of           how many values the picture has
- * @param maxUlp       largest distance in units in the last place
- * @param maxAbsolute  largest absolute difference, linear
+ * @param values       number of values (three per pixel) that are not bit-identical
+ * @param of           number of values of the image
+ * @param maxUlp       maximum distance in units in the last place
+ * @param maxAbsolute  maximum absolute difference, linear
  * @param meanAbsolute mean absolute difference, linear
  * @param rmse         root mean square difference, linear
- * @param linearPsnr   peak signal-to-noise ratio in dB for the linear peak 1; infinite where equal
- * @param displayPsnr  the same as displayed in 8 bits
- * @param ssim         structural similarity as displayed, 1 where equal
- * @param flip         mean ꟻLIP error as displayed, 0…1; NaN where it was not measured
+ * @param linearPsnr   peak signal-to-noise ratio in dB for the linear peak 1; infinite if equal
+ * @param displayPsnr  peak signal-to-noise ratio as displayed in 8 bits
+ * @param ssim         structural similarity as displayed, 1 if equal
+ * @param flip         mean ꟻLIP error as displayed, 0…1; NaN if not measured
  */
 public record PictureError(long values, long of, long maxUlp, double maxAbsolute, double meanAbsolute, double rmse,
         double linearPsnr, double displayPsnr, double ssim, double flip) {
 
     /**
-     * Measures a picture against the full trace.
+     * Measures an image against the full trace.
      *
      * @throws IllegalArgumentException if their sizes differ
      */

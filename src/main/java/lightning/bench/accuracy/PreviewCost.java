@@ -12,10 +12,10 @@ import lightning.scene.Scene;
 import lightning.scene.effects.ViewEffects;
 
 /**
- * What the editor's preview costs at 600×600 pixels.
+ * Cost of the editor's preview at 600×600 pixels.
  *
- * @param lightMs  milliseconds to redraw after a light was moved, the slowest light's median
- * @param cameraMs milliseconds to draw the whole view sharp, as when the camera comes to rest, median
+ * @param lightMs  median milliseconds of a redraw after a light moved, for the slowest light
+ * @param cameraMs median milliseconds of a full-resolution draw, as after a camera move
  */
 public record PreviewCost(double lightMs, double cameraMs) {
     private static final int SIZE = 600;
@@ -25,7 +25,7 @@ public record PreviewCost(double lightMs, double cameraMs) {
     /**
      * Measures a scene's preview.
      *
-     * @throws java.util.concurrent.CancellationException if {@code progress} asked to stop
+     * @throws java.util.concurrent.CancellationException if {@code progress} requests a stop
      */
     public static PreviewCost of(Scene scene, int threads, Progress progress) {
         Scene square = scene.withPicture(scene.picture().withSize(SIZE, SIZE));

@@ -6,16 +6,16 @@ import lightning.scene.Attenuation;
 import lightning.scene.Light;
 import lightning.scene.Scene;
 
-/** What an artist does with sliders: edits of one light after another, in the ranges that lamps have. */
+/** Random slider edits of one light after another, within realistic ranges. */
 public final class RandomEdits {
     private final Random random;
 
-    /** Edits drawn from a seed: the same again for the same seed. */
+    /** Creates a sequence of edits that is deterministic in the seed. */
     public RandomEdits(long seed) {
         random = new Random(seed);
     }
 
-    /** The scene after the next edit; it must have a light. */
+    /** Returns the scene after the next edit; the scene must have a light. */
     public Scene next(Scene scene) {
         Light light = scene.lights().get(random.nextInt(scene.lights().size()));
         return scene.withLight(switch (random.nextInt(8)) {
@@ -28,7 +28,7 @@ public final class RandomEdits {
         });
     }
 
-    /** A value of a slider, which is even in the logarithm. */
+    /** Returns a value that is uniform in the logarithm. */
     private double logUniform(double min, double max) {
         return min * Math.pow(max / min, random.nextDouble());
     }

@@ -1,13 +1,13 @@
 package lightning.bench.accuracy;
 
 /**
- * A full trace beside another program's, measured in turns.
+ * Timing of a full trace and another program, measured in turns.
  *
- * @param full  milliseconds of our full trace that keeps nothing
- * @param rival milliseconds of the other program's
+ * @param full  milliseconds of our full trace without a cache
+ * @param rival milliseconds of the other program
  */
 public record RivalTiming(Timing full, Timing rival) {
-    /** How many times as fast ours is. */
+    /** Returns the speedup of our trace. */
     public double ratio() {
         return rival.median() / full.median();
     }

@@ -10,7 +10,7 @@ import lightning.render.trace.Geometry;
 import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
 
-/** A grade's renderer: makes an edit again and again from the same start. */
+/** Renderer of an accuracy setting that repeats an edit from the same start. */
 final class SettingRenderer implements AutoCloseable {
     private final AccuracySetting setting;
     private final Renderer renderer;
@@ -30,10 +30,10 @@ final class SettingRenderer implements AutoCloseable {
     }
 
     /**
-     * Traces the scene that edits start from; returns what is kept of it.
+     * Traces the scene before the edit; returns its cache.
      *
-     * @param memory bytes that it may take
-     * @throws lightning.render.relight.PictureTooLargeException if it takes more
+     * @param memory memory limit in bytes
+     * @throws lightning.render.relight.PictureTooLargeException if the limit is exceeded
      */
     PixelCache renderStart(Scene before, long memory, Progress progress) {
         startCache = null;
@@ -43,13 +43,13 @@ final class SettingRenderer implements AutoCloseable {
         return startFrom(renderer.cache());
     }
 
-    /** Lets edits start from what a renderer of the same accuracy and view keeps. */
+    /** Sets the cache of a renderer with the same accuracy and view as the start of edits. */
     PixelCache startFrom(PixelCache cache) {
         startCache = cache;
         return cache;
     }
 
-    /** Makes the edit; returns milliseconds. */
+    /** Renders the edit; returns milliseconds. */
     double applyEdit(Scene after, Progress progress) {
         renderer.restore(startCache);
         update = renderer.render(setting.sceneFor(after), progress);
@@ -66,7 +66,7 @@ final class SettingRenderer implements AutoCloseable {
         return ms;
     }
 
-    /** One update after another: the second's plan, the work of both. */
+    /** Combines two successive updates: the plan of the second, the work of both. */
     private static UpdateResult combined(UpdateResult first, UpdateResult second) {
         return new UpdateResult(second.plan(), first.rowsTouched() + second.rowsTouched(), first.rowsComposed() + second.rowsComposed(),
                 first.bytesMoved() + second.bytesMoved(), first.rays().plus(second.rays()), first.nanoseconds() + second.nanoseconds(),
@@ -75,15 +75,15 @@ final class SettingRenderer implements AutoCloseable {
     }
 
     /**
-     * Compares the last picture with its oracle.
+     * Verifies the last image.
      *
-     * @throws GuaranteeViolation if the grade's promise is not kept
+     * @throws GuaranteeViolation if the setting's guarantee is violated
      */
     void verify(Progress progress) {
         GuaranteeViolation.require(AccuracyGuarantee.of(renderer, update).verify(renderer.film(), workers, progress), setting);
     }
 
-    /** The picture after the last edit, at full size. */
+    /** Returns the image after the last edit, at full size. */
     Film film() {
         return film;
     }
@@ -92,7 +92,9 @@ final class SettingRenderer implements AutoCloseable {
         return renderer.cache().geometry();
     }
 
-    /** What the last edit did; of {@link AccuracySetting#EXACT_UPDATED} the plan of the mirrors and the work of both. */
+    /**
+     * Returns the last update. For {@link AccuracySetting#EXACT_UPDATED}, it has the plan of the reflections' update and the work of both.
+     */
     UpdateResult update() {
         return update;
     }

@@ -10,10 +10,7 @@ import lightning.scene.Scene;
 import lightning.scene.Shape;
 import lightning.scene.Solid;
 
-/**
- * Edits of shapes, which the paper does not have: of one that stands about where the camera looks. Planes are left out, since they are
- * the floors and walls that others stand before.
- */
+/** Edits of shapes, which are not in the paper, near the camera's target. Planes are skipped, as they are usually floors and walls. */
 final class ShapeCases {
     private final List<PaperCase> cases = new ArrayList<>();
     private final Scene scene;
@@ -22,9 +19,7 @@ final class ShapeCases {
         this.scene = scene;
     }
 
-    /**
-     * @param value 0 to {@link PaperCases#VALUES} − 1: the nearest shape, the next, and the one behind that; where there are fewer, none
-     */
+    /** @param value 0 to {@link PaperCases#VALUES} − 1 for the first, second or third nearest shape; no cases if there are fewer */
     static List<PaperCase> of(Scene scene, int value) {
         var builder = new ShapeCases(scene);
         CameraFraming framing = CameraFraming.of(scene.camera());
@@ -38,7 +33,7 @@ final class ShapeCases {
         return shape.toWorld().transformPoint(Vec3.ZERO);
     }
 
-    /** @param step how far it is moved */
+    /** @param step distance of the movement */
     private void addEdits(Shape shape, double step) {
         Placement p = shape.placement();
         add("shape-moved", withPlacement(shape, new Placement(p.position().plus(new Vec3(step, 0, 0)), p.rotation(), p.scale())));

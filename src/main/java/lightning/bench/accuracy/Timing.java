@@ -3,21 +3,21 @@ package lightning.bench.accuracy;
 import java.util.List;
 
 /**
- * One work, measured again and again.
+ * Repeated timing of one task.
  *
- * @param milliseconds every sample in the order in which it was taken, each ≥ 0; at least one
+ * @param milliseconds samples in order of measurement, each ≥ 0; at least one
  */
 public record Timing(List<Double> milliseconds) {
 
-    /** @throws IllegalArgumentException if there is no sample, or one that is negative or no number */
+    /** @throws IllegalArgumentException if there is no sample, or one that is negative or NaN */
     public Timing {
         milliseconds = List.copyOf(milliseconds);
         if (milliseconds.isEmpty()) {
-            throw new IllegalArgumentException("a timing must have at least one sample");
+            throw new IllegalArgumentException("timing: expected at least one sample, found none");
         }
         for (double ms : milliseconds) {
             if (!(ms >= 0) || Double.isInfinite(ms)) {
-                throw new IllegalArgumentException("a sample must be a time in milliseconds ≥ 0, was " + ms);
+                throw new IllegalArgumentException("timing: expected milliseconds ≥ 0, found " + ms);
             }
         }
     }
@@ -26,22 +26,22 @@ public record Timing(List<Double> milliseconds) {
         return quantile(0.5);
     }
 
-    /** A quarter of the samples are below it. */
+    /** Returns the first quartile of the samples. */
     public double lowerQuartile() {
         return quantile(0.25);
     }
 
-    /** A quarter of the samples are above it. */
+    /** Returns the third quartile of the samples. */
     public double upperQuartile() {
         return quantile(0.75);
     }
 
-    /** How much of a work of {@code totalMs} milliseconds this one saves, in percent; negative where it takes longer. */
+    /** Returns the saving relative to a task of {@code totalMs} milliseconds, in percent; negative if slower. */
     public double percentSavedOf(double totalMs) {
         return 100 * (1 - median() / totalMs);
     }
 
-    /** Between two samples it is interpolated (definition 7 of Hyndman and Fan, Sample Quantiles, 1996). */
+    /** Returns a quantile, interpolated between two samples (definition 7 of Hyndman and Fan, Sample Quantiles, 1996). */
     private double quantile(double fraction) {
         List<Double> sorted = milliseconds.stream().sorted().toList();
         double position = fraction * (sorted.size() - 1);

@@ -4,32 +4,29 @@ import lightning.render.relight.UpdateResult;
 import lightning.render.shading.RayCounts;
 
 /**
- * What an update saved, measured beside full traces of the same picture.
+ * Saving of an update relative to full traces of the same image.
  *
- * @param update     what the update did, the first time
+ * @param update     first run of the update
  * @param time       milliseconds of the update
- * @param full       milliseconds of a full trace that keeps nothing
- * @param fullRays   the rays of that trace
- * @param bytesPerMs bytes in a millisecond that memory can read and write
- * @param isVerified       whether the picture is what the accuracy grade promises: equal in every bit, or within the bound
- * @param isWarm       whether Java's compilers rested while it was timed: else its times say little
+ * @param full       milliseconds of a full trace without a cache
+ * @param fullRays   rays of that trace
+ * @param bytesPerMs memory bandwidth, bytes read and written per millisecond
+ * @param isVerified whether the image satisfies its guarantee: bit-identical, or within the bound
+ * @param isWarm     whether the JIT compilers were idle; otherwise its times are unreliable
  */
 public record UpdateSaving(UpdateResult update, Timing time, Timing full, RayCounts fullRays, double bytesPerMs, boolean isVerified,
         boolean isWarm) {
-    /** Percent of the full trace's time; negative where the update took longer. */
+    /** Returns the saving in percent of the full trace's time; negative if the update is slower. */
     public double percent() {
         return time.percentSavedOf(full.median());
     }
 
-    /**
-     * Percent that an update could save at most if it cast its rays as fast as the full trace casts its own and moved its
-     * bytes at the speed of memory.
-     */
+    /** Returns the maximum saving in percent at the full trace's ray rate and at memory speed. */
     public double maxPercent() {
         return maxPercent(update, full.median(), fullRays, bytesPerMs);
     }
 
-    /** The same of an update beside a full trace of {@code fullMs} milliseconds. */
+    /** Returns the maximum saving of an update relative to a full trace of {@code fullMs} milliseconds. */
     public static double maxPercent(UpdateResult update, double fullMs, RayCounts fullRays, double bytesPerMs) {
         double rays = fullMs * update.rays().total() / fullRays.total();
         return 100 * (1 - Math.max(rays, update.bytesMoved() / bytesPerMs) / fullMs);

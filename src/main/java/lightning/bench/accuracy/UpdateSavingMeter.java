@@ -18,14 +18,14 @@ import lightning.render.trace.Geometry;
 import lightning.scene.Scene;
 
 /**
- * Measures updates beside full traces, in turns, so that whatever slows the machine for a while slows both.
+ * Meter of updates in turns with full traces, so that a temporary slowdown of the machine affects both.
  *
- * <p>Each update starts from what was kept of the scene before it. The full trace gets its tree of boxes for free.
+ * <p>Each update starts from the cache of the original scene. The full trace does not include building its BVH.
  */
 public final class UpdateSavingMeter implements AutoCloseable {
-    /** A test that asks for no times sets 0: each edit once. */
+    /** Minimum warm-up. Functional tests set 0: each edit once. */
     private static final long WARM_UP_NANOSECONDS = TimeUnit.MILLISECONDS.toNanos(Long.getLong("lightning.warmup", 4000));
-    /** A process on a busy machine may still compile then: it gets so long at most. */
+    /** Maximum warm-up, for busy machines on which the compilers need longer. */
     private static final long MAX_WARM_UP_NANOSECONDS = 15 * WARM_UP_NANOSECONDS / 2;
     private static final CompilerActivity COMPILERS = CompilerActivity.ofVm();
 
@@ -35,9 +35,9 @@ public final class UpdateSavingMeter implements AutoCloseable {
     private final double bytesPerMs;
 
     /**
-     * A meter that measures the bandwidth of memory first.
+     * Creates a meter that first measures memory bandwidth.
      *
-     * @param repetitions how often each is measured, ≥ 1
+     * @param repetitions number of measurements of each, ≥ 1
      * @throws IllegalArgumentException if it is below 1
      */
     public UpdateSavingMeter(RenderOptions options, int repetitions) {
@@ -48,11 +48,11 @@ public final class UpdateSavingMeter implements AutoCloseable {
     }
 
     /**
-     * A meter for which the bandwidth of memory is known.
+     * Creates a meter with a known memory bandwidth.
      *
-     * @param repetitions how often each is measured, ≥ 1
-     * @param maxWarmUpMs  how long warming up takes at most, milliseconds
-     * @param bytesPerMs  bytes in a millisecond that memory can read and write
+     * @param repetitions number of measurements of each, ≥ 1
+     * @param maxWarmUpMs maximum warm-up, milliseconds
+     * @param bytesPerMs  memory bandwidth, bytes read and written per millisecond
      * @throws IllegalArgumentException if {@code repetitions} is below 1
      */
     public UpdateSavingMeter(RenderOptions options, int repetitions, double maxWarmUpMs, double bytesPerMs) {
@@ -62,12 +62,12 @@ public final class UpdateSavingMeter implements AutoCloseable {
         this.bytesPerMs = bytesPerMs;
     }
 
-    /** The renderer that is measured: after {@link #update} it shows the scene after the update. */
+    /** Returns the measured renderer. After {@link #update} it shows the scene after the update. */
     public Renderer renderer() {
         return renderer;
     }
 
-    /** Bytes in a millisecond that memory can read and write. */
+    /** Returns the memory bandwidth in bytes read and written per millisecond. */
     public double bytesPerMs() {
         return bytesPerMs;
     }
@@ -75,7 +75,7 @@ public final class UpdateSavingMeter implements AutoCloseable {
     /**
      * Measures the first pass of a scene.
      *
-     * @throws java.util.concurrent.CancellationException if {@code progress} asked to stop
+     * @throws java.util.concurrent.CancellationException if {@code progress} requests a stop
      */
     public FirstPassCost firstPass(Scene scene, Progress progress) {
         TraditionalTracer tracer = new TraditionalTracer(scene).withEngines(Engines.FASTEST);
@@ -91,9 +91,9 @@ public final class UpdateSavingMeter implements AutoCloseable {
     }
 
     /**
-     * Measures the update from one scene to another, and verifies its picture.
+     * Measures the update from one scene to another, and verifies its image.
      *
-     * @throws java.util.concurrent.CancellationException if {@code progress} asked to stop
+     * @throws java.util.concurrent.CancellationException if {@code progress} requests a stop
      */
     public UpdateSaving update(Scene before, Scene after, Progress progress) {
         renderFresh(before, progress);
@@ -101,10 +101,9 @@ public final class UpdateSavingMeter implements AutoCloseable {
     }
 
     /**
-     * Measures several updates that start from one scene, all in turns with each other and with a full trace of that scene, and
-     * verifies their pictures.
+     * Measures several updates from one scene in turns with each other and with a full trace of that scene, and verifies their images.
      *
-     * @throws java.util.concurrent.CancellationException if {@code progress} asked to stop
+     * @throws java.util.concurrent.CancellationException if {@code progress} requests a stop
      */
     public List<UpdateSaving> updates(Scene before, List<Scene> afters, Progress progress) {
         renderFresh(before, progress);
@@ -114,9 +113,9 @@ public final class UpdateSavingMeter implements AutoCloseable {
     }
 
     /**
-     * Measures the update of the reflections after an edit (paper §4.8), and verifies its picture.
+     * Measures the update of reflections after an edit (paper §4.8), and verifies its image.
      *
-     * @throws java.util.concurrent.CancellationException if {@code progress} asked to stop
+     * @throws java.util.concurrent.CancellationException if {@code progress} requests a stop
      */
     public UpdateSaving reflections(Scene before, Scene after, Progress progress) {
         renderFresh(before, progress);
@@ -124,7 +123,7 @@ public final class UpdateSavingMeter implements AutoCloseable {
         return measure(List.of(() -> renderer.updateReflections(progress)), after, progress).getFirst();
     }
 
-    /** Times of works, and whether Java's compilers rested while they were taken. */
+    /** Times of tasks, and whether the JIT compilers were idle meanwhile. */
     private record MeasuredTimes(List<Timing> times, boolean isWarm) {
         Timing get(int work) {
             return times.get(work);
@@ -138,7 +137,7 @@ public final class UpdateSavingMeter implements AutoCloseable {
         return new MeasuredTimes(times, watch.isIdle());
     }
 
-    /** Measures works that start, each time, from what the renderer keeps now; the scene is traced in full beside them. */
+    /** Measures tasks that each start from the renderer's current cache, in turns with a full trace of the scene. */
     private List<UpdateSaving> measure(List<Supplier<UpdateResult>> updateTasks, Scene tracedScene, Progress progress) {
         PixelCache start = renderer.cache();
         List<UpdateResult> updates = new ArrayList<>();
@@ -166,10 +165,10 @@ public final class UpdateSavingMeter implements AutoCloseable {
     }
 
     /**
-     * Measures a full trace beside another program's.
+     * Measures a full trace in turns with another program.
      *
-     * @param rival lets the other program trace the same picture once; returns milliseconds
-     * @throws Exception whatever {@code rival} throws, or a CancellationException if {@code progress} asked to stop
+     * @param rival lets the other program trace the same image once; returns milliseconds
+     * @throws Exception any exception of {@code rival}, or a CancellationException if {@code progress} requests a stop
      */
     public RivalTiming compareWith(Scene scene, Callable<Double> rival, Progress progress) throws Exception {
         var tracer = new TraditionalTracer(scene).withEngines(Engines.FASTEST);
@@ -179,24 +178,24 @@ public final class UpdateSavingMeter implements AutoCloseable {
         return new RivalTiming(times.get(0), times.get(1));
     }
 
-    /** The full trace of a scene, by the tree of boxes that is known where it holds the scene's shapes. */
+    /** Returns a full tracer of a scene, reusing the known BVH if it contains the scene's shapes. */
     private TraditionalTracer tracer(Scene scene) {
         Geometry cachedGeometry = renderer.cache().geometry();
         return (cachedGeometry.canServe(scene) ? new TraditionalTracer(scene, cachedGeometry) : new TraditionalTracer(scene))
                 .withEngines(Engines.FASTEST);
     }
 
-    /** Shows a scene, mirrors included, as if nothing had been asked before: no way to a light is known from a later edit. */
+    /** Renders a scene with current reflections from scratch, so that no shadow ray is cached from a later edit. */
     private void renderFresh(Scene scene, Progress progress) {
         renderer.clear();
         renderer.render(scene, progress);
     }
 
     /**
-     * Runs updates and full traces until Java's compilers rest: at least once each and for a few seconds, for half a minute at most.
+     * Runs updates and full traces until the JIT compilers are idle: at least once each and for a few seconds, at most half a minute.
      *
-     * @param edits pairs of scenes, the one before and the one after
-     * @throws java.util.concurrent.CancellationException if {@code progress} asked to stop
+     * @param edits pairs of scenes, before and after each edit
+     * @throws java.util.concurrent.CancellationException if {@code progress} requests a stop
      */
     public void warmUp(List<Scene[]> edits, Progress progress) {
         long start = System.nanoTime();

@@ -14,35 +14,36 @@ import lightning.render.relight.plan.UpdatePlan;
 import lightning.render.relight.tile.RenderOptions;
 
 /**
- * What an update saves of a full trace of the very picture that it led to, measured when Java was warm to both. An edit is made
- * once, and often in code that never ran before, so its own time beside a trace's that ran a hundred times would tell how cold
- * the code was. It is therefore made again, from what was known before it, in turns with the trace.
+ * Saving of an update relative to a full trace of its image, measured with warmed-up code. The first run of an edit often executes cold
+ * code, so its time is not comparable with that of a trace that ran many times. The edit is therefore repeated from its original cache, in
+ * turns with the trace.
  *
- * @param measuredUpdate     the update that it is a saving of
- * @param update milliseconds of the update, made again; likewise {@code full}, of the trace
+ * @param measuredUpdate measured update
+ * @param update         milliseconds of the repeated update
+ * @param full           milliseconds of the trace
  */
 public record WarmSaving(UpdateResult measuredUpdate, Timing update, Timing full) {
-    /** How long no turn may have become faster, milliseconds of work, before both count as warm. */
+    /** Minimum time without improvement, in milliseconds of work, after which both count as warm. */
     static final double STEADY_MS = 300;
     private static final int REPETITIONS = 5;
 
-    /** What was done, for a renderer to do again. */
+    /** Update that a renderer can repeat. */
     @FunctionalInterface
     public interface UpdateStep {
         UpdateResult run(Renderer renderer, Progress progress);
     }
 
     /**
-     * An update that can be made again.
+     * Repeatable update.
      *
-     * @param update    what it did
-     * @param start   what was known before it, of the same accuracy
-     * @param options how it was made
-     * @param step    made it
+     * @param update  first run
+     * @param start   cache before it, of the same accuracy
+     * @param options render options
+     * @param step    repeats the update
      */
     public record RepeatableEdit(UpdateResult update, PixelCache start, RenderOptions options, UpdateStep step) {
 
-        /** Empty where there is nothing to save: the picture was traced for the first time, or was there already. */
+        /** Returns the repeatable edit; empty for a first pass or an unchanged image, which save nothing. */
         public static Optional<RepeatableEdit> of(UpdateResult update, PixelCache start, RenderOptions options, UpdateStep step) {
             return start == null || !(update.plan() instanceof UpdatePlan.Relight) ? Optional.empty()
                     : Optional.of(new RepeatableEdit(update, start, options, step));
@@ -50,12 +51,12 @@ public record WarmSaving(UpdateResult measuredUpdate, Timing update, Timing full
     }
 
     /**
-     * Measures a saving. The trace gets its tree of boxes for free.
+     * Measures a saving. The trace does not include building its BVH.
      *
-     * @param workers    of the trace; the update has its own, as many as its options say
-     * @param maxWarmUpMs how long warming up takes at most, milliseconds of the own work of who calls
-     * @return empty where that was too short for Java to get warm
-     * @throws CancellationException if {@code progress} asked to stop
+     * @param workers     workers of the trace; the update has its own, as many as in its options
+     * @param maxWarmUpMs maximum warm-up, milliseconds of the calling thread's processor time
+     * @return empty if the warm-up limit was too short
+     * @throws CancellationException if {@code progress} requests a stop
      */
     public static Optional<WarmSaving> measure(RepeatableEdit edit, WorkerPool workers, double maxWarmUpMs, Progress progress) {
         Progress silent = progress.cancellationOnly();
@@ -78,12 +79,12 @@ public record WarmSaving(UpdateResult measuredUpdate, Timing update, Timing full
         return edit.step().run(renderer, progress).milliseconds();
     }
 
-    /** Whether it is a saving of this update, and no other that did the same. */
+    /** Tests if it is the saving of this update, by identity. */
     public boolean isOf(UpdateResult shownUpdate) {
         return measuredUpdate == shownUpdate;
     }
 
-    /** Percent of the full trace's time; negative where the update takes longer. */
+    /** Returns the saving in percent of the full trace's time; negative if the update is slower. */
     public double percent() {
         return update.percentSavedOf(full.median());
     }

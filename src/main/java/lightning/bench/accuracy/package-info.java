@@ -1,11 +1,11 @@
 /**
- * What accuracy costs: each grade measured beside the full trace, on the paper's printed edits or any other.
+ * Cost of accuracy: each setting measured against the full trace, on the paper's printed edits or any other.
  *
  * <pre>{@code
  * try (AccuracySweepMeter meter = new AccuracySweepMeter(WorkerPool.processorCount(), 5, 3000)) {
  *     for (PaperCase edit : PaperCases.of(scene)) {
- *         AccuracySweep ladder = meter.measure(edit.before(), edit.after(), Progress.NONE);
- *         SweepPoint exact = ladder.rung(AccuracySetting.EXACT);
+ *         AccuracySweep sweep = meter.measure(edit.before(), edit.after(), Progress.NONE);
+ *         SweepPoint exact = sweep.point(AccuracySetting.EXACT);
  *         System.out.println(edit.name() + ": " + exact.time().median() + " ms, " + exact.error().values() + " values differ");
  *     }
  * }

@@ -2,16 +2,16 @@ package lightning.bench.mesh;
 
 import lightning.scene.Mesh;
 
-/** A ball of radius 1 with bumps of many sizes, of any number of triangles: six grids, as the sides of a cube, blown up. */
+/** Generator of unit spheres with bumps of many sizes and any number of triangles: a cube's six grids, projected to the sphere. */
 public final class BumpySphere {
     private static final int SIDES = 6;
-    /** Sizes of bumps, each half as large as the one before. */
+    /** Number of bump sizes, each half the previous one. */
     private static final int OCTAVES = 6;
     private static final double MAX_BUMP_HEIGHT = 0.06;
 
     private BumpySphere() {}
 
-    /** @param triangles at least 12; the ball has up to about √triangles·7 more or fewer */
+    /** @param triangles at least 12; the result has up to about √triangles·7 more or fewer */
     public static Mesh of(int triangles) {
         int n = Math.max(1, (int) Math.round(Math.sqrt(triangles / 12.0)));
         int grid = (n + 1) * (n + 1);
@@ -35,7 +35,7 @@ public final class BumpySphere {
         return new Mesh(position, triangle, null, null, null);
     }
 
-    /** Equal angles make squares of nearly one size; the ends are exact, so that grids meet without a crack. */
+    /** Returns grid angles: equal steps give cells of similar size, and exact ends avoid cracks between grids. */
     private static double angle(int i, int n) {
         return i == 0 ? -1 : i == n ? 1 : Math.tan(Math.PI / 4 * (2.0 * i / n - 1));
     }

@@ -21,11 +21,11 @@ import java.util.stream.Stream;
 import lightning.scene.Mesh;
 
 /**
- * Embree 3 in a process of its own: a small program in C that comes with this one, translated where Embree's headers and a C compiler
- * are installed. It lives until it is closed.
+ * Embree 3 in a separate process, driven by a bundled C program. The program is compiled if Embree's headers and a C compiler are
+ * installed, and runs until closed.
  */
 public final class Embree implements AutoCloseable {
-    /** What is measured. */
+    /** Name and settings of the measured program. */
     public static final String PROGRAM = "Embree 3, robust, packets of 16 and coherent, or single rays";
 
     private static final Path HEADER = Path.of("/usr/include/embree3/rtcore.h");
@@ -43,7 +43,7 @@ public final class Embree implements AutoCloseable {
         responses = process.inputReader(StandardCharsets.UTF_8);
     }
 
-    /** Whether Embree's headers and a C compiler are installed. */
+    /** Tests if Embree's headers and a C compiler are installed. */
     public static boolean isInstalled() {
         return Files.exists(HEADER) && compiler().isPresent();
     }
@@ -54,10 +54,10 @@ public final class Embree implements AutoCloseable {
     }
 
     /**
-     * Translates the program and starts it.
+     * Compiles the program and starts it.
      *
-     * @return nothing where Embree or a compiler is not installed
-     * @throws IOException          if the program cannot be translated or started; the message ends with the compiler's last line
+     * @return empty if Embree or a compiler is not installed
+     * @throws IOException          if the program cannot be compiled or started; the message ends with the compiler's last line
      * @throws InterruptedException if this thread was interrupted meanwhile
      */
     public static Optional<Embree> start() throws IOException, InterruptedException {
@@ -85,7 +85,7 @@ public final class Embree implements AutoCloseable {
             if (compilation.waitFor() != 0) {
                 String last = Files.readString(log, StandardCharsets.ISO_8859_1).lines().filter(line -> !line.isBlank())
                         .reduce("nothing", (_, line) -> line);
-                throw new IOException("Embree's program cannot be translated; the compiler ended with: " + last.strip());
+                throw new IOException("the Embree program does not compile: " + last.strip());
             }
         } finally {
             compilation.destroy();
@@ -99,15 +99,15 @@ public final class Embree implements AutoCloseable {
         requests.flush();
         String response = responses.readLine();
         if (response == null || response.startsWith("cannot")) {
-            throw new IOException("Embree's program " + (response == null ? "ended" : response) + " when it was asked: " + command);
+            throw new IOException("the Embree program " + (response == null ? "ended" : response) + " on command: " + command);
         }
         return response;
     }
 
-    /** A tree, and how long it took. */
+    /** Built BVH with build time and size. */
     public record TreeBuild(double ms, long bytes) {}
 
-    /** Hands a mesh over. */
+    /** Sets the mesh. */
     public void setMesh(Mesh mesh) throws IOException {
         Path file = folder.resolve("mesh");
         try (FileChannel to = FileChannel.open(file, StandardOpenOption.CREATE, StandardOpenOption.WRITE,
@@ -140,13 +140,13 @@ public final class Embree implements AutoCloseable {
         }
     }
 
-    /** Builds the tree of the mesh. */
+    /** Builds the BVH of the mesh. */
     public TreeBuild build(int threads) throws IOException {
         String[] response = request("build " + threads).split(" ");
         return new TreeBuild(1e3 * Double.parseDouble(response[0]), Long.parseLong(response[1]));
     }
 
-    /** Hands rays over. */
+    /** Sets the rays. */
     public void setRays(RaySet set) throws IOException {
         Path file = folder.resolve("rays");
         set.write(file);
@@ -154,10 +154,10 @@ public final class Embree implements AutoCloseable {
         Files.delete(file);
     }
 
-    /** What tracing all rays took and found. */
+    /** Result of tracing all rays. */
     public record TraceResult(double ms, int hits) {}
 
-    /** Traces the rays that were handed over last, of a kind, on one thread; milliseconds of its processor time. */
+    /** Traces the current rays of a kind on one thread; the time is milliseconds of its processor time. */
     public TraceResult trace(RaySet.Kind kind) throws IOException {
         String[] response = request(switch (kind) {
             case EYE, MIRRORED -> "nearest16";
@@ -168,10 +168,10 @@ public final class Embree implements AutoCloseable {
     }
 
     /**
-     * The nearest hits of the rays that were handed over last.
+     * Reads the nearest hits of the current rays.
      *
-     * @param distance gets distances, infinite for a miss; as long as there are rays
-     * @param triangle gets triangles, −1 for a miss
+     * @param distance receives distances, infinite for a miss; length at least the number of rays
+     * @param triangle receives triangles, −1 for a miss
      */
     public void nearest(float[] distance, int[] triangle) throws IOException {
         Path file = folder.resolve("answers");
@@ -193,7 +193,7 @@ public final class Embree implements AutoCloseable {
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         } catch (IOException e) {
-            // The system clears its own folder of such files.
+            // The system clears its own temporary folder.
         }
     }
 

@@ -7,7 +7,7 @@ import lightning.render.trace.mesh.MeshPacketTraversal;
 import lightning.render.trace.mesh.MeshSolid;
 import lightning.render.trace.solid.RayBatch;
 
-/** Traces sets of rays by our lanes, on the calling thread. */
+/** Tracer of ray sets with our vector lanes, on the calling thread. */
 public final class LaneMeshTracer {
     private static final double[] IDENTITY = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
     private static final ThreadMXBean THREADS = ManagementFactory.getThreadMXBean();
@@ -18,14 +18,14 @@ public final class LaneMeshTracer {
     private final MeshPacketTraversal packets = new MeshPacketTraversal();
     private final RayBatch rays = new RayBatch();
     private final double[] limits = new double[RayBatch.WIDTH];
-    /** The rays that hit something: counted so that the search is not left out. */
+    /** Number of hits, so that the compiler does not eliminate the search. */
     private int hits;
 
     public LaneMeshTracer(MeshSolid solid) {
         this.solid = solid;
     }
 
-    /** Traces all rays of a set; milliseconds of processor time. */
+    /** Traces all rays of a set; returns milliseconds of processor time. */
     public double traceMs(RaySet set) {
         long start = THREADS.getCurrentThreadCpuTime();
         boolean isShadow = set.kind() == RaySet.Kind.SHADOW;

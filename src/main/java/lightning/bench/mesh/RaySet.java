@@ -8,25 +8,25 @@ import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 
 /**
- * Many rays of one kind, as floats, so that every program traces the very same.
+ * Set of rays of one kind as floats, so that every program traces exactly the same rays.
  *
- * @param kind   what they are
- * @param count  how many, a multiple of {@link #PACKET}; rays that go together are beside each other
- * @param columns x, y, z of origins, then of directions: {@code float[6][count]}; not to be written
+ * @param kind    kind of rays
+ * @param count   number of rays, a multiple of {@link #PACKET}; coherent rays are adjacent
+ * @param columns x, y, z of origins, then of directions: {@code float[6][count]}; read-only
  */
 public record RaySet(Kind kind, int count, float[][] columns) {
-    /** As many rays as go together in the narrowest form that programs trace. */
+    /** Number of rays per packet, the smallest packet size of all programs. */
     public static final int PACKET = 16;
 
     /** Kinds of rays. */
     public enum Kind {
-        /** From one point through a picture, in squares of 8×8 pixels that are four squares of 4×4. */
+        /** Rays from one point through an image, in squares of 8×8 pixels, each four squares of 4×4. */
         EYE("eye"),
-        /** From what the eye sees to a lamp, which is at distance 1: only whether anything is between. */
+        /** Occlusion rays from the eye's hits to a lamp at distance 1. */
         SHADOW("shadow"),
-        /** From what the eye sees, mirrored there. */
+        /** Eye rays mirrored at their hits. */
         MIRRORED("mirrored"),
-        /** From what the eye sees in all directions, each ray by itself. */
+        /** Incoherent rays from the eye's hits in all directions. */
         SINGLE("single");
 
         private final String label;
@@ -35,7 +35,7 @@ public record RaySet(Kind kind, int count, float[][] columns) {
             this.label = label;
         }
 
-        /** The word of tables. */
+        /** Returns the label for tables. */
         public String label() {
             return label;
         }

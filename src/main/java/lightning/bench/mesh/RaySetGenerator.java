@@ -4,23 +4,23 @@ import lightning.render.trace.mesh.MeshRayQuery;
 import lightning.render.trace.mesh.MeshSolid;
 import lightning.scene.Mesh;
 
-/** The sets of rays that a mesh about the origin is measured with: those of an eye, and what follows of what it sees. */
+/** Generator of ray sets for a mesh around the origin: eye rays, and secondary rays from their hits. */
 public final class RaySetGenerator {
     private static final double[] EYE = {0.6, 0.5, 2.6};
     private static final double[] LIGHT = {2.5, 4, 2};
-    /** Half the picture's height at distance 1. */
+    /** Half the image height at distance 1. */
     private static final double HALF_HEIGHT = 0.42;
     private static final int SQUARE = 8;
-    /** Rays begin so far before the surface, in units of the mesh's size of about 1. */
+    /** Offset of secondary rays from the surface, relative to a mesh size of about 1. */
     private static final double SURFACE_OFFSET = 1e-4;
 
     private final Mesh mesh;
     private final RaySet eyeRays;
-    /** Of each hit of the eye: the point before the surface, and the eye's ray mirrored. */
+    /** Per eye hit: the point in front of the surface, and the mirrored eye ray. */
     private final float[][] mirroredRays = new float[6][];
     private final int hitCount;
 
-    /** @param width the picture's width and {@code height}, multiples of 8 */
+    /** @param width width of the image and, with {@code height}, a multiple of 8 */
     public RaySetGenerator(MeshSolid solid, int width, int height) {
         mesh = solid.mesh();
         eyeRays = eyeRays(width, height);
@@ -51,7 +51,7 @@ public final class RaySetGenerator {
         float[][] c = new float[6][width * height];
         for (int i = 0; i < width * height; i++) {
             int square = i / (SQUARE * SQUARE);
-            // Within a square: which quarter, and where in it.
+            // Quarter of a square, and position in it.
             int x = square % (width / SQUARE) * SQUARE + 4 * (i >> 4 & 1) + (i & 3);
             int y = square / (width / SQUARE) * SQUARE + 4 * (i >> 5 & 1) + (i >> 2 & 3);
             for (int k = 0; k < 3; k++) {
@@ -79,7 +79,7 @@ public final class RaySetGenerator {
         }
     }
 
-    /** The rays of a kind. */
+    /** Returns the rays of a kind. */
     public RaySet of(RaySet.Kind kind) {
         return switch (kind) {
             case EYE -> eyeRays;
@@ -103,7 +103,7 @@ public final class RaySetGenerator {
         return new RaySet(kind, hitCount, c);
     }
 
-    /** A number from −1 to 1, never 0, that looks random. */
+    /** Returns a pseudo-random number from −1 to 1, never 0. */
     private static float pseudoRandom(int ray, int axis) {
         int h = (3 * ray + axis) * 0x9E3779B1;
         h = (h ^ h >>> 15) * 0x85EBCA6B;

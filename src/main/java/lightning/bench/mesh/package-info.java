@@ -1,5 +1,2 @@
-/**
- * How fast rays are traced against one mesh, without a scene around it: generated meshes, sets of rays, our own search, and Embree's
- * beside it where it is installed.
- */
+/** Ray throughput on single meshes: generated meshes, ray sets, our own tracer, and Embree if installed. */
 package lightning.bench.mesh;

@@ -13,14 +13,14 @@ import org.jfree.data.xy.XYSeries;
 import org.jfree.data.xy.XYSeriesCollection;
 
 /**
- * Error against time on logarithmic axes, one point for each grade of accuracy, quartiles of time as whiskers, and the front
- * of Pareto: the grades than which no other is both faster and closer. Pictures without any error have a line of their own.
+ * Chart of error against time on logarithmic axes: a point per accuracy setting, quartiles of time as whiskers, and the Pareto front.
+ * Images without any error have a separate line.
  */
 final class AccuracyChart {
-    /** Where all pictures are equal. */
+    /** Error from which axes start if all images are equal. */
     private static final double MIN_ERROR = 1e-7;
 
-    /** One grade: its time in milliseconds, and its error, ≥ 0. */
+    /** Accuracy setting with its time in milliseconds and its error, ≥ 0. */
     record Point(AccuracySetting setting, double lower, double median, double upper, double error) {
         private boolean isPlausible() {
             return ChartRange.isPlausible(lower) && lower <= median && median <= upper && ChartRange.isPlausible(upper)
@@ -50,7 +50,7 @@ final class AccuracyChart {
         return ChartSvg.of(PlotStyle.chart(plot), width, height, label);
     }
 
-    /** The grades than which none is as fast and closer, or faster and as close: the fastest first. */
+    /** Returns the Pareto-optimal settings, fastest first. */
     static List<Point> paretoFront(List<Point> points) {
         List<Point> front = new ArrayList<>();
         List<Point> byTime = points.stream().sorted(Comparator.comparingDouble(Point::median).thenComparingDouble(Point::error)).toList();

@@ -11,10 +11,10 @@ import lightning.bench.SweepPointResult;
 import lightning.bench.accuracy.AccuracySetting;
 import lightning.bench.accuracy.PictureError;
 
-/** One grade of accuracy over all edits of a scene. */
+/** Summary of one accuracy setting over all edits of a scene. */
 record AccuracySummary(AccuracySetting setting, List<SweepPointResult> points) {
 
-    /** The grades that were measured. */
+    /** Returns the measured settings. */
     static List<AccuracySummary> of(SceneResult scene) {
         List<AccuracySummary> summaries = new ArrayList<>();
         for (AccuracySetting setting : AccuracySetting.values()) {
@@ -27,10 +27,11 @@ record AccuracySummary(AccuracySetting setting, List<SweepPointResult> points) {
         return summaries;
     }
 
-    /** Writes the table of all grades and what each of them is. */
+    /** Writes the table of all settings with their descriptions. */
     static void table(HtmlWriter page, List<AccuracySummary> summaries) {
-        try (HtmlTable table = new HtmlTable(page, null, "Each grade over all edits: median time; worst error.", "grade", "time", "saves",
-                "values that differ", "largest ulp", "largest difference", "mean difference", "RMSE", "PSNR", "PSNR displayed", "SSIM",
+        try (HtmlTable table = new HtmlTable(page, null, "Each accuracy setting over all edits: median time, worst error.",
+                "setting", "time", "saves",
+                "differing values", "max. ulp", "max. difference", "mean difference", "RMSE", "PSNR", "PSNR displayed", "SSIM",
                 "ꟻLIP")) {
             summaries.forEach(summary -> table.row(summary.setting().label(), summary.cells()));
         }
@@ -44,7 +45,7 @@ record AccuracySummary(AccuracySetting setting, List<SweepPointResult> points) {
                 median(r -> r.time().upperQuartile()), max(PictureError::rmse));
     }
 
-    /** Time, saving and errors, for a table. */
+    /** Returns time, saving and errors as table cells. */
     String[] cells() {
         return new String[] {NumberText.ms(median()), NumberText.percent(saving()),
             differingShare(), NumberText.grouped((long) max(PictureError::maxUlp)),
@@ -53,33 +54,33 @@ record AccuracySummary(AccuracySetting setting, List<SweepPointResult> points) {
             decibels(min(PictureError::displayPsnr)), similarity(min(PictureError::ssim)), NumberText.error(flip())};
     }
 
-    /** The median time, milliseconds. */
+    /** Returns the median time, milliseconds. */
     double median() {
         return median(r -> r.time().median());
     }
 
-    /** The median of what is saved, percent of the full trace; where it is not certain of an edit, that counts as the least. */
+    /** Returns the median saving, percent of the full trace; uncertain savings count as the smallest. */
     double saving() {
         double saving = median(point -> Double.isNaN(point.saving()) ? Double.NEGATIVE_INFINITY : point.saving());
         return Double.isInfinite(saving) ? Double.NaN : saving;
     }
 
-    /** The largest root mean square error. */
+    /** Returns the maximum root mean square error. */
     double rmse() {
         return max(PictureError::rmse);
     }
 
-    /** The largest ꟻLIP error, 0…1. */
+    /** Returns the maximum ꟻLIP error, 0…1. */
     double flip() {
         return max(PictureError::flip);
     }
 
-    /** The largest share of values that differ, percent. */
+    /** Returns the maximum share of differing values, percent. */
     double percentDiffering() {
         return max(e -> 100.0 * e.values() / e.of());
     }
 
-    /** The largest share of values that differ. */
+    /** Returns the maximum share of differing values as text. */
     private String differingShare() {
         return points.stream().map(SweepPointResult::error).max(Comparator.comparingDouble(e -> (double) e.values() / e.of()))
                 .map(e -> NumberText.share(e.values(), e.of())).orElse("–");

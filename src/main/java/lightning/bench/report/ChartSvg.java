@@ -19,8 +19,8 @@ import java.util.stream.Collectors;
 import org.jfree.chart.JFreeChart;
 
 /**
- * A chart as SVG inside the page: colors become variables of the style sheet, and every text is given the width for which
- * the chart was laid out, whatever font the reader has.
+ * Chart as inline SVG: colors become variables of the style sheet. Every text has the width that the layout assumed, for any font of the
+ * reader.
  */
 final class ChartSvg {
     static final Font FONT = new Font(Font.SANS_SERIF, Font.PLAIN, 11);
@@ -33,22 +33,22 @@ final class ChartSvg {
     private static final Pattern REDUNDANT_STYLE = Pattern.compile("stroke:none;|stroke-miterlimit:10;|stroke-linecap:square;|(?<=\\n) +");
     private static final FontRenderContext METRICS = new FontRenderContext(null, true, true);
 
-    /** A Linux without fontconfig and a font cannot lay out a chart. */
+    /** Tests if Java can lay out text; Linux needs fontconfig and a font. */
     private static final boolean HAS_FONTS = hasFonts();
 
     private ChartSvg() {}
 
     /**
-     * Draws a chart; where there are no fonts, says so in its place.
+     * Draws a chart; without fonts, writes a note instead.
      *
-     * @param width  in the units in which text is 11 high
-     * @param label  what it shows, for those who cannot see it
+     * @param width in units in which text is 11 high
+     * @param label accessible label
      */
     static String of(JFreeChart chart, int width, int height, String label) {
         if (!HAS_FONTS) {
             return new HtmlWriter()
-                    .element("p", "No chart (" + label + "): Java finds no font on this computer. With fontconfig and a font "
-                            + "installed (Debian: fontconfig fonts-dejavu-core) there would be one.", "class", "note")
+                    .element("p", "No chart (" + label + "): Java finds no font on this computer. Install fontconfig and a font "
+                            + "(on Debian: fontconfig fonts-dejavu-core).", "class", "note")
                     .finish();
         }
         VectorGraphics2D graphics = new VectorGraphics2D();
@@ -57,7 +57,7 @@ final class ChartSvg {
         try {
             new SVGProcessor().getDocument(graphics.getCommands(), new PageSize(width, height)).writeTo(out);
         } catch (IOException e) {
-            throw new UncheckedIOException("memory cannot be written", e);
+            throw new UncheckedIOException("writing to memory failed", e);
         }
         String svg = SVG_HEADER.matcher(out.toString(StandardCharsets.UTF_8)).replaceFirst("");
         svg = CLIPS.matcher(svg).replaceAll("");
@@ -70,10 +70,10 @@ final class ChartSvg {
     }
 
     /**
-     * A chart as a file of its own.
+     * Returns a chart as a standalone file.
      *
-     * @param svg  what {@link #of} made
-     * @param text what the file says of itself, for those who read it
+     * @param svg  result of {@link #of}
+     * @param text description in the file
      */
     static String file(String svg, String text) {
         String inks = Arrays.stream(PlotColor.values()).map(ink -> "--" + ink.name().toLowerCase(Locale.ROOT) + ":"

@@ -8,9 +8,9 @@ import org.jfree.chart.renderer.xy.XYLineAndShapeRenderer;
 import org.jfree.data.xy.XYSeries;
 import org.jfree.data.xy.XYSeriesCollection;
 
-/** Lines on logarithmic axes, each named at its end. Values of 0 have a line of their own. */
+/** Chart of lines on logarithmic axes, each labeled at its end. Values of 0 have a separate line. */
 final class CurveChart {
-    /** A line through points {@code {x, y}}, x rising, both ≥ 0; dashed for what is only promised; its name may be empty. */
+    /** Line through points {@code {x, y}}, x ascending, both ≥ 0; dashed for bounds; its name may be empty. */
     record Curve(String name, PlotColor ink, boolean dashed, List<double[]> points) {
         double[] last() {
             return points.getLast();
@@ -23,8 +23,8 @@ final class CurveChart {
     private CurveChart() {}
 
     /**
-     * @param xLabel what a tick across says
-     * @param yLabel     what a tick up says
+     * @param xLabel label of a horizontal tick
+     * @param yLabel label of a vertical tick
      */
     static String svg(String label, List<Curve> all, int width, int height, DoubleFunction<String> xLabel, DoubleFunction<String> yLabel) {
         List<Curve> curves = all.stream().filter(c -> !c.points.isEmpty()).toList();

@@ -13,11 +13,11 @@ import lightning.bench.GrowthCurve;
 import lightning.bench.GrowthPoint;
 import lightning.render.relight.plan.Accuracy;
 
-/** What becomes of pictures after many edits, and how times grow. */
+/** Report sections of image drift and growth of times. */
 final class CurveSections {
     private static final int WIDTH = 560;
     private static final int HEIGHT = 320;
-    /** Where there are many edits: one of each kind of update. */
+    /** Edits to highlight among many: one per kind of update. */
     private static final List<String> TYPICAL_EDITS = List.of("color", "position", "attenuation", "angle-larger", "add",
             "mirrors updated after position");
 
@@ -27,8 +27,9 @@ final class CurveSections {
         if (!results.drift().isEmpty()) {
             page.open("section", "id", "drift");
             page.element("h2", "Drift");
-            page.element("p", "After many edits in a row, how far is a picture from a full trace? Grade exact starts from the stored rows "
-                    + "each time; grade ratio multiplies what it has, knows a bound of its error, and computes anew before that could show.",
+            page.element("p", "Error against a full trace after many edits in a row. Setting exact recomputes from the stored rows "
+                    + "each time. Setting ratio multiplies stored values, tracks an error bound, and recomputes before an error is "
+                    + "visible.",
                     "class", "lead");
             page.open("div", "class", "charts");
             results.drift().forEach(drift -> drift(page, drift));
@@ -50,13 +51,13 @@ final class CurveSections {
             PlotColor ink = PlotColor.of(accuracy);
             curves.add(curve(name, ink, false, drift, accuracy, p -> p.error().maxAbsolute()));
             if (!accuracy.isExact()) {
-                curves.add(curve(name + ", its bound", ink, true, drift, accuracy, DriftPoint::bound));
+                curves.add(curve(name + ", bound", ink, true, drift, accuracy, DriftPoint::bound));
             }
         }
         int refreshes = drift.points().stream().mapToInt(DriftPoint::refreshes).max().orElse(0);
         SceneSection.figure(page, drift.scene() + ", " + drift.width() + " × " + drift.height(),
-                "Largest difference of any value (linear) against the number of edits. Grade ratio "
-                        + (refreshes == 0 ? "never had to compute anew." : "computed anew " + refreshes + " times."),
+                "Maximum difference of any value (linear) against the number of edits. Setting ratio "
+                        + (refreshes == 0 ? "never had to recompute." : "recomputed " + refreshes + " times."),
                 CurveChart.svg("Error after many edits", curves, WIDTH, HEIGHT, NumberText::tick,
                         at -> NumberText.power((int) Math.round(Math.log10(at)))));
     }
@@ -68,7 +69,7 @@ final class CurveSections {
     }
 
     private static void growth(HtmlWriter page, GrowthCurve growth) {
-        SceneSection.figure(page, "With " + growth.along(), "Time (ms) against " + growth.along() + "; " + growth.scene() + "."
+        SceneSection.figure(page, "Growth with " + growth.along(), "Time (ms) against " + growth.along() + "; " + growth.scene() + "."
                 + (hasFewEdits(growth) ? "" : " Gray: the other edits."), growth(growth));
     }
 
@@ -80,7 +81,7 @@ final class CurveSections {
         return growth.points().stream().flatMap(p -> p.edits().stream()).map(GrowthPoint.EditTime::edit).distinct();
     }
 
-    /** The chart of one curve. */
+    /** Returns the chart of one curve. */
     static String growth(GrowthCurve growth) {
         List<CurveChart.Curve> curves = new ArrayList<>();
         curves.add(new CurveChart.Curve("full trace", PlotColor.TEXT, false,
@@ -97,7 +98,7 @@ final class CurveSections {
         return CurveChart.svg("Time against " + growth.along(), curves, WIDTH, HEIGHT, NumberText::tick, NumberText::tick);
     }
 
-    /** Those that a chart can show. */
+    /** Returns the points that a chart can show. */
     private static List<double[]> points(Stream<double[]> points) {
         return points.filter(p -> ChartRange.isPlausibleOrZero(p[0]) && ChartRange.isPlausibleOrZero(p[1])).toList();
     }

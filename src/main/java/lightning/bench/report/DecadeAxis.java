@@ -11,7 +11,7 @@ import org.jfree.chart.axis.NumberTick;
 import org.jfree.chart.ui.RectangleEdge;
 import org.jfree.chart.ui.TextAnchor;
 
-/** A logarithmic axis with a few ticks at round numbers: whole decades, or 1, 2 and 5 of each where there are few decades. */
+/** Logarithmic axis with few ticks at round numbers: whole decades, or 1, 2 and 5 of each if there are few decades. */
 final class DecadeAxis extends LogAxis {
     private static final long serialVersionUID = 1;
     private static final int MAX_TICKS = 7;
@@ -22,9 +22,9 @@ final class DecadeAxis extends LogAxis {
     private final double high;
 
     /**
-     * @param low   the lower end, above 0
-     * @param high  the upper end, above {@code low}
-     * @param label what a tick says
+     * @param low   lower end, > 0
+     * @param high  upper end, > {@code low}
+     * @param label formats a tick
      */
     DecadeAxis(double low, double high, DoubleFunction<String> label) {
         this.label = label;

@@ -6,14 +6,14 @@ import lightning.bench.BenchResults;
 import lightning.bench.GrowthCurve;
 import lightning.bench.SceneResult;
 
-/** The charts of a run as files, for documents; each names the build that was measured. */
+/** Charts of a run as files for documents; each names the measured build. */
 public final class DocumentCharts {
-    /** Its mirrors show mirrors: the grades are far apart. */
+    /** Scene with multiple reflections, which separates the accuracy settings. */
     private static final String SCENE = "balls";
 
     private DocumentCharts() {}
 
-    /** The charts by the names of their files: savings and grades of one scene, and what times grow with. */
+    /** Returns the charts by file name: savings and accuracy settings of one scene, and growth curves. */
     public static Map<String, String> of(BenchResults results) {
         Map<String, String> charts = new LinkedHashMap<>();
         String build = "build " + results.run().commit() + ", " + results.run().date();

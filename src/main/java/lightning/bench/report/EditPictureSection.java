@@ -10,9 +10,9 @@ import lightning.bench.ValueResult;
 import lightning.bench.accuracy.AccuracySetting;
 import lightning.bench.accuracy.PictureError;
 
-/** Each edit by itself: its pictures to wipe between, its grades, its error against time. */
+/** Report section of single edits: images with a wipe comparison, accuracy settings, error against time. */
 final class EditPictureSection {
-    /** A picture with the words for it. */
+    /** Image with its label. */
     private record LabeledPicture(String name, String style, AccuracySetting setting) {}
 
     private EditPictureSection() {}
@@ -67,7 +67,7 @@ final class EditPictureSection {
         return defaultIndex;
     }
 
-    /** For the screen. */
+    /** Writes controls for the screen. */
     private static void wipeControls(HtmlWriter page, List<LabeledPicture> pictures, List<LabeledPicture> differences, int after,
             String aspectRatio) {
         page.open("div", "class", "wipe");
@@ -88,12 +88,12 @@ final class EditPictureSection {
         page.close().close();
         page.open("div", "class", "view");
         page.open("div", "class", "stage", "style", aspectRatio);
-        page.element("p", "equal in every bit", "class", "equal");
+        page.element("p", "bit-identical", "class", "equal");
         int difference = index(differences, pictures.get(after).setting, -1);
         page.element("div", "", "class", "pic difference " + (difference < 0 ? "" : differences.get(difference).style));
         page.close();
-        page.open("div", "class", "controls").open("label").text("difference to the full trace ");
-        page.open("select", "class", "of", "aria-label", "difference of which grade");
+        page.open("div", "class", "controls").open("label").text("difference from the full trace ");
+        page.open("select", "class", "of", "aria-label", "accuracy setting of the difference");
         for (LabeledPicture s : pictures) {
             if (s.setting != null && s.setting != AccuracySetting.FULL_TRACE) {
                 int i = index(differences, s.setting, -1);
@@ -113,7 +113,7 @@ final class EditPictureSection {
         page.close();
     }
 
-    /** For paper, and where no script runs: the same side by side. */
+    /** Writes images side by side, for print and without scripts. */
     private static void sideBySide(HtmlWriter page, List<LabeledPicture> pictures, List<LabeledPicture> differences, int after,
             String aspectRatio) {
         page.open("div", "class", "side");
@@ -143,7 +143,8 @@ final class EditPictureSection {
                 240));
         page.element("p", "RMSE against time, ms", "class", "axes").close();
         try (HtmlTable table =
-                new HtmlTable(page, "tight", value.value(), "grade", "time", "saves", "values differ", "ulp", "largest", "RMSE",
+                new HtmlTable(page, "tight", value.value(), "setting", "time", "saves", "differing values", "max. ulp",
+                        "max. difference", "RMSE",
                         "PSNR", "SSIM", "ꟻLIP")) {
             value.rungs().forEach(point -> row(table, point));
         }

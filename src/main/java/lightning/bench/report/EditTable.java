@@ -7,15 +7,15 @@ import lightning.bench.SweepPointResult;
 import lightning.bench.UpdateWork;
 import lightning.bench.accuracy.AccuracySetting;
 
-/** The table of a scene's edits: what each did, what it saved, and why not more. */
+/** Table of a scene's edits: work, saving, and its limits. */
 final class EditTable {
     private EditTable() {}
 
     static void write(HtmlWriter page, SceneResult scene) {
         try (HtmlTable table = new HtmlTable(page, "plans",
-                "Each edit at grade " + AccuracySetting.DEFAULT.label() + ": work of its first value, savings averaged over all values.",
+                "Each edit at setting " + AccuracySetting.DEFAULT.label() + ": work of its first value, savings averaged over all values.",
                 "edit", "plan", "rows touched", "shadow rays", "avoided", "time", "full trace", "saves", "paper", "cap",
-                "saves with mirrors as they were", "updated afterwards", "above floor")) {
+                "saves without reflections", "updated afterwards", "× memory floor")) {
             scene.edits().forEach(edit -> row(table, edit));
         }
     }

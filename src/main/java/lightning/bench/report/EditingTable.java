@@ -3,7 +3,7 @@ package lightning.bench.report;
 import lightning.bench.BenchResults;
 import lightning.bench.EditingCost;
 
-/** What editing large scenes costs below the editor. */
+/** Table of editing costs in large scenes, without a window. */
 final class EditingTable {
     private EditingTable() {}
 
@@ -13,10 +13,10 @@ final class EditingTable {
         }
         page.open("section", "id", "editing");
         page.element("h2", "Editing large scenes");
-        page.element("p", "Generated scenes: balls over a floor, under lights of all types. What an edit traces is not in here.", "class",
+        page.element("p", "Generated scenes: balls over a floor, with lights of all types. Tracing is not included.", "class",
                 "lead");
         try (HtmlTable table =
-                new HtmlTable(page, "edits", "Below the editor's window: medians, and bytes of heap for each shape", "shapes, lights",
+                new HtmlTable(page, "edits", "Scene operations without the window: medians, and heap bytes per shape", "shapes, lights",
                         "load", "tree", "new scene", "plan", "first hover", "document", "primitives and tree")) {
             for (EditingCost e : results.editing()) {
                 table.row(NumberText.grouped(e.shapes()) + ", " + NumberText.grouped(e.lights()), NumberText.ms(e.load().median()),

@@ -4,15 +4,15 @@ import java.util.List;
 import lightning.bench.EffectResult;
 import lightning.bench.SceneResult;
 
-/** What each effect of a scene takes, and what it saves that others are absent. */
+/** Table of a scene's effects: costs of used ones, savings from absent ones. */
 final class EffectTable {
     private EffectTable() {}
 
     static void write(HtmlWriter page, SceneResult scene) {
         if (!scene.effects().isEmpty()) {
-            rows(page, "Effects in use: by how much each makes the picture dearer",
+            rows(page, "Effects in use: cost of each",
                     scene.effects().stream().filter(EffectResult::inUse).toList());
-            rows(page, "Absent effects: what each would add if it were computed all the same",
+            rows(page, "Absent effects: cost of each if it were computed",
                     scene.effects().stream().filter(e -> !e.inUse()).toList());
         }
     }
@@ -22,7 +22,7 @@ final class EffectTable {
             return;
         }
         try (HtmlTable table =
-                new HtmlTable(page, "edits", caption, "effect", "first pass", "noise", "moved light", "kept", "rays", "called for by")) {
+                new HtmlTable(page, "edits", caption, "effect", "first pass", "noise", "moved light", "cache", "rays", "used by")) {
             for (EffectResult effect : effects) {
                 table.row(effect.effect(), NumberText.ms(effect.certainFirstMs()), "± " + NumberText.ms(effect.noiseMs()),
                         NumberText.ms(effect.certainUpdateMs()),

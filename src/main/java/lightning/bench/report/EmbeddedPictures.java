@@ -20,29 +20,29 @@ import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
 
 /**
- * The pictures inside the page, each once, however often it is shown: a class of the style sheet with the picture as its
- * background. They are packed closely; what every pixel is stands in the files beside the report.
+ * Images embedded once in the page as backgrounds of style sheet classes, however often they are shown. They are compressed lossily; the
+ * files next to the report have the exact pixels.
  */
 final class EmbeddedPictures {
     private static final float JPEG_QUALITY = 0.92f;
-    /** The bits of a channel that a false-color picture keeps, so that it has few colors. */
+    /** Mask of the bits per channel of false-color images, which limits the number of colors. */
     private static final int COARSE = 0xF8F8F8;
 
     private final Path folder;
     private final Map<String, String> byFile = new HashMap<>();
     private final Map<String, String> byContent = new LinkedHashMap<>();
 
-    /** @param folder to which the names of pictures are relative */
+    /** @param folder base folder of image names */
     EmbeddedPictures(Path folder) {
         this.folder = folder;
     }
 
-    /** The class of a picture; null if there is none or it cannot be read. */
+    /** Returns the class of an image; null if it is missing or unreadable. */
     String picture(String file) {
         return add(file, false);
     }
 
-    /** The class of a false-color picture; null if there is none or it cannot be read. */
+    /** Returns the class of a false-color image; null if it is missing or unreadable. */
     String difference(String file) {
         return add(file, true);
     }
@@ -57,13 +57,13 @@ final class EmbeddedPictures {
                 String encoded = fewColors ? "png;base64," + text(png(film)) : "jpeg;base64," + text(jpeg(film));
                 return byContent.computeIfAbsent(encoded, _ -> "p" + byContent.size());
             } catch (IOException | RuntimeException e) {
-                // A name that is no path, or a picture that somebody has moved away: the page is whole without it.
+                // An invalid name or a missing image; the page omits it.
                 return null;
             }
         });
     }
 
-    /** The rules of the style sheet that hold the pictures. */
+    /** Returns the style sheet rules with the images. */
     String styleRules() {
         StringBuilder rules = new StringBuilder();
         byContent.forEach((encoded, name) -> rules.append('.').append(name).append("{background-image:url(data:image/")

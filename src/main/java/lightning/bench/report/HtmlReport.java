@@ -7,20 +7,20 @@ import java.nio.file.Path;
 import lightning.base.file.AtomicFile;
 import lightning.bench.BenchResults;
 
-/** Writes the report of a run as one HTML file that needs nothing else, no network either. */
+/** Writer of a run's report as one self-contained HTML file, usable offline. */
 public final class HtmlReport {
-    /** The name of the report. */
+    /** File name of the report. */
     public static final String FILE = "report.html";
 
-    private static final String TITLE = "Lightning: what re-rendering saves, and what accuracy costs";
+    private static final String TITLE = "Lightning benchmark: savings of re-rendering, cost of accuracy";
 
     private HtmlReport() {}
 
     /**
      * Writes {@value #FILE}.
      *
-     * @param results of a whole run or of part of one
-     * @param folder  where to; the pictures' names in the results are relative to it, and what is not there is left out
+     * @param results complete or partial results
+     * @param folder  output folder and base of the results' image names; missing images are omitted
      * @throws IOException if the file cannot be written
      */
     public static void write(BenchResults results, Path folder) throws IOException {
@@ -28,17 +28,16 @@ public final class HtmlReport {
     }
 
     /**
-     * The same with pictures of another folder.
+     * Writes the report with images of another folder.
      *
-     * @param pictures the folder that the pictures' names in the results are relative to
-     * @throws IOException if the file cannot be written
+     * @param pictures base folder of the results' image names
      */
     public static void write(BenchResults results, Path pictures, Path folder) throws IOException {
         byte[] page = html(results, pictures).getBytes(StandardCharsets.UTF_8);
         AtomicFile.write(folder.resolve(FILE), out -> out.write(page));
     }
 
-    /** The page itself, well-formed XML. */
+    /** Returns the page as well-formed XML. */
     static String html(BenchResults results, Path pictures) {
         EmbeddedPictures embeddedPictures = new EmbeddedPictures(pictures);
         HtmlWriter body = new HtmlWriter();
@@ -65,7 +64,7 @@ public final class HtmlReport {
         try (var in = HtmlReport.class.getResourceAsStream(name)) {
             return new String(in.readAllBytes(), StandardCharsets.UTF_8);
         } catch (IOException e) {
-            throw new UncheckedIOException("the program misses its file " + name, e);
+            throw new UncheckedIOException("missing resource of the program: " + name, e);
         }
     }
 }

@@ -1,10 +1,10 @@
 package lightning.bench.report;
 
-/** Writes a table: a title for each column, the first column names, all others numbers. */
+/** Writer of a table: a title per column, names in the first, numbers in all others. */
 final class HtmlTable implements AutoCloseable {
     private final HtmlWriter page;
 
-    /** @param style a class of the style sheet, or null */
+    /** @param style style sheet class, or null */
     HtmlTable(HtmlWriter page, String style, String caption, String... columns) {
         this.page = page;
         page.open("div", "class", "wide").open("table", "class", style);
@@ -16,7 +16,7 @@ final class HtmlTable implements AutoCloseable {
         page.close().close().open("tbody");
     }
 
-    /** A row; a cell that starts with {@code −} is a loss, and so is marked. */
+    /** Writes a row; cells that start with {@code −} are marked as losses. */
     void row(String name, String... cells) {
         page.open("tr").element("th", name, "scope", "row");
         for (String cell : cells) {

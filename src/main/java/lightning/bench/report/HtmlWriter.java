@@ -3,7 +3,7 @@ package lightning.bench.report;
 import java.util.ArrayDeque;
 import java.util.Deque;
 
-/** Writes elements that are closed in order and text that is escaped: well-formed XML that is also HTML. */
+/** Writer of nested elements and escaped text: well-formed XML that is also HTML. */
 final class HtmlWriter {
     private final StringBuilder out = new StringBuilder();
     private final Deque<String> openElements = new ArrayDeque<>();
@@ -11,7 +11,7 @@ final class HtmlWriter {
     /**
      * Opens an element.
      *
-     * @param attributes names and values in turn; one with a null value is left out
+     * @param attributes alternating names and values; attributes with a null value are omitted
      */
     HtmlWriter open(String element, String... attributes) {
         start(element, attributes);
@@ -26,14 +26,14 @@ final class HtmlWriter {
         return this;
     }
 
-    /** An element with nothing but text in it. */
+    /** Writes an element with text content only. */
     HtmlWriter element(String element, String text, String... attributes) {
         start(element, attributes);
         out.append('>').append(escape(text)).append("</").append(element).append(">\n");
         return this;
     }
 
-    /** An element that never has content: {@code img}, {@code input}, {@code meta}. */
+    /** Writes an element without content: {@code img}, {@code input}, {@code meta}. */
     HtmlWriter emptyElement(String element, String... attributes) {
         start(element, attributes);
         out.append("/>\n");
@@ -45,14 +45,14 @@ final class HtmlWriter {
         return this;
     }
 
-    /** Markup that is well-formed already: a chart, the style sheet, the script. */
+    /** Writes well-formed markup: a chart, the style sheet, the script. */
     HtmlWriter raw(String markup) {
         out.append(markup);
         return this;
     }
 
     /**
-     * The whole text.
+     * Returns the complete text.
      *
      * @throws IllegalStateException if an element is still open
      */
@@ -72,7 +72,7 @@ final class HtmlWriter {
         }
     }
 
-    /** Characters that XML cannot hold become the replacement character. */
+    /** Escapes text; replaces characters that are invalid in XML with the replacement character. */
     static String escape(String text) {
         StringBuilder escaped = new StringBuilder();
         text.codePoints().forEach(c -> {

@@ -9,9 +9,9 @@ import lightning.bench.SceneResult;
 import lightning.bench.SweepPointResult;
 import lightning.bench.accuracy.AccuracySetting;
 
-/** The run in four numbers, all of the default grade: a headline that mixes grades would promise what none of them keeps. */
+/** Four key numbers of a run at the default accuracy setting. Mixing settings would be misleading, as no single setting has all of them. */
 final class KeyNumbers {
-    private static final String AT_DEFAULT = "at grade " + AccuracySetting.DEFAULT.label() + " (the program's default)";
+    private static final String AT_DEFAULT = "at setting " + AccuracySetting.DEFAULT.label() + " (default)";
 
     private KeyNumbers() {}
 
@@ -29,14 +29,14 @@ final class KeyNumbers {
         int uncertain = edits.size() - savings.length;
         page.open("dl", "class", "key");
         number(page, NumberText.percent(median(savings)),
-                "of a full trace is saved by the median edit " + AT_DEFAULT + ", the full trace being the "
-                        + "fastest that the program can make" + (uncertain == 0 ? "" : "; " + uncertain + " of " + edits.size()
-                                + " edits are left out, whose times scatter too much to say"));
+                "of a full trace saved by the median edit " + AT_DEFAULT + "; the full trace is the "
+                        + "fastest of this program" + (uncertain == 0 ? "" : "; " + uncertain + " of " + edits.size()
+                                + " edits are left out because their timing is too noisy"));
         leastSaving(page, results);
         number(page, NumberText.grouped(equal) + " of " + NumberText.grouped(pictures.size()),
-                "pictures " + AT_DEFAULT + " equal the full trace in every bit");
+                "images " + AT_DEFAULT + " are bit-identical to the full trace");
         number(page, NumberText.percent(median(slowdowns)),
-                "is what the median first pass takes beyond a full trace, to keep what edits need");
+                "extra time of the median first pass over a full trace, to build the cache");
         page.close();
     }
 
@@ -51,7 +51,7 @@ final class KeyNumbers {
                 }
             }
         }
-        number(page, NumberText.percent(minSaving), "is saved " + AT_DEFAULT + " by the edit that saves least" + editLabel);
+        number(page, NumberText.percent(minSaving), "saved " + AT_DEFAULT + " by the edit that saves least" + editLabel);
     }
 
     private static void number(HtmlWriter page, String value, String meaning) {

@@ -22,7 +22,7 @@ import lightning.bench.SweepPointResult;
 import lightning.bench.TimeSamples;
 import lightning.bench.accuracy.AccuracySetting;
 
-/** The tables of a run as Markdown, for documents: each is named, and made from the results alone. */
+/** Named Markdown tables of a run for documents, made from the results only. */
 public final class MarkdownTables {
     private final BenchResults results;
 
@@ -30,7 +30,7 @@ public final class MarkdownTables {
         this.results = results;
     }
 
-    /** The names of all tables. */
+    /** Returns the names of all tables. */
     public static List<String> names() {
         return List.of("scenes", "savings", "savings in short", "ladder", "previews", "composing", "drift", "growth", "editing", "meshes",
                 "rays", "effects in use",
@@ -40,7 +40,7 @@ public final class MarkdownTables {
     }
 
     /**
-     * A table, its lines ending in line feeds.
+     * Returns a table whose lines end with line feeds.
      *
      * @throws IllegalArgumentException if there is no table of that name
      */
@@ -73,7 +73,7 @@ public final class MarkdownTables {
                         number(s.firstPass().bytesPerPixel()), number(s.firstPass().editsToPayOff()))));
     }
 
-    /** The scenes at the largest size. */
+    /** Returns the scenes at the largest size. */
     private Stream<SceneResult> largestScenes() {
         int maxWidth = results.scenes().stream().mapToInt(SceneResult::width).max().orElse(0);
         return results.scenes().stream().filter(s -> s.width() == maxWidth && s.firstPass() != null);
@@ -90,7 +90,7 @@ public final class MarkdownTables {
         }));
     }
 
-    /** The edits of which the first page speaks, and what it calls them. */
+    /** Edits of the summary table with their titles. */
     private static final Map<String, String> SUMMARY_EDITS = new LinkedHashMap<>();
 
     static {
@@ -101,7 +101,7 @@ public final class MarkdownTables {
         SUMMARY_EDITS.put("shininess", "shininess");
     }
 
-    /** What the default grade saves of each edit, and the rays that it casts on the first scene. */
+    /** Returns savings of the default setting per edit, with its rays on the first scene. */
     private String savingsSummary() {
         List<SceneResult> scenes = largestScenes().toList();
         List<String> head = new ArrayList<>(List.of("edit"));
@@ -127,7 +127,7 @@ public final class MarkdownTables {
         return String.format(Locale.ROOT, "%,d", value).replace(',', ' ');
     }
 
-    /** An edit that only composes and one that casts rays, by what other editors offer while a light is dragged. */
+    /** Compares a composing edit and a ray-tracing edit with typical previews of other editors. */
     private String previews() {
         List<AccuracySetting> settings =
                 List.of(AccuracySetting.HALF_RESOLUTION, AccuracySetting.FAST_SHADING, AccuracySetting.DEFAULT, AccuracySetting.FULL_TRACE);
@@ -142,9 +142,9 @@ public final class MarkdownTables {
     }
 
     /**
-     * A row for each run that results were kept of.
+     * Returns a row per run with stored results.
      *
-     * @param runs by the names of their parts
+     * @param runs runs by part name
      */
     public static String runs(Map<String, BenchRun> runs) {
         return table(List.of("part", "began (UTC)", "minutes", "samples", "memory bandwidth GB/s", "load average before",
@@ -156,7 +156,7 @@ public final class MarkdownTables {
                 }));
     }
 
-    /** Each kind of edit once. */
+    /** Returns each kind of edit once. */
     private static Stream<EditResult> edits(List<SceneResult> scenes) {
         return scenes.stream().flatMap(s -> s.edits().stream())
                 .collect(Collectors.toMap(EditResult::edit, e -> e, (a, _) -> a, LinkedHashMap::new)).values().stream();
@@ -257,7 +257,7 @@ public final class MarkdownTables {
         return samples == null ? "–" : number(samples.median());
     }
 
-    /** Three digits, no exponent. */
+    /** Formats three digits without exponent. */
     private static String number(double v) {
         if (Double.isNaN(v)) {
             return "–";
@@ -266,7 +266,7 @@ public final class MarkdownTables {
         return String.format(Locale.ROOT, size >= 99.95 ? "%.0f" : size >= 9.995 ? "%.1f" : "%.2f", v);
     }
 
-    /** Two digits and an exponent; 0 where nothing is off. */
+    /** Formats two digits with exponent; 0 for no error. */
     private static String error(double v) {
         return v == 0 ? "0" : Double.isNaN(v) ? "–" : String.format(Locale.ROOT, "%.1e", v);
     }

@@ -12,13 +12,13 @@ import org.jfree.chart.ui.TextAnchor;
 import org.jfree.data.category.CategoryDataset;
 import org.jfree.data.category.DefaultCategoryDataset;
 
-/** How far above its memory floor each edit runs: the time that memory needs to move its bytes, and the time that it takes. */
+/** Chart of each edit's time against its memory floor, the time that memory needs to move its bytes. */
 final class MemoryFloorChart {
     private static final int WIDTH = 550;
     private static final int ROW = 19;
     private static final int AXIS = 26;
 
-    /** One edit: milliseconds of its floor, > 0, and of its median. */
+    /** Edit with the milliseconds of its floor, > 0, and its median. */
     record Row(String name, double floor, double time) {}
 
     private MemoryFloorChart() {}
@@ -54,7 +54,7 @@ final class MemoryFloorChart {
         return ChartSvg.of(PlotStyle.chart(plot), WIDTH, AXIS + ROW * rows.size(), label);
     }
 
-    /** Time over floor. */
+    /** Labels with the ratio of time to floor. */
     private static final class FloorRatioLabels extends StandardCategoryItemLabelGenerator {
         private static final long serialVersionUID = 1;
 

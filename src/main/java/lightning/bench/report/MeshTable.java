@@ -4,7 +4,7 @@ import lightning.bench.BenchResults;
 import lightning.bench.MeshPoint;
 import lightning.bench.RayThroughput;
 
-/** How fast rays are traced against meshes. */
+/** Tables of ray throughput on meshes. */
 final class MeshTable {
     private MeshTable() {}
 
@@ -13,12 +13,12 @@ final class MeshTable {
             return;
         }
         page.open("section", "id", "meshes");
-        page.element("h2", "Rays against meshes");
+        page.element("h2", "Ray tracing of meshes");
         page.element("p",
-                "Generated balls with bumps; one thread, and the tree on all processors. Beside them Embree where it is installed, in "
-                        + "turns: robust, packets of 16 and coherent, or single rays.",
+                "Generated bumpy spheres. Rays on one thread, BVH build on all processors. Embree, if installed, is measured in "
+                        + "turns: robust, coherent packets of 16, or single rays.",
                 "class", "lead");
-        try (HtmlTable table = new HtmlTable(page, "edits", "Million rays a second", "triangles, rays", "ours", "Embree's", "share")) {
+        try (HtmlTable table = new HtmlTable(page, "edits", "Million rays per second", "triangles, rays", "Lightning", "Embree", "ratio")) {
             for (MeshPoint m : results.meshes()) {
                 for (RayThroughput pace : m.rays()) {
                     table.row(NumberText.grouped(m.triangles()) + ", " + pace.rays(), NumberText.threeDigits(pace.millionsPerSecond()),
@@ -28,7 +28,7 @@ final class MeshTable {
             }
         }
         try (HtmlTable table =
-                new HtmlTable(page, "edits", "Trees", "triangles", "ours", "Embree's", "bytes a triangle", "Embree's bytes")) {
+                new HtmlTable(page, "edits", "BVH build", "triangles", "Lightning", "Embree", "bytes per triangle", "Embree, bytes")) {
             for (MeshPoint m : results.meshes()) {
                 table.row(NumberText.grouped(m.triangles()), NumberText.ms(m.tree().median()),
                         m.rival() == null ? "" : NumberText.ms(m.rival().tree().median()), NumberText.threeDigits(m.treeBytes()),

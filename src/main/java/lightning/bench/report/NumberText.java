@@ -4,14 +4,14 @@ import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.Locale;
 
-/** Numbers as people read them. One that does not exist is a dash. */
+/** Number formatting for people. Missing numbers are dashes. */
 final class NumberText {
     private static final String NONE = "–";
     private static final String SUPERSCRIPTS = "⁰¹²³⁴⁵⁶⁷⁸⁹";
 
     private NumberText() {}
 
-    /** With three digits: {@code 0.123}, {@code 12.3}, {@code 1 230}. */
+    /** Formats three digits: {@code 0.123}, {@code 12.3}, {@code 1 230}. */
     static String threeDigits(double value) {
         if (!Double.isFinite(value)) {
             return special(value);
@@ -21,29 +21,29 @@ final class NumberText {
                 : format(size >= 100 ? "%.0f" : size >= 10 ? "%.1f" : size >= 1 ? "%.2f" : "%.3f", value);
     }
 
-    /** At a tick of an axis: {@code 0.1}, {@code 5}, {@code 1 000}. */
+    /** Formats an axis tick: {@code 0.1}, {@code 5}, {@code 1 000}. */
     static String tick(double value) {
         return value >= 1000 ? grouped(Math.round(value)) : new BigDecimal(value).round(new MathContext(2))
                 .stripTrailingZeros().toPlainString();
     }
 
-    /** A part of a whole, {@code 57.6 %}; never 0 where there is any. */
+    /** Formats a share, {@code 57.6 %}; never 0 if the part is positive. */
     static String share(long part, long whole) {
         double share = 100.0 * part / whole;
         return part == 0 ? "none" : share > 0 && share < 0.05 ? "< 0.1\u00a0%" : percent(share);
     }
 
-    /** A time: {@code 0.123 ms}. */
+    /** Formats a time: {@code 0.123 ms}. */
     static String ms(double value) {
         return Double.isFinite(value) ? threeDigits(value) + "\u00a0ms" : special(value);
     }
 
-    /** {@code 97.1 %}. */
+    /** Formats a percentage: {@code 97.1 %}. */
     static String percent(double value) {
         return Double.isFinite(value) ? format("%.1f\u00a0%%", value) : special(value);
     }
 
-    /** An error that may be tiny: {@code 0}, {@code 0.12}, {@code 3.1·10⁻⁸}. */
+    /** Formats an error that may be tiny: {@code 0}, {@code 0.12}, {@code 3.1·10⁻⁸}. */
     static String error(double value) {
         if (!Double.isFinite(value) || value == 0) {
             return value == 0 ? "0" : special(value);
@@ -53,19 +53,19 @@ final class NumberText {
                 : format("%.1f", value / Math.pow(10, exponent)) + "·" + power(exponent);
     }
 
-    /** {@code 10⁻⁸}. */
+    /** Formats a power of ten: {@code 10⁻⁸}. */
     static String power(int exponent) {
         StringBuilder text = new StringBuilder("10").append(exponent < 0 ? "⁻" : "");
         Integer.toString(Math.abs(exponent)).chars().forEach(c -> text.append(SUPERSCRIPTS.charAt(c - '0')));
         return text.toString();
     }
 
-    /** {@code 1 234 567}. */
+    /** Formats grouped digits: {@code 1 234 567}. */
     static String grouped(long value) {
         return String.format(Locale.ROOT, "%,d", value).replace(',', '\u202f');
     }
 
-    /** {@code 118 MB}. */
+    /** Formats a size: {@code 118 MB}. */
     static String bytes(double value) {
         return value >= 1e9 ? format("%.1f\u00a0GB", value / 1e9) : value >= 1e6 ? format("%.1f\u00a0MB", value / 1e6)
                 : format("%.1f\u00a0kB", value / 1e3);

@@ -10,9 +10,8 @@ import lightning.bench.accuracy.AccuracySetting;
 import lightning.render.relight.plan.Accuracy;
 
 /**
- * The colors of charts. In the page each is a variable of the style sheet, {@code --paper} and so on, so that they change
- * with the theme; {@link #color} is only what a chart is drawn with. Hues are those of Okabe and Ito, "Color Universal
- * Design", 2008, which stay apart without color vision.
+ * Colors of charts. In the page each is a variable of the style sheet, such as {@code --paper}, which depends on the theme; {@link #color}
+ * is used only for drawing. Hues are from Okabe and Ito, "Color Universal Design", 2008, distinguishable without color vision.
  */
 enum PlotColor {
     TEXT(0x1A1D21),
@@ -29,7 +28,7 @@ enum PlotColor {
     private static final Map<Integer, PlotColor> BY_COLOR =
             Arrays.stream(values()).collect(Collectors.toMap(ink -> ink.color.getRGB() & 0xFFFFFF, ink -> ink));
 
-    /** In the order of the grades. */
+    /** Colors in the order of the accuracy settings. */
     private static final List<PlotColor> BY_SETTING = List.of(ORANGE, RED, MUTED, MUTED, PURPLE, SKY, GREEN, OURS, TEXT);
 
     private final Color color;
@@ -42,12 +41,12 @@ enum PlotColor {
         return color;
     }
 
-    /** As the style sheet knows it: {@code var(--ours)}. */
+    /** Returns the style sheet expression: {@code var(--ours)}. */
     String variable() {
         return "var(--" + name().toLowerCase(Locale.ROOT) + ")";
     }
 
-    /** What the page calls a color of a chart; the color itself if it is none of these. */
+    /** Returns the style sheet expression of a chart color; the color itself if it is none of these. */
     static String variable(int red, int green, int blue) {
         PlotColor plotColor = BY_COLOR.get(red << 16 | green << 8 | blue);
         return plotColor == null ? String.format(Locale.ROOT, "rgb(%d,%d,%d)", red, green, blue) : plotColor.variable();
@@ -61,7 +60,7 @@ enum PlotColor {
         return accuracy.isExact() ? OURS : PURPLE;
     }
 
-    /** Colors of lines that have no meaning of their own. */
+    /** Returns the color of a line without a meaning of its own. */
     static PlotColor of(int line) {
         PlotColor[] colors = {OURS, RED, GREEN, PURPLE, ORANGE, SKY, TEXT, MUTED};
         return colors[line % colors.length];

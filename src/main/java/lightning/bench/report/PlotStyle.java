@@ -19,13 +19,13 @@ import org.jfree.chart.plot.PlotOrientation;
 import org.jfree.chart.plot.XYPlot;
 import org.jfree.chart.ui.RectangleInsets;
 
-/** What all charts look like: no frame, no background, thin grid lines, one size of text. */
+/** Style of all charts: no frame, no background, thin grid lines, one text size. */
 final class PlotStyle {
     static final BasicStroke HAIRLINE = new BasicStroke(0.75f);
     static final BasicStroke LINE = new BasicStroke(1.75f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND);
     static final BasicStroke DASHES = new BasicStroke(1.25f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 1, new float[] {4, 3}, 0);
 
-    /** In the order of the grades, from the roughest to the full trace. */
+    /** Shapes in the order of the accuracy settings, from the roughest to the full trace. */
     private static final List<Shape> SHAPES = List.of(new Rectangle2D.Double(-4, -4, 8, 8), polygon(0, -5, 5, 4, -5, 4),
             polygon(-6, 0, 0, -3, 6, 0, 0, 3), polygon(-6, -3, 0, 0, 6, -3, 6, 3, 0, 0, -6, 3), polygon(0, -5.5, 5.5, 0, 0, 5.5, -5.5, 0),
             new Ellipse2D.Double(-4, -4, 8, 8), polygon(0, 5, 5, -4, -5, -4), new Ellipse2D.Double(-5, -5, 10, 10),
@@ -37,7 +37,7 @@ final class PlotStyle {
         plot.setBackgroundPaint(null);
         plot.setOutlineVisible(false);
         plot.setInsets(new RectangleInsets(4, 2, 2, 8));
-        plot.setNoDataMessage("nothing was measured");
+        plot.setNoDataMessage("no measurements");
         plot.setNoDataMessageFont(ChartSvg.FONT);
         plot.setNoDataMessagePaint(PlotColor.MUTED.color());
         JFreeChart chart = new JFreeChart(null, null, plot, false);
@@ -60,7 +60,7 @@ final class PlotStyle {
         return plot;
     }
 
-    /** Names down the left side, values across. */
+    /** Creates a plot with names on the left and values across. */
     static CategoryPlot rows(ValueAxis values) {
         CategoryAxis names = new CategoryAxis();
         grid(names);
@@ -87,7 +87,7 @@ final class PlotStyle {
         axis.setTickLabelPaint(PlotColor.MUTED.color());
     }
 
-    /** Each grade has a shape of its own too, for those who print in black. */
+    /** Returns the shape of an accuracy setting, for prints without color. */
     static Shape shape(AccuracySetting setting) {
         return SHAPES.get(setting.ordinal());
     }

@@ -12,13 +12,13 @@ import org.jfree.chart.axis.ValueAxis;
 import org.jfree.chart.plot.PlotRenderingInfo;
 import org.jfree.chart.plot.XYPlot;
 
-/** Names beside the points of a chart, moved until they cover neither each other nor a point. */
+/** Labels of chart points, moved so that they cover neither each other nor a point. */
 final class PointLabels extends AbstractXYAnnotation {
     private static final long serialVersionUID = 1;
     private static final double GAP = 8;
     private static final double LINE = 13;
     private static final double POINT = 9;
-    /** How many lines a name may move away. */
+    /** Maximum number of lines that a label moves. */
     private static final int MAX_LINES = 8;
 
     private record Label(double x, double y, String text, Color color) {}
@@ -27,12 +27,12 @@ final class PointLabels extends AbstractXYAnnotation {
 
     private final transient List<Label> labels = new ArrayList<>();
 
-    /** @param isRightOfPoint whether names stand right of points, where lines end; else above and below, free of whiskers */
+    /** @param isRightOfPoint whether labels are right of points, where lines end; otherwise above and below, clear of whiskers */
     PointLabels(boolean isRightOfPoint) {
         this.isRightOfPoint = isRightOfPoint;
     }
 
-    /** Names the point at x, y, in the units of the axes. */
+    /** Adds a label to the point at x, y, in axis units. */
     void add(double x, double y, String text, Color color) {
         labels.add(new Label(x, y, text, color));
     }
@@ -68,7 +68,7 @@ final class PointLabels extends AbstractXYAnnotation {
         g.drawString(label.text, (float) bounds.getX(), (float) (bounds.getCenterY() + 4));
     }
 
-    /** The nearest free place, line by line. */
+    /** Returns the nearest free position, line by line. */
     private Rectangle2D findFreeBounds(Point2D p, double width, Rectangle2D area, List<Rectangle2D> occupied) {
         Rectangle2D first = null;
         double right = p.getX() + (isRightOfPoint ? GAP : -4);

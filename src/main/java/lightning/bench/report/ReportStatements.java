@@ -21,7 +21,7 @@ import lightning.bench.SceneResult;
 import lightning.bench.ValueResult;
 import lightning.bench.accuracy.AccuracySetting;
 
-/** Parts of sentences that say what was measured, for documents: each is named, and made from results alone. */
+/** Named phrases with measured values for documents, made from results only. */
 public final class ReportStatements {
     private static final String NONE = "–";
     private static final List<String> RECOLORED = List.of("color");
@@ -33,8 +33,8 @@ public final class ReportStatements {
 
     /**
      * @param figures results of edits
-     * @param cold    results of processes that begin cold
-     * @param meshes  results of rays against meshes
+     * @param cold    results of cold-start processes
+     * @param meshes  results of ray throughput on meshes
      */
     public ReportStatements(BenchResults figures, BenchResults cold, BenchResults meshes) {
         scenes = figures.scenes().stream().filter(s -> s.firstPass() != null && !s.edits().isEmpty()).toList();
@@ -67,17 +67,17 @@ public final class ReportStatements {
         statements.put("mirrored rays beside Embree", () -> embree(meshes, "mirrored"));
     }
 
-    /** The names of all statements. */
+    /** Returns the names of all statements. */
     public static List<String> names() {
         BenchResults none = new BenchResults(null, List.of(), List.of(), List.of(), List.of(), List.of(), List.of());
         return List.copyOf(new ReportStatements(none, none, none).statements.keySet());
     }
 
     /**
-     * A part of a sentence, without line ends.
+     * Returns a phrase without line ends.
      *
      * @throws IllegalArgumentException if there is none of that name
-     * @throws IllegalStateException    if the results say that it is not true
+     * @throws IllegalStateException    if it is false for the results
      */
     public String of(String name) {
         Supplier<String> statement = statements.get(name);
@@ -96,7 +96,7 @@ public final class ReportStatements {
                         : "");
     }
 
-    /** Of the default grade: one picture that differs makes it untrue. */
+    /** Returns the statement for the default setting; a single differing image makes it false. */
     private String equalPictures() {
         long all = 0;
         for (SceneResult scene : scenes) {
@@ -134,7 +134,7 @@ public final class ReportStatements {
         return summaries(scene, setting).mapToDouble(AccuracySummary::saving).findFirst().orElse(Double.NaN);
     }
 
-    /** What a kind of edit takes at the default grade, and by what other editors offer while a light is dragged. */
+    /** Returns times of a kind of edit at the default setting, and of typical previews of other editors. */
     private String previews(List<String> edits) {
         return each(
                 s -> time(s, edits, AccuracySetting.DEFAULT) + " ms (half the resolution " + time(s, edits, AccuracySetting.HALF_RESOLUTION)
@@ -172,7 +172,7 @@ public final class ReportStatements {
         return Double.isNaN(value) ? NONE : format("%.0f", value) + " %";
     }
 
-    /** The least and the largest; one number where they are written alike. */
+    /** Returns minimum and maximum, or one number if both have the same text. */
     private static String range(String pattern, Stream<Double> values) {
         DoubleSummaryStatistics all = values.filter(Double::isFinite).mapToDouble(v -> v).summaryStatistics();
         if (all.getCount() == 0) {

@@ -7,7 +7,7 @@ import lightning.bench.MachineSpec;
 import lightning.bench.SceneResult;
 import lightning.bench.SystemLoad;
 
-/** The head of the report: what ran where, what went wrong, all scenes at a glance; and its foot: how it was measured. */
+/** Head and foot of the report: machine and settings, failures, overview of all scenes, and method. */
 final class RunSection {
     private RunSection() {}
 
@@ -35,22 +35,22 @@ final class RunSection {
                 "facts");
         page.element("p", load(run), "class", run.load().isBusy(machine.processors()) ? "note" : "facts");
         if (run.quick()) {
-            page.element("p", "A quick run: few scenes, sizes and repetitions. Its numbers show the way, no more.", "class", "note");
+            page.element("p", "Quick run with few scenes, sizes and repetitions: a preview, not a measurement.", "class", "note");
         }
         if (!run.complete()) {
             page.element("p", "The run had not ended after " + NumberText.threeDigits(run.actualSeconds())
-                    + " s: it was canceled then, or is still at work. Below is what had been measured.", "class", "note");
+                    + " s: it was canceled, or is still running. These are the results until then.", "class", "note");
         }
     }
 
-    /** What other work did to the run. */
+    /** Returns a sentence about other work during the run. */
     private static String load(BenchRun run) {
         SystemLoad load = run.load();
         String facts =
                 "load average " + NumberText.threeDigits(load.atStart()) + " before, " + NumberText.threeDigits(load.atEnd())
-                        + " at the end; other work had "
-                        + NumberText.percent(100 * load.others()) + " of the processors' time";
-        return load.isBusy(run.machine().processors()) ? "This machine was busy: " + facts + ". Its times say little." : facts;
+                        + " at the end; other processes used "
+                        + NumberText.percent(100 * load.others()) + " of the processor time";
+        return load.isBusy(run.machine().processors()) ? "This machine was busy: " + facts + ". Its times are unreliable." : facts;
     }
 
     private static void links(HtmlWriter page, BenchResults results) {
@@ -71,7 +71,7 @@ final class RunSection {
         if (!results.meshes().isEmpty()) {
             page.element("a", "Meshes", "href", "#meshes");
         }
-        page.element("a", "How it was measured", "href", "#method");
+        page.element("a", "Method", "href", "#method");
         page.close();
     }
 
@@ -80,7 +80,7 @@ final class RunSection {
             return;
         }
         page.open("section", "class", "problems", "id", "problems");
-        page.element("h2", "What could not be measured");
+        page.element("h2", "Failed measurements");
         page.open("ul");
         results.problems().forEach(problem -> page.open("li").element("b", problem.where()).text(" " + problem.what()).close());
         page.close().close();
@@ -88,11 +88,11 @@ final class RunSection {
 
     private static void overview(HtmlWriter page, BenchResults results) {
         page.open("section", "id", "glance");
-        page.element("h2", "All scenes at a glance");
+        page.element("h2", "Overview of all scenes");
         try (HtmlTable table =
-                new HtmlTable(page, null, "Medians. The first pass keeps what edits need; the full trace keeps nothing.", "scene",
-                        "pixels", "lights", "shapes", "full trace", "first pass", "slower by", "bytes a pixel", "edits to break even",
-                        "edits save, median", "least", "most")) {
+                new HtmlTable(page, null, "Medians. The first pass builds the cache for edits; the full trace has no cache.", "scene",
+                        "pixels", "lights", "shapes", "full trace", "first pass", "slower by", "bytes per pixel", "edits to break even",
+                        "median saving", "min.", "max.")) {
             for (SceneResult scene : results.scenes()) {
                 FirstPassResult first = scene.firstPass();
                 double[] savings = scene.edits().stream().mapToDouble(e -> e.saving()).filter(Double::isFinite).sorted().toArray();
@@ -110,28 +110,28 @@ final class RunSection {
     }
 
     private static String edits(double count) {
-        return count == 0 ? "at once" : Double.isFinite(count) ? NumberText.grouped(Math.round(count)) + (count == 1 ? " edit" : " edits")
+        return count == 0 ? "none" : Double.isFinite(count) ? NumberText.grouped(Math.round(count)) + (count == 1 ? " edit" : " edits")
                 : "never";
     }
 
     private static String samples(BenchRun run) {
-        return run.repetitions() == 1 ? "one sample each and nothing warmed up: a look, and no measurement."
-                : run.repetitions() + " samples each, after warming up until no work becomes faster, or patience ends.";
+        return run.repetitions() == 1 ? "one sample each, nothing warmed up: a preview, not a measurement."
+                : run.repetitions() + " samples each, after a warm-up until times stop improving or its time limit ends.";
     }
 
     static void writeMethod(HtmlWriter page, BenchRun run) {
         page.open("section", "id", "method");
-        page.element("h2", "How it was measured");
-        page.element("p", "Each edit's grades of accuracy and the full trace run in turns, again and again, so that whatever slows the "
-                + "machine for a while slows all of them; " + samples(run)
-                + " Times are medians, whiskers quartiles. No grade is timed before its picture was compared with a "
-                + "trace from nothing. Where the quartiles of an edit and of the full trace overlap, or there are fewer than three samples, no "
-                + "saving is given. A saving is what an edit spares of the time of the traditional full trace, the fastest that "
-                + "the program can make, which keeps nothing; the paper's are of its own scene on a computer of 1998.");
-        page.element("p", "The cap is what an edit could save if it cast its rays as fast as the full trace casts its own and moved its "
-                + "bytes at the speed of memory; the floor is the time of those bytes at the bandwidth measured in this run. Errors "
-                + "are taken against the full trace: RMSE and the largest difference of linear values, ulp in floats between two "
-                + "values, PSNR, SSIM and ꟻLIP of the picture as displayed (ꟻLIP at 67 pixels per degree; 0 is no visible "
+        page.element("h2", "Method");
+        page.element("p", "All accuracy settings of an edit and the full trace run in turns, so that a temporary slowdown of the "
+                + "machine affects all of them; " + samples(run)
+                + " Times are medians, whiskers quartiles. A setting is timed only after its image was compared with a "
+                + "full trace. If the quartiles of an edit and of the full trace overlap, or fewer than three samples exist, no "
+                + "saving is given. A saving is relative to the time of the traditional full trace, the fastest that "
+                + "the program has, without a cache. The paper's savings are of its own scene on a computer of 1998.");
+        page.element("p", "The cap is the saving of an edit if it cast its rays as fast as the full trace does and moved its "
+                + "bytes at memory speed. The floor is the time of those bytes at the bandwidth measured in this run. Errors "
+                + "are relative to the full trace: RMSE and maximum difference of linear values, ulp in floats between two "
+                + "values, PSNR, SSIM and ꟻLIP of the displayed image (ꟻLIP at 67 pixels per degree; 0 is no visible "
                 + "difference, 1 the worst).");
         page.element("p", "Seed " + run.seed() + ", arguments: " + (run.arguments().isEmpty() ? "none" : String.join(" ", run.arguments()))
                 + ". Predicted " + NumberText.threeDigits(run.predictedSeconds()) + " s, took "

@@ -9,9 +9,9 @@ import lightning.bench.PeerResult;
 import lightning.bench.SceneResult;
 import lightning.bench.accuracy.AccuracySetting;
 
-/** All that was measured on one scene at one size. */
+/** Report section of one scene at one size. */
 final class SceneSection {
-    /** The paper's first pass and full trace on its scene of four spheres, two cones, four cylinders and a plane, seconds (§4.1). */
+    /** First pass and full trace of the paper on its scene of four spheres, two cones, four cylinders and a plane, seconds (§4.1). */
     private static final double PAPER_FIRST_PASS = 100 * 22.1 / 18.6;
     private static final String PAPER_SCENE = "bird";
 
@@ -49,24 +49,24 @@ final class SceneSection {
 
     private static void summary(HtmlWriter page, SceneResult scene) {
         FirstPassResult first = scene.firstPass();
-        String facts = scene.shapes() + " shapes, " + scene.lights() + " lights, mirrors to depth " + scene.depth() + ".";
+        String facts = scene.shapes() + " shapes, " + scene.lights() + " lights, reflection depth " + scene.depth() + ".";
         page.element("p", first == null ? facts : facts + " The full trace takes " + NumberText.ms(first.fullTrace().median())
-                + ", the first pass " + NumberText.ms(first.time().median()) + "; it keeps " + NumberText.bytes(first.bytes()) + ", "
-                + NumberText.threeDigits(first.bytesPerPixel()) + " bytes a pixel (the paper: 250).", "class", "lead");
+                + ", the first pass " + NumberText.ms(first.time().median()) + "; its cache has " + NumberText.bytes(first.bytes()) + ", "
+                + NumberText.threeDigits(first.bytesPerPixel()) + " bytes per pixel (paper: 250).", "class", "lead");
     }
 
     private static void shares(HtmlWriter page, SceneResult scene) {
-        figure(page, "The paper's figures, redrawn",
-                "Time of each edit in percent of the full trace's: shorter is better. Where times scatter too much to "
-                        + "say, there is no bar.",
+        figure(page, "Savings compared with the paper",
+                "Time of each edit in percent of the full trace: shorter is better. Edits with too noisy timing "
+                        + "have no bar.",
                 shares(scene),
-                PlotColor.PAPER, "the paper, 1998, on its own scene", PlotColor.OURS,
-                "grade " + AccuracySetting.DEFAULT.label() + ", the default", PlotColor.SKY,
-                "grade " + AccuracySetting.EXACT.label() + ", mirrors as they were", PlotColor.TEXT,
-                "tick: least that ray counts and memory allow");
+                PlotColor.PAPER, "paper (1998, its own scene)", PlotColor.OURS,
+                "setting " + AccuracySetting.DEFAULT.label() + " (default)", PlotColor.SKY,
+                "setting " + AccuracySetting.EXACT.label() + ", reflections not updated", PlotColor.TEXT,
+                "tick: limit from ray counts and memory");
     }
 
-    /** The chart of the paper's edits. */
+    /** Returns the chart of the paper's edits. */
     static String shares(SceneResult scene) {
         List<ShareChart.Bar> bars = new ArrayList<>();
         if (scene.firstPass() != null) {
@@ -79,18 +79,18 @@ final class SceneSection {
                         100 - edit.saving(AccuracySetting.EXACT), 100 - edit.cap()));
             }
         }
-        return ShareChart.svg("Time of each edit beside the paper's", bars);
+        return ShareChart.svg("Time of each edit, compared with the paper", bars);
     }
 
     private static void accuracy(HtmlWriter page, List<AccuracySummary> summaries) {
-        figure(page, "What accuracy costs", "Error (RMSE, the largest of all edits) against time (ms, median of all edits). "
-                + "Dashed: the front of Pareto; a grade off it is beaten in both.",
+        figure(page, "Accuracy and time", "Error (RMSE, maximum of all edits) against time (ms, median of all edits). "
+                + "Dashed: Pareto front; other settings are slower and less accurate.",
                 accuracy(summaries));
     }
 
-    /** The chart of error against time. */
+    /** Returns the chart of error against time. */
     static String accuracy(List<AccuracySummary> summaries) {
-        return AccuracyChart.svg("Error against time of each grade of accuracy", summaries.stream().map(AccuracySummary::point).toList(),
+        return AccuracyChart.svg("Error against time of each accuracy setting", summaries.stream().map(AccuracySummary::point).toList(),
                 550, 330);
     }
 
@@ -104,33 +104,33 @@ final class SceneSection {
             });
         }
         if (!rows.isEmpty()) {
-            figure(page, "How far above the floor",
-                    "Time of each edit (ms, grade " + AccuracySetting.DEFAULT.label()
-                            + ") beside the time that memory needs to move its bytes.",
-                    MemoryFloorChart.svg("Time of each edit beside its memory floor", rows),
-                    PlotColor.OURS, "measured, and how many times the floor", PlotColor.TEXT, "tick: the floor");
+            figure(page, "Distance from the memory limit",
+                    "Time of each edit (ms, setting " + AccuracySetting.DEFAULT.label()
+                            + ") and the time that memory needs to move its bytes.",
+                    MemoryFloorChart.svg("Time of each edit and its memory floor", rows),
+                    PlotColor.OURS, "measured, with the multiple of the floor", PlotColor.TEXT, "tick: the floor");
         }
     }
 
     private static void peer(HtmlWriter page, PeerResult peer) {
         page.element("p",
-                "The same picture by " + peer.program() + ": " + NumberText.ms(peer.time().median()) + " against our full trace of "
+                "Full trace by " + peer.program() + ": " + NumberText.ms(peer.time().median()) + ", by Lightning: "
                         + NumberText.ms(peer.fullTrace().median()) + ", " + NumberText.threeDigits(peer.ratio())
-                        + " times as fast. The pictures agree in "
+                        + " times as fast. The images agree in "
                         + NumberText.percent(100 * peer.agreement()) + " of pixels (" + peer.measure() + ")."
-                        + (peer.losses().isEmpty() ? "" : " It cannot say exactly: " + String.join("; ", peer.losses()) + "."),
+                        + (peer.losses().isEmpty() ? "" : " Not exactly converted: " + String.join("; ", peer.losses()) + "."),
                 "class", "peer");
     }
 
     private static void cold(HtmlWriter page, ColdStart cold) {
-        String ours = "From cold: a whole process of 'lightning render' takes " + NumberText.ms(cold.process().median())
+        String ours = "Cold start: a process of 'lightning render' takes " + NumberText.ms(cold.process().median())
                 + (cold.processor() == null ? "" : " and " + NumberText.ms(cold.processor().median()) + " of processor time");
-        page.element("p", ours + (cold.rival() == null ? "." : "; that of " + cold.rival().program() + " takes "
-                + NumberText.ms(cold.rival().process().median()) + ", so ours takes " + NumberText.percent(100 * cold.rival().share())
+        page.element("p", ours + (cold.rival() == null ? "." : "; a process of " + cold.rival().program() + " takes "
+                + NumberText.ms(cold.rival().process().median()) + ", so Lightning takes " + NumberText.percent(100 * cold.rival().share())
                 + " of its time."), "class", "peer");
     }
 
-    /** A chart with a title, a line that says what its axes are, and a legend of inks and their meanings. */
+    /** Writes a chart with title, axis description, and legend. */
     static void figure(HtmlWriter page, String title, String axes, String chart, Object... legend) {
         page.open("figure").open("figcaption");
         page.element("h3", title).element("p", axes);

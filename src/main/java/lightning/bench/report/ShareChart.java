@@ -20,21 +20,21 @@ import org.jfree.chart.ui.TextAnchor;
 import org.jfree.data.category.CategoryDataset;
 import org.jfree.data.category.DefaultCategoryDataset;
 
-/** The paper's bar charts, redrawn: the time of each edit as a share of the full trace's, the paper's beside ours. */
+/** Bar chart of each edit's time relative to the full trace, with the paper's values for comparison. */
 final class ShareChart {
     private static final int WIDTH = 550;
     private static final int ROW = 44;
     private static final int AXIS = 26;
-    /** About so many ticks, at steps of 1, 2 or 5 and zeros. */
+    /** Approximate number of ticks, at steps of 1, 2 or 5 times a power of ten. */
     private static final int TICKS = 6;
 
     /**
-     * One edit. Shares are percent of the full trace's time; NaN where there is none.
+     * Bars of one edit, in percent of the full trace's time; NaN if missing.
      *
-     * @param paper   the paper's
-     * @param ours    at the default grade
-     * @param stale   with mirrors as they were
-     * @param min   what ray counts and memory allow
+     * @param paper value of the paper
+     * @param ours  value at the default setting
+     * @param stale value without updated reflections
+     * @param min   limit from ray counts and memory
      */
     record Bar(String name, double paper, double ours, double stale, double min) {}
 
@@ -88,7 +88,7 @@ final class ShareChart {
         return renderer;
     }
 
-    /** A line across the bar of ours at its least. */
+    /** Draws a line across our bar at its limit. */
     private static LevelRenderer ticks() {
         LevelRenderer renderer = new LevelRenderer();
         renderer.setItemMargin(0.08);
@@ -107,7 +107,7 @@ final class ShareChart {
         return Double.isNaN(value) ? 0 : value;
     }
 
-    /** The share with one digit. */
+    /** Labels with one digit after the decimal point. */
     private static final class ShareLabels extends StandardCategoryItemLabelGenerator implements CategoryItemLabelGenerator {
         private static final long serialVersionUID = 1;
 

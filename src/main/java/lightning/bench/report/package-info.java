@@ -1,12 +1,12 @@
 /**
- * The report of a run: one self-contained HTML file, made from {@link lightning.bench.BenchResults} and the pictures beside them.
+ * Report of a run: one self-contained HTML file, made from {@link lightning.bench.BenchResults} and its images.
  *
  * <pre>{@code
  * HtmlReport.write(results, folder);
  * }</pre>
  *
- * <p>{@link lightning.bench.report.HtmlWriter} is the only way to the page: it closes what it opens and escapes every text, so that
- * the page is well-formed XML whatever names a scene holds. Charts are drawn by JFreeChart in the colors of
- * {@link lightning.bench.report.PlotColor}, which the style sheet gives anew for dark screens.
+ * <p>All output goes through {@link lightning.bench.report.HtmlWriter}, which closes elements and escapes text, so that the page is
+ * well-formed XML for any scene names. JFreeChart draws the charts in the colors of {@link lightning.bench.report.PlotColor}, which the
+ * style sheet redefines for dark screens.
  */
 package lightning.bench.report;

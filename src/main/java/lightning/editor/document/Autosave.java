@@ -12,12 +12,9 @@ import lightning.base.work.DedicatedThread;
 import lightning.format.jen.JenDocument;
 import lightning.scene.shot.AnimatedScene;
 
-/**
- * Keeps unsaved edits on a thread of its own, a short while after the first of them, so that a crash loses no more than
- * that while. Safe for several threads.
- */
+/** Autosave of unsaved edits on its own thread, shortly after the first edit, so that a crash loses only that short time. Thread-safe. */
 public final class Autosave implements AutoCloseable {
-    /** With the time that writing takes, well below the five seconds that an artist may lose at most. */
+    /** With the writing time, well below the allowed loss of five seconds. */
     public static final Duration DEFAULT_DELAY = Duration.ofSeconds(2);
 
     private static final int CLOSE_TIMEOUT_SECONDS = 5;
@@ -31,7 +28,7 @@ public final class Autosave implements AutoCloseable {
 
     private record PendingSave(Path file, JenDocument saved, AnimatedScene content) {}
 
-    /** @param failureListener hears, on the autosave thread, why the last edits could not be kept, whatever it was */
+    /** @param failureListener receives, on the autosave thread, any failure to save */
     public Autosave(RecoveryFolder recovery, Duration delay, Consumer<Throwable> failureListener) {
         this.recovery = recovery;
         this.delay = delay;
@@ -40,7 +37,7 @@ public final class Autosave implements AutoCloseable {
         thread.setExecuteExistingDelayedTasksAfterShutdownPolicy(false);
     }
 
-    /** Tells of an edit, an undo or a save: call it after each. The text is made on the autosave thread. */
+    /** Schedules a save. Call it after each edit, undo or save. The autosave thread creates the text. */
     public synchronized void documentChanged(OpenDocument document) {
         if (!document.isDirty()) {
             discard();
@@ -53,14 +50,14 @@ public final class Autosave implements AutoCloseable {
         savedFiles.add(document.file());
     }
 
-    /** The document was saved, or closed on purpose: nothing of it needs to be kept, under whatever name it had. */
+    /** Discards the recovery data after the document was saved or closed on purpose, under all of its names. */
     public synchronized void discard() {
         pending = null;
         savedFiles.forEach(file -> thread.execute(() -> runOrReport(() -> recovery.delete(file))));
         savedFiles.clear();
     }
 
-    /** Takes over what a crash left; see {@link RecoveryFolder#adopt}. */
+    /** Adopts recovery data of a crashed process; see {@link RecoveryFolder#adopt}. */
     public synchronized void adopt(RecoveryFolder.RecoverableScene recoverable) {
         savedFiles.add(recoverable.file());
         thread.execute(() -> runOrReport(() -> recovery.adopt(recoverable)));
@@ -85,12 +82,12 @@ public final class Autosave implements AutoCloseable {
         try {
             operation.run();
         } catch (Exception | Error e) {
-            // The thread's executor would take anything else without a word.
+            // The executor of the thread would swallow any other failure.
             failureListener.accept(e);
         }
     }
 
-    /** Finishes what was begun; edits that still wait are not written. */
+    /** Finishes running saves; does not write pending edits. */
     @Override
     public void close() {
         synchronized (this) {

@@ -1,19 +1,21 @@
 package lightning.editor.document;
 
-/** What a drag with Shift does to the preview's camera, decided by how it begins (paper §3.6). */
+/** Camera action of a Shift+drag in the preview, chosen by the start of the drag (paper §3.6). */
 public enum CameraDrag {
     ZOOM,
     PAN,
     TRACKBALL;
 
-    /** How close to the edge a trackball begins, as a share of the shorter side. */
+    /** Width of the border that starts a trackball drag, as a share of the shorter side. */
     static final double EDGE_SHARE = 0.1;
 
     /**
-     * The kind of a drag that begins at a place and goes a first way.
+     * Returns the action for a start position and first movement.
      *
-     * @param x     pixels from the left; likewise {@code y} from the top
-     * @param right pixels; likewise {@code down}
+     * @param x     pixels from the left
+     * @param y     pixels from the top
+     * @param right pixels of movement to the right
+     * @param down  pixels of movement down
      */
     public static CameraDrag of(Viewport canvas, double x, double y, double right, double down) {
         double edge = EDGE_SHARE * Math.min(canvas.width(), canvas.height());
@@ -24,7 +26,7 @@ public enum CameraDrag {
         return Math.abs(down) > Math.abs(right) ? ZOOM : PAN;
     }
 
-    /** The camera of the drag's begin, after the whole way of the drag so far. */
+    /** Applies the total movement of the drag so far to the camera at its start. */
     public PreviewCamera apply(PreviewCamera start, Viewport canvas, double right, double down) {
         return switch (this) {
             case ZOOM -> start.zoom(-down, canvas);

@@ -4,8 +4,8 @@ import lightning.base.math.Rgb;
 import lightning.scene.SceneLimits;
 
 /**
- * The colors of glowing bodies: the cubic fit of the Planckian locus by Kim et al. (US patent 7024034), in linear sRGB
- * (IEC 61966-2-1, white D65).
+ * Conversion between black-body temperatures and linear sRGB colors (IEC 61966-2-1, white D65). Uses the cubic fit of the Planckian locus
+ * by Kim et al. (US patent 7024034).
  */
 public final class ColorTemperature {
     public static final double MIN = 1667;
@@ -16,10 +16,10 @@ public final class ColorTemperature {
     private ColorTemperature() {}
 
     /**
-     * The color with the brightest channel at 1. A channel that the display cannot mix becomes 0.
+     * Returns the color, scaled so that the brightest channel is 1. Clamps channels outside the gamut to 0.
      *
      * @param kelvin 1667…25000
-     * @throws IllegalArgumentException if it is outside
+     * @throws IllegalArgumentException if {@code kelvin} is out of range
      */
     public static Rgb rgb(double kelvin) {
         SceneLimits.checkRange("temperature", kelvin, MIN, MAX);
@@ -36,8 +36,8 @@ public final class ColorTemperature {
     }
 
     /**
-     * The temperature whose color has this color's ratio of blue to red, which rises all along the locus; the nearest
-     * end where no temperature has it.
+     * Returns the temperature whose color has the same ratio of blue to red, which increases monotonically along the locus. Clamps to the
+     * nearest end of the range.
      *
      * @param color linear, channels ≥ 0
      */

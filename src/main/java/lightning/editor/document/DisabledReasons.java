@@ -8,23 +8,23 @@ import lightning.scene.SceneLimits;
 import lightning.scene.VisibleState;
 import lightning.scene.shot.TrackTarget;
 
-/** Why commands have nothing to do: each a clause without a full stop, or empty where nothing is in the way. */
+/** Reasons why commands are disabled: each a clause without a period, or empty if the command is enabled. */
 final class DisabledReasons {
-    /** There is always something to do. */
+    /** Condition of a command that is always enabled. */
     static final Function<EditorState, Optional<String>> NONE = _ -> Optional.empty();
 
-    private static final String NO_PICTURE = Messages.key("there is no picture yet");
+    private static final String NO_PICTURE = Messages.key("nothing is rendered yet");
 
     private DisabledReasons() {}
 
-    /** Of a command that changes the document, or writes what an animation has changed for a while. */
+    /** Returns the condition of a command that changes the document, or saves state that an open animation changes temporarily. */
     static Function<EditorState, Optional<String>> unlessAnimating() {
         return unlessAnimating(NONE);
     }
 
-    /** The same, with an obstacle of its own. */
+    /** Adds another condition to {@link #unlessAnimating()}. */
     static Function<EditorState, Optional<String>> unlessAnimating(Function<EditorState, Optional<String>> reason) {
-        return s -> s.animating() ? Optional.of(Messages.tr("an animation is open; close it first")) : reason.apply(s);
+        return s -> s.animating() ? Optional.of(Messages.tr("close the open animation first")) : reason.apply(s);
     }
 
     static Optional<String> noPicture(EditorState s) {
@@ -32,7 +32,7 @@ final class DisabledReasons {
     }
 
     static Optional<String> notFullPicture(EditorState s) {
-        return reasonUnless(s.isFullPicture(), Messages.tr("the view does not show the whole picture"));
+        return reasonUnless(s.isFullPicture(), Messages.tr("the view does not show the full image"));
     }
 
     static Optional<String> nothingRuns(EditorState s) {
@@ -40,27 +40,27 @@ final class DisabledReasons {
     }
 
     static Optional<String> sameAsOnDisk(EditorState s) {
-        return reasonUnless(s.dirty() || s.changedOnDisk(), Messages.tr("the scene is as it is on disk"));
+        return reasonUnless(s.dirty() || s.changedOnDisk(), Messages.tr("no unsaved changes"));
     }
 
     static Optional<String> nothingToSave(EditorState s) {
-        return reasonUnless(s.dirty(), Messages.tr("there is nothing to save"));
+        return reasonUnless(s.dirty(), Messages.tr("nothing to save"));
     }
 
     static Optional<String> nothingToUndo(EditorState s) {
-        return reasonUnless(s.undoLabel().isPresent(), Messages.tr("there is nothing to undo"));
+        return reasonUnless(s.undoLabel().isPresent(), Messages.tr("nothing to undo"));
     }
 
     static Optional<String> nothingToRedo(EditorState s) {
-        return reasonUnless(s.redoLabel().isPresent(), Messages.tr("there is nothing to redo"));
+        return reasonUnless(s.redoLabel().isPresent(), Messages.tr("nothing to redo"));
     }
 
     static Optional<String> nothingToUndoOfLight(EditorState s) {
-        return lightReason(s, s.undoLightLabel().isPresent(), Messages.tr("there is nothing to undo of this light"));
+        return lightReason(s, s.undoLightLabel().isPresent(), Messages.tr("nothing to undo for this light"));
     }
 
     static Optional<String> nothingToRedoOfLight(EditorState s) {
-        return lightReason(s, s.redoLightLabel().isPresent(), Messages.tr("there is nothing to redo of this light"));
+        return lightReason(s, s.redoLightLabel().isPresent(), Messages.tr("nothing to redo for this light"));
     }
 
     static Optional<String> noLight(EditorState s) {
@@ -68,16 +68,16 @@ final class DisabledReasons {
     }
 
     static Optional<String> noShape(EditorState s) {
-        return reasonUnless(s.selectedNode().isPresent(), Messages.tr("no shape is selected"));
+        return reasonUnless(s.selectedNode().isPresent(), Messages.tr("no object is selected"));
     }
 
     static Optional<String> noShapeOrTooManyShapes(EditorState s) {
         return noShape(s).or(() -> reasonUnless(s.scene().stage().shapeCount() < SceneLimits.MAX_SHAPES,
-                Messages.tr("a scene has at most {0} shapes", SceneLimits.MAX_SHAPES)));
+                Messages.tr("a scene can have at most {0} objects", SceneLimits.MAX_SHAPES)));
     }
 
     static Optional<String> nothingCopied(EditorState s) {
-        return lightReason(s, s.copiedLight().isPresent(), Messages.tr("no settings were copied"));
+        return lightReason(s, s.copiedLight().isPresent(), Messages.tr("no settings are copied"));
     }
 
     static Optional<String> noDirection(EditorState s) {
@@ -86,18 +86,19 @@ final class DisabledReasons {
 
     static Optional<String> tooManyLights(EditorState s) {
         return reasonUnless(s.scene().lights().size() < SceneLimits.MAX_LIGHTS,
-                Messages.tr("a scene has at most {0} lights", SceneLimits.MAX_LIGHTS));
+                Messages.tr("a scene can have at most {0} lights", SceneLimits.MAX_LIGHTS));
     }
 
     static Optional<String> noLightGroup(EditorState s) {
         return noLight(s)
-                .or(() -> reasonUnless(!s.selectedLight().orElseThrow().lightGroup().isEmpty(), Messages.tr("the light is in no bank")));
+                .or(() -> reasonUnless(!s.selectedLight().orElseThrow().lightGroup().isEmpty(),
+                        Messages.tr("the light is in no light group")));
     }
 
     static Optional<String> noLightOrTooManyGroups(EditorState s) {
         return noLight(s)
                 .or(() -> reasonUnless(s.scene().rig().lightGroups().size() < SceneLimits.MAX_LIGHT_GROUPS,
-                        Messages.tr("a scene has at most {0} banks", SceneLimits.MAX_LIGHT_GROUPS)));
+                        Messages.tr("a scene can have at most {0} light groups", SceneLimits.MAX_LIGHT_GROUPS)));
     }
 
     static Optional<String> noLightOrTooManyLights(EditorState s) {
@@ -107,11 +108,11 @@ final class DisabledReasons {
     static Optional<String> nothingToAnimate(EditorState s) {
         return lightReason(s, !s.hasPendingEdits(),
                 s.renderedScene().isEmpty() ? Messages.tr(NO_PICTURE)
-                        : Messages.tr("the picture does not show the last edits; press Go first"));
+                        : Messages.tr("the image is out of date; render first"));
     }
 
     static Optional<String> hasShot(EditorState s) {
-        return reasonUnless(s.shotFrame().isEmpty(), Messages.tr("the scene has a shot"));
+        return reasonUnless(s.shotFrame().isEmpty(), Messages.tr("the scene already has a shot"));
     }
 
     static Optional<String> noShot(EditorState s) {
@@ -120,55 +121,55 @@ final class DisabledReasons {
 
     static Optional<String> atFirstFrame(EditorState s) {
         return noShot(s).or(() -> reasonUnless(s.shotFrame().get().frame() > s.shotFrame().get().shot().first(),
-                Messages.tr("it is the first frame already")));
+                Messages.tr("this is the first frame")));
     }
 
     static Optional<String> atLastFrame(EditorState s) {
         return noShot(s)
                 .or(() -> reasonUnless(s.shotFrame().get().frame() < s.shotFrame().get().shot().last(),
-                        Messages.tr("it is the last frame already")));
+                        Messages.tr("this is the last frame")));
     }
 
     static Optional<String> noKeyBefore(EditorState s) {
         return noShot(s).or(() -> reasonUnless(s.shotFrame().get().nearestKeyFrame(true).isPresent(),
-                Messages.tr("there is no key before this frame")));
+                Messages.tr("no keyframe before this frame")));
     }
 
     static Optional<String> noKeyAfter(EditorState s) {
         return noShot(s).or(() -> reasonUnless(s.shotFrame().get().nearestKeyFrame(false).isPresent(),
-                Messages.tr("there is no key behind this frame")));
+                Messages.tr("no keyframe after this frame")));
     }
 
     static Optional<String> nothingWithKeys(EditorState s) {
         return noShot(s).or(() -> reasonUnless(s.shotFrame().get().shot().tracks().stream().anyMatch(t -> s.isSelected(t.target())),
-                Messages.tr("nothing of what is selected has keys; a right click on a property sets its first one")));
+                Messages.tr("the selection has no keyframes; right-click a property to set the first")));
     }
 
     static Optional<String> noKeySelected(EditorState s) {
-        return noShot(s).or(() -> reasonUnless(s.selectedKeyCount() > 0, Messages.tr("no key is chosen in the timeline")));
+        return noShot(s).or(() -> reasonUnless(s.selectedKeyCount() > 0, Messages.tr("no keyframe is selected in the timeline")));
     }
 
     static Optional<String> noMotionPath(EditorState s) {
         return reasonUnless(s.animating() && s.motionRecorded(),
-                Messages.tr("no animation is open that has a way; Make Animation records one"));
+                Messages.tr("no open animation has a path; record one with Make Animation"));
     }
 
     static Optional<String> noPositionKeys(EditorState s) {
         return nothingToAnimate(s)
                 .or(() -> reasonUnless(s.shotFrame().flatMap(m -> m.shot().track(TrackTarget.light(s.selectedLight().orElseThrow().name()),
-                        LightAttribute.POSITION.name())).isPresent(), Messages.tr("the light has no keys of its place")));
+                        LightAttribute.POSITION.name())).isPresent(), Messages.tr("the light has no position keyframes")));
     }
 
     static Optional<String> singleSample(EditorState s) {
-        return reasonUnless(s.scene().picture().sampling().isSupersampled(), Messages.tr("every pixel has one sample"));
+        return reasonUnless(s.scene().picture().sampling().isSupersampled(), Messages.tr("anti-aliasing is off"));
     }
 
     static Optional<String> nothingToRender(EditorState s) {
         if (!s.hasPendingEdits() && !s.lacksSamples()) {
-            return Optional.of(Messages.tr("nothing was edited since the last Go"));
+            return Optional.of(Messages.tr("nothing to render"));
         }
         boolean isRendering = s.sceneInProgress().filter(scene -> VisibleState.isSame(scene, s.scene())).isPresent();
-        return reasonUnless(!isRendering, Messages.tr("the scene is being rendered"));
+        return reasonUnless(!isRendering, Messages.tr("rendering is in progress"));
     }
 
     static Optional<String> mirrorsAreCurrent(EditorState s) {
@@ -176,9 +177,9 @@ final class DisabledReasons {
             return Optional.of(Messages.tr(NO_PICTURE));
         }
         if (VisibleState.isSame(s.renderedScene().get(), s.mirroredScene().get())) {
-            return Optional.of(Messages.tr("the mirrors show the picture's lights already"));
+            return Optional.of(Messages.tr("reflections are up to date"));
         }
-        return reasonUnless(s.staleMirrorsMessage().isPresent(), Messages.tr("nothing in the picture mirrors or is clear"));
+        return reasonUnless(s.staleMirrorsMessage().isPresent(), Messages.tr("no visible object is reflective or transparent"));
     }
 
     private static Optional<String> lightReason(EditorState s, boolean isPossible, String reason) {

@@ -11,8 +11,8 @@ import lightning.base.file.FileState;
 import lightning.base.work.DedicatedThread;
 
 /**
- * Looks now and then, on a thread of its own, whether others wrote the open scene's file or have it open too; a file
- * system that does not answer holds up nobody else. Safe for several threads.
+ * Periodic check, on its own thread, for changes to the open scene's file by other programs, and for other editors that have it open. A
+ * file system that does not respond blocks no other thread. Thread-safe.
  */
 public final class DiskWatch implements AutoCloseable {
     public static final Duration DEFAULT_PERIOD = Duration.ofSeconds(1);
@@ -20,15 +20,15 @@ public final class DiskWatch implements AutoCloseable {
     private final OpenSceneRegistry openScenes;
     private final Consumer<DiskStatus> listener;
     private final ScheduledThreadPoolExecutor thread;
-    /** What is watched, and no news of it yet; null before the first. */
+    /** Watched file, without its current state; null before the first. */
     private volatile DiskStatus watched;
-    /** Only the watching thread knows these. */
+    /** Accessed on the watch thread only. */
     private DiskStatus lastReported;
     private Path registeredFile;
 
     /**
-     * @param openScenes tells other editors of the file, and of them; closed with the watch
-     * @param listener    hears, on the watching thread, what is seen first of a file, and then every change
+     * @param openScenes registry of the scenes in all editors; closed with the watch
+     * @param listener   receives, on the watch thread, the first state of a file and every change
      */
     public DiskWatch(OpenSceneRegistry openScenes, Duration period, Consumer<DiskStatus> listener) {
         this.openScenes = openScenes;
@@ -38,7 +38,7 @@ public final class DiskWatch implements AutoCloseable {
         thread.scheduleWithFixedDelay(this::check, period.toMillis(), period.toMillis(), TimeUnit.MILLISECONDS);
     }
 
-    /** Watches a file from now on, in place of the one before. Nothing happens where it is watched already. */
+    /** Switches to another file. Does nothing if it is already watched. */
     public void watch(Path file, FileState known) {
         DiskStatus current = watched;
         if (current == null || !current.file().equals(file) || !current.known().equals(known)) {
@@ -47,7 +47,7 @@ public final class DiskWatch implements AutoCloseable {
         }
     }
 
-    /** Looks at once, as when the artist comes back from another program. */
+    /** Checks immediately, for example when the window regains focus. */
     public void checkNow() {
         thread.execute(this::check);
     }
@@ -64,11 +64,11 @@ public final class DiskWatch implements AutoCloseable {
                 listener.accept(status);
             }
         } catch (IOException | RuntimeException e) {
-            // What cannot be seen now may be seen the next time; a save finds out by itself.
+            // Retried at the next check; a save checks the file itself.
         }
     }
 
-    /** Reads the file only where time or size say that it is another than was seen last. */
+    /** Reads the file only if its time or size has changed. */
     private FileState currentState(DiskStatus target) throws IOException {
         FileState quickState = FileState.readMetadata(target.file());
         if (quickState.hasSameMetadata(target.known())) {
@@ -87,12 +87,12 @@ public final class DiskWatch implements AutoCloseable {
             }
             return openScenes.isOpenElsewhere(file);
         } catch (IOException e) {
-            // Editors that cannot hear of each other still ask before they overwrite.
+            // Without the registry, editors still confirm before they overwrite.
             return false;
         }
     }
 
-    /** Does not wait for a look that is under way. */
+    /** Closes the watch without waiting for a running check. */
     @Override
     public void close() {
         thread.execute(openScenes::close);

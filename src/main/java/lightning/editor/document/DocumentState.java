@@ -16,10 +16,10 @@ import lightning.scene.shot.Track;
 import lightning.scene.shot.TrackTarget;
 
 /**
- * A scene with its lights numbered, each number kept through renames, and each light's own history. Immutable, so that
- * undo of the document brings back the lights' histories with the scene.
+ * Scene with numbered lights, whose numbers survive renames, and a history per light. Immutable, so that undoing a document step also
+ * restores the lights' histories.
  *
- * @param ids for each light of the scene its number
+ * @param ids number of each light of the scene
  */
 record DocumentState(AnimatedScene content, List<Long> ids, Map<Long, LightHistory> lightHistories) {
     DocumentState {
@@ -31,12 +31,12 @@ record DocumentState(AnimatedScene content, List<Long> ids, Map<Long, LightHisto
         return new DocumentState(content, content.base().lights().stream().map(_ -> nextId.getAsLong()).toList(), Map.of());
     }
 
-    /** As it is where nothing has keys. */
+    /** Returns the scene without keyframes applied. */
     Scene scene() {
         return content.base();
     }
 
-    /** The state after an edit; each light that it changed, or whose keys it changed, can be undone alone. */
+    /** Returns the state after an edit. Each light whose properties or keyframes changed gets a step in its own history. */
     DocumentState afterEdit(AnimatedScene edited, LongSupplier nextId) {
         List<Light> lights = edited.base().lights();
         boolean sameKeys = content.shot().equals(edited.shot());
@@ -59,9 +59,9 @@ record DocumentState(AnimatedScene content, List<Long> ids, Map<Long, LightHisto
     }
 
     /**
-     * The light set back, or forth again.
+     * Undoes or redoes one step of a light.
      *
-     * @throws IllegalArgumentException if another light has taken its name of that time
+     * @throws IllegalArgumentException if another light has taken its former name
      */
     DocumentState stepLight(long id, boolean isUndo) {
         int index = ids.indexOf(id);
@@ -78,7 +78,7 @@ record DocumentState(AnimatedScene content, List<Long> ids, Map<Long, LightHisto
         return new DocumentState(new AnimatedScene(scene().withLights(lights), shot), ids, newHistories);
     }
 
-    /** Those of a light. */
+    /** Returns the tracks of a light. */
     static List<Track> lightTracks(AnimatedScene content, Light light) {
         return content.shot().stream().flatMap(s -> s.tracks().stream()).filter(t -> t.target().equals(TrackTarget.light(light.name())))
                 .toList();

@@ -4,14 +4,14 @@ import lightning.base.math.Vec3;
 import lightning.scene.Scene;
 import lightning.scene.SceneLimits;
 
-/** How far beside its original a copy stands. The copy of a copy goes on by the same way. */
+/** Offset of a copy from its original. A copy of a copy moves on by the same offset. */
 public final class DuplicateOffset {
-    /** A share of the way from the camera to what it looks at. */
+    /** Offset as a share of the distance from the camera to its target. */
     private static final double DISTANCE_SHARE = 0.1;
 
     private DuplicateOffset() {}
 
-    /** Along x, a length of one digit. */
+    /** Returns the offset along x, rounded to one digit. */
     public static double length(Scene scene) {
         double length = DISTANCE_SHARE * PreviewCamera.of(scene).distance();
         double digit = Math.pow(10, Math.floor(Math.log10(length)));

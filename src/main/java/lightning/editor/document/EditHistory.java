@@ -15,10 +15,10 @@ import lightning.scene.shot.ShotDiff;
 import lightning.scene.shot.Track;
 
 /**
- * Unlimited undo and redo: one history for the document and one for each light alone (paper §3.4).
+ * Unlimited undo and redo: a history for the document and one for each light (paper §3.4).
  *
- * <p>Undoing one light leaves the later edits of all others; it is itself a step of the document, which the document's
- * undo takes back. A step of the document's history brings back each light's own history too.
+ * <p>Undoing one light keeps later edits of all others. It is itself a step of the document, which the document's undo reverts. A step of
+ * the document's history also restores each light's own history.
  */
 public final class EditHistory {
     private final Deque<Step> undoneSteps = new ArrayDeque<>();
@@ -28,41 +28,41 @@ public final class EditHistory {
 
     private record Step(DocumentState before, DocumentState after, Object gesture, String label) {}
 
-    /** A history that begins with a scene. */
+    /** Creates a history that starts with a scene. */
     public EditHistory(Scene scene) {
         this(AnimatedScene.of(scene));
     }
 
-    /** A history that begins with a scene and its shot. */
+    /** Creates a history that starts with a scene and its shot. */
     public EditHistory(AnimatedScene content) {
         state = DocumentState.initial(content, this::nextId);
     }
 
-    /** The scene as it is where nothing has keys. */
+    /** Returns the scene without keyframes applied. */
     public Scene scene() {
         return state.scene();
     }
 
-    /** The scene with its shot. */
+    /** Returns the scene with its shot. */
     public AnimatedScene content() {
         return state.content();
     }
 
-    /** Makes a scene the current one, as a step of its own; keys follow what has them. An equal scene is no step. */
+    /** Sets the current scene, as a separate step. Keyframes follow renamed objects. An equal scene adds no step. */
     public void edit(Scene edited) {
         edit(edited, null);
     }
 
-    /** The same in one step with all edits of the same gesture: see {@link #edit(AnimatedScene, Object)}. */
+    /** Sets the current scene, in one step with all edits of the same gesture: see {@link #edit(AnimatedScene, Object)}. */
     public void edit(Scene edited, Object gesture) {
         edit(content().withScene(edited), gesture);
     }
 
     /**
-     * Makes a scene and its shot the current ones, in one step with all edits of the same gesture right before it. A gesture that ends
-     * where it began leaves no step.
+     * Sets the current scene and its shot, merged with directly preceding edits of the same gesture. A gesture that ends at its start
+     * leaves no step.
      *
-     * @param gesture any object that stands for one drag, told by identity; null for a step of its own
+     * @param gesture object that identifies one drag, compared by identity; null for a separate step
      */
     public void edit(AnimatedScene edited, Object gesture) {
         Step last = doneSteps.peek();
@@ -86,17 +86,17 @@ public final class EditHistory {
         state = after;
     }
 
-    /** What {@link #undo} would take back; empty if there is nothing. */
+    /** Returns the label of the step that {@link #undo} reverts; empty if none. */
     public Optional<String> undoLabel() {
         return Optional.ofNullable(doneSteps.peek()).map(Step::label);
     }
 
-    /** What {@link #redo} would do again; empty if there is nothing. */
+    /** Returns the label of the step that {@link #redo} repeats; empty if none. */
     public Optional<String> redoLabel() {
         return Optional.ofNullable(undoneSteps.peek()).map(Step::label);
     }
 
-    /** Takes the last step back; without one does nothing. */
+    /** Undoes the last step; does nothing if there is none. */
     public void undo() {
         if (!doneSteps.isEmpty()) {
             Step step = doneSteps.pop();
@@ -105,7 +105,7 @@ public final class EditHistory {
         }
     }
 
-    /** Does the step undone last again; without one does nothing. */
+    /** Redoes the step undone last; does nothing if there is none. */
     public void redo() {
         if (!undoneSteps.isEmpty()) {
             Step step = undoneSteps.pop();
@@ -114,7 +114,7 @@ public final class EditHistory {
         }
     }
 
-    /** All steps of the document, the first first; those after {@link #position} are undone. */
+    /** Returns the labels of all document steps, oldest first; those after {@link #position} are undone. */
     public List<String> steps() {
         List<String> labels = new ArrayList<>();
         doneSteps.descendingIterator().forEachRemaining(s -> labels.add(s.label()));
@@ -122,12 +122,12 @@ public final class EditHistory {
         return labels;
     }
 
-    /** How many steps of the document are done. */
+    /** Returns the number of document steps that are not undone. */
     public int position() {
         return doneSteps.size();
     }
 
-    /** Undoes or does again until so many steps are done, or as near to that as there are steps. */
+    /** Undoes or redoes until that many steps are done, clamped to the number of steps. */
     public void goTo(int position) {
         while (doneSteps.size() > position && !doneSteps.isEmpty()) {
             undo();
@@ -137,7 +137,10 @@ public final class EditHistory {
         }
     }
 
-    /** All steps of one light alone, the first first; those after {@link #lightPosition} are undone. Empty if there is no such light. */
+    /**
+     * Returns the labels of all steps of one light, oldest first; those after {@link #lightPosition} are undone. Empty if the light does
+     * not exist.
+     */
     public List<String> lightSteps(long id) {
         Optional<Light> current = light(id);
         if (current.isEmpty()) {
@@ -161,7 +164,7 @@ public final class EditHistory {
         return List.copyOf(labels);
     }
 
-    /** How many steps of one light alone are done. */
+    /** Returns the number of steps of one light that are not undone. */
     public int lightPosition(long id) {
         int count = 0;
         for (LightHistory.Entry l = state.lightHistory(id).past(); l != null; l = l.next()) {
@@ -171,14 +174,14 @@ public final class EditHistory {
     }
 
     /**
-     * Undoes or does again edits of one light alone until so many of its steps are done, in one step of the document; refused where there
-     * are not so many, where it stands there already, and as {@link #undoLight}.
+     * Undoes or redoes steps of one light until that many are done, in one document step. Refused if there are fewer steps, if the position
+     * is unchanged, and as {@link #undoLight}.
      */
     public EditOutcome goToLightStep(long id, int position) {
         int current = lightPosition(id);
         if (position < 0 || position > lightSteps(id).size() || position == current) {
-            return new EditOutcome.Refused(position > current ? Messages.tr("there is nothing to redo of this light")
-                    : Messages.tr("there is nothing to undo of this light"));
+            return new EditOutcome.Refused(position > current ? Messages.tr("nothing to redo for this light")
+                    : Messages.tr("nothing to undo for this light"));
         }
         return EditOutcome.of(() -> {
             DocumentState changed = state;
@@ -187,20 +190,20 @@ public final class EditHistory {
             }
             String name = light(id).orElseThrow().name();
             undoneSteps.clear();
-            push(changed, null, position < current ? Messages.tr("{0}: {1} undone of it alone", name, current - position)
-                    : Messages.tr("{0}: {1} redone of it alone", name, position - current));
+            push(changed, null, position < current ? Messages.tr("{0}: {1} undone for this light only", name, current - position)
+                    : Messages.tr("{0}: {1} redone for this light only", name, position - current));
             return changed.scene();
         });
     }
 
-    /** What {@link #undoLight} would take back; empty if there is nothing or no such light. */
+    /** Returns the label of the edit that {@link #undoLight} reverts; empty if none or no such light. */
     public Optional<String> undoLabel(long id) {
         return light(id).filter(_ -> state.lightHistory(id).past() != null)
                 .map(light -> summary(state.lightHistory(id).past().light(), state.lightHistory(id).past().keys(), light,
                         DocumentState.lightTracks(content(), light)));
     }
 
-    /** What {@link #redoLight} would do again; empty if there is nothing or no such light. */
+    /** Returns the label of the edit that {@link #redoLight} repeats; empty if none or no such light. */
     public Optional<String> redoLabel(long id) {
         return light(id).filter(_ -> state.lightHistory(id).future() != null)
                 .map(light -> summary(light, DocumentState.lightTracks(content(), light), state.lightHistory(id).future().light(),
@@ -211,20 +214,20 @@ public final class EditHistory {
         return before.equals(after) ? ShotDiff.summarize(scene(), oldKeys, keys) : SceneDiff.summarize(before, after);
     }
 
-    /** Takes back the last edit of one light alone; refused if there is none, or if its name of that time is taken. */
+    /** Undoes the last edit of one light; refused if there is none, or if its former name is taken. */
     public EditOutcome undoLight(long id) {
         return moveLight(id, true, undoLabel(id));
     }
 
-    /** Does again what was undone last of one light alone; refused as {@link #undoLight}. */
+    /** Redoes the edit undone last of one light; refused as {@link #undoLight}. */
     public EditOutcome redoLight(long id) {
         return moveLight(id, false, redoLabel(id));
     }
 
     private EditOutcome moveLight(long id, boolean isUndo, Optional<String> label) {
         if (label.isEmpty()) {
-            return new EditOutcome.Refused(isUndo ? Messages.tr("there is nothing to undo of this light")
-                    : Messages.tr("there is nothing to redo of this light"));
+            return new EditOutcome.Refused(isUndo ? Messages.tr("nothing to undo for this light")
+                    : Messages.tr("nothing to redo for this light"));
         }
         return EditOutcome.of(() -> {
             DocumentState changed = state.stepLight(id, isUndo);
@@ -234,7 +237,7 @@ public final class EditHistory {
         });
     }
 
-    /** The number of the light of that name, which it keeps through renames and undo; −1 if there is none. */
+    /** Returns the number of the light with that name, which survives renames and undo; −1 if none. */
     public long id(String name) {
         for (int i = 0; i < state.ids().size(); i++) {
             if (state.scene().lights().get(i).name().equals(name)) {
@@ -244,13 +247,13 @@ public final class EditHistory {
         return -1;
     }
 
-    /** The light of that number; empty if it is gone. */
+    /** Returns the light with that number; empty if it was deleted. */
     public Optional<Light> light(long id) {
         int index = state.ids().indexOf(id);
         return index < 0 ? Optional.empty() : Optional.of(state.scene().lights().get(index));
     }
 
-    /** The light that stands now where one that is gone stood last, or the last light; empty if there are none. */
+    /** Returns the light now at the last index of a deleted one, or the last light; empty if there are none. */
     Optional<Light> neighbor(long id) {
         List<Light> lights = state.scene().lights();
         int index = Stream.concat(doneSteps.stream().map(Step::before), undoneSteps.stream().map(Step::after))

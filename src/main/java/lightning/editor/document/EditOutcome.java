@@ -4,15 +4,15 @@ import java.util.Optional;
 import java.util.function.Supplier;
 import lightning.scene.Scene;
 
-/** What came of an edit. */
+/** Result of an edit: a new scene or a refusal. */
 public sealed interface EditOutcome {
-    /** The edited scene, which may equal the one before. */
+    /** Edited scene, which may equal the previous one. */
     record Applied(Scene scene) implements EditOutcome {}
 
-    /** The edit is not allowed and changes nothing; the reason is a clause without a full stop. */
+    /** Refusal of an edit, which changes nothing; the reason is a clause without a period. */
     record Refused(String reason) implements EditOutcome {}
 
-    /** The change that an edit makes, or its refusal where the scene's own limits forbid it. */
+    /** Returns the result of an edit, or its refusal if it violates a limit of the scene. */
     static EditOutcome of(Supplier<Scene> edit) {
         try {
             return new Applied(edit.get());
@@ -21,7 +21,7 @@ public sealed interface EditOutcome {
         }
     }
 
-    /** Why the edit was refused; empty if it was not. */
+    /** Returns the reason for the refusal; empty if applied. */
     default Optional<String> refusal() {
         return switch (this) {
             case Applied _ -> Optional.empty();
@@ -29,7 +29,7 @@ public sealed interface EditOutcome {
         };
     }
 
-    /** The edited scene, or {@code before} where the edit was refused. */
+    /** Returns the edited scene, or {@code before} if the edit was refused. */
     default Scene sceneOr(Scene before) {
         return switch (this) {
             case Applied to -> to.scene();

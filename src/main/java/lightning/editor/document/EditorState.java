@@ -14,23 +14,23 @@ import lightning.scene.VisibleState;
 import lightning.scene.shot.TrackTarget;
 
 /**
- * Everything that decides which commands have something to do.
+ * State of the editor that determines which commands are enabled.
  *
- * @param scene         the document's scene
- * @param frame         the traced picture; empty before the first
- * @param sceneInProgress        the scene that is being rendered; empty if none is
- * @param verifying     whether a verification runs
- * @param selectedLight      the selected light
- * @param selectedNode          the selected shape or group; empty where a light is selected
- * @param undoLabel          what undo would take back; likewise {@code redoLabel}, and the two of the selected light alone
- * @param dirty         whether the file lacks edits
- * @param changedOnDisk whether someone else changed the file
- * @param copiedLight        the light whose settings were copied
- * @param animating     whether an animation is open
- * @param reading       whether a scene file is being read
- * @param shotFrame        the frame that is shown; empty where the scene has no shot
- * @param selectedKeyCount    how many of its keys are chosen
- * @param motionRecorded           whether the open animation has a way
+ * @param scene            scene of the document
+ * @param frame            traced image; empty before the first
+ * @param sceneInProgress  scene that is being rendered; empty if none
+ * @param verifying        whether a verification is running
+ * @param selectedLight    selected light
+ * @param selectedNode     selected shape or group; empty if a light is selected
+ * @param undoLabel        label of the step that undo reverts; {@code redoLabel} and the two of the selected light correspond
+ * @param dirty            whether there are unsaved edits
+ * @param changedOnDisk    whether another program changed the file
+ * @param copiedLight      light whose settings were copied
+ * @param animating        whether an animation is open
+ * @param reading          whether a scene file is being read
+ * @param shotFrame        displayed frame; empty if the scene has no shot
+ * @param selectedKeyCount number of selected keyframes
+ * @param motionRecorded   whether the open animation has a path
  */
 @RecordBuilder
 public record EditorState(Scene scene, Optional<Frame> frame, Optional<Scene> sceneInProgress,
@@ -41,7 +41,7 @@ public record EditorState(Scene scene, Optional<Frame> frame, Optional<Scene> sc
         boolean motionRecorded)
         implements EditorStateBuilder.With {
 
-    /** The situation of a document with a picture, and nothing running, copied or animated. */
+    /** Returns the state of a document and its image, with nothing running, copied or animated. */
     public static EditorState of(OpenDocument document, Optional<Frame> frame) {
         EditHistory history = document.history();
         Optional<Light> selected = document.selectedLight();
@@ -52,7 +52,7 @@ public record EditorState(Scene scene, Optional<Frame> frame, Optional<Scene> sc
                 document.isDirty(), document.isChangedOnDisk(), Optional.empty(), false, false, document.shotFrame(), 0, false);
     }
 
-    /** Whether keys of it are what Set Key is for: the selected light's with its bank's, those of the selected shape or group, the camera's. */
+    /** Tests if Set Keyframe applies to a track: of the selected light or its group, of the selected shape or group, or of the camera. */
     public boolean isSelected(TrackTarget target) {
         return switch (target.kind()) {
             case CAMERA -> true;
@@ -62,46 +62,46 @@ public record EditorState(Scene scene, Optional<Frame> frame, Optional<Scene> sc
         };
     }
 
-    /** The same of an open animation, which shows a scene of its own with the selected light, shape or group as it is there. */
+    /** Returns the state of an open animation, with its own scene and the selected light, shape or group in it. */
     public EditorState withAnimationScene(Scene animationScene, Optional<Light> light, Optional<SceneNode> otherNode) {
         return with(s -> s.scene(animationScene).selectedLight(light).selectedNode(otherNode));
     }
 
-    /** What the traced picture shows; empty before the first. */
+    /** Returns the scene of the traced image; empty before the first. */
     public Optional<Scene> renderedScene() {
         return frame.map(Frame::scene);
     }
 
-    /** What its mirrors show; empty before the first. */
+    /** Returns the scene of its reflections; empty before the first. */
     public Optional<Scene> mirroredScene() {
         return frame.map(Frame::mirroredScene);
     }
 
-    /** Whether the canvas shows the picture itself, and not a share of it. */
+    /** Tests if the canvas shows the full image, not a part of it. */
     boolean isFullPicture() {
         return frame.map(Frame::displayMode).orElse(DisplayMode.FULL_PICTURE).isFullPicture();
     }
 
-    /** Whether there are edits that the traced picture does not show, its mirrors left out. */
+    /** Tests if there are edits that the traced image does not show, reflections excluded. */
     public boolean hasPendingEdits() {
         return frame.isEmpty() || !VisibleState.isSame(scene, frame.get().scene());
     }
 
-    /** What the canvas and Save Image say of a picture that is behind the document; empty if it is not. */
+    /** Returns the warning that the image is out of date, for the canvas and Save Image; empty if it is current. */
     public Optional<String> pendingMessage() {
         if (frame.isEmpty()) {
             return Optional.empty();
         }
-        return hasPendingEdits() ? Optional.of(Messages.tr("the picture does not show the edits since the last Go"))
-                : lacksSamples() ? Optional.of(Messages.tr("the picture lacks the finer samples of its edges")) : Optional.empty();
+        return hasPendingEdits() ? Optional.of(Messages.tr("the image is out of date"))
+                : lacksSamples() ? Optional.of(Messages.tr("the image is not anti-aliased yet")) : Optional.empty();
     }
 
-    /** Whether the traced picture is one of pixels' centers, that finer samples are still to follow. */
+    /** Tests if the traced image has one sample per pixel center and its anti-aliasing samples are pending. */
     public boolean lacksSamples() {
         return frame.isPresent() && !frame.get().isFinished();
     }
 
-    /** What the canvas says of mirrors that are older than the rest of the picture; empty where they are not. */
+    /** Returns the warning that reflections are out of date, for the canvas; empty if they are current. */
     public Optional<String> staleMirrorsMessage() {
         if (frame.isEmpty()) {
             return Optional.empty();
@@ -111,8 +111,8 @@ public record EditorState(Scene scene, Optional<Frame> frame, Optional<Scene> sc
             return Optional.empty();
         }
         boolean isUnlit = shownScene.lights().stream().noneMatch(shownScene::isActive);
-        return Optional.of(isUnlit ? Messages.tr("No light shines here; the mirrors still show those of before")
-                : Messages.tr("The mirrors are older than the lights"));
+        return Optional.of(isUnlit ? Messages.tr("No lights on; reflections out of date")
+                : Messages.tr("Reflections out of date"));
     }
 
     Optional<LightType> selectedLightType() {

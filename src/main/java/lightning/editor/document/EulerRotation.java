@@ -3,18 +3,18 @@ package lightning.editor.document;
 import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
 
-/** Turns what is rotated about x, y and z already once more about one axis that does not turn with it. */
+/** Composition of Euler angles about x, y and z with a rotation about one fixed axis. */
 final class EulerRotation {
-    /** Below this cosine of the angle about y, those about x and z turn the same way. */
+    /** Cosine of the angle about y below which the rotation is in gimbal lock. */
     private static final double GIMBAL_LOCK_COSINE = 1e-6;
-    /** Angles are whole numbers of these, degrees, so that a right angle stays one. */
+    /** Rounding of angles, in steps per degree, so that right angles stay exact. */
     private static final double STEPS_PER_DEGREE = 1e4;
 
     private EulerRotation() {}
 
     /**
-     * The angles that rotate as {@code angles} does and then by {@code degrees} about an axis: of all that do, those nearest to the ones
-     * before.
+     * Returns the angles of the rotation {@code angles} followed by {@code degrees} about an axis. Chooses the solution nearest to the
+     * previous angles.
      *
      * @param angles about x, y, z in this order, degrees
      * @param axis   0, 1 or 2
@@ -24,7 +24,7 @@ final class EulerRotation {
             return rounded(new Vec3(angles.x(), angles.y(), nearestEquivalent(angles.z() + degrees, angles.z())));
         }
         Transform m = Transform.rotation(NodeGizmo.unit(axis).times(degrees)).times(Transform.rotation(angles));
-        // Of z·y·x the rows are: … , …, (−sin y, cos y sin x, cos y cos x); the first column is (cos z cos y, sin z cos y, −sin y).
+        // Rows of z·y·x: … , …, (−sin y, cos y sin x, cos y cos x); its first column is (cos z cos y, sin z cos y, −sin y).
         double cosine = Math.hypot(m.m21(), m.m22());
         double y = degrees(-m.m20(), cosine);
         if (cosine < GIMBAL_LOCK_COSINE) {
@@ -50,7 +50,7 @@ final class EulerRotation {
                 nearestEquivalent(angles.z(), to.z()));
     }
 
-    /** The same angle within half a turn of another. */
+    /** Returns the equivalent of an angle that is within half a turn of another. */
     private static double nearestEquivalent(double angle, double to) {
         return angle - 360 * Math.rint((angle - to) / 360);
     }

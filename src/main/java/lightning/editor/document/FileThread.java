@@ -7,8 +7,8 @@ import java.util.function.Consumer;
 import lightning.base.work.DedicatedThread;
 
 /**
- * Reads and writes files beside the window's thread, so that no disk holds up a window, and brings there what came of it.
- * What is written is written in turn; closing waits for it.
+ * Background file access, so that no disk blocks the window's thread. Delivers results on the window's thread. Runs writes in order and
+ * finishes them when closed.
  */
 public final class FileThread implements Executor, AutoCloseable {
     private static final int CLOSE_TIMEOUT_SECONDS = 60;
@@ -16,38 +16,38 @@ public final class FileThread implements Executor, AutoCloseable {
     private final Executor windowExecutor;
     private final ExecutorService thread = DedicatedThread.sequentialExecutor("lightning-files");
 
-    /** @param window runs tasks in turn on the window's thread */
+    /** @param window runs tasks in order on the window's thread */
     public FileThread(Executor window) {
         this.windowExecutor = window;
     }
 
-    /** Something with files. */
+    /** Task that reads or writes files. */
     public interface FileTask<T> {
         T run() throws Exception;
     }
 
-    /** Runs tasks in turn on the window's thread. */
+    /** Returns the executor that runs tasks in order on the window's thread. */
     public Executor windowExecutor() {
         return windowExecutor;
     }
 
-    /** Does something after all that was asked before; nobody hears what comes of it. */
+    /** Runs a task after all earlier ones, without reporting its result. */
     @Override
     public void execute(Runnable task) {
         thread.execute(task);
     }
 
     /**
-     * Does something after all that was asked before.
+     * Runs a task after all earlier ones.
      *
-     * @param done   hears on the window's thread what came of it
-     * @param failed hears there why nothing did
+     * @param done   receives the result on the window's thread
+     * @param failed receives a failure there
      */
     public <T> void runInOrder(FileTask<T> task, Consumer<T> done, Consumer<Throwable> failed) {
         thread.execute(task(task, done, failed));
     }
 
-    /** The same on a thread of its own: reading, which may take long and waits for nothing. */
+    /** Runs a task on its own thread, for reads that may take long and need no order. */
     public <T> void runConcurrently(FileTask<T> task, Consumer<T> done, Consumer<Throwable> failed) {
         DedicatedThread.create("lightning-reading", task(task, done, failed)).start();
     }
@@ -63,7 +63,7 @@ public final class FileThread implements Executor, AutoCloseable {
         };
     }
 
-    /** Finishes what was asked. */
+    /** Finishes all requested tasks. */
     @Override
     public void close() {
         thread.shutdown();

@@ -9,14 +9,14 @@ import lightning.scene.NodeGroup;
 import lightning.scene.Scene;
 import lightning.scene.SceneNode;
 
-/** The box around all that a group holds, in the group's own directions: what marks it where it is selected. */
+/** Bounding box of a group, oriented along the group's axes, that marks a selected group. */
 public final class GroupBounds {
     private static final double NEAR_SHARE = 1e-3;
 
     private List<SceneNode> measuredChildren = List.of();
     private NodeBounds box = NodeBounds.of(measuredChildren);
 
-    /** Its twelve edges in the scene; none where the group holds nothing. What is in the group is measured once. */
+    /** Returns the box's twelve edges in the scene; none for an empty group. Measures the group's content once. */
     public List<LightGizmo.Segment> lines(Scene scene, NodeGroup group) {
         if (group.children() != measuredChildren) {
             measuredChildren = group.children();
@@ -42,7 +42,7 @@ public final class GroupBounds {
         return lines;
     }
 
-    /** These edges on the canvas, as far as they are before the eye. */
+    /** Returns the visible parts of these edges on the canvas, in front of the camera. */
     public static List<LightGizmo.Stroke> strokes(List<LightGizmo.Segment> lines, PreviewCamera view, Viewport canvas) {
         double near = NEAR_SHARE * view.distance();
         List<LightGizmo.Stroke> strokes = new ArrayList<>();
@@ -55,7 +55,7 @@ public final class GroupBounds {
         return strokes;
     }
 
-    /** An end of a line, or where the line comes before the eye. */
+    /** Returns the end of a line, clipped to the near plane. */
     private static Vec3 clipToNear(Vec3 end, Vec3 other, PreviewCamera view, double near) {
         double depth = view.depth(end);
         return depth >= near ? end : end.plus(other.minus(end).times((near - depth) / (view.depth(other) - depth)));

@@ -4,11 +4,11 @@ import lightning.base.math.Rgb;
 import lightning.scene.SceneLimits;
 
 /**
- * A color as hue, saturation and value (Smith, 1978) of its linear channels.
+ * Color as hue, saturation and value (Smith, 1978) of its linear channels.
  *
  * @param hue        degrees, 0…360: red, yellow, green, cyan, blue, magenta every 60; 0 for grays
  * @param saturation 0…1; 0 for grays
- * @param value      the largest channel, ≥ 0
+ * @param value      largest channel, ≥ 0
  */
 public record HsvColor(double hue, double saturation, double value) {
     private static final double SECTOR = 60;
@@ -41,7 +41,7 @@ public record HsvColor(double hue, double saturation, double value) {
         return new Rgb(channel(5), channel(3), channel(1));
     }
 
-    /** The channel whose hexagon begins at sector {@code n}: full, falling, empty, rising. */
+    /** Returns the channel whose hexagon starts at sector {@code n}: full, falling, empty, rising. */
     private double channel(int n) {
         double k = (n + hue / SECTOR) % 6;
         return value - value * saturation * Math.clamp(Math.min(k, 4 - k), 0, 1);

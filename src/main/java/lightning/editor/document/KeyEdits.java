@@ -19,28 +19,28 @@ import lightning.scene.shot.Shot;
 import lightning.scene.shot.Track;
 import lightning.scene.shot.TrackTarget;
 
-/** Edits of a shot's keys. Each throws an {@link IllegalArgumentException} where it leads to what no shot can be. */
+/** Edits of a shot's keyframes. Each throws an {@link IllegalArgumentException} if the result is not a valid shot. */
 public final class KeyEdits {
-    /** What a new shot has: two seconds. */
+    /** New shots have two seconds. */
     private static final Shot NEW_SHOT = new Shot(1, 48, 24, List.of());
 
     private KeyEdits() {}
 
-    /** The scene with a shot that has no keys yet; one that has a shot keeps that. */
+    /** Adds a shot without keyframes; keeps an existing shot. */
     public static AnimatedScene addShot(AnimatedScene scene) {
         return scene.shot().isPresent() ? scene : scene.withShot(NEW_SHOT);
     }
 
-    /** Other frames and another rate. */
+    /** Changes the frame range and rate. */
     public static AnimatedScene setFrames(AnimatedScene scene, int first, int last, double rate) {
         return scene.withShot(new Shot(first, last, rate, shot(scene).tracks()));
     }
 
-    /** With a key that says of an attribute what it is now; the shot begins with it where there is none. */
+    /** Sets a keyframe of an attribute to its current value; adds a shot starting with it if there is none. */
     public static AnimatedScene setKey(AnimatedScene scene, Scene shownScene, TrackTarget target, String attribute, int frame) {
         AnimatedScene withShot = addShot(scene);
         SceneAttribute<?, ?> keyable = target.attribute(shownScene, attribute).<SceneAttribute<?, ?>>map(a -> a)
-                .orElseThrow(() -> new IllegalArgumentException(Messages.tr("{0} has no keys", attribute)));
+                .orElseThrow(() -> new IllegalArgumentException(Messages.tr("{0} has no keyframes", attribute)));
         var key = new Keyframe(frame, target.value(shownScene, attribute),
                 keyable.kind().keyframeSupport() == KeyframeSupport.STEPPED ? Interpolation.STEPPED : Interpolation.LINEAR);
         Shot shot = shot(withShot);
@@ -48,12 +48,12 @@ public final class KeyEdits {
                 .orElseGet(() -> new Track(target, attribute, List.of(key)))));
     }
 
-    /** Without the keys of an attribute, which is at all frames what it is now. */
+    /** Removes all keyframes of an attribute, which keeps its current value. */
     public static AnimatedScene removeKeys(AnimatedScene scene, Scene shownScene, TrackTarget target, String attribute) {
         return scene.withoutTrack(target, attribute, target.value(shownScene, attribute));
     }
 
-    /** Without some keys; an attribute whose last key goes is at all frames what it is now. */
+    /** Deletes keyframes; an attribute without any left keeps its current value. */
     public static AnimatedScene deleteKeys(AnimatedScene scene, Scene shownScene, Set<KeyId> deleted) {
         AnimatedScene remaining = scene;
         for (Track track : shot(scene).tracks()) {
@@ -67,19 +67,19 @@ public final class KeyEdits {
         return remaining;
     }
 
-    /** Some keys some frames later, in place of those that they come upon. */
+    /** Moves keyframes by some frames, replacing those at the new frames. */
     public static AnimatedScene shiftKeys(AnimatedScene scene, Set<KeyId> moved, int frames) {
         return editKeys(scene, moved, key -> new Keyframe(Math.addExact(key.frame(), frames), key.value(), key.interpolation()));
     }
 
-    /** How far keys can be moved back, and on. */
+    /** Clamps a move of keyframes to the frames of the shot. */
     public static int clampShift(Set<KeyId> moved, int frames) {
         int minFrame = moved.stream().mapToInt(KeyId::frame).min().orElse(0);
         int maxFrame = moved.stream().mapToInt(KeyId::frame).max().orElse(0);
         return Math.clamp(frames, -minFrame, Shot.MAX_FRAME - maxFrame);
     }
 
-    /** Some keys that go on in another way; those of words and whole numbers stay stepped. */
+    /** Sets the interpolation of keyframes; those of words and whole numbers stay stepped. */
     public static AnimatedScene setInterpolation(AnimatedScene scene, Set<KeyId> keys, Interpolation interpolation) {
         Set<KeyId> interpolated = new HashSet<>(keys);
         interpolated.removeIf(k -> k.target().attribute(scene.base(), k.attribute()).<SceneAttribute<?, ?>>map(a -> a)

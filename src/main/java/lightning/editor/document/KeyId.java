@@ -4,13 +4,13 @@ import lightning.scene.shot.Keyframe;
 import lightning.scene.shot.Track;
 import lightning.scene.shot.TrackTarget;
 
-/** One key of a shot. */
+/** Identifier of one keyframe of a shot. */
 public record KeyId(TrackTarget target, String attribute, int frame) {
     static KeyId of(Track track, Keyframe key) {
         return new KeyId(track.target(), track.attribute(), key.frame());
     }
 
-    /** The key of the same attribute some frames later. */
+    /** Returns the keyframe of the same attribute some frames later. */
     public KeyId shifted(int frames) {
         return new KeyId(target, attribute, frame + frames);
     }

@@ -5,20 +5,20 @@ import lightning.scene.Scene;
 import lightning.scene.VisibleState;
 
 /**
- * The edit that an artist has just made, to be judged.
+ * Last edit by the artist, to be measured.
  *
- * @param before  the scene that it started from
- * @param after   the scene that it led to, which gives a picture of the same size
+ * @param before    scene before the edit
+ * @param after     scene after the edit, with the same image size
  * @param isPending whether it is not rendered yet
  */
 public record LastEdit(Scene before, Scene after, boolean isPending) {
 
     /**
-     * What is not rendered yet; where nothing is, what the last update showed.
+     * Returns the pending edit, or if there is none, the last rendered update.
      *
-     * @param scene    the document's scene
-     * @param rendered what the picture shows
-     * @param previous what it showed before
+     * @param scene    scene of the document
+     * @param rendered scene of the image
+     * @param previous scene of the image before
      */
     static Optional<LastEdit> of(Scene scene, Optional<Scene> rendered, Optional<Scene> previous) {
         boolean isPending = rendered.isPresent() && !VisibleState.isSame(rendered.get(), scene);

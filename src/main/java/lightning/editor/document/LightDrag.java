@@ -2,14 +2,15 @@ package lightning.editor.document;
 
 import lightning.scene.Light;
 
-/** What a drag of a light's gizmo does with the light. */
+/** Action of a drag on a light's handle. */
 public enum LightDrag {
     ROTATE, ORBIT, DOLLY, TRANSLATE;
 
     /**
-     * The light of the drag's begin, after the whole way of the drag so far.
+     * Applies the total movement of the drag so far to the light at its start.
      *
-     * @param right pixels; likewise {@code up}
+     * @param right pixels
+     * @param up    pixels
      */
     public Light apply(Light start, PreviewCamera view, Viewport canvas, double right, double up) {
         return switch (this) {

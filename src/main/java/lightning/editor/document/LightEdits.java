@@ -14,34 +14,34 @@ import lightning.scene.LightType;
 import lightning.scene.Scene;
 import lightning.scene.SceneLimits;
 
-/** The edits of lights that are more than one {@link NumericParameter}. Each is refused if there is no light of the name given. */
+/** Edits of lights that change more than one {@link NumericParameter}. Each is refused if the named light does not exist. */
 public final class LightEdits {
-    /** Leaves room for a number in a name of the greatest length. */
+    /** Leaves room for a number within the maximum name length. */
     private static final int MAX_STEM = SceneLimits.MAX_NAME - 7;
 
     private LightEdits() {}
 
     /**
-     * The light of that name.
+     * Returns the light with that name.
      *
      * @throws IllegalArgumentException if there is none
      */
     public static Light light(Scene scene, String name) {
-        return scene.light(name).orElseThrow(() -> new IllegalArgumentException(Messages.tr("there is no light {0}", Quote.of(name))));
+        return scene.light(name).orElseThrow(() -> new IllegalArgumentException(Messages.tr("light {0} not found", Quote.of(name))));
     }
 
-    /** Any edit of one light that keeps its name. */
+    /** Edits one light, keeping its name. */
     public static EditOutcome edit(Scene scene, String name, UnaryOperator<Light> edit) {
         return EditOutcome.of(() -> scene.withLight(edit.apply(light(scene, name))));
     }
 
-    /** The color as hue, saturation and value, of linear channels. */
+    /** Sets the color as hue, saturation and value of linear channels. */
     public static EditOutcome setHsv(Scene scene, String name, HsvColor color) {
         return EditOutcome.of(() -> scene.withLight(light(scene, name).withColor(color.rgb())));
     }
 
     /**
-     * The color of a glowing body, at the brightest channel that the light has now.
+     * Sets the color of a black body, keeping the light's brightest channel.
      *
      * @param kelvin 1667…25000
      */
@@ -49,7 +49,7 @@ public final class LightEdits {
         return edit(scene, name, l -> l.withColor(ColorTemperature.rgb(kelvin).times(l.color().isBlack() ? 1 : l.color().max())));
     }
 
-    /** Another type; all attributes are kept (paper §4.5). */
+    /** Changes the type and keeps all attributes (paper §4.5). */
     public static EditOutcome setType(Scene scene, String name, LightType type) {
         return edit(scene, name, l -> l.withType(type));
     }
@@ -62,7 +62,7 @@ public final class LightEdits {
         return edit(scene, name, l -> l.withSolo(solo));
     }
 
-    /** Refused if the name is taken or could not stand in a scene file. */
+    /** Renames a light; refused if the name is taken or invalid in a scene file. */
     public static EditOutcome rename(Scene scene, String name, String newName) {
         return EditOutcome.of(() -> {
             Light light = light(scene, name);
@@ -70,7 +70,7 @@ public final class LightEdits {
         });
     }
 
-    /** Adds a light as the last. Its name is made free by a number, {@code key2}, where it is taken. */
+    /** Adds a light at the end. If its name is taken, appends a number, {@code key2}. */
     public static EditOutcome add(Scene scene, Light light) {
         return EditOutcome.of(() -> {
             List<Light> lights = new ArrayList<>(scene.lights());
@@ -79,7 +79,7 @@ public final class LightEdits {
         });
     }
 
-    /** Adds a white light that stands at the camera, up to its right, and shines at what the camera looks at. */
+    /** Adds a white light at the upper right of the camera, aimed at the camera's target. */
     public static EditOutcome add(Scene scene, LightType type) {
         return EditOutcome.of(() -> {
             var view = PreviewCamera.of(scene);
@@ -87,7 +87,7 @@ public final class LightEdits {
             Vec3 position = view.camera().from().plus(view.right().times(distance / 2)).plus(view.up().times(distance / 2));
             Light light = Light.of(type.name().toLowerCase(Locale.ROOT), type)
                     .withPosition(position).withDirection(view.camera().to().minus(position));
-            // A surface is as large as one finds in a studio: half as wide as it is far away.
+            // Area lights have a typical studio size: half as wide as they are distant.
             return add(scene,
                     type.isSurface() ? light.withArea(light.area().withRadius(halfSize(distance)).withWidth(2 * halfSize(distance))
                             .withHeight(2 * halfSize(distance))) : light)
@@ -106,7 +106,7 @@ public final class LightEdits {
         });
     }
 
-    /** Puts a light like this one, with a free name, behind it and a little beside it. */
+    /** Adds a copy of a light after it, with a unique name and a small offset. */
     public static EditOutcome duplicate(Scene scene, String name) {
         return EditOutcome.of(() -> {
             Light light = light(scene, name);
@@ -117,10 +117,7 @@ public final class LightEdits {
         });
     }
 
-    /**
-     * Gives a light the settings of another: type, color and all that shapes its light. It keeps its name, its place, its
-     * direction and its switches.
-     */
+    /** Applies the settings of another light: type, color and shaping. Keeps name, position, direction and switches. */
     public static EditOutcome pasteSettings(Scene scene, String name, Light settings) {
         return edit(scene, name, light -> {
             Light pasted = light;
@@ -131,7 +128,7 @@ public final class LightEdits {
         });
     }
 
-    /** The name itself, or with the least number behind it that no light, shape or group has: {@code key2}. */
+    /** Returns the name itself, or the name with the smallest number that no light, shape or group has: {@code key2}. */
     public static String freeName(Scene scene, String name) {
         if (!scene.isNameUsed(name)) {
             return name;

@@ -7,16 +7,15 @@ import lightning.base.math.Vec3;
 import lightning.scene.Light;
 
 /**
- * The wireframe that stands for a light in the preview (paper §3.2): a sphere for a point light, a short fat cone for a
- * spot, whose opening follows its angle, a long thin cone for a directional light. About the same size on the screen at
- * every distance. A light that is larger than a point shows its outline besides, as large as it is, and a surface an arrow to where
- * it shines.
+ * Wireframe of a light in the preview (paper §3.2), about equally large on the screen at every distance. Point lights are spheres. Spots
+ * are short, wide cones whose opening follows their angle. Directional lights are long, thin cones. Area lights also show their true
+ * outline and an arrow in their direction.
  *
- * @param light the light
- * @param lines in the scene
+ * @param light light of the wireframe
+ * @param lines lines in the scene
  */
 public record LightGizmo(Light light, List<Segment> lines) {
-    /** The sphere's radius, pixels. */
+    /** Radius of the sphere, in pixels. */
     private static final double RADIUS = 12;
     private static final double SPOT_LENGTH = 26;
     private static final double DIRECTIONAL_LENGTH = 48;
@@ -25,7 +24,7 @@ public record LightGizmo(Light light, List<Segment> lines) {
     private static final int RIBS = 8;
     private static final double[] COSINES = new double[SIDES];
     private static final double[] SINES = new double[SIDES];
-    /** What is nearer to the eye than this share of the viewing distance is not drawn. */
+    /** Near plane, as a share of the viewing distance. */
     private static final double NEAR_SHARE = 1e-3;
 
     static {
@@ -39,12 +38,12 @@ public record LightGizmo(Light light, List<Segment> lines) {
         lines = List.copyOf(lines);
     }
 
-    /** A line from one point of the scene to another. */
+    /** Line between two points of the scene. */
     public record Segment(Vec3 from, Vec3 to) {}
 
-    /** A line on the canvas. */
+    /** Line on the canvas. */
     public record Stroke(Viewport.Pixel from, Viewport.Pixel to) {
-        /** From a place to the nearest point of the line, pixels. */
+        /** Returns the distance from a position to the nearest point of the line, in pixels. */
         double distance(Viewport.Pixel p) {
             double dx = to.x() - from.x();
             double dy = to.y() - from.y();
@@ -56,9 +55,9 @@ public record LightGizmo(Light light, List<Segment> lines) {
     }
 
     /**
-     * The gizmo of a light as large as this view needs it.
+     * Creates the gizmo of a light at the size for this view.
      *
-     * @param scale &gt; 0, what multiplies the normal size
+     * @param scale factor of the normal size, &gt; 0
      */
     public static LightGizmo of(Light light, PreviewCamera view, Viewport canvas, double scale) {
         double depth = Math.max(view.depth(light.position()), NEAR_SHARE * view.distance());
@@ -79,7 +78,7 @@ public record LightGizmo(Light light, List<Segment> lines) {
             }
             case DIRECTIONAL -> {
                 Vec3 axis = light.direction().normalized();
-                // The tip leads, as an arrow's.
+                // The tip points ahead, like an arrow.
                 yield cone(light.position().plus(axis.times(DIRECTIONAL_LENGTH * pixel)), light.position(), axis,
                         DIRECTIONAL_RADIUS * pixel);
             }
@@ -87,7 +86,7 @@ public record LightGizmo(Light light, List<Segment> lines) {
         };
     }
 
-    /** The border of what a light is, in its own size; of a directional light, which is nowhere, nothing. */
+    /** Returns the outline of an area light at its true size; empty for a directional light, which has no position. */
     private static List<Segment> outline(Light light) {
         Vec3 axis = light.direction().normalized();
         double radius = light.area().radius();
@@ -151,7 +150,7 @@ public record LightGizmo(Light light, List<Segment> lines) {
         return lines;
     }
 
-    /** The lines on the canvas; what lies behind the eye is cut off. */
+    /** Returns the lines on the canvas, clipped to the near plane. */
     public List<Stroke> strokes(PreviewCamera view, Viewport canvas) {
         double near = NEAR_SHARE * view.distance();
         List<Stroke> strokes = new ArrayList<>();
@@ -170,8 +169,8 @@ public record LightGizmo(Light light, List<Segment> lines) {
     }
 
     /**
-     * From a place to the gizmo, pixels: to its nearest line or, where the light stands before the eye, to its position;
-     * infinite where nothing of it is seen.
+     * Returns the distance from a position to the gizmo, in pixels: to its nearest line, or to the light's position if that is in front of
+     * the camera. Infinite if nothing is visible.
      */
     public double distance(PreviewCamera view, Viewport canvas, Viewport.Pixel point) {
         double minDistance = view.depth(light.position()) < NEAR_SHARE * view.distance() ? Double.POSITIVE_INFINITY
@@ -182,7 +181,10 @@ public record LightGizmo(Light light, List<Segment> lines) {
         return minDistance;
     }
 
-    /** The light whose gizmo is nearest to a place, at most {@code tolerance} pixels away; among equals the nearest to the eye. */
+    /**
+     * Returns the light whose gizmo is nearest to a position, at most {@code tolerance} pixels away; among equals, the one nearest to the
+     * camera.
+     */
     public static Optional<Light> pick(List<Light> lights, PreviewCamera view, Viewport canvas, double size, Viewport.Pixel point,
             double tolerance) {
         Light best = null;

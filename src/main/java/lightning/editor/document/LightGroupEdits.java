@@ -6,36 +6,36 @@ import lightning.base.text.Quote;
 import lightning.scene.LightGroup;
 import lightning.scene.Scene;
 
-/** The edits of banks of lights. Each is refused if there is no bank, or no light, of the name given. */
+/** Edits of light groups. Each is refused if the named group or light does not exist. */
 public final class LightGroupEdits {
     private LightGroupEdits() {}
 
-    /** Any edit of one bank that keeps its name. */
+    /** Edits one light group, keeping its name. */
     public static EditOutcome edit(Scene scene, String name, UnaryOperator<LightGroup> edit) {
         return EditOutcome.of(() -> scene.withRig(scene.rig().with(edit.apply(lightGroup(scene, name)))));
     }
 
     /**
-     * The bank of that name.
+     * Returns the light group with that name.
      *
      * @throws IllegalArgumentException if there is none
      */
     static LightGroup lightGroup(Scene scene, String name) {
         return scene.rig().lightGroup(name)
-                .orElseThrow(() -> new IllegalArgumentException(Messages.tr("there is no bank {0}", Quote.of(name))));
+                .orElseThrow(() -> new IllegalArgumentException(Messages.tr("light group {0} not found", Quote.of(name))));
     }
 
-    /** Puts a light into a bank, out of the one that it was in. */
+    /** Moves a light to a group, out of its current one. */
     public static EditOutcome addLight(Scene scene, String light, String group) {
         return LightEdits.edit(scene, light, l -> l.withLightGroup(lightGroup(scene, group).name()));
     }
 
-    /** Takes a light out of its bank. */
+    /** Removes a light from its group. */
     public static EditOutcome removeLight(Scene scene, String light) {
         return LightEdits.edit(scene, light, l -> l.withLightGroup(""));
     }
 
-    /** Puts a light into a bank of its own, with a free name. */
+    /** Moves a light to a new group with a unique name. */
     public static EditOutcome create(Scene scene, String light) {
         return EditOutcome.of(() -> {
             LightGroup group = LightGroup.of(LightEdits.freeName(scene, "bank"));
@@ -44,12 +44,12 @@ public final class LightGroupEdits {
         });
     }
 
-    /** Another name; its lights follow. Refused if the name is taken or could not stand in a scene file. */
+    /** Renames a group and updates its lights. Refused if the name is taken or invalid in a scene file. */
     public static EditOutcome rename(Scene scene, String name, String newName) {
         return EditOutcome.of(() -> scene.withRig(scene.rig().renameLightGroup(name, newName)));
     }
 
-    /** Takes a bank away; its lights stay, in none. */
+    /** Deletes a group; its lights stay, without a group. */
     public static EditOutcome delete(Scene scene, String name) {
         return EditOutcome.of(() -> scene.withRig(scene.rig().removeLightGroup(name)));
     }

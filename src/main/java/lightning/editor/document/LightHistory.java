@@ -5,15 +5,15 @@ import lightning.scene.Light;
 import lightning.scene.shot.Track;
 
 /**
- * The history of one light alone, in chains that several states of the document share.
+ * History of one light, as linked lists that several states of the document share.
  *
- * @param past   what it was, the latest first; null where there is nothing
- * @param future what was undone, the next to redo first; null where there is nothing
+ * @param past   previous states, newest first; null if none
+ * @param future undone states, next to redo first; null if none
  */
 record LightHistory(Entry past, Entry future) {
     static final LightHistory EMPTY = new LightHistory(null, null);
 
-    /** @param keys the light's own */
+    /** @param keys keyframe tracks of the light */
     record Entry(Light light, List<Track> keys, Entry next) {}
 
     LightHistory afterEdit(Light previous, List<Track> keys) {

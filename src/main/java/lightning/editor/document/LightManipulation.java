@@ -6,24 +6,24 @@ import lightning.scene.Light;
 import lightning.scene.SceneLimits;
 
 /**
- * What dragging a light in the preview does (paper §3.2). Each method takes the light as it was when the drag began and
- * the whole way of the mouse since, so that a drag back to its begin restores the light.
+ * Light manipulation by dragging in the preview (paper §3.2). Each method takes the light at the start of the drag and the total mouse
+ * movement since, so that returning to the start restores the light.
  *
- * <p>Positions stay within the limits of a scene: a step that would leave them leaves the light where it is.
+ * <p>Positions stay within the limits of a scene: a step beyond them does not move the light.
  */
 public final class LightManipulation {
-    /** A drag over the shorter side of the canvas turns a light by this angle, radians. */
+    /** Rotation for a drag over the shorter side of the canvas, in radians. */
     private static final double TURN_PER_CANVAS = Math.PI;
-    /** A light at the eye or behind it moves as if it were this share of the viewing distance before it. */
+    /** Minimum depth for moving a light at or behind the camera, as a share of the viewing distance. */
     private static final double MIN_DEPTH_SHARE = 0.01;
 
     private LightManipulation() {}
 
     /**
-     * Turns the light: the end that it shines to goes with the mouse. A light that shines towards the eye turns so that
-     * its beam goes with the mouse too. A point light does not turn.
+     * Rotates the light: the end that it points to follows the mouse, also if the light points to the camera. Point lights do not rotate.
      *
-     * @param right pixels; likewise {@code up}
+     * @param right pixels
+     * @param up    pixels
      */
     public static Light rotate(Light light, PreviewCamera view, Viewport canvas, double right, double up) {
         if (!light.type().hasDirection()) {
@@ -36,7 +36,7 @@ public final class LightManipulation {
     }
 
     /**
-     * Moves the light along the view: up is away. One pixel moves it by one pixel's length at its distance.
+     * Moves the light along the view direction; up is away. One pixel moves it by the length of a pixel at its distance.
      *
      * @param up pixels
      */
@@ -45,9 +45,10 @@ public final class LightManipulation {
     }
 
     /**
-     * Moves the light in the viewing plane, so that it stays under the mouse.
+     * Moves the light in the view plane, so that it stays under the mouse.
      *
-     * @param right pixels; likewise {@code up}
+     * @param right pixels
+     * @param up    pixels
      */
     public static Light translate(Light light, PreviewCamera view, Viewport canvas, double right, double up) {
         double scale = scale(light, view, canvas);
@@ -55,16 +56,17 @@ public final class LightManipulation {
     }
 
     /**
-     * Carries the light about what it aims at, at the same distance, so that it aims there still: a point light about what the view looks at,
-     * any other about the point of its axis that is nearest to that.
+     * Orbits the light around its target at constant distance, keeping its aim. The target of a point light is the view's target. Any other
+     * light orbits the point of its axis nearest to that.
      *
-     * @param right pixels; likewise {@code up}
+     * @param right pixels
+     * @param up    pixels
      */
     public static Light orbit(Light light, PreviewCamera view, Viewport canvas, double right, double up) {
         Vec3 target = aimPoint(light, view);
         Vec3 offset = light.position().minus(target);
         double radiansPerPixel = TURN_PER_CANVAS / Math.min(canvas.width(), canvas.height());
-        // The light goes with the mouse on this side of what it aims at, and on the other.
+        // The light follows the mouse both in front of and behind its target.
         double sign = offset.dot(view.forward()) <= 0 ? 1 : -1;
         Light orbited =
                 light.withPosition(target.plus(rotated(offset, view, sign * right * radiansPerPixel, -sign * up * radiansPerPixel)));
@@ -80,7 +82,7 @@ public final class LightManipulation {
         return VectorRotation.rotate(view.right(), aboutRight, VectorRotation.rotate(view.up(), aboutUp, v));
     }
 
-    /** What a light aims at: see {@link #orbit}. */
+    /** Returns the target of a light: see {@link #orbit}. */
     static Vec3 aimPoint(Light light, PreviewCamera view) {
         Vec3 cameraTarget = view.camera().to();
         if (!light.type().hasDirection()) {

@@ -6,61 +6,61 @@ import lightning.scene.Light;
 import lightning.scene.LightAttribute;
 
 /**
- * Places a light by what it does in the picture, at a point that the artist shows. Where it has a direction it is turned to shine there.
- * What a drag does follows from the light as it was when the drag began and from the point under the mouse alone.
+ * Placement of a light by its effect at a chosen surface point, such as a highlight or a shadow. Lights with a direction turn to the point.
+ * A drag depends only on the light at its start and the point under the mouse.
  *
- * @param startLight    the light as it was
- * @param goal      what it shall do there
- * @param distance from the point to the light, &gt; 0, where the light has a position
+ * @param startLight light at the start of the drag
+ * @param goal       effect at the point
+ * @param distance   distance from the point to the light, &gt; 0, if the light has a position
  */
 public record LightPlacement(Light startLight, Goal goal, double distance) {
-    /** Nearer than this a direction cannot be told. */
+    /** Minimum distance between two points that define a direction. */
     private static final double MIN_DISTANCE = 1e-9;
-    /** The sine of the least angle between the view and the normal at which there is a rim. */
+    /** Minimum sine of the angle between view and normal for a rim light. */
     private static final double MIN_RIM_SINE = 1e-3;
-    /** A light is at least this many times as far from a shadow as what throws it. */
+    /** Minimum ratio of the light's distance to the caster's distance from the shadow. */
     private static final double SHADOW_DISTANCE_FACTOR = 1.01;
 
-    /** What the light shall do at the point. */
+    /** Effect of the light at the point. */
     public sealed interface Goal {
-        /** It aims there and stays where it is. */
+        /** Aims at the point without moving. */
         record Pool() implements Goal {}
 
-        /** Its highlight lies there: it goes where the view is mirrored to (V·R = 1 in paper §2.2). */
+        /** Places the highlight there: moves along the mirrored view direction (V·R = 1 in paper §2.2). */
         record Highlight() implements Goal {}
 
-        /** It shines straight onto the surface there: it goes along the normal (N·L = 1). */
+        /** Lights the surface head-on there: moves along the normal (N·L = 1). */
         record Diffuse() implements Goal {}
 
         /**
-         * Its light begins there and reaches to the edge of the shape as the eye sees it: it goes behind, along the surface, in the plane of
-         * view and normal (N·L = 0).
+         * Starts a rim light there that reaches to the object's silhouette. Moves behind the object, tangentially, in the plane of view and
+         * normal (N·L = 0).
          */
         record Rim() implements Goal {}
 
         /**
-         * The shadow of a point falls there: it goes behind that point.
+         * Casts the shadow of a point there: moves behind that point.
          *
-         * @param occluder of what throws the shadow
+         * @param occluder point on the shadow's caster
          */
         record Shadow(Vec3 occluder) implements Goal {}
     }
 
-    /** A drag that begins at a point; the light keeps its distance from there. */
+    /** Starts a drag at a point; the light keeps its distance from there. */
     public static LightPlacement start(Light light, Goal goal, Vec3 point) {
         double distance = light.position().minus(point).length();
         return new LightPlacement(light, goal, distance >= MIN_DISTANCE ? distance : 1);
     }
 
-    /** The same from another distance. */
+    /** Returns this placement at another distance. */
     public LightPlacement withDistance(double v) {
         return new LightPlacement(startLight, goal, v);
     }
 
     /**
-     * The light that does it at a point.
+     * Returns the light placed for a point.
      *
-     * @throws IllegalArgumentException where it cannot, and if the light has no direction but would have to turn
+     * @throws IllegalArgumentException if no placement exists, or if the light would have to turn but has no direction
      */
     public Light place(ScenePicker.SurfaceHit hit) {
         Vec3 point = hit.point();
@@ -73,14 +73,14 @@ public record LightPlacement(Light startLight, Goal goal, double distance) {
             case Goal.Rim() -> {
                 Vec3 tangent = view.minus(normal.times(view.dot(normal)));
                 if (!(tangent.length() >= MIN_RIM_SINE)) {
-                    throw new IllegalArgumentException(Messages.tr("the surface faces the eye there; a rim is where it turns away"));
+                    throw new IllegalArgumentException(Messages.tr("the surface faces the camera here; a rim light needs a silhouette"));
                 }
                 yield placeAlong(point, tangent.normalized(), distance);
             }
             case Goal.Shadow(Vec3 thrower) -> {
                 Vec3 toOccluder = thrower.minus(point);
                 if (!(toOccluder.maxAbs() >= MIN_DISTANCE)) {
-                    throw new IllegalArgumentException(Messages.tr("the shadow falls on what throws it"));
+                    throw new IllegalArgumentException(Messages.tr("the shadow falls on its own caster"));
                 }
                 yield placeAlong(point, toOccluder.normalized(), distance > toOccluder.length() ? distance : 2 * toOccluder.length());
             }
@@ -88,10 +88,10 @@ public record LightPlacement(Light startLight, Goal goal, double distance) {
     }
 
     /**
-     * A light that was placed, at another distance from its point on the same side: what it does there it does still. Nearer than what
-     * throws its shadow it does not go. A directional light stays.
+     * Moves a placed light to another distance from its point, keeping its effect there. It stays behind the caster of its shadow. A
+     * directional light does not move.
      *
-     * @param placed as {@link #place} gave it for the point
+     * @param placed result of {@link #place} for the point
      */
     public Light moveToDistance(Light placed, Vec3 point, double requested) {
         Vec3 offset = placed.position().minus(point);
@@ -103,14 +103,14 @@ public record LightPlacement(Light startLight, Goal goal, double distance) {
         return placed.withPosition(point.plus(offset.normalized().times(Math.max(requested, minDistance))));
     }
 
-    /** The light turned to a point; see {@link #place}. */
+    /** Turns the light to a point; see {@link #place}. */
     Light aimAt(Vec3 point) {
         LightAttribute.DIRECTION.inactiveReason(startLight.type()).ifPresent(reason -> {
             throw new IllegalArgumentException(reason);
         });
         Vec3 direction = point.minus(startLight.position());
         if (!(direction.maxAbs() >= 1e-12)) {
-            throw new IllegalArgumentException(Messages.tr("the light stands at the point that it should aim at"));
+            throw new IllegalArgumentException(Messages.tr("the target is at the light's position"));
         }
         return startLight.withDirection(direction);
     }

@@ -13,18 +13,18 @@ import lightning.scene.Shape;
 import lightning.scene.TextureMap;
 
 /**
- * The edits of materials. Each is refused if there is no material of the name given, or if a value is out of its range.
- * Shapes that name none have the material {@code default}, which an edit adds to the scene where it has none of its own.
+ * Edits of materials. Each is refused if the named material does not exist or a value is out of range. Shapes without a material use {@code
+ * default}, which an edit adds to the scene if needed.
  */
 public final class MaterialEdits {
     private MaterialEdits() {}
 
-    /** The material of a shape, also one in a group; empty if there is no such shape. */
+    /** Returns the material of a shape, including shapes in groups; empty if the shape does not exist. */
     public static Optional<Material> ofShape(Scene scene, String shape) {
         return scene.stage().node(shape).filter(Shape.class::isInstance).map(s -> scene.materialsByName().get(((Shape) s).material()));
     }
 
-    /** Any edit of one material that keeps its name. */
+    /** Edits one material, keeping its name. */
     public static EditOutcome edit(Scene scene, String name, UnaryOperator<Material> edit) {
         return EditOutcome.of(() -> scene.withMaterial(edit.apply(material(scene, name))));
     }
@@ -32,21 +32,21 @@ public final class MaterialEdits {
     private static Material material(Scene scene, String name) {
         Material material = scene.materialsByName().get(name);
         if (material == null) {
-            throw new IllegalArgumentException(Messages.tr("there is no material {0}", Quote.of(name)));
+            throw new IllegalArgumentException(Messages.tr("material {0} not found", Quote.of(name)));
         }
         return material;
     }
 
-    /** Another value of an attribute. */
+    /** Sets the value of an attribute. */
     public static <V> EditOutcome set(Scene scene, String name, MaterialAttribute<V> attribute, V value) {
         return edit(scene, name, m -> attribute.with(m, value));
     }
 
     /**
-     * Puts a picture on the surface; how often it repeats is kept.
+     * Applies a texture and keeps its tiling.
      *
-     * @param file   as a scene file names it
-     * @param folder the folder of the scene file
+     * @param file   path as written in the scene file
+     * @param folder folder of the scene file
      */
     public static EditOutcome setTexture(Scene scene, String name, MaterialAttribute<Optional<TextureMap>> attribute, String file,
             Path folder) {

@@ -12,18 +12,20 @@ import lightning.scene.LightRig;
 import lightning.scene.Scene;
 import lightning.scene.SceneLimits;
 
-/** What one strip of the light mixer sets: a light, a bank of lights, or the environment. */
+/** Channel of the light mixer: a light, a light group, or the environment. */
 public sealed interface MixerChannel {
-    /** @param name of a light of the scene */
+    /** @param name name of a light of the scene */
     record OfLight(String name) implements MixerChannel {}
 
-    /** @param name of a bank of the scene */
+    /** @param name name of a light group of the scene */
     record OfLightGroup(String name) implements MixerChannel {}
 
-    /** The environment's light. */
+    /** Channel of the environment's light. */
     record OfEnvironment() implements MixerChannel {}
 
-    /** All channels: first the lights in no bank, then each bank and behind it its lights, in the scene's order; the environment last. */
+    /**
+     * Returns all channels in the order of the scene: lights without a group, then each group followed by its lights, then the environment.
+     */
     static List<MixerChannel> channelsOf(Scene scene) {
         LightRig rig = scene.rig();
         List<MixerChannel> all = new ArrayList<>(members(rig, ""));
@@ -41,7 +43,7 @@ public sealed interface MixerChannel {
         return rig.lights().stream().filter(l -> l.lightGroup().equals(group)).<MixerChannel>map(l -> new OfLight(l.name())).toList();
     }
 
-    /** As people know it. */
+    /** Returns the title for people. */
     default String title() {
         return switch (this) {
             case OfLight(String name) -> name;
@@ -50,7 +52,7 @@ public sealed interface MixerChannel {
         };
     }
 
-    /** Whether the scene has it. */
+    /** Tests if the scene has this channel. */
     default boolean isIn(Scene scene) {
         return switch (this) {
             case OfLight(String name) -> scene.light(name).isPresent();
@@ -60,9 +62,9 @@ public sealed interface MixerChannel {
     }
 
     /**
-     * What the fader sets: a light's own intensity, a bank's master, the environment's factor.
+     * Returns the fader's value: a light's own intensity, a group's master, or the environment's factor.
      *
-     * @throws IllegalArgumentException if the scene has no such light or bank
+     * @throws IllegalArgumentException if the scene has no such light or group
      */
     default double intensity(Scene scene) {
         return switch (this) {
@@ -72,7 +74,7 @@ public sealed interface MixerChannel {
         };
     }
 
-    /** The largest intensity allowed. */
+    /** Returns the maximum intensity. */
     default double maxIntensity() {
         return switch (this) {
             case OfLight _ -> SceneLimits.MAX_INTENSITY;
@@ -81,7 +83,7 @@ public sealed interface MixerChannel {
         };
     }
 
-    /** The scene with another intensity; throws as {@link #intensity}, and where it is out of range. */
+    /** Returns the scene with another intensity; throws as {@link #intensity}, and if it is out of range. */
     default Scene withIntensity(Scene scene, double v) {
         return switch (this) {
             case OfLight(String name) -> scene.withLight(LightEdits.light(scene, name).withIntensity(v));
@@ -90,7 +92,7 @@ public sealed interface MixerChannel {
         };
     }
 
-    /** A light's color or a bank's gel; the environment has none. */
+    /** Returns a light's color or a group's gel; empty for the environment. */
     default Optional<Rgb> color(Scene scene) {
         return switch (this) {
             case OfLight(String name) -> Optional.of(LightEdits.light(scene, name).color());
@@ -99,7 +101,7 @@ public sealed interface MixerChannel {
         };
     }
 
-    /** The scene with another color; the same where it has none. Throws as {@link #withIntensity}. */
+    /** Returns the scene with another color; unchanged for the environment. Throws as {@link #withIntensity}. */
     default Scene withColor(Scene scene, Rgb v) {
         return switch (this) {
             case OfLight(String name) -> scene.withLight(LightEdits.light(scene, name).withColor(v));
@@ -108,7 +110,7 @@ public sealed interface MixerChannel {
         };
     }
 
-    /** Whether it is switched on; the environment always is. */
+    /** Tests if the channel is on; the environment always is. */
     default boolean isOn(Scene scene) {
         return switch (this) {
             case OfLight(String name) -> LightEdits.light(scene, name).on();
@@ -117,7 +119,7 @@ public sealed interface MixerChannel {
         };
     }
 
-    /** The scene with it switched. */
+    /** Returns the scene with the channel on or off. */
     default Scene withOn(Scene scene, boolean v) {
         return switch (this) {
             case OfLight(String name) -> scene.withLight(LightEdits.light(scene, name).withOn(v));
@@ -126,7 +128,7 @@ public sealed interface MixerChannel {
         };
     }
 
-    /** Whether it is solo; the environment never is. */
+    /** Tests if the channel is solo; the environment never is. */
     default boolean isSolo(Scene scene) {
         return switch (this) {
             case OfLight(String name) -> LightEdits.light(scene, name).solo();
@@ -135,7 +137,7 @@ public sealed interface MixerChannel {
         };
     }
 
-    /** The scene with it solo, or not. */
+    /** Returns the scene with the channel's solo on or off. */
     default Scene withSolo(Scene scene, boolean v) {
         return switch (this) {
             case OfLight(String name) -> scene.withLight(LightEdits.light(scene, name).withSolo(v));
@@ -144,7 +146,7 @@ public sealed interface MixerChannel {
         };
     }
 
-    /** Whether it adds to the picture: it is on, and no other's solo darkens it. */
+    /** Tests if the channel contributes to the image: it is on and not muted by another's solo. */
     default boolean isShining(Scene scene) {
         return switch (this) {
             case OfLight(String name) -> scene.isActive(LightEdits.light(scene, name));
@@ -153,7 +155,7 @@ public sealed interface MixerChannel {
         };
     }
 
-    /** The places of its lights among those of the scene; none for the environment. */
+    /** Returns the indices of the channel's lights in the scene; none for the environment. */
     default int[] lightIndices(Scene scene) {
         List<Light> lights = scene.lights();
         return IntStream.range(0, lights.size()).filter(i -> switch (this) {

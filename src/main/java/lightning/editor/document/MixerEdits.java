@@ -12,19 +12,19 @@ import java.util.stream.IntStream;
 import lightning.scene.Light;
 import lightning.scene.Scene;
 
-/** The edits of the light mixer: of one strip or of all that are selected, each one step to undo. */
+/** Edits of the light mixer on one or all selected channels, each one undo step. */
 public final class MixerEdits {
-    /** What a fader sets has so many digits, that files stay readable: a step of 10⁻⁵ is a 70000th of a stop. */
+    /** Significant digits of a fader's value, so that files stay readable: a step of 10⁻⁵ is 1/70000 stop. */
     private static final MathContext DIGITS = new MathContext(6);
 
     private MixerEdits() {}
 
-    /** Stops of an intensity: its logarithm to the base of 2; −∞ for 0. */
+    /** Converts an intensity to stops, its base-2 logarithm; −∞ for 0. */
     public static double stops(double intensity) {
         return Math.log(intensity) / Math.log(2);
     }
 
-    /** The intensity of so many stops, to six digits; 0 for −∞. */
+    /** Converts stops to an intensity with six digits; 0 for −∞. */
     public static double intensityOfStops(double stops) {
         return rounded(Math.pow(2, stops));
     }
@@ -33,15 +33,15 @@ public final class MixerEdits {
         return v == 0 || !Double.isFinite(v) ? v : BigDecimal.valueOf(v).round(DIGITS).doubleValue();
     }
 
-    /** Sets the intensity of each: the absolute edit. */
+    /** Sets the intensity of each channel (absolute edit). */
     public static EditOutcome setIntensity(Scene scene, Collection<MixerChannel> channels, double intensity) {
         return editEach(scene, channels, (s, channel) -> channel.withIntensity(s, intensity));
     }
 
     /**
-     * Makes the intensity of each so many times what it was: the relative edit. Refused where that is too much for one.
+     * Multiplies the intensity of each channel (relative edit). Refused if one exceeds its maximum.
      *
-     * @param base the scene of which they were
+     * @param base scene with the initial intensities
      */
     public static EditOutcome scaleIntensity(Scene scene, Scene base, Collection<MixerChannel> channels, double factor) {
         return editEach(scene, channels, (s, channel) -> channel.withIntensity(s,
@@ -49,15 +49,15 @@ public final class MixerEdits {
     }
 
     /**
-     * Makes all that shines so many times what it was: every light and the environment. Banks, which are factors of their
-     * lights, stay, and so do ambience and background.
+     * Multiplies all light sources: every light and the environment. Light groups, which multiply their lights, stay unchanged, as do
+     * ambience and background.
      */
     public static EditOutcome scaleAll(Scene scene, Scene base, double factor) {
         return scaleIntensity(scene, base,
                 MixerChannel.channelsOf(scene).stream().filter(c -> !(c instanceof MixerChannel.OfLightGroup)).toList(), factor);
     }
 
-    /** Any edit of each. */
+    /** Edits each channel. */
     public static EditOutcome editEach(Scene scene, Collection<MixerChannel> channels, BiFunction<Scene, MixerChannel, Scene> edit) {
         return EditOutcome.of(() -> {
             Scene edited = scene;
@@ -69,9 +69,9 @@ public final class MixerEdits {
     }
 
     /**
-     * Puts a light to another place in the order of the scene, which is that of its file.
+     * Moves a light within the order of the scene, which is that of its file.
      *
-     * @param before the light that it stands before then; of another bank, or none, it joins that one too
+     * @param before light that follows it then; the moved light joins that light's group
      */
     public static EditOutcome moveBefore(Scene scene, String light, String before) {
         return EditOutcome.of(() -> {
@@ -88,18 +88,18 @@ public final class MixerEdits {
     }
 
     /**
-     * Puts a bank to another place in the order of the banks, which is that of the file.
+     * Moves a light group within the order of the groups, which is that of the file.
      *
-     * @param before the bank that it stands before then; empty for the last place
+     * @param before group that follows it then; empty for the last place
      */
     public static EditOutcome moveLightGroup(Scene scene, String group, Optional<String> before) {
         return EditOutcome.of(() -> scene.withRig(scene.rig().moveLightGroup(group, before)));
     }
 
     /**
-     * Puts a light behind the last of a bank, which it joins.
+     * Moves a light after the last one of a group, which it joins.
      *
-     * @param group a bank's name; empty for the lights in none
+     * @param group name of a group; empty for lights without a group
      */
     public static EditOutcome moveToEnd(Scene scene, String light, String group) {
         return EditOutcome.of(() -> {

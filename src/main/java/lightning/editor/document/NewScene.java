@@ -5,7 +5,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import lightning.base.file.AtomicFile;
 
-/** The scene that a new file begins with: a ball on a floor and three lights, of the size of a screen and with smooth edges. */
+/** Default content of a new scene: a ball on a floor and three lights, at screen size and with smooth edges. */
 public final class NewScene {
     private static final String TEXT = """
             jen 1
@@ -28,9 +28,9 @@ public final class NewScene {
     private NewScene() {}
 
     /**
-     * Writes it, in place of what was there.
+     * Writes the default scene, replacing an existing file.
      *
-     * @throws IOException if it cannot be written
+     * @throws IOException if the file cannot be written
      */
     public static void write(Path file) throws IOException {
         AtomicFile.of(file).write(TEXT.getBytes(StandardCharsets.UTF_8));

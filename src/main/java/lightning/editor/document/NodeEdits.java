@@ -13,26 +13,26 @@ import lightning.scene.SceneLimits;
 import lightning.scene.SceneNode;
 import lightning.scene.Shape;
 
-/** The edits of shapes and groups. Each is refused if there is none of the name given. */
+/** Edits of shapes and groups. Each is refused if the named node does not exist. */
 public final class NodeEdits {
-    /** Leaves room for a number in a name of the greatest length. */
+    /** Leaves room for a number within the maximum name length. */
     private static final int MAX_STEM = SceneLimits.MAX_NAME - 7;
-    /** More numbers than a scene has names. */
+    /** Exceeds the number of names in any scene. */
     private static final int MAX_STRIDE = 1 << 22;
 
     private NodeEdits() {}
 
     private static SceneNode node(Scene scene, String name) {
         return scene.stage().node(name)
-                .orElseThrow(() -> new IllegalArgumentException(Messages.tr("there is no shape {0}", Quote.of(name))));
+                .orElseThrow(() -> new IllegalArgumentException(Messages.tr("object {0} not found", Quote.of(name))));
     }
 
-    /** Any edit of one shape or group that keeps its name. */
+    /** Edits one shape or group, keeping its name. */
     public static EditOutcome edit(Scene scene, String name, UnaryOperator<SceneNode> edit) {
         return EditOutcome.of(() -> scene.withNode(name, edit.apply(node(scene, name))));
     }
 
-    /** Another place, turn or size. */
+    /** Sets position, rotation and scale. */
     public static EditOutcome setPlacement(Scene scene, String name, UnaryOperator<Placement> edit) {
         return edit(scene, name, n -> n.withPlacement(edit.apply(n.placement())));
     }
@@ -41,12 +41,12 @@ public final class NodeEdits {
         return edit(scene, name, n -> n.withVisible(visible));
     }
 
-    /** Takes a shape, or a group with all that is in it, out of the scene. */
+    /** Deletes a shape, or a group with its content. */
     public static EditOutcome delete(Scene scene, String name) {
         return EditOutcome.of(() -> scene.replaceNode(node(scene, name).name(), List.of()));
     }
 
-    /** Refused if the name is taken or could not stand in a scene file. */
+    /** Renames a node; refused if the name is taken or invalid in a scene file. */
     public static EditOutcome rename(Scene scene, String name, String newName) {
         return EditOutcome.of(() -> scene.replaceNode(name, List.of(switch (node(scene, name)) {
             case NodeGroup g -> new NodeGroup(newName, g.placement(), g.children(), g.visible());
@@ -54,7 +54,7 @@ public final class NodeEdits {
         })));
     }
 
-    /** Puts a copy, with free names for it and all that is in it, behind a shape or a group and a little beside it. */
+    /** Adds a copy of a node after it, with unique names and a small offset. */
     public static EditOutcome duplicate(Scene scene, String name) {
         return EditOutcome.of(() -> {
             SceneNode original = node(scene, name);
@@ -63,7 +63,7 @@ public final class NodeEdits {
         });
     }
 
-    /** The name that a copy of a shape or a group gets. */
+    /** Returns the name of a node's next copy. */
     public static String copyName(Scene scene, String name) {
         return freeName(scene, name, Set.of());
     }
@@ -83,10 +83,10 @@ public final class NodeEdits {
     }
 
     /**
-     * A name that no light, shape or group has: the same with the next number behind it that is free. Where that and those after it are
-     * taken, it is sought in strides that double, since a hundred thousand shapes may be numbered.
+     * Returns the name with the next free number, unique among lights, shapes and groups. Searches taken numbers in doubling strides, as a
+     * scene may have a hundred thousand numbered shapes.
      *
-     * @param newNames names that are about to be taken
+     * @param newNames names reserved for other new nodes
      */
     static String freeName(Scene scene, String name, Set<String> newNames) {
         String stem = name.replaceFirst("\\d{1,6}$", "");

@@ -13,17 +13,17 @@ import lightning.scene.SceneNode;
 import lightning.scene.Stage;
 
 /**
- * The handles about the origin of the selected shape or group in the preview: an arrow along each axis of what it stands in, the scene
- * or its group, a ring about each, a square for its size and the origin itself. About the same size on the screen at every distance.
+ * Transform handles at the origin of the selected shape or group in the preview. It has an arrow and a ring per axis of its parent space, a
+ * square for scale, and the origin. The handles are about equally large on the screen at every distance.
  *
- * @param node    as it was when the handles were made
- * @param origin  where its own origin is, in the scene
- * @param axes    unit directions of the scene along which x, y and z of its place count
- * @param toParent    maps directions of the scene to those that its place counts in
- * @param handles the parts; those that this view sees edge-on are left out
+ * @param node     node when the handles were created
+ * @param origin   its origin in scene space
+ * @param axes     unit directions of the parent's x, y and z in scene space
+ * @param toParent maps directions from scene space to parent space
+ * @param handles  handles, without those seen edge-on
  */
 public record NodeGizmo(SceneNode node, Vec3 origin, List<Vec3> axes, Transform toParent, List<Handle> handles) {
-    /** Pixels. */
+    /** Start of an arrow, in pixels from the origin. */
     private static final double ARROW_START = 14;
     private static final double ARROW = 84;
     private static final double TIP = 12;
@@ -31,29 +31,29 @@ public record NodeGizmo(SceneNode node, Vec3 origin, List<Vec3> axes, Transform 
     private static final double SIZE = 70;
     private static final double SQUARE = 5;
     private static final int SIDES = 48;
-    /** A ring or an arrow is left out where its plane, or it itself, is within about this of the direction of the view, radians. */
+    /** Angle to the view direction below which a ring or an arrow is hidden as edge-on, in radians. */
     private static final double EDGE_ON = 0.12;
     private static final double NEAR_SHARE = 1e-3;
     private static final double SCALE_STEP = 0.1;
 
-    /** What a handle does. */
+    /** Action of a handle. */
     public enum Action {
         MOVE,
         ROTATE,
         SCALE,
-        /** Moves in the viewing plane. */
+        /** Moves in the view plane. */
         MOVE_IN_VIEW
     }
 
     /**
-     * A part that can be taken.
+     * Handle that can be dragged.
      *
-     * @param axis  0, 1 or 2; of no meaning where it does not act along or about an axis
-     * @param lines in the scene
+     * @param axis  0, 1 or 2; ignored by actions without an axis
+     * @param lines lines in the scene
      */
     public record Handle(Action action, int axis, List<LightGizmo.Segment> lines) {}
 
-    /** The handles of a node of a scene; empty where it is behind the eye. */
+    /** Returns the handles of a node; empty if it is behind the camera. */
     public static Optional<NodeGizmo> of(Scene scene, SceneNode node, PreviewCamera view, Viewport canvas) {
         Transform outer = Transform.IDENTITY;
         Transform toParent = Transform.IDENTITY;
@@ -99,7 +99,7 @@ public record NodeGizmo(SceneNode node, Vec3 origin, List<Vec3> axes, Transform 
                 new LightGizmo.Segment(tip, base.minus(side)), new LightGizmo.Segment(base.plus(side), base.minus(side)));
     }
 
-    /** Two unit directions at right angles to an axis and to each other, the second a quarter turn after the first. */
+    /** Returns two unit directions perpendicular to an axis and to each other, the second a quarter turn after the first. */
     private static Vec3 perpendicular(Vec3 axis) {
         Vec3 other = Math.abs(axis.y()) < 0.9 ? Vec3.Y : unit(0);
         return other.minus(axis.times(axis.dot(other))).normalized();
@@ -127,14 +127,14 @@ public record NodeGizmo(SceneNode node, Vec3 origin, List<Vec3> axes, Transform 
         return IntStream.range(0, 4).mapToObj(i -> new LightGizmo.Segment(corners.get(i), corners.get((i + 1) % 4))).toList();
     }
 
-    /** The lines of a handle on the canvas. */
+    /** Returns the lines of a handle on the canvas. */
     public static List<LightGizmo.Stroke> strokes(Handle handle, PreviewCamera view, Viewport canvas) {
         double near = NEAR_SHARE * view.distance();
         return handle.lines().stream().filter(l -> view.depth(l.from()) > near && view.depth(l.to()) > near)
                 .map(l -> new LightGizmo.Stroke(canvas.project(view, l.from()), canvas.project(view, l.to()))).toList();
     }
 
-    /** The handle nearest to a place, at most {@code tolerance} pixels away; the later ones lie over those before. */
+    /** Returns the handle nearest to a position, at most {@code tolerance} pixels away; later handles are on top. */
     public Optional<Handle> pick(PreviewCamera view, Viewport canvas, Viewport.Pixel point, double tolerance) {
         Handle best = null;
         double minDistance = tolerance;
@@ -151,17 +151,17 @@ public record NodeGizmo(SceneNode node, Vec3 origin, List<Vec3> axes, Transform 
     }
 
     /**
-     * The placement after a drag of a handle. It follows from the node as the drag began and both ends of the way of the mouse, so that
-     * a drag back to its begin restores it.
+     * Returns the placement after dragging a handle. It depends only on the node at the start and both ends of the movement, so that
+     * returning to the start restores it.
      */
     public Placement drag(Handle handle, PreviewCamera view, Viewport canvas, Viewport.Pixel from, Viewport.Pixel to) {
         return drag(handle, view, canvas, from, to, false);
     }
 
     /**
-     * The same.
+     * Returns the placement after dragging a handle.
      *
-     * @param isSnapping whether it moves, turns and scales in round steps: see {@link Snapping}
+     * @param isSnapping whether it moves, rotates and scales in round steps: see {@link Snapping}
      */
     public Placement drag(Handle handle, PreviewCamera view, Viewport canvas, Viewport.Pixel from, Viewport.Pixel to, boolean isSnapping) {
         Placement p = node.placement();
@@ -197,7 +197,7 @@ public record NodeGizmo(SceneNode node, Vec3 origin, List<Vec3> axes, Transform 
                 node.placement().scale());
     }
 
-    /** How far along an axis through the origin the point lies that comes nearest to what is under a place. */
+    /** Returns the coordinate along an axis through the origin that is nearest to the view ray of a position. */
     private double axisCoordinate(Vec3 axis, PreviewCamera view, Viewport canvas, Viewport.Pixel point) {
         Vec3 viewDirection = canvas.direction(view, point.x(), point.y());
         Vec3 offset = view.camera().from().minus(origin);
@@ -205,7 +205,9 @@ public record NodeGizmo(SceneNode node, Vec3 origin, List<Vec3> axes, Transform 
         return (offset.dot(axis) - offset.dot(viewDirection) * cosine) / Math.max(1 - cosine * cosine, EDGE_ON * EDGE_ON / 4);
     }
 
-    /** The angle about an axis, from the one after it to the one after that, of what is under a place in the plane of its ring; radians. */
+    /**
+     * Returns the angle about an axis of a position's intersection with the ring's plane, from the next axis to the one after, in radians.
+     */
     private double ringAngle(int axis, PreviewCamera view, Viewport canvas, Viewport.Pixel point) {
         Vec3 normal = axes.get(axis);
         Vec3 viewDirection = canvas.direction(view, point.x(), point.y());

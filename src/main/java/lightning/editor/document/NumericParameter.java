@@ -16,25 +16,22 @@ import lightning.scene.Scene;
 import lightning.scene.SceneAttribute;
 import lightning.scene.World;
 
-/**
- * One number that an arrow widget or a slider of the property editor turns (paper §3.2, Figure 5): of the selected
- * light, or of the whole scene.
- */
+/** Numeric parameter of the property editor's arrow widgets and sliders (paper §3.2, Figure 5), of the selected light or of the scene. */
 public final class NumericParameter {
-    /** Of the scene. */
+    /** Ambient light of the scene. */
     public static final NumericParameter AMBIENCE = ofWorld(World.AMBIENCE);
-    /** Of the scene: a factor of what comes from its environment. */
+    /** Factor of the environment's light. */
     public static final NumericParameter ENVIRONMENT_INTENSITY = ofWorld(World.INTENSITY);
-    /** Of the scene: how far its environment is turned. */
+    /** Rotation of the environment. */
     public static final NumericParameter ENVIRONMENT_ROTATION = ofWorld(World.ROTATION);
-    /** Of the scene: how many lamps its environment's light is made of, whole. */
+    /** Number of environment samples, an integer. */
     public static final NumericParameter ENVIRONMENT_LAMPS = ofWorld(World.LIGHT_COUNT);
-    /** Of the scene: how far each of these is spread over the part of the environment that it stands for. */
+    /** Spread of each sample over its part of the environment. */
     public static final NumericParameter ENVIRONMENT_SOFTNESS = ofWorld(World.SOFTNESS);
-    /** Of the scene: mirror bounces, whole. */
+    /** Reflection bounces, an integer. */
     public static final NumericParameter DEPTH = ofScene(PictureSettings.DEPTH, Scene::picture, Scene::withPicture, _ -> Optional.empty());
 
-    /** All, those of lights first. */
+    /** All parameters, those of lights first. */
     public static final List<NumericParameter> ALL =
             Stream.concat(LightAttribute.ALL.stream().flatMap(a -> of(a).stream()), Stream.of(AMBIENCE, ENVIRONMENT_INTENSITY,
                     ENVIRONMENT_ROTATION, ENVIRONMENT_LAMPS, ENVIRONMENT_SOFTNESS, DEPTH)).toList();
@@ -74,7 +71,9 @@ public final class NumericParameter {
         this.setter = setter;
     }
 
-    /** A dial for each number of an attribute; none where it has no numbers, or where they are set together as a place is. */
+    /**
+     * Returns a parameter for each number of an attribute; none for other attributes, or if the numbers are set together, as in a position.
+     */
     public static <V> List<NumericParameter> of(LightAttribute<V> attribute) {
         return attribute.kind() instanceof NumericKind<V> quantity && !quantity.isVector()
                 ? IntStream.range(0, quantity.labels().size()).mapToObj(i -> of(attribute, quantity, i)).toList() : List.of();
@@ -82,7 +81,7 @@ public final class NumericParameter {
 
     private static <V> NumericParameter of(LightAttribute<V> attribute, NumericKind<V> quantity, int index) {
         String label = quantity.labels().get(index);
-        // What a channel or an axis is of, people see by the color or the place that it stands beside.
+        // A color or position next to the field shows which channel or axis it is.
         String title = label.isEmpty() ? attribute.title()
                 : quantity.form() == NumericKind.Form.COLOR ? label : attribute.title() + " " + label;
         return new NumericParameter(title, label.isEmpty() ? title : label, quantity, false,
@@ -112,42 +111,42 @@ public final class NumericParameter {
                         attribute.with(getPart.get(scene), quantity.with(attribute.get(getPart.get(scene)), 0, value))));
     }
 
-    /** For people, lower case: {@code attenuation linear}. */
+    /** Returns the title for people in lower case: {@code attenuation linear}. */
     public String title() {
         return title;
     }
 
-    /** The last word of the title: {@code linear}. */
+    /** Returns the last word of the title: {@code linear}. */
     public String label() {
         return label;
     }
 
-    /** What one click adds, and the limits. */
+    /** Returns the step of one click and the limits. */
     public StepRange range() {
         return new StepRange(quantity.step(), quantity.min(), quantity.max());
     }
 
-    /** What the number is measured in. */
+    /** Returns the unit of the number. */
     public NumberUnit measure() {
         return quantity.unit();
     }
 
-    /** Whether it belongs to the scene and needs no light. */
+    /** Tests if the parameter belongs to the scene and needs no light. */
     public boolean isOfScene() {
         return isOfScene;
     }
 
     /**
-     * The value shown.
+     * Returns the displayed value.
      *
-     * @param light the name of a light of the scene; not looked at where {@link #isOfScene()}
-     * @throws IllegalArgumentException if it is needed and there is none of that name
+     * @param light name of a light of the scene; ignored if {@link #isOfScene()}
+     * @throws IllegalArgumentException if the light is needed and does not exist
      */
     public double value(Scene scene, String light) {
         return getter.get(scene, light);
     }
 
-    /** Sets the value; refused if it is out of its range, and if it is not whole where it must be. */
+    /** Sets the value; refused if it is out of range, or not an integer if required. */
     public EditOutcome set(Scene scene, String light, double value) {
         return EditOutcome.of(() -> {
             quantity.check(title, value);
@@ -156,15 +155,15 @@ public final class NumericParameter {
     }
 
     /**
-     * Clicks the widget: adds steps, in decimal so that 1.1 and one step make 1.2, and stops at the limits.
+     * Adds steps in decimal arithmetic, so that 1.1 and one step make 1.2, clamped to the limits.
      *
-     * @param steps how many, down where negative
+     * @param steps number of steps, negative for down
      */
     public EditOutcome step(Scene scene, String light, int steps) {
         return EditOutcome.of(() -> set(scene, light, range().addSteps(value(scene, light), steps)).sceneOr(scene));
     }
 
-    /** Why it cannot be turned: a clause; empty if it can. */
+    /** Returns the reason why the parameter is disabled, a clause; empty if it is enabled. */
     public Optional<String> disabledReason(Scene scene, Optional<Light> selected) {
         return disabledReason.apply(scene, selected);
     }

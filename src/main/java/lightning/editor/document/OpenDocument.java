@@ -14,16 +14,16 @@ import lightning.scene.Light;
 import lightning.scene.Scene;
 import lightning.scene.shot.AnimatedScene;
 
-/** The open scene file: what it holds now, what was selected, what can be undone, and what is not saved yet. */
+/** Open scene document: current scene, selection, history, and unsaved changes. */
 public final class OpenDocument {
     private final EditHistory history;
-    /** What the file held when it was read or written here; its state is none where it never held what was opened. */
+    /** Content of the file when this editor last read or wrote it; its state is empty if the file never had this content. */
     private SavedScene saved;
     private DiskStatus diskStatus;
     private boolean ignoresDiskChange;
     private Selection selection = Selection.NONE;
     private int frame;
-    /** The scene shown last, and of which frame of what it is; {@code frameProblem} says why it is no frame's. */
+    /** Displayed scene and its frame; {@code frameProblem} says why the frame cannot be shown. */
     private Scene shownScene;
     private AnimatedScene shownContent;
     private int shownFrame;
@@ -38,8 +38,8 @@ public final class OpenDocument {
     /**
      * Opens a scene file.
      *
-     * @throws IOException  if it cannot be read at all
-     * @throws JenException if its content is wrong; holds all problems
+     * @throws IOException  if the file cannot be read
+     * @throws JenException if its content is invalid; holds all problems
      */
     public static OpenDocument open(Path file) throws IOException, JenException {
         return new OpenDocument(SavedScene.read(file));
@@ -52,10 +52,10 @@ public final class OpenDocument {
     }
 
     /**
-     * Opens a scene file with the edits that a crash left unsaved, as one step that can be undone. Where the file itself
-     * is gone or wrong, the recovered text stands in for it.
+     * Opens a scene file with the unsaved edits of a crashed process, as one undo step. If the file itself is missing or invalid, uses the
+     * recovered text instead.
      *
-     * @throws JenException if the recovered text does not parse, as where its textures are gone
+     * @throws JenException if the recovered text is invalid, for example because its textures are missing
      */
     public static OpenDocument recover(RecoveryFolder.RecoverableScene recoverable) throws JenException {
         JenDocument edits =
@@ -74,12 +74,12 @@ public final class OpenDocument {
         return saved.file();
     }
 
-    /** The file's name without its folder, as a line shows it. */
+    /** Returns the file's name without its folder. */
     public String name() {
         return Quote.path(file().getFileName());
     }
 
-    /** The scene as it is at the frame that is shown; where it has no shot, the scene. */
+    /** Returns the scene at the displayed frame; without a shot, the scene. */
     public Scene scene() {
         AnimatedScene content = history.content();
         if (content != shownContent || frame != shownFrame) {
@@ -99,23 +99,23 @@ public final class OpenDocument {
         frameProblem = problem;
     }
 
-    /** The scene with its shot. */
+    /** Returns the scene with its shot. */
     public AnimatedScene content() {
         return history.content();
     }
 
-    /** Why the frame cannot be shown, as where a scale goes through 0: then the scene is, as it is without keys. Empty where it can. */
+    /** Returns the reason why the frame cannot be shown, for example a scale of 0. The scene then ignores keyframes. Empty otherwise. */
     public Optional<String> frameProblem() {
         scene();
         return frameProblem.isEmpty() ? Optional.empty() : Optional.of(frameProblem);
     }
 
-    /** The frame that is shown; empty where there is no shot. */
+    /** Returns the displayed frame; empty without a shot. */
     public Optional<ShotFrame> shotFrame() {
         return content().shot().map(shot -> new ShotFrame(shot, frame));
     }
 
-    /** Shows another frame of the shot, or the nearest one that it has. */
+    /** Shows another frame of the shot, clamped to its range. */
     public void showFrame(int v) {
         content().shot().ifPresent(shot -> frame = Math.clamp(v, shot.first(), shot.last()));
     }
@@ -128,60 +128,60 @@ public final class OpenDocument {
         return history;
     }
 
-    /** The text of what the document holds or held, with the comments and the order of the file. On any thread. */
+    /** Returns the text of a current or earlier content, with the comments and order of the file. Callable on any thread. */
     public String text(AnimatedScene content) {
         return saved.document().withAnimatedScene(content).text();
     }
 
-    /** The scene as the file holds it, where nothing has keys. */
+    /** Returns the scene of the file, without keyframes applied. */
     public Scene savedScene() {
         return savedDocument().scene();
     }
 
-    /** What the file holds. */
+    /** Returns the document of the file. */
     JenDocument savedDocument() {
         return saved.document();
     }
 
-    /** Whether there are edits that the file does not have. */
+    /** Tests if there are unsaved edits. */
     public boolean isDirty() {
         return knownState().equals(FileState.MISSING) || diskStatus.isDeleted() || ignoresDiskChange
                 || !content().equals(savedDocument().animatedScene());
     }
 
-    /** What the file held when it was read or written here. */
+    /** Returns the file's content state when this editor last read or wrote it. */
     public FileState knownState() {
         return saved.state();
     }
 
-    /** Takes what was seen of the file, unless that is of before it was read or written last. */
+    /** Sets the observed state of the file, unless it predates the last read or write. */
     public void setDiskStatus(DiskStatus status) {
         if (status.file().equals(file()) && status.known().equals(knownState())) {
             diskStatus = status;
         }
     }
 
-    /** What was heard last of the file on disk. */
+    /** Returns the last observed state of the file. */
     public DiskStatus diskStatus() {
         return diskStatus;
     }
 
-    /** Stays with what is open here although somebody else wrote the file; saving it asks all the same. */
+    /** Keeps the open content although another program changed the file. A save still requires confirmation. */
     public void ignoreDiskChange() {
         ignoresDiskChange = true;
     }
 
-    /** Whether someone else wrote the file, or took it away, since it was read or saved, as far as was heard. */
+    /** Tests if another program changed or deleted the file since it was last read or saved, according to the last check. */
     public boolean isChangedOnDisk() {
         return diskStatus.isChanged() || diskStatus.isDeleted();
     }
 
-    /** Makes the edit unless it was refused; returns the reason if it was. */
+    /** Applies the edit unless it was refused; returns the reason if it was. */
     public Optional<String> apply(EditOutcome change) {
         return apply(change, null);
     }
 
-    /** The same as part of a gesture: see {@link EditHistory#edit(Scene, Object)}. */
+    /** Applies the edit as part of a gesture: see {@link EditHistory#edit(Scene, Object)}. */
     public Optional<String> apply(EditOutcome change, Object gesture) {
         if (change instanceof EditOutcome.Applied to) {
             resolveSelection();
@@ -193,20 +193,20 @@ public final class OpenDocument {
             }
             history.edit(edited, gesture);
             if (frameProblem.isEmpty() && history.content() == edited) {
-                // The same in every bit as what it would be made of anew, and it shares with what was shown before.
+                // Bit-identical to a newly built scene, and shares data with the previous one.
                 show(edited, to.scene(), "");
             }
         }
         return change.refusal();
     }
 
-    /** What has keys is edited at the frame that is shown, all else at all frames. */
+    /** Edits animated attributes at the displayed frame, all others at all frames. */
     private AnimatedScene contentWith(Scene to) {
         Scene before = scene();
         return frameProblem.isEmpty() ? content().withEdit(frame, before, to) : content().withScene(to);
     }
 
-    /** Makes an edit of the scene with its shot; returns the reason if it was refused. As {@link #apply} part of a gesture. */
+    /** Edits the scene with its shot; returns the reason if refused. Part of a gesture as in {@link #apply}. */
     public Optional<String> applyToShot(Supplier<AnimatedScene> edit, Object gesture) {
         try {
             AnimatedScene edited = edit.get();
@@ -223,7 +223,7 @@ public final class OpenDocument {
         }
     }
 
-    /** After another step of the history: a frame that the shot lacks gives way to the nearest one. */
+    /** Clamps the displayed frame to the shot after a step of the history. */
     void clampFrame() {
         showFrame(frame);
     }
@@ -236,32 +236,32 @@ public final class OpenDocument {
         selection = v;
     }
 
-    /** From the next edit on, the light that stands in for one that is gone is the selected one. */
+    /** Selects the substitute of a deleted light permanently, at the next edit. */
     void resolveSelection() {
         selectedLight().ifPresent(light -> selectLight(light.name()));
     }
 
-    /** Selects the light of that name; nothing if there is none. */
+    /** Selects the light with that name; nothing if it does not exist. */
     public void selectLight(String light) {
         selection = Selection.light(history, light);
     }
 
-    /** The selected light as it is now, or its neighbor where it is gone; empty if none is selected or there are no lights. */
+    /** Returns the selected light, or its neighbor if it was deleted; empty if none is selected or there are no lights. */
     public Optional<Light> selectedLight() {
         return selection.light(history).flatMap(light -> scene().light(light.name()));
     }
 
-    /** The scene as it is now, to be written on any thread. */
+    /** Prepares a save of the current scene, to be written on any thread. */
     SaveRequest prepareSave(Path target, Set<OverwriteConfirmation> allowed) {
         return new SaveRequest(saved, content(), target, allowed);
     }
 
-    /** The scene was written. What was edited since is not in the file. */
+    /** Marks a scene as saved. Later edits are unsaved. */
     void onSaved(SavedScene newSaved) {
         setSaved(newSaved);
     }
 
-    /** The file was read anew: the document starts over with it (paper §3.4), as one step that can be undone. */
+    /** Replaces the content with the reloaded file (paper §3.4), as one undo step. */
     void onReloaded(SavedScene newSaved) {
         setSaved(newSaved);
         history.edit(newSaved.document().animatedScene(), null);

@@ -18,33 +18,32 @@ import java.util.UUID;
 import lightning.base.file.PrivateFolder;
 
 /**
- * Tells the editors of one user which scenes the others have open. Each editor has a file in a common folder that names its
- * scene, and holds a lock on it; the system releases the lock when the process ends, however it ends. A file that nobody
- * holds is removed. Belongs to one thread.
+ * Registry of the scenes open in all editors of one user. Each editor has a file in a common folder that names its scene, and holds a lock
+ * on it. The system releases the lock when the process ends. Files without a lock are deleted. Not thread-safe.
  */
 public final class OpenSceneRegistry implements AutoCloseable {
     private static final String EXTENSION = ".open";
-    /** Beyond every content: some systems let nobody read what is locked. */
+    /** Lock position after any content: some systems do not allow reads of a locked range. */
     private static final long LOCKED_BYTE = Long.MAX_VALUE - 1;
-    /** Far more than passes between the making of a file and its locking. */
+    /** Exceeds the time between creating and locking a file. */
     private static final Duration MIN_STALE_AGE = Duration.ofMinutes(1);
-    /** More than any path takes. */
+    /** Exceeds the length of any path. */
     private static final int MAX_BYTES = 1 << 16;
 
     private final Path folder;
     private final Path ownFile;
     private FileChannel channel;
 
-    /** @param folder for nothing else; made when the first scene is opened */
+    /** @param folder dedicated folder, created when the first scene is opened */
     public OpenSceneRegistry(Path folder) {
         this.folder = folder;
         ownFile = folder.resolve(UUID.randomUUID() + EXTENSION);
     }
 
     /**
-     * A scene is open here, in place of the one before.
+     * Registers an open scene in place of the previous one.
      *
-     * @throws IOException if others cannot be told
+     * @throws IOException if the registry cannot be written
      */
     public void register(Path scene) throws IOException {
         if (channel == null) {
@@ -57,7 +56,7 @@ public final class OpenSceneRegistry implements AutoCloseable {
     }
 
     /**
-     * Whether another editor has a scene open, under whatever link to it.
+     * Tests if another editor has a scene open, resolving links.
      *
      * @throws IOException if the folder cannot be read
      */
@@ -85,7 +84,7 @@ public final class OpenSceneRegistry implements AutoCloseable {
             }
             return false;
         } catch (OverlappingFileLockException e) {
-            // Another editor of this very process.
+            // Another editor of the same process.
             return true;
         } catch (IOException e) {
             return false;
@@ -100,7 +99,7 @@ public final class OpenSceneRegistry implements AutoCloseable {
         }
     }
 
-    /** What all names of a file have in common, on one line whatever is in them. */
+    /** Returns the canonical identity of a file, on one line. */
     private static String sceneId(Path scene) {
         Path absolute = scene.toAbsolutePath();
         URI name;
@@ -112,7 +111,7 @@ public final class OpenSceneRegistry implements AutoCloseable {
         return name.toString();
     }
 
-    /** Nothing is open here any more. */
+    /** Unregisters the open scene. */
     @Override
     public void close() {
         try (FileChannel openChannel = channel) {
@@ -120,7 +119,7 @@ public final class OpenSceneRegistry implements AutoCloseable {
                 Files.deleteIfExists(ownFile);
             }
         } catch (IOException e) {
-            // The next editor removes it.
+            // The next editor deletes it.
         }
         channel = null;
     }

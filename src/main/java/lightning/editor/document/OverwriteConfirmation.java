@@ -5,14 +5,14 @@ import java.util.Set;
 import lightning.base.file.AtomicFile;
 import lightning.base.file.FileState;
 
-/** What an artist who was asked allows a save to do. */
+/** Confirmed overwrites of a save. */
 public enum OverwriteConfirmation {
-    /** What another program wrote into the file meanwhile may be lost. */
+    /** Overwrites changes by another program. */
     OVERWRITE_CHANGED,
-    /** A read-only file may be replaced; it is read-only again then. */
+    /** Replaces a read-only file, which is read-only again afterwards. */
     REPLACE_READ_ONLY;
 
-    /** A file to write with what is allowed, where it was known to hold something. */
+    /** Returns a writer for a file with these confirmations and its last known state. */
     static AtomicFile safeFile(Path file, FileState knownState, Set<OverwriteConfirmation> allowed) {
         AtomicFile safe = allowed.contains(REPLACE_READ_ONLY) ? AtomicFile.of(file).allowReadOnly() : AtomicFile.of(file);
         return allowed.contains(OVERWRITE_CHANGED) ? safe : safe.ifUnchanged(knownState);

@@ -8,29 +8,25 @@ import lightning.scene.Light;
 import lightning.scene.Scene;
 import lightning.scene.SceneLimits;
 
-/**
- * The preview's own camera (paper §3.6). It turns about the point that it looks at, and never touches the traced
- * picture.
- *
- * @param camera {@code up} is always square to the view and of length 1
- */
+/** Camera of the preview (paper §3.6). It orbits its target and never affects the traced image. */
 public final class PreviewCamera {
-    /** A drag over the whole canvas zooms by this power of e. */
+    /** Zoom of a drag over the whole canvas, as a power of e. */
     private static final double ZOOM_PER_CANVAS = 2;
-    /** A drag over the whole canvas turns the scene by this angle, radians. */
+    /** Rotation of a drag over the whole canvas, in radians. */
     private static final double TURN_PER_CANVAS = Math.PI;
     private static final double MIN_DISTANCE = 1e-4;
     private static final double MAX_DISTANCE = 1e9;
     private static final double MIN_LIGHT_FOV = 2;
     private static final double MAX_LIGHT_FOV = 150;
 
+    /** Camera whose {@code up} is perpendicular to the view and of length 1. */
     private final Camera camera;
     private final Vec3 forward;
     private final Vec3 right;
     private final double sin;
     private final double cos;
 
-    /** @param source its direction that is up need not be at a right angle to the view */
+    /** @param source camera whose up direction need not be perpendicular to the view */
     public PreviewCamera(Camera source) {
         forward = source.to().minus(source.from()).normalized();
         Vec3 side = forward.cross(source.up().normalized()).normalized();
@@ -44,17 +40,17 @@ public final class PreviewCamera {
         return camera;
     }
 
-    /** The scene's own camera: button −Z (Reset). */
+    /** Returns the scene's own camera: button −Z (Reset). */
     public static PreviewCamera of(Scene scene) {
         return new PreviewCamera(scene.camera());
     }
 
-    /** The scene seen along the x axis: button X. */
+    /** Returns a view along the x axis: button X. */
     public static PreviewCamera alongX(Scene scene) {
         return along(scene, new Vec3(1, 0, 0), Vec3.Y);
     }
 
-    /** The scene seen from above, along the negative y axis, with −z up: button −Y. */
+    /** Returns a view from above, along the negative y axis, with −z up: button −Y. */
     public static PreviewCamera alongMinusY(Scene scene) {
         return along(scene, new Vec3(0, -1, 0), new Vec3(0, 0, -1));
     }
@@ -66,8 +62,8 @@ public final class PreviewCamera {
     }
 
     /**
-     * The scene as a light sees it: from its position along its direction, a spot's cone filling the picture. A point
-     * light looks at what the scene's camera looks at; a directional one looks at it from the scene camera's distance.
+     * Returns the view from a light: from its position along its direction, with a spot's cone filling the image. A point light faces the
+     * camera's target. A directional light is placed at the scene camera's distance from that target.
      */
     public static PreviewCamera throughLight(Light light, Scene scene) {
         Camera sceneCamera = scene.camera();
@@ -83,63 +79,63 @@ public final class PreviewCamera {
         return new PreviewCamera(new Camera(from, from.plus(view.times(targetDistance)), up, fov));
     }
 
-    /** The unit direction of the view. */
+    /** Returns the unit view direction. */
     public Vec3 forward() {
         return forward;
     }
 
-    /** The unit direction that is right in the picture. */
+    /** Returns the unit direction to the right in the image. */
     public Vec3 right() {
         return right;
     }
 
-    /** The unit direction that is up in the picture. */
+    /** Returns the unit direction up in the image. */
     public Vec3 up() {
         return camera.up();
     }
 
-    /** From the eye to the point that it looks at. */
+    /** Returns the distance from the camera to its target. */
     public double distance() {
         return camera.to().minus(camera.from()).length();
     }
 
-    /** How far a point lies before the eye, along the view; negative behind it. */
+    /** Returns the depth of a point along the view direction; negative behind the camera. */
     public double depth(Vec3 point) {
         return point.minus(camera.from()).dot(forward);
     }
 
     /**
-     * How long one pixel is at a depth, in scene units.
+     * Returns the length of one pixel at a depth, in scene units.
      *
      * @param depth  as {@link #depth}, &gt; 0
-     * @param height of the canvas, pixels
+     * @param height height of the canvas, pixels
      */
     public double pixelScale(double depth, double height) {
         return 2 * depth * sin / cos / height;
     }
 
-    /** The eye comes nearer (drag up) or goes away (down), by the same factor for the same way. */
+    /** Zooms in (drag up) or out (down), by a constant factor per distance. */
     public PreviewCamera zoom(double upPixels, Viewport canvas) {
         double requested = distance() * Math.exp(-ZOOM_PER_CANVAS * upPixels / canvas.height());
         double distance = Math.clamp(requested, MIN_DISTANCE, MAX_DISTANCE);
         return moved(camera.to().minus(forward().times(distance)), camera.to(), camera.up());
     }
 
-    /** The scene follows the mouse in the viewing plane through the point looked at. */
+    /** Pans the view, so that the scene follows the mouse in the view plane through the target. */
     public PreviewCamera pan(double rightPixels, double upPixels, Viewport canvas) {
         double scale = pixelScale(distance(), canvas.height());
         Vec3 step = right().times(-rightPixels * scale).plus(up().times(-upPixels * scale));
         return moved(camera.from().plus(step), camera.to().plus(step), camera.up());
     }
 
-    /** The scene turns with the mouse as if it were enclosed in a sphere about the point looked at. */
+    /** Rotates the view like a trackball around the target. */
     public PreviewCamera trackball(double rightPixels, double upPixels, Viewport canvas) {
         double radiansPerPixel = TURN_PER_CANVAS / Math.min(canvas.width(), canvas.height());
         double angle = Math.hypot(rightPixels, upPixels) * radiansPerPixel;
         if (angle == 0) {
             return this;
         }
-        // The near side of the scene goes with the mouse, so the eye goes the other way.
+        // The near side of the scene follows the mouse, so the camera moves in the opposite direction.
         Vec3 axis = up().times(-rightPixels).plus(right().times(upPixels)).normalized();
         Vec3 eye = VectorRotation.rotate(axis, angle, camera.from().minus(camera.to()));
         return moved(camera.to().plus(eye), camera.to(), VectorRotation.rotate(axis, angle, camera.up()));

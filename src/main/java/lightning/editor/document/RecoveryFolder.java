@@ -19,22 +19,22 @@ import lightning.base.text.Quote;
 import lightning.format.jen.JenLimits;
 
 /**
- * A folder that keeps unsaved scenes for the case of a crash: for each open document one file, the text of the scene
- * behind a line that names the process and the scene's own file. Nobody but their owner may read them.
+ * Crash recovery folder with one file per open document: a header line with the process and the scene's path, followed by the scene text.
+ * Only the owner can read the files.
  *
- * <p>A file whose process has ended was left behind by a crash.
+ * <p>A file of a process that has ended is left from a crash.
  */
 public final class RecoveryFolder {
     private static final String HEADER = "# Lightning kept this of process ";
     private static final String FILE_SEPARATOR = " for ";
     private static final String EXTENSION = ".kept.jen";
-    /** More than the line of any path takes. */
+    /** Exceeds the header of any path. */
     private static final int MAX_HEADER_BYTES = 1 << 16;
 
     private final Path folder;
     private final String process;
 
-    /** @param folder made when the first scene is kept */
+    /** @param folder folder, created when the first scene is stored */
     public RecoveryFolder(Path folder) {
         this(folder, ProcessIdentity.current().toString());
     }
@@ -45,24 +45,23 @@ public final class RecoveryFolder {
     }
 
     /**
-     * A scene that a crash left unsaved.
+     * Unsaved scene of a crashed process.
      *
-     * @param recoveryFile the file in the recovery folder
-     * @param file the scene's own file, absolute
-     * @param text what that file would hold if it had been saved
+     * @param recoveryFile file in the recovery folder
+     * @param file         scene file, absolute
+     * @param text         unsaved content of the scene file
      */
     public record RecoverableScene(Path recoveryFile, Path file, String text) {
-        /** Forgets it. */
+        /** Deletes the recovery file. */
         public void delete() throws IOException {
             Files.deleteIfExists(recoveryFile);
         }
     }
 
     /**
-     * Keeps the text of a scene, in place of what was kept for the same file.
+     * Stores the text of a scene, replacing an older one for the same file.
      *
-     * @throws IOException if it cannot be written, or has more than {@link JenLimits#FILE_BYTES} bytes; what was kept before is then
-     *                     still there
+     * @throws IOException if it cannot be written, or exceeds {@link JenLimits#FILE_BYTES} bytes; the older one is then unchanged
      */
     public void store(Path file, String text) throws IOException {
         PrivateFolder.restrict(folder);
@@ -70,7 +69,7 @@ public final class RecoveryFolder {
         byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
         if (bytes.length > JenLimits.FILE_BYTES) {
             throw new IOException(Quote.path(file) + ": "
-                    + Messages.tr("the text of a scene may have at most {0} bytes, found {1}", JenLimits.FILE_BYTES, bytes.length));
+                    + Messages.tr("expected at most {0} bytes of scene text, found {1}", JenLimits.FILE_BYTES, bytes.length));
         }
         AtomicFile.of(recoveryFile(file)).forOwnerOnly().write((AtomicFile.Content) out -> {
             out.write(header);
@@ -78,18 +77,18 @@ public final class RecoveryFolder {
         });
     }
 
-    /** Forgets what this process kept for a file: it was saved, or closed on purpose. */
+    /** Deletes this process's recovery file of a scene that was saved or closed on purpose. */
     public void delete(Path file) throws IOException {
         Files.deleteIfExists(recoveryFile(file));
     }
 
-    /** Takes over what a crash left as this process's own: it is there at every moment, and found by nobody else. */
+    /** Adopts the recovery file of a crashed process. The file exists at every moment and no other process finds it. */
     public void adopt(RecoverableScene recoverable) throws IOException {
         store(recoverable.file(), recoverable.text());
         recoverable.delete();
     }
 
-    /** What crashed processes left, the latest first. A file that cannot be read is passed over. */
+    /** Returns the scenes of crashed processes, newest first. Skips unreadable files. */
     public List<RecoverableScene> list() throws IOException {
         List<RecoverableScene> scenes = new ArrayList<>();
         if (Files.isDirectory(folder)) {
@@ -103,7 +102,7 @@ public final class RecoveryFolder {
         return scenes;
     }
 
-    /** Reads the text only where nothing else tells that it is not wanted: it may be large. */
+    /** Reads the header first, as the text may be large. */
     private Optional<RecoverableScene> read(Path recoveryFile) {
         try {
             String header = readHeader(recoveryFile);
@@ -126,7 +125,7 @@ public final class RecoveryFolder {
         }
     }
 
-    /** The first line without its end; empty where it has none within {@link #MAX_HEADER_BYTES}. */
+    /** Returns the first line without its end; empty if it exceeds {@link #MAX_HEADER_BYTES}. */
     private static String readHeader(Path recoveryFile) throws IOException {
         try (InputStream in = Files.newInputStream(recoveryFile)) {
             String start = new String(in.readNBytes(MAX_HEADER_BYTES), StandardCharsets.UTF_8);
@@ -138,7 +137,7 @@ public final class RecoveryFolder {
         return file.getFileName().toString().endsWith(EXTENSION) && Files.isRegularFile(file);
     }
 
-    /** As a URI, which has no line ends; older versions wrote the bare path. */
+    /** Parses a path stored as a URI, which has no line ends; older versions stored the plain path. */
     private static Path path(String written) {
         return written.startsWith("file:") ? Path.of(URI.create(written)) : Path.of(written);
     }

@@ -15,10 +15,10 @@ import lightning.format.jen.JenReader;
 import lightning.scene.shot.AnimatedScene;
 
 /**
- * A scene on its way to a file: what the document held when it was to be saved, whatever is edited meanwhile.
+ * Snapshot of a document to be saved, independent of later edits.
  *
- * @param source    what the document's file holds
- * @param allowed what may be lost in the target
+ * @param source  content of the document's file
+ * @param allowed confirmed overwrites of the target
  */
 record SaveRequest(SavedScene source, AnimatedScene content, Path target, Set<OverwriteConfirmation> allowed) {
     SaveRequest {
@@ -26,12 +26,11 @@ record SaveRequest(SavedScene source, AnimatedScene content, Path target, Set<Ov
     }
 
     /**
-     * Writes it, on any thread. In all failures the file is unchanged.
+     * Writes the file, on any thread. On failure the file is unchanged.
      *
-     * @throws ChangedFileException  if the file holds what somebody else wrote, unless that may be overwritten
-     * @throws ReadOnlyFileException if the file is read-only, unless that may be replaced
-     * @throws IOException           if it cannot be written, or could not be read again there because its textures are not
-     *                               found from that folder
+     * @throws ChangedFileException  if another program changed the file, unless confirmed
+     * @throws ReadOnlyFileException if the file is read-only, unless confirmed
+     * @throws IOException           if the file cannot be written, or not be read again because textures are missing in its folder
      */
     SavedScene write() throws IOException {
         JenDocument text = source.document().withAnimatedScene(content);
@@ -45,7 +44,7 @@ record SaveRequest(SavedScene source, AnimatedScene content, Path target, Set<Ov
         try {
             JenReader.read(text.text(), target.toString(), target.toAbsolutePath().getParent());
         } catch (JenException e) {
-            throw new IOException(Messages.tr("the scene cannot be read from there: {0}", e.problems().getFirst()), e);
+            throw new IOException(Messages.tr("the saved scene cannot be read: {0}", e.problems().getFirst()), e);
         }
         Set<OverwriteConfirmation> allAllowed = EnumSet.of(OverwriteConfirmation.OVERWRITE_CHANGED);
         allAllowed.addAll(allowed);

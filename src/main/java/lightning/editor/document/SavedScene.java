@@ -7,16 +7,16 @@ import lightning.format.jen.JenDocument;
 import lightning.format.jen.JenException;
 import lightning.format.jen.JenReader;
 
-/** A scene as a file holds it, since it was read there or written there. */
+/** Content of a scene file when it was last read or written. */
 record SavedScene(Path file, FileState state, JenDocument document) {
     /**
-     * Reads it.
+     * Reads a scene file.
      *
-     * @throws IOException  if it cannot be read at all
-     * @throws JenException if its content is wrong; holds all problems
+     * @throws IOException  if the file cannot be read
+     * @throws JenException if its content is invalid; holds all problems
      */
     static SavedScene read(Path file) throws IOException, JenException {
-        // Before it is read: what comes in between then counts as another's change, and is not lost.
+        // Taken before reading, so that a concurrent change counts as external and is not lost.
         FileState state = FileState.of(file);
         return new SavedScene(file, state, JenReader.read(file));
     }

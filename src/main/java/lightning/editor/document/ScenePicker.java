@@ -9,9 +9,9 @@ import lightning.render.trace.SurfacePoint;
 import lightning.scene.Light;
 import lightning.scene.Scene;
 
-/** Finds what lies under a place of a canvas. Made once for all scenes that differ in lights and materials only. */
+/** Ray-cast picking of surfaces. Shared by all scenes that differ only in lights and materials. */
 public final class ScenePicker {
-    /** Of the distance from the eye. */
+    /** Offset from the surface, as a share of the distance from the camera. */
     private static final double OFF_SURFACE = 1e-5;
 
     private final Scene scene;
@@ -21,7 +21,7 @@ public final class ScenePicker {
         this(scene, new Geometry(scene));
     }
 
-    /** The picker of a scene, made of a geometry as far as that serves. */
+    /** Returns the picker of a scene, reusing a geometry if possible. */
     public static ScenePicker of(Scene scene, Geometry geometry) {
         return new ScenePicker(scene, geometry.forScene(scene, geometry.castsReflections()));
     }
@@ -31,39 +31,39 @@ public final class ScenePicker {
         this.geometry = geometry;
     }
 
-    /** The picker of another scene, made of this one's as far as that serves. */
+    /** Returns the picker of another scene, reusing this one's geometry if possible. */
     public ScenePicker forScene(Scene other) {
         return isValidFor(other) ? this : new ScenePicker(other, geometry.forScene(other, MaterialTable.CASTS_REFLECTIONS));
     }
 
     /**
-     * What was found.
+     * Picked surface point.
      *
-     * @param shape  its name
-     * @param point  on its surface, in the scene
-     * @param normal of length 1, on the side of the eye
-     * @param eye    from where it was seen
+     * @param shape  name of the shape
+     * @param point  point on its surface, in the scene
+     * @param normal unit normal on the side of the eye
+     * @param eye    origin of the pick ray
      */
     public record SurfaceHit(String shape, Vec3 point, Vec3 normal, Vec3 eye) {}
 
-    /** Whether it finds what is in {@code other} too. */
+    /** Tests if it is valid for {@code other} too. */
     public boolean isValidFor(Scene other) {
         return geometry.canServe(other) && scene.camera().equals(other.camera()) && scene.picture().equals(other.picture());
     }
 
-    /** The surface nearest to the eye of a view under a place; empty where there is none. */
+    /** Returns the surface nearest to the camera under a position; empty if none. */
     public Optional<SurfaceHit> pick(PreviewCamera view, Viewport canvas, Viewport.Pixel point) {
         Vec3 eye = view.camera().from();
         Ray ray = new Ray(geometry.toRenderSpace(eye), canvas.direction(view, point.x(), point.y()));
-        // The eye may lie outside the scene's box, where the tree of boxes promises nothing.
+        // The camera may be outside the scene's bounds, where the BVH is not valid.
         return toHit(geometry.nearestLinear(ray), ray, eye);
     }
 
-    /** What stands between a place of a surface and a light, the nearest to the surface; empty where nothing does. */
+    /** Returns the first occluder between a surface point and a light; empty if the light is visible. */
     public Optional<SurfaceHit> findOccluder(SurfaceHit surface, Light light) {
         boolean isDirectional = !light.type().hasPosition();
         Vec3 toLight = isDirectional ? light.direction().negated() : light.position().minus(surface.point());
-        // The ray leaves the surface from a little above it, so as not to meet that again.
+        // Offset from the surface to avoid self-intersection.
         double offset = OFF_SURFACE * surface.point().minus(surface.eye()).length();
         Vec3 from = surface.point().plus(surface.normal().times(offset));
         Ray ray = new Ray(geometry.toRenderSpace(from), toLight.normalized());
@@ -79,7 +79,7 @@ public final class ScenePicker {
         return Optional.of(new SurfaceHit(geometry.shape(shape).name(), point, new Vec3(at.nx(), at.ny(), at.nz()).normalized(), eye));
     }
 
-    /** The surface in the middle of the traced picture's pixel (x, y), by the tree of boxes; empty where there is none. */
+    /** Returns the surface at the center of the traced image's pixel (x, y), using the BVH; empty if none. */
     public Optional<SurfaceHit> pickPixel(int x, int y) {
         var canvas = new Viewport(scene.picture().width(), scene.picture().height());
         var view = PreviewCamera.of(scene);

@@ -5,22 +5,19 @@ import lightning.scene.Light;
 import lightning.scene.Scene;
 import lightning.scene.SceneNode;
 
-/**
- * What the artist works on. It follows a light through renames. Where the light is gone, its neighbor stands in for it
- * until undo brings it back.
- */
+/** Selection of the artist. It follows renamed lights. A neighbor substitutes a deleted light until undo restores it. */
 public sealed interface Selection {
     Selection NONE = new None();
 
     record None() implements Selection {}
 
-    /** @param id the light's number in the {@link EditHistory} */
+    /** @param id number of the light in the {@link EditHistory} */
     record OfLight(long id) implements Selection {}
 
-    /** A shape or a group, by its name; nothing while there is none of that name. */
+    /** Selected shape or group by name; nothing while the name does not exist. */
     record OfNode(String name) implements Selection {}
 
-    /** The selected shape or group as it is in a scene; empty if none is selected, or it is gone. */
+    /** Returns the selected shape or group in a scene; empty if none is selected or it was deleted. */
     default Optional<SceneNode> node(Scene scene) {
         return switch (this) {
             case None _ -> Optional.empty();
@@ -29,13 +26,13 @@ public sealed interface Selection {
         };
     }
 
-    /** The light of that name, or nothing if there is none. */
+    /** Returns a selection of the light with that name, or nothing if it does not exist. */
     static Selection light(EditHistory history, String name) {
         long id = history.id(name);
         return id < 0 ? NONE : new OfLight(id);
     }
 
-    /** The selected light as it is now, or its neighbor where it is gone; empty if none is selected or there are no lights. */
+    /** Returns the selected light, or its neighbor if it was deleted; empty if none is selected or there are no lights. */
     default Optional<Light> light(EditHistory history) {
         return switch (this) {
             case None _ -> Optional.empty();

@@ -5,12 +5,12 @@ import lightning.scene.shot.Keyframe;
 import lightning.scene.shot.Shot;
 
 /**
- * The frame of a shot that is shown.
+ * Displayed frame of a shot.
  *
- * @param frame from the shot's first to its last
+ * @param frame frame number, between the shot's first and last
  */
 public record ShotFrame(Shot shot, int frame) {
-    /** The frame of the nearest key before this one, or behind it, among the shot's frames; empty where there is none. */
+    /** Returns the nearest frame with a keyframe before or after this one, within the shot; empty if none. */
     public Optional<Integer> nearestKeyFrame(boolean isBackward) {
         return shot.tracks().stream().flatMap(t -> t.keys().stream()).map(Keyframe::frame)
                 .filter(f -> f >= shot.first() && f <= shot.last() && (isBackward ? f < frame : f > frame))

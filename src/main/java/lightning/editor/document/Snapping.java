@@ -10,22 +10,22 @@ import lightning.base.text.Messages;
 import lightning.scene.Light;
 
 /**
- * Rounds what a drag makes of a light: places to a grid, directions to whole steps of angle, distances to two digits.
+ * Snapping of a dragged light: positions to a grid, directions to angle steps, distances to two digits.
  *
- * @param light as it was rounded
- * @param message  what it was rounded to, for the artist
+ * @param light   snapped light
+ * @param message snapped values, for the artist
  */
 public record Snapping(Light light, String message) {
-    /** Degrees. */
+    /** Angle step, in degrees. */
     public static final double ANGLE_STEP = 15;
-    /** The grid's lines are at least so many pixels apart. */
+    /** Minimum spacing of the grid, in pixels. */
     private static final double GRID_PIXELS = 8;
-    /** A direction so near to upright has no azimuth. */
+    /** Horizontal length below which a direction has no azimuth. */
     private static final double UPRIGHT = 1e-9;
 
     /**
-     * What a drag of its wireframe made of a light: where it moved, its place; where it turned, its direction; where both, as an orbit
-     * does, the way from what it aims at.
+     * Snaps the result of dragging a light: its position if it moved, its direction if it turned, or in an orbit the offset from its
+     * target.
      */
     public static Snapping of(Light start, Light dragged, PreviewCamera view, Viewport canvas) {
         boolean hasMoved = !start.position().equals(dragged.position());
@@ -47,30 +47,30 @@ public record Snapping(Light light, String message) {
                         numberText(step)));
     }
 
-    /** A light whose direction is rounded. */
+    /** Snaps the direction of a light. */
     public static Snapping ofDirection(Light light) {
         Vec3 direction = snapDirection(light.direction());
         return new Snapping(light.withDirection(direction), angleText(direction));
     }
 
-    /** The step of the grid about a point, as large as this view needs it. */
+    /** Returns the grid step around a point for this view. */
     static double gridStep(Vec3 about, PreviewCamera view, Viewport canvas) {
         return roundStep(GRID_PIXELS * view.pixelScale(Math.max(view.depth(about), view.distance() / 100), canvas.height()));
     }
 
-    /** The nearest whole number of steps, on each axis. */
+    /** Rounds each coordinate to a multiple of the step. */
     static Vec3 snapToGrid(Vec3 point, double step) {
         return new Vec3(snapToStep(point.x(), step), snapToStep(point.y(), step), snapToStep(point.z(), step));
     }
 
-    /** The nearest whole number of steps. */
+    /** Rounds to a multiple of the step. */
     static double snapToStep(double v, double step) {
         double count = Math.rint(v / step) + 0.0;
         // 3 · 0.1 is not 0.3, but 3 / 10 is.
         return step < 1 ? count / Math.rint(1 / step) : count * step;
     }
 
-    /** The least of 1, 2 and 5 times a power of ten that is at least so much, &gt; 0. */
+    /** Returns the smallest of 1, 2 and 5 times a power of ten that is at least {@code minStep} &gt; 0. */
     static double roundStep(double minStep) {
         double power = Math.pow(10, Math.floor(Math.log10(minStep)));
         for (double digit : new double[] {1, 2, 5}) {
@@ -81,7 +81,7 @@ public record Snapping(Light light, String message) {
         return round(10 * power, 1);
     }
 
-    /** A direction of the same length whose azimuth about y, from z towards x, and elevation are multiples of {@link #ANGLE_STEP}. */
+    /** Rounds azimuth about y (from z towards x) and elevation to multiples of {@link #ANGLE_STEP}, keeping the length. */
     static Vec3 snapDirection(Vec3 v) {
         double elevation = snapToStep(elevation(v), ANGLE_STEP);
         double azimuth = Math.abs(elevation) == 90 ? 0 : snapToStep(azimuth(v), ANGLE_STEP);
@@ -103,7 +103,7 @@ public record Snapping(Light light, String message) {
         return Messages.tr("azimuth {0}°, elevation {1}°", numberText(azimuth(v)), numberText(elevation(v)));
     }
 
-    /** A distance, &gt; 0, in two digits. */
+    /** Rounds a distance &gt; 0 to two digits. */
     public static double snapDistance(double v) {
         return round(v, 2);
     }
@@ -112,7 +112,7 @@ public record Snapping(Light light, String message) {
         return new BigDecimal(v).round(new MathContext(digits, RoundingMode.HALF_EVEN)).doubleValue();
     }
 
-    /** A number as the status tells it, in four digits. */
+    /** Formats a number with four digits for the status line. */
     public static String numberText(double v) {
         return DecimalNumber.format(round(v, 4));
     }

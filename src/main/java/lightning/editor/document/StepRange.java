@@ -3,19 +3,18 @@ package lightning.editor.document;
 import java.math.BigDecimal;
 
 /**
- * How far a number goes at a click, and where it stops.
+ * Step and limits of a number.
  *
- * @param step what one click adds
- * @param min  the least value
- * @param max  the largest value
+ * @param step increment of one click
+ * @param min  minimum
+ * @param max  maximum
  */
 public record StepRange(double step, double min, double max) {
 
     /**
-     * The value so many steps on, added in decimal so that 1.1 and a step of 0.1 make 1.2; at the nearer limit where it
-     * would be beyond.
+     * Adds steps in decimal arithmetic, so that 1.1 and a step of 0.1 make 1.2, clamped to the limits.
      *
-     * @param steps how many, down where negative; may be a fraction
+     * @param steps number of steps, negative for down; may be a fraction
      */
     public double addSteps(double value, double steps) {
         BigDecimal change = BigDecimal.valueOf(step).multiply(BigDecimal.valueOf(steps));

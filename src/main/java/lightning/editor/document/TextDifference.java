@@ -5,28 +5,28 @@ import com.github.difflib.algorithm.myers.MyersDiffWithLinearSpace;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Two texts line by line, side by side: lines that both have stand in one row. */
+/** Side-by-side line diff of two texts; equal lines share a row. */
 public final class TextDifference {
-    /** The product of the numbers of lines that are compared at most. What differs more is told as all different. */
+    /** Maximum product of the line counts to compare. Larger texts are reported as entirely different. */
     private static final long MAX_PAIRS = 16L << 20;
 
     private TextDifference() {}
 
     /**
-     * A row.
+     * Row of the diff.
      *
-     * @param mineLine   the line's number in the first text, from 1; 0 where it has none
-     * @param mine       the line without its end; empty where there is none
-     * @param theirsLine the same of the second text
+     * @param mineLine   line number in the first text, from 1; 0 if none
+     * @param mine       line without its end; empty if none
+     * @param theirsLine line number in the second text, as {@code mineLine}
      */
     public record Row(int mineLine, String mine, int theirsLine, String theirs) {
-        /** Whether both texts have the line. */
+        /** Tests if both texts have the line. */
         public boolean isSame() {
             return mineLine > 0 && theirsLine > 0 && mine.equals(theirs);
         }
     }
 
-    /** All lines of both texts, in their order; the fewest rows are not the same, where that can be found out in reason. */
+    /** Returns all lines of both texts in order, with as few differing rows as feasible. */
     public static List<Row> rows(String mine, String theirs) {
         List<String> a = mine.lines().toList();
         List<String> b = theirs.lines().toList();
@@ -46,7 +46,7 @@ public final class TextDifference {
         if ((long) middleA.size() * middleB.size() > MAX_PAIRS) {
             rows.add(middleA.size(), middleB.size());
         } else {
-            // Neighboring changes are one: the algorithm may split a changed block into single lines that are deleted and inserted.
+            // Merges adjacent changes, as the algorithm may split a changed block into single deletions and insertions.
             int onlyA = 0;
             int onlyB = 0;
             int end = 0;
@@ -68,7 +68,7 @@ public final class TextDifference {
         return rows.rows;
     }
 
-    /** Rows so far, and how many lines of each text they hold. */
+    /** Rows so far, with the number of lines of each text in them. */
     private static final class RowBuilder {
         private final List<Row> rows = new ArrayList<>();
         private final List<String> mine;
@@ -81,7 +81,7 @@ public final class TextDifference {
             this.theirs = theirs;
         }
 
-        /** Adds lines of both texts side by side as far as there are some on both sides. */
+        /** Adds lines of both texts, side by side while both have any. */
         void add(int mineLines, int theirsLines) {
             for (int i = 0; i < Math.max(mineLines, theirsLines); i++) {
                 boolean left = i < mineLines;

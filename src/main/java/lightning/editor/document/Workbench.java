@@ -24,10 +24,10 @@ import lightning.scene.VisibleState;
 import lightning.scene.shot.AnimatedScene;
 
 /**
- * Everything that an editor's window works on: the open document, its picture, and what renders and keeps it. All panes
- * share one, change the document through it, and hear of every change.
+ * Model of an editor window: the open document, its image, its renderer and its autosave. All panes share one, edit the document through
+ * it, and listen to its changes.
  *
- * <p>Belongs to the window's thread; what the render loop tells, and what comes of files, is brought there.
+ * <p>Confined to the window's thread, to which it forwards events of the render loop and results of file access.
  */
 public final class Workbench implements AutoCloseable {
     private final Runnable changeListener;
@@ -38,7 +38,7 @@ public final class Workbench implements AutoCloseable {
     private OpenDocument document;
     private final RenderFeed feed;
     private final Runnable progressListener;
-    /** The picture and how far it is, as heard last. */
+    /** Last reported state of the image. */
     private RenderState renderState = RenderState.NONE;
     private long openCount;
     private Optional<Scene> previousScene = Optional.empty();
@@ -50,12 +50,12 @@ public final class Workbench implements AutoCloseable {
     private boolean motionRecorded;
 
     /**
-     * @param document what is open first; it is rendered by {@link #go()}
-     * @param files      reads and writes the document; its window's thread is the one that the workbench belongs to
-     * @param changeListener    called there after every change of what the workbench tells
-     * @param progressListener called there where nothing but {@link #renderState} is another
-     * @param canvas     hears the render loop on its own threads, before the workbench does
-     * @param failureListener    hears, on the autosave thread, why edits could not be kept
+     * @param document         initial document; rendered by {@link #go()}
+     * @param files            reads and writes the document; its window's thread owns the workbench
+     * @param changeListener   called on that thread after every change of the workbench's state
+     * @param progressListener called there if only {@link #renderState} changed
+     * @param canvas           receives events of the render loop on its own threads, before the workbench
+     * @param failureListener  receives, on the autosave thread, failures to save
      */
     public Workbench(OpenDocument document, RenderOptions options, RecoveryFolder recovery, FileThread files, Runnable changeListener,
             Runnable progressListener, RenderListener canvas, Consumer<Throwable> failureListener) {
@@ -68,7 +68,7 @@ public final class Workbench implements AutoCloseable {
         loop = new RenderLoop(options, feed);
     }
 
-    /** Before the document is rendered: what is being looked at of it is not traced again. */
+    /** Sets a running startup preview before the document is rendered, so that it is not rendered twice. */
     public void setStartupPreview(Future<Optional<CoarsePicture>> preview) {
         loop.setStartupPreview(preview);
     }
@@ -77,17 +77,17 @@ public final class Workbench implements AutoCloseable {
         return document;
     }
 
-    /** The picture, and how far the next one is. */
+    /** Returns the image and the progress of the next one. */
     public RenderState renderState() {
         return renderState;
     }
 
-    /** The picture rendered last; its film may be written over by now. */
+    /** Returns the last rendered image; its film may have been overwritten. */
     public Optional<Frame> frame() {
         return Optional.ofNullable(renderState.frame());
     }
 
-    /** What is kept of the picture: see {@link RenderLoop#cache}. On any thread. */
+    /** Returns the cache of the image: see {@link RenderLoop#cache}. Callable on any thread. */
     public Optional<PixelCache> cache() {
         return loop.cache();
     }
@@ -101,7 +101,7 @@ public final class Workbench implements AutoCloseable {
         (isSame ? progressListener : changeListener).run();
     }
 
-    /** Looks at what the loop does, and then at what it has told: what it finished before the first is in the second. */
+    /** Reads the loop's activity before its reported results, so that a job that just finished is in the results. */
     private void refresh() {
         boolean isBusy = loop.isBusy();
         isVerifying = loop.isVerifying();
@@ -114,19 +114,19 @@ public final class Workbench implements AutoCloseable {
         renderState = newState;
     }
 
-    /** The edit made last; empty where there is none, or it made another picture of it. */
+    /** Returns the last edit; empty if there is none, or if it changed the view or the image size. */
     public Optional<LastEdit> lastEdit() {
         return LastEdit.of(document.scene(), frame().map(Frame::scene), previousScene);
     }
 
-    /** What decides which commands are enabled. */
+    /** Returns the state that determines which commands are enabled. */
     public EditorState editorState() {
         return EditorState.of(document, frame()).withSceneInProgress(sceneInProgress).withVerifying(isVerifying)
                 .withCopiedLight(copiedLight)
                 .withAnimating(isAnimating).withMotionRecorded(motionRecorded);
     }
 
-    /** Puts another document in place of the open one and renders it. The open one's unsaved edits are lost. */
+    /** Opens another document and renders it. Unsaved edits of the current one are lost. */
     public void open(OpenDocument other) {
         openCount++;
         feed.open(openCount);
@@ -142,18 +142,18 @@ public final class Workbench implements AutoCloseable {
         changeListener.run();
     }
 
-    /** Opens what a crash left unsaved: see {@link OpenDocument#recover}. Until it is saved it can be recovered again. */
+    /** Opens the unsaved scene of a crashed process: see {@link OpenDocument#recover}. It stays recoverable until it is saved. */
     public void recover(RecoveryFolder.RecoverableScene recoverable, OpenDocument recovered) {
         open(recovered);
         autosave.adopt(recoverable);
     }
 
-    /** Makes an edit unless it was refused; returns the reason if it was. Live, the edit is rendered at once. */
+    /** Applies an edit unless it was refused; returns the reason if it was. Renders it immediately in live mode. */
     public Optional<String> edit(EditOutcome change) {
         return edit(change, null);
     }
 
-    /** The same as part of a gesture: see {@link EditHistory#edit(Scene, Object)}. */
+    /** Applies an edit as part of a gesture: see {@link EditHistory#edit(Scene, Object)}. */
     public Optional<String> edit(EditOutcome change, Object gesture) {
         Optional<String> refusal = document.apply(change, gesture);
         if (refusal.isEmpty()) {
@@ -162,7 +162,7 @@ public final class Workbench implements AutoCloseable {
         return refusal;
     }
 
-    /** The same as a step of its own, and selects something then: who shows the document hears of both at once. */
+    /** Applies an edit as a separate step and changes the selection, in one notification. */
     public Optional<String> editAndSelect(EditOutcome change, Selection selection) {
         Optional<String> refusal = document.apply(change, null);
         if (refusal.isEmpty()) {
@@ -172,7 +172,7 @@ public final class Workbench implements AutoCloseable {
         return refusal;
     }
 
-    /** Makes an edit of the scene with its shot: see {@link OpenDocument#applyToShot}. */
+    /** Edits the scene with its shot: see {@link OpenDocument#applyToShot}. */
     public Optional<String> editShot(Supplier<AnimatedScene> edit, Object gesture) {
         Scene before = document.scene();
         Optional<String> refusal = document.applyToShot(edit, gesture);
@@ -187,7 +187,7 @@ public final class Workbench implements AutoCloseable {
         return refusal;
     }
 
-    /** Shows a frame of the shot, in the picture too; returns why it cannot be shown. */
+    /** Shows a frame of the shot, in the image too; returns the reason if it cannot be shown. */
     public Optional<String> showFrame(int frame) {
         document.showFrame(frame);
         go();
@@ -204,23 +204,23 @@ public final class Workbench implements AutoCloseable {
         afterEdit();
     }
 
-    /** Undoes or does again until so many of the document's steps are done: see {@link EditHistory#goTo}. */
+    /** Undoes or redoes until that many document steps are done: see {@link EditHistory#goTo}. */
     public void goTo(int position) {
         document.history().goTo(position);
         afterEdit();
     }
 
-    /** The same of the selected light alone; returns the reason if it could not: see {@link EditHistory#goToLightStep}. */
+    /** Undoes or redoes steps of the selected light; returns the reason if refused: see {@link EditHistory#goToLightStep}. */
     public Optional<String> goToLightStep(int position) {
         return editSelectedLight(id -> document.history().goToLightStep(id, position));
     }
 
-    /** Takes back the last edit of the selected light alone; returns the reason if it could not. */
+    /** Undoes the last edit of the selected light; returns the reason if refused. */
     public Optional<String> undoLight() {
         return editSelectedLight(document.history()::undoLight);
     }
 
-    /** Does again what was undone last of the selected light; returns the reason if it could not. */
+    /** Redoes the edit undone last of the selected light; returns the reason if refused. */
     public Optional<String> redoLight() {
         return editSelectedLight(document.history()::redoLight);
     }
@@ -238,18 +238,18 @@ public final class Workbench implements AutoCloseable {
         changeListener.run();
     }
 
-    /** Selects the light of that name; nothing if there is none. */
+    /** Selects the light with that name; nothing if it does not exist. */
     public void selectLight(String name) {
         select(Selection.light(document.history(), name));
     }
 
-    /** Keeps the selected light's settings for {@link #pasteSettings}. */
+    /** Copies the selected light's settings for {@link #pasteSettings}. */
     public void copySettings() {
         copiedLight = document.selectedLight();
         changeListener.run();
     }
 
-    /** Gives the selected light the settings copied last; returns the reason if it could not. */
+    /** Applies the copied settings to the selected light; returns the reason if refused. */
     public Optional<String> pasteSettings() {
         Optional<Light> selected = document.selectedLight();
         return selected.isEmpty() || copiedLight.isEmpty() ? Command.PASTE_SETTINGS.disabledReason(editorState())
@@ -257,9 +257,9 @@ public final class Workbench implements AutoCloseable {
     }
 
     /**
-     * Saves to a file, that of the document or another, after all saves asked for before: see {@link SaveRequest#write}.
+     * Saves to the document's file or another, after all earlier saves: see {@link SaveRequest#write}.
      *
-     * @param completion hears why the scene could not be written; nothing where it was
+     * @param completion receives the failure; empty on success
      */
     public void saveAs(Path file, Set<OverwriteConfirmation> allowed, Consumer<Optional<Throwable>> completion) {
         OpenDocument savedDocument = document;
@@ -289,27 +289,27 @@ public final class Workbench implements AutoCloseable {
         }
     }
 
-    /** Whether a save is not written yet. */
+    /** Tests if a save is pending. */
     public boolean isSaving() {
         return !pendingSaves.isEmpty();
     }
 
-    /** Takes what was seen of the document's file on disk. */
+    /** Sets the observed state of the document's file on disk. */
     public void setDiskStatus(DiskStatus status) {
         document.setDiskStatus(status);
         changeListener.run();
     }
 
-    /** Stays with the open scene although its file was changed: see {@link OpenDocument#ignoreDiskChange}. */
+    /** Keeps the open scene although its file was changed: see {@link OpenDocument#ignoreDiskChange}. */
     public void ignoreDiskChange() {
         document.ignoreDiskChange();
         contentChanged();
     }
 
     /**
-     * Starts over with the file as it is on disk and renders it.
+     * Reloads the file from disk and renders it.
      *
-     * @param completion hears why the file could not be read; nothing where it was. Not told where another document is open by then
+     * @param completion receives the failure; empty on success. Not called if another document was opened meanwhile
      */
     public void reload(Consumer<Optional<Throwable>> completion) {
         OpenDocument reloadedDocument = document;
@@ -333,7 +333,7 @@ public final class Workbench implements AutoCloseable {
         show(document.scene());
     }
 
-    /** Renders a scene that is not the document's, as an animation's frame. */
+    /** Renders a scene other than the document's, such as a frame of an animation. */
     public void show(Scene scene) {
         sceneInProgress = Optional.of(scene);
         loop.render(scene);
@@ -352,7 +352,7 @@ public final class Workbench implements AutoCloseable {
         changeListener.run();
     }
 
-    /** Stops what runs and forgets what waits. */
+    /** Cancels running and pending renders. */
     public void cancel() {
         if (loop.cancel()) {
             feed.waitingRenderCanceled();
@@ -361,43 +361,43 @@ public final class Workbench implements AutoCloseable {
         changeListener.run();
     }
 
-    /** Another accuracy: what is known of the picture serves on. */
+    /** Changes the options and keeps the cache. */
     public void changeOptions(RenderOptions options) {
         sceneInProgress = Optional.of(document.scene());
         loop.changeOptions(options, document.scene());
         changeListener.run();
     }
 
-    /** Shows the picture in another way: see {@link RenderLoop#setDisplayMode}. */
+    /** Changes the display mode: see {@link RenderLoop#setDisplayMode}. */
     public void setDisplayMode(DisplayMode mode) {
         loop.setDisplayMode(mode);
     }
 
-    /** See {@link RenderLoop#setView}. */
+    /** Sets the view transform: see {@link RenderLoop#setView}. */
     public void setView(ViewTransform view) {
         loop.setView(view);
     }
 
-    /** Whether every edit is rendered at once; off at first (paper §3.3). */
+    /** Tests if every edit is rendered immediately; initially off (paper §3.3). */
     public boolean isLive() {
         return isLive;
     }
 
-    /** Switched on, renders what is pending. */
+    /** Switches live mode; switching it on renders pending edits. */
     public void setLive(boolean v) {
         isLive = v;
         renderIfLive();
         changeListener.run();
     }
 
-    /** Whether an animation is open, which holds back the commands that change the document. */
+    /** Sets whether an animation is open, which disables commands that change the document. */
     public void setAnimating(boolean v) {
         isAnimating = v;
         motionRecorded &= v;
         changeListener.run();
     }
 
-    /** Whether the open animation has a way. */
+    /** Sets whether the open animation has a path. */
     public void setMotionRecorded(boolean v) {
         motionRecorded = v;
         changeListener.run();
@@ -417,7 +417,7 @@ public final class Workbench implements AutoCloseable {
         }
     }
 
-    /** Ends all threads. Edits that are not saved are lost: ask before. */
+    /** Stops all threads. Unsaved edits are lost: ask before. */
     @Override
     public void close() {
         loop.close();

@@ -17,22 +17,22 @@ import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
 
 /**
- * A look at all of a picture, in few pixels.
+ * Low-resolution preview image of a whole scene.
  *
- * @param scene    whose picture it is
- * @param geometry what its rays can meet, of which a first pass can begin
- * @param film     smaller than the picture
+ * @param scene    scene of the image
+ * @param geometry primitives and BVH of the scene, reusable by a first pass
+ * @param film     image, smaller than the scene's
  */
 public record CoarsePicture(Scene scene, Geometry geometry, Film film) {
-    /** So many pixels coarse pictures have, about: the first is there at once in a process that has compiled nothing yet. */
+    /** Approximate pixel counts of the coarse images. The first is fast enough for a process whose code is not compiled yet. */
     private static final List<Integer> PIXEL_COUNTS = List.of(2_000, 30_000);
-    /** A picture of fewer samples for each pixel of a coarse one is there before that could be looked at. */
+    /** Minimum ratio of samples in the final image to pixels in a coarse one. Below it, the final image is ready too soon for a preview. */
     private static final int MIN_SAMPLES_PER_PIXEL = 16;
 
     /**
-     * The first look, before anything renders the scene; it can be handed to what does ({@link RenderLoop#setStartupPreview}).
+     * Renders the first preview before anything else renders the scene. Pass it to {@link RenderLoop#setStartupPreview}.
      *
-     * @return empty where the picture itself is there as soon, or too large to be made
+     * @return empty if the final image is ready as soon, or is too large to render
      */
     public static Optional<CoarsePicture> first(Scene scene, RenderOptions options) {
         try (var renderer = new Renderer(options)) {
@@ -44,14 +44,14 @@ public record CoarsePicture(Scene scene, Geometry geometry, Film film) {
         }
     }
 
-    /** How many pixels the coarse pictures have that are worth a look, the least first. */
+    /** Returns the pixel counts of the useful coarse images, smallest first. */
     static List<Integer> sizes(PictureSettings picture) {
         SamplingSettings sampling = picture.sampling();
         double samples = pixels(picture) * (sampling.antialias() == AntialiasMode.EVERY ? sampling.samplesPerPixel() : 1);
         return PIXEL_COUNTS.stream().filter(pixels -> samples / pixels >= MIN_SAMPLES_PER_PIXEL).toList();
     }
 
-    /** @param geometryOf what the rays of a scene can meet */
+    /** @param geometryOf supplies the geometry of a scene */
     static CoarsePicture trace(Scene scene, int pixels, Function<Scene, Geometry> geometryOf, int threads, Progress progress) {
         PictureSettings picture = scene.picture();
         double shrink = Math.max(1, Math.sqrt(pixels(picture) / pixels));

@@ -8,13 +8,14 @@ import lightning.scene.effects.RenderEffect;
 import lightning.scene.effects.ViewEffects;
 
 /**
- * What of the traced picture is shown: a state of looking, no part of the scene, that saving and verifying know nothing of.
+ * View state of the traced image: an isolated light and hidden effects. It is not part of the scene and does not affect saving or
+ * verification.
  *
- * @param light   the name of the light whose share alone is shown; empty for all of the picture
- * @param effects which effects are shown
+ * @param light   name of the isolated light; empty for all lights
+ * @param effects effects that are shown
  */
 public record DisplayMode(Optional<String> light, ViewEffects effects) {
-    /** The picture itself. */
+    /** Full image with all lights and effects. */
     public static final DisplayMode FULL_PICTURE = new DisplayMode(Optional.empty(), ViewEffects.ALL);
 
     public boolean isFullPicture() {
@@ -29,7 +30,7 @@ public record DisplayMode(Optional<String> light, ViewEffects effects) {
         return new DisplayMode(light, v);
     }
 
-    /** What is shown, as a label of the picture: {@code Only key, no shadows}; empty for the picture itself. */
+    /** Returns a label of the view, {@code Only key, no shadows}; empty for the full image. */
     public String label() {
         List<String> parts = new ArrayList<>();
         light.ifPresent(name -> parts.add(Messages.tr("only {0}", name)));
@@ -39,7 +40,7 @@ public record DisplayMode(Optional<String> light, ViewEffects effects) {
             }
         }
         if (!effects.litTextures()) {
-            parts.add(Messages.tr("glowing textures"));
+            parts.add(Messages.tr("self-illuminated textures"));
         }
         String text = String.join(", ", parts);
         return text.isEmpty() ? "" : Character.toUpperCase(text.charAt(0)) + text.substring(1);

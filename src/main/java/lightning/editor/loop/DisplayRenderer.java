@@ -10,22 +10,22 @@ import lightning.scene.Scene;
 import lightning.scene.effects.ViewEffects;
 
 /**
- * Makes what a {@link DisplayMode} shows of a renderer's picture. A light's share is composed from what the renderer keeps; where
- * effects are hidden, a second renderer keeps the picture without them.
+ * Renders the view of a {@link DisplayMode}. Composes one light's contribution from the renderer's cache. Uses a second renderer with its
+ * own cache for hidden effects.
  */
 final class DisplayRenderer implements AutoCloseable {
     private Renderer effectRenderer;
 
     /**
-     * @throws PictureTooLargeException       if the picture without effects does not fit into memory beside the picture
-     * @throws CancellationException if {@code progress} asked to stop
+     * @throws PictureTooLargeException if the image without effects does not fit into memory together with the full image
+     * @throws CancellationException    if {@code progress} requests a stop
      */
     Film film(Renderer renderer, DisplayMode mode, Progress progress) {
         Renderer source = mode.effects().equals(ViewEffects.ALL) ? renderer : renderWithEffects(renderer, mode.effects(), progress);
         return mode.light().isPresent() ? source.lightImage(mode.light().get(), progress) : source.film();
     }
 
-    /** The picture without some effects; its mirrors show what the picture's show. */
+    /** Renders the image without some effects. Its reflections show the scene that the full image's reflections show. */
     private Renderer renderWithEffects(Renderer renderer, ViewEffects effects, Progress progress) {
         var options = renderer.options().withReflections(ReflectionMode.STALE).withView(effects)
                 .withMemory(renderer.options().memory() - renderer.bytes());
@@ -42,7 +42,7 @@ final class DisplayRenderer implements AutoCloseable {
         return effectRenderer;
     }
 
-    /** @param isFinished whether the samples are wanted too */
+    /** @param isFinished whether to render the anti-aliasing samples too */
     private void update(Scene scene, boolean isFinished, Progress progress) {
         if (isFinished) {
             effectRenderer.render(scene, progress);
@@ -51,12 +51,12 @@ final class DisplayRenderer implements AutoCloseable {
         }
     }
 
-    /** The bytes that hiding takes beside the picture. */
+    /** Returns the additional bytes of the second renderer. */
     long bytes() {
         return effectRenderer == null ? 0 : effectRenderer.bytes();
     }
 
-    /** The picture as it is; what hiding took is given back. */
+    /** Returns the full image and frees the second renderer. */
     Film fullPicture(Renderer renderer) {
         close();
         return renderer.film();

@@ -10,33 +10,33 @@ import lightning.scene.Scene;
 import lightning.scene.effects.ViewEffects;
 
 /**
- * A finished picture.
+ * Finished image of an update.
  *
- * @param film     the picture
- * @param displayed     what is shown of it: the film itself unless the look has it otherwise
- * @param displayMode     what {@code displayed} is
- * @param scene    what the film shows
- * @param mirroredScene what its mirrors and clear surfaces show: an older scene where reflections are stale (paper §4.8)
- * @param update   how it came about
- * @param geometry what its rays met, with the tree that it was traced with
- * @param isFinished whether it has all samples that its scene asks for; else it shows the pixels' centers, without anti-aliasing
+ * @param film          full image
+ * @param displayed     image as displayed: the film itself unless the display mode differs
+ * @param displayMode   view of {@code displayed}
+ * @param scene         scene of the film
+ * @param mirroredScene scene of its reflections and transparency: an older one if reflections are stale (paper §4.8)
+ * @param update        update that rendered it
+ * @param geometry      primitives and BVH of the update
+ * @param isFinished    whether it has all anti-aliasing samples; otherwise one sample per pixel center
  */
 public record Frame(Film film, Film displayed, DisplayMode displayMode, Scene scene, Scene mirroredScene, UpdateResult update,
         Geometry geometry,
         boolean isFinished) {
-    /** What the film is said to be. */
+    /** Returns the accuracy guarantee of the film. */
     public AccuracyGuarantee guarantee() {
         RenderedScenes seenScenes =
                 isFinished ? new RenderedScenes(scene, mirroredScene) : new RenderedScenes(centers(scene), centers(mirroredScene));
         return new AccuracyGuarantee(seenScenes, ViewEffects.ALL, update.errorBound());
     }
 
-    /** Whether mirrors and clear surfaces, if there are any, show the scene itself, as far as a picture can tell. */
+    /** Tests if visible reflective and transparent surfaces, if any, show the current scene. */
     public boolean mirrorsAreCurrent() {
         return !guarantee().isStale();
     }
 
-    /** Whether what its look shows has mirrors or clear surfaces that show an older scene. */
+    /** Tests if the displayed view has reflective or transparent surfaces that show an older scene. */
     public boolean isDisplayStale() {
         return !new RenderedScenes(displayMode.effects().apply(scene), displayMode.effects().apply(mirroredScene)).areReflectionsCurrent();
     }

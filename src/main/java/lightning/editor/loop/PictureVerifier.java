@@ -17,14 +17,14 @@ import lightning.render.warmup.WarmUp;
 import lightning.scene.Scene;
 
 /**
- * Traces in full on a thread of its own, to verify a picture, and where nobody works to warm the process up and to find out what
- * an update saves; a newer verification replaces an older one. Safe for several threads.
+ * Verifies images with full traces on its own thread. When the editor is idle, it also warms up the process and measures what an update
+ * saves. A new verification replaces an older one. Thread-safe.
  */
 final class PictureVerifier implements AutoCloseable {
     private static final int CLOSE_TIMEOUT_SECONDS = 10;
-    /** How long a saving's times may take to come to rest, milliseconds of own work, while nobody works. */
+    /** Maximum time of own work for a saving's times to converge, in milliseconds of idle time. */
     private static final double MAX_WARM_UP_MS = 20_000;
-    /** Nobody works who did nothing for so long; how often that is looked at. */
+    /** Idle time before background work starts; also its polling interval. */
     private static final long IDLE_DELAY_NS = 150_000_000;
     private static final long POLL_INTERVAL_NS = 5_000_000;
 
@@ -34,7 +34,7 @@ final class PictureVerifier implements AutoCloseable {
     private final ExecutorService idleThread = DedicatedThread.lowPriorityExecutor("lightning-rest");
     private RenderQueue.CancelSignal verifySignal;
     private RenderQueue.CancelSignal idleSignal;
-    /** What a saving is to be measured of; null where there is nothing. */
+    /** Edit whose saving is to be measured; null if none. */
     private WarmSaving.RepeatableEdit pendingEdit;
     private int runningCount;
 
@@ -44,9 +44,9 @@ final class PictureVerifier implements AutoCloseable {
     }
 
     /**
-     * Begins a verification; nothing once closed.
+     * Starts a verification. Does nothing once closed.
      *
-     * @param request stops it too when it was asked for before this returns
+     * @param request also stops it if it was canceled before this method returns
      */
     synchronized void verify(AccuracyGuarantee promise, Film picture, RenderQueue.CancelSignal request) {
         cancel();
@@ -63,18 +63,18 @@ final class PictureVerifier implements AutoCloseable {
         verifyThread.execute(() -> run(promise, picture, signal));
     }
 
-    /** What was done last; a saving that is still being measured is of no use any more. */
+    /** Sets the last edit and cancels the measurement of an older one. */
     synchronized void setLastEdit(Optional<WarmSaving.RepeatableEdit> edit) {
         stopIdleWork();
         pendingEdit = edit.orElse(null);
     }
 
     /**
-     * While nobody works: warms the process up, and finds out what the update made last saves, unless that is known or being
-     * found out; the listener hears of it.
+     * While the editor is idle, warms up the process and measures the saving of the last update, unless it is known or being measured.
+     * Reports it to the listener.
      *
-     * @param scene    what the picture shows
-     * @param geometry serves it
+     * @param scene    scene of the image
+     * @param geometry reusable geometry
      */
     synchronized void startIdleWork(Scene scene, Geometry geometry) {
         if (pendingEdit == null && Engines.isFastestInUse() || idleSignal != null || verifyThread.isShutdown()) {
@@ -84,29 +84,29 @@ final class PictureVerifier implements AutoCloseable {
         WarmSaving.RepeatableEdit edit = pendingEdit;
         idleSignal = signal;
         idleThread.execute(() -> {
-            // Theirs is the rank of the thread that makes them, so that these are no other's.
+            // Workers inherit the priority of the thread that creates them, so this pool is not shared.
             try (WorkerPool lowPriorityWorkers = new WorkerPool(workers.count())) {
                 waitForDisplay(signal);
                 WarmUp.run(scene, geometry, signal);
                 finishMeasuring(signal,
                         edit == null ? Optional.empty() : WarmSaving.measure(edit, lowPriorityWorkers, MAX_WARM_UP_MS, signal));
             } catch (CancellationException e) {
-                // It is done when there is time again.
+                // Retried at the next idle time.
             } catch (RuntimeException | OutOfMemoryError e) {
-                // A picture that cannot be traced in full has no time that savings could be savings of.
+                // Without a full trace there is no time to compare with.
                 finishMeasuring(signal, Optional.empty());
             }
         });
     }
 
-    /** What was done last comes to the screen first, and into small pictures of it. */
+    /** Waits until the last edit and its thumbnails are displayed. */
     private static void waitForDisplay(RenderQueue.CancelSignal signal) {
         for (long end = System.nanoTime() + IDLE_DELAY_NS; System.nanoTime() < end && !signal.isCanceled();) {
             LockSupport.parkNanos(POLL_INTERVAL_NS);
         }
     }
 
-    /** There is other work: what is measured beside it would be too long. */
+    /** Cancels idle work. Other work would distort its timing. */
     synchronized void stopIdleWork() {
         if (idleSignal != null) {
             idleSignal.cancel();
@@ -122,7 +122,7 @@ final class PictureVerifier implements AutoCloseable {
         } catch (CancellationException e) {
             outcome = listener::canceled;
         } catch (Throwable e) {
-            // Whatever it is, the window lives on and says so.
+            // Reports any failure; the window stays open.
             outcome = () -> listener.failed(e);
         }
         decrementRunning();
@@ -141,7 +141,7 @@ final class PictureVerifier implements AutoCloseable {
         runningCount--;
     }
 
-    /** Whether a verification runs or waits. */
+    /** Tests if a verification is running or pending. */
     synchronized boolean isBusy() {
         return runningCount > 0;
     }
@@ -163,7 +163,7 @@ final class PictureVerifier implements AutoCloseable {
     public void close() {
         shutdown();
         try {
-            // The workers must not end before the trace that waits for them.
+            // The workers must outlive the trace that uses them.
             verifyThread.awaitTermination(CLOSE_TIMEOUT_SECONDS, TimeUnit.SECONDS);
             idleThread.awaitTermination(CLOSE_TIMEOUT_SECONDS, TimeUnit.SECONDS);
         } catch (InterruptedException e) {

@@ -11,31 +11,31 @@ import lightning.render.relight.plan.UpdatePlan;
 import lightning.scene.Scene;
 
 /**
- * Carries what a render loop tells from its threads to the window's. However much is told before the window has time to
- * listen, it hears once, of the newest state. A picture and whether more is to be done, which are told one right after the other, it
- * hears at once: each time it writes all panes. Of a document that was left nothing is told, whatever its loop still does.
+ * Forwards events of a render loop to the window's thread. Coalesces events, so that the window handles only the newest state. Delivers a
+ * finished image together with the remaining-work event, as each delivery updates all panes. Drops events of documents that are no longer
+ * open.
  */
 public final class RenderFeed implements RenderListener {
-    /** How far a work is is told so often at most, nanoseconds: the window's thread takes a processor from the work each time. */
+    /** Minimum interval between progress reports, in nanoseconds. Each report takes processor time from the render. */
     private static final long REPORT_INTERVAL_NS = 40_000_000;
 
     private final Executor window;
     private final RenderListener canvas;
     private final Runnable stateListener;
     private final AtomicBoolean notificationPending = new AtomicBoolean();
-    /** When it was last told how far a work is, or that one begins. */
+    /** Time of the last progress report or job start. */
     private final AtomicLong lastReportNs = new AtomicLong(System.nanoTime());
-    /** Held while the canvas is filled, so that it is emptied after what it shows of the document before. */
+    /** Guards the canvas, so that it is cleared after the last draw of the previous document. */
     private final Object canvasLock = new Object();
     private RenderState state = RenderState.NONE;
-    /** The number of the document that is open, and of that whose forerunners the loop has dropped. */
+    /** Number of the open document, and of the document for which the loop has dropped all earlier ones. */
     private long openDocument;
     private long currentDocument;
 
     /**
-     * @param window runs tasks in turn on the window's thread
-     * @param canvas hears all on the loop's threads, where it holds up nobody, before the window does
-     * @param stateListener  hears on the window's thread that the state is another
+     * @param window        runs tasks in order on the window's thread
+     * @param canvas        receives all events on the loop's threads, before the window does
+     * @param stateListener called on the window's thread after a change of the state
      */
     public RenderFeed(Executor window, RenderListener canvas, Runnable stateListener) {
         this.window = window;
@@ -43,12 +43,12 @@ public final class RenderFeed implements RenderListener {
         this.stateListener = stateListener;
     }
 
-    /** What was told, up to now. */
+    /** Returns the newest state. */
     public synchronized RenderState state() {
         return state;
     }
 
-    /** Another document takes the place of the one before; {@link #pictureDropped} with its number tells that the loop has left that. */
+    /** Switches to another document. {@link #pictureDropped} with its number reports that the loop has dropped the previous one. */
     public void open(long number) {
         synchronized (this) {
             openDocument = number;
@@ -59,7 +59,7 @@ public final class RenderFeed implements RenderListener {
         }
     }
 
-    /** What waited was canceled, also where the loop has not left the document before. */
+    /** Marks a pending render as canceled, even if the loop has not dropped the previous document yet. */
     public synchronized void waitingRenderCanceled() {
         state = state.withStop(null);
     }
@@ -76,7 +76,7 @@ public final class RenderFeed implements RenderListener {
         }
     }
 
-    /** Returns whether it is of the open document. */
+    /** Returns true if the event belongs to the open document. */
     private synchronized boolean changeState(UnaryOperator<RenderState> change) {
         boolean isCurrent = isOpenDocumentCurrent();
         state = isCurrent ? change.apply(state) : state;
@@ -92,7 +92,7 @@ public final class RenderFeed implements RenderListener {
         }
     }
 
-    /** Whether a work has gone on for long enough to tell again how far it is; its end is told in any case. */
+    /** Tests if the minimum interval since the last progress report has passed. The end of a job is always reported. */
     private boolean isReportDue(int done, int total) {
         long last = lastReportNs.get();
         long now = System.nanoTime();
@@ -110,7 +110,7 @@ public final class RenderFeed implements RenderListener {
     public void progress(int done, int total) {
         canvas.progress(done, total);
         if (done == total) {
-            // Heard with what came of it.
+            // Reported together with the result.
             changeState(s -> s.withProgress(done, total));
         } else if (isReportDue(done, total)) {
             publish(s -> s.withProgress(done, total));

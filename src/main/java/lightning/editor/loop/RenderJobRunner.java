@@ -3,21 +3,21 @@ package lightning.editor.loop;
 import java.util.concurrent.CancellationException;
 import lightning.scene.Scene;
 
-/** One work of a queue after the other, until it is closed: what the thread of a render loop does. Knows no renderer. */
+/** Runs the jobs of a queue one after the other on the thread of a render loop, until the queue is closed. Independent of the renderer. */
 final class RenderJobRunner implements Runnable {
-    /** Does the work of the queue. Called on the thread alone. */
+    /** Handler of the queue's jobs. Called on the loop's thread only. */
     interface RenderJobHandler extends AutoCloseable {
         /**
-         * Does one work and tells of what came of it.
+         * Runs one job and reports its result.
          *
-         * @throws CancellationException if {@code signal} was asked for; the picture is then as before
+         * @throws CancellationException if {@code signal} was canceled; the image is then unchanged
          */
         void handle(RenderQueue.RenderJob job, RenderQueue.CancelSignal signal);
 
-        /** The scene that the picture shows now; null before the first. */
+        /** Returns the scene of the current image; null before the first. */
         Scene renderedScene();
 
-        /** Nothing is left to do, and that was told. */
+        /** Reports that no job is left. */
         void becomeIdle();
 
         @Override
@@ -64,7 +64,7 @@ final class RenderJobRunner implements Runnable {
                 listener.canceled();
             }
         } catch (Throwable e) {
-            // Whatever it is, the window lives on and says so.
+            // Reports any failure; the window stays open.
             listener.failed(e);
         }
     }

@@ -7,50 +7,50 @@ import lightning.render.relight.plan.UpdatePlan;
 import lightning.scene.Scene;
 
 /**
- * Hears what a {@link RenderLoop} does, on the loop's own threads: it must hand over quickly and must not wait for the
- * loop. Turning a film into pixels is best done here, where it does not hold up a window.
+ * Listener for events of a {@link RenderLoop}, called on the loop's threads. Implementations must return quickly and must not wait for the
+ * loop. Convert films to pixels here, as this does not block a window.
  */
 public interface RenderListener {
-    /** An update begins. */
+    /** Called when an update starts. */
     default void started(UpdatePlan plan) {}
 
-    /** {@code done} of {@code total} tiles of the update are finished. From any thread. */
+    /** Reports that {@code done} of {@code total} tiles of the update are finished. Called on any thread. */
     default void progress(int done, int total) {}
 
-    /** {@code done} of {@code total} tiles of a verification are finished. From any thread. */
+    /** Reports that {@code done} of {@code total} tiles of a verification are finished. Called on any thread. */
     default void verificationProgress(int done, int total) {}
 
-    /** A small picture of the scene that is being traced for the first time, to show enlarged until it is there. */
+    /** Receives a coarse image of a scene in its first pass, to show enlarged until the final one is finished. */
     default void coarseRendered(Film film, Scene scene) {}
 
     /**
-     * A tile of the scene that is being traced for the first time is there. From any thread.
+     * Receives a finished tile of a scene in its first pass. Called on any thread.
      *
-     * @param film its red, green and blue, each {@code float[1024]}
+     * @param film red, green and blue of the tile, each {@code float[1024]}
      */
     default void tileRendered(Scene scene, int tile, float[][] film) {}
 
-    /** A picture is finished, or another look at it. Whether more is to be done is told right after: {@link #workRemaining} or {@link #idle}. */
+    /** Receives a finished image, or another view of it. {@link #workRemaining} or {@link #idle} follows immediately. */
     default void rendered(Frame frame) {}
 
-    /** The last picture is dropped: see {@link RenderLoop#open}, of whose {@code number} all is that is told after this. */
+    /** Reports that the last image was dropped. All later events belong to the document of {@code number}: see {@link RenderLoop#open}. */
     default void pictureDropped(long number) {}
 
-    /** It was found out what an update saves: the last one, unless a newer one was made meanwhile. */
+    /** Receives the measured saving of the last update, or of an older one if a newer one was made meanwhile. */
     default void savingMeasured(WarmSaving saving) {}
 
-    /** A full trace was compared with the last picture. */
+    /** Receives the comparison of the last image with a full trace. */
     default void verified(Verification verification) {}
 
-    /** A work ended before its time, because it was canceled or newer work made it useless. */
+    /** Called when a job was canceled, or replaced by a newer one. */
     default void canceled() {}
 
-    /** A work failed; the last picture stays. Memory may have run out, anything else is an error of the program. */
+    /** Called when a job failed; the last image stays. Causes are lack of memory or an internal error. */
     default void failed(Throwable problem) {}
 
-    /** A work is over, and more waits. */
+    /** Called when a job ended and more are pending. */
     default void workRemaining() {}
 
-    /** Nothing is left to do. */
+    /** Called when no job is left. */
     default void idle() {}
 }

@@ -10,8 +10,8 @@ import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Scene;
 
 /**
- * Renders on a thread of its own, the newest wanted scene each time: Go, Live, Update Reflections and Verify of the
- * editor. All methods return at once and may be called from any thread.
+ * Render loop of the editor (Go, Live, Update Reflections and Verify) on its own thread. Always renders the newest requested scene. All
+ * methods return immediately and may be called from any thread.
  *
  * <pre>{@code
  * RenderLoop loop = new RenderLoop(RenderOptions.DEFAULT, listener);
@@ -27,7 +27,7 @@ public final class RenderLoop implements AutoCloseable {
     private final RenderWorker worker;
     private final Thread thread;
 
-    /** Starts the thread; nothing is rendered until a scene is wanted. */
+    /** Starts the thread. Renders nothing until a scene is requested. */
     public RenderLoop(RenderOptions options, RenderListener listener) {
         verifier = new PictureVerifier(options.threads(), listener);
         worker = new RenderWorker(options, queue, verifier, listener);
@@ -35,54 +35,54 @@ public final class RenderLoop implements AutoCloseable {
         thread.start();
     }
 
-    /** Before the first scene is wanted: how that is looked at first, by somebody else. Whatever goes wrong with it is the loop's to tell. */
+    /** Sets a startup preview of the first scene, rendered elsewhere. Call it before the first request. The loop reports its failures. */
     public void setStartupPreview(Future<Optional<CoarsePicture>> preview) {
         worker.setStartupPreview(preview);
     }
 
     /**
-     * Brings the picture to a scene. Replaces a scene that still waits. A trace of another picture (size, camera, shapes) is
-     * canceled; an update that runs is finished first, so that a picture comes even while edits never pause.
+     * Renders a scene and replaces a pending one. Cancels a first pass of another image (size, camera, shapes). Finishes a running update
+     * first, so that images appear even during continuous edits.
      */
     public void render(Scene scene) {
         queue.render(scene);
     }
 
-    /** Makes the mirrors show the scene rendered last, after a scene that waits. Nothing happens before a first picture. */
+    /** Updates reflections to the scene rendered last, after a pending scene. Does nothing before the first image. */
     public void updateReflections() {
         queue.requestReflections();
     }
 
-    /** Traces the scene rendered last in full, beside all other work, and compares. Nothing happens before a first picture. */
+    /** Verifies the scene rendered last with a full trace, concurrently with other work. Does nothing before the first image. */
     public void verify() {
         queue.requestVerification();
     }
 
-    /** Another way of working. What is known of the picture serves on as far as it can: see {@link Renderer#setOptions}. */
+    /** Changes the options. Keeps the cache as far as possible: see {@link Renderer#setOptions}. */
     public void changeOptions(RenderOptions options) {
         queue.changeOptions(options);
     }
 
-    /** Another way of working, and another scene. */
+    /** Changes the options and renders another scene. */
     public void changeOptions(RenderOptions options, Scene scene) {
         queue.changeOptions(options, scene);
     }
 
-    /** See {@link Renderer#setView}; counts from the next update. */
+    /** Sets the view transform, as {@link Renderer#setView}; effective from the next update. */
     public void setView(ViewTransform v) {
         worker.setView(v);
     }
 
-    /** Shows the picture in another way; nothing of it changes. */
+    /** Changes the display mode; the image itself does not change. */
     public void setDisplayMode(DisplayMode v) {
         worker.setDisplayMode(v);
         queue.requestRedisplay();
     }
 
     /**
-     * Stops what runs, a verification too, and forgets what waits. The last picture stays.
+     * Cancels running jobs, verifications included, and drops pending ones. The last image stays.
      *
-     * @return whether a scene waited: the listener does not hear that it is canceled, since it was not begun
+     * @return true if a scene was pending; the listener does not receive its cancellation, as it did not start
      */
     public boolean cancel() {
         boolean wasWaiting = queue.cancel();
@@ -91,9 +91,9 @@ public final class RenderLoop implements AutoCloseable {
     }
 
     /**
-     * Stops everything, drops all that is known of the picture, and renders another document's scene.
+     * Stops all work, drops the cache and renders the scene of another document.
      *
-     * @param number told when all was dropped; larger than that of the document before
+     * @param number reported when the cache is dropped; larger than that of the previous document
      */
     public void open(Scene scene, long number) {
         queue.open(scene, number);
@@ -101,29 +101,29 @@ public final class RenderLoop implements AutoCloseable {
     }
 
     /**
-     * What is kept of the picture that was told of last; empty where there is none, or it was let go of. It is never written over
-     * and may be read on any thread, but holds much memory: it is to be let go of soon.
+     * Returns the cache of the last reported image; empty if none exists or it was freed. It is immutable and safe to read on any thread,
+     * but large: do not hold it for long.
      */
     public Optional<PixelCache> cache() {
         return worker.cache();
     }
 
-    /** Whether the picture is being worked at. A verification runs beside and does not count. */
+    /** Tests if a render is running or pending. A verification does not count. */
     public boolean isBusy() {
         return queue.isBusy();
     }
 
-    /** Whether a verification runs or waits. */
+    /** Tests if a verification is running or pending. */
     public boolean isVerifying() {
         return queue.isVerifying() || verifier.isBusy();
     }
 
-    /** Whether its thread still runs: until it is closed. */
+    /** Tests if the loop's thread is running, that is, not closed. */
     boolean isAlive() {
         return thread.isAlive();
     }
 
-    /** Stops everything and waits for the threads to end. */
+    /** Stops all work and waits for the threads to end. */
     @Override
     public void close() {
         queue.close();

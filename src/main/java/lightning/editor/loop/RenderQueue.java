@@ -5,37 +5,36 @@ import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Scene;
 
 /**
- * What a render loop shall do next: of each kind of work the newest, so that edits made while a picture is rendered cost
- * one update and not one each. Safe for several threads.
+ * Queue of a render loop. Keeps only the newest job of each kind, so that edits during a render cost one update, not one each. Thread-safe.
  */
 final class RenderQueue {
-    /** One piece of work. */
+    /** Job of the queue. */
     public sealed interface RenderJob {
         record Render(Scene scene) implements RenderJob {}
 
         record UpdateReflections() implements RenderJob {}
 
-        /** The finer samples that a picture lacks. */
+        /** Renders the missing anti-aliasing samples of the image. */
         record RenderSamples() implements RenderJob {}
 
         record Verify() implements RenderJob {}
 
-        /** All that is known of the picture is dropped for a document of that number. */
+        /** Drops the cache, for the document of that number. */
         record DropPicture(long number) implements RenderJob {}
 
-        /** The picture that there is, to be looked at in another way. */
+        /** Displays the current image in another display mode. */
         public record Redisplay() implements RenderJob {}
 
-        /** Another renderer, then {@code scene}; null where nothing was rendered yet. */
+        /** Switches the renderer's options, then renders {@code scene}; null if nothing was rendered yet. */
         record ChangeOptions(RenderOptions options, Scene scene) implements RenderJob {}
     }
 
-    /** Hears how far it is. */
+    /** Listener for the progress of a job. */
     interface TileListener {
         void tiles(int done, int total);
     }
 
-    /** Stops one piece of work. */
+    /** Cancellation signal of one job. */
     static final class CancelSignal implements Progress {
         private final TileListener listener;
         private volatile boolean canceled;
@@ -50,7 +49,7 @@ final class RenderQueue {
             canceled = true;
         }
 
-        /** Stops a work that is taken up again after another: nobody needs to hear of it. */
+        /** Stops a job that resumes after another one, without reporting a cancellation. */
         void preempt() {
             preempted = !canceled;
             canceled = true;
@@ -90,14 +89,17 @@ final class RenderQueue {
             postponeSamples();
         }
         if (isObsoleteFor(requested)) {
-            // The mirrors are still wanted, of the newer scene.
+            // Reflections of the newer scene are still requested.
             reflectionsRequested |= running instanceof RenderJob.UpdateReflections;
             cancelSignal.cancel();
         }
         notifyAll();
     }
 
-    /** An update is left to finish, or dragging would starve the picture; a trace of another picture is not. */
+    /**
+     * Tests if a running job is obsolete for a new scene. An update is not, or dragging would starve the image; a first pass of another
+     * image is.
+     */
     private boolean isObsoleteFor(Scene requested) {
         return switch (running) {
             case null -> false;
@@ -113,13 +115,13 @@ final class RenderQueue {
         notifyAll();
     }
 
-    /** The picture lacks samples: they are made when nothing else of it is to be done. */
+    /** Requests the missing samples of the image, at the lowest priority. */
     synchronized void requestSamples() {
         samplesRequested = true;
         notifyAll();
     }
 
-    /** Other work comes before samples, which nobody can see to be begun. */
+    /** Lets other jobs run before samples, whose start is not visible. */
     private void postponeSamples() {
         if (running instanceof RenderJob.RenderSamples) {
             samplesRequested = true;
@@ -138,7 +140,7 @@ final class RenderQueue {
         notifyAll();
     }
 
-    /** What waits, what runs and what is known is of no use any more. */
+    /** Drops all pending work, running work and the cache for another document. */
     synchronized void open(Scene requested, long number) {
         cancel();
         dropRequested = true;
@@ -152,13 +154,13 @@ final class RenderQueue {
         notifyAll();
     }
 
-    /** At once, so that nobody sees the old scene in the new way between. */
+    /** Changes options and scene in one job, so that the old scene never appears with the new options. */
     synchronized void changeOptions(RenderOptions requested, Scene requestedScene) {
         changeOptions(requested);
         render(requestedScene);
     }
 
-    /** Forgets what waits and stops what runs; returns whether a scene waited, of which nobody else hears. */
+    /** Drops pending jobs and stops the running one. Returns true if a scene was pending; its cancellation is not reported elsewhere. */
     synchronized boolean cancel() {
         boolean wasWaiting = scene != null;
         scene = null;
@@ -181,7 +183,7 @@ final class RenderQueue {
         return running != null || isWaiting();
     }
 
-    /** Whether a verification waits or is about to be handed on. */
+    /** Tests if a verification is pending or about to start. */
     synchronized boolean isVerifying() {
         return verificationRequested || running instanceof RenderJob.Verify;
     }
@@ -191,7 +193,7 @@ final class RenderQueue {
                 || dropRequested;
     }
 
-    /** Waits for work; returns null when the queue was closed. */
+    /** Waits for a job. Returns null when the queue is closed. */
     synchronized RenderJob take(CancelSignal newSignal) throws InterruptedException {
         while (!closed && !isWaiting()) {
             wait();
@@ -237,10 +239,10 @@ final class RenderQueue {
     }
 
     /**
-     * The work is over.
+     * Finishes the running job.
      *
-     * @param nowRendered the scene that the picture shows now; null where there is none
-     * @return whether nothing is left
+     * @param nowRendered scene of the current image; null if none
+     * @return true if no job is left
      */
     synchronized boolean finishJob(Scene nowRendered) {
         running = null;

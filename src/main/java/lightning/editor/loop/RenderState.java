@@ -6,28 +6,29 @@ import lightning.bench.accuracy.WarmSaving;
 import lightning.render.relight.plan.UpdatePlan;
 
 /**
- * How far the picture is.
+ * State of the image and its renders.
  *
- * @param plan         what is being done or was done last; null before the first
- * @param done         tiles finished; likewise {@code total}
- * @param verifiedTiles      tiles of the verification finished; likewise {@code tilesToVerify}, 0 where none runs
- * @param frame        the last picture; null before the first
- * @param measuredSaving     what an update saves, that of the last picture or an older one; null while nothing is known
- * @param verification the last one that ended since the picture came, or of the same; null where there is none
- * @param problem      why the last work failed; null if it did not
- * @param canceled    whether the last work ended before its time
+ * @param plan           plan of the running or last update; null before the first
+ * @param done           finished tiles of {@code total}
+ * @param total          tiles of the update
+ * @param verifiedTiles  finished tiles of {@code tilesToVerify}, which is 0 if no verification runs
+ * @param frame          last image; null before the first
+ * @param measuredSaving saving of the last update or an older one; null if unknown
+ * @param verification   last verification of this image or an equal one; null if none
+ * @param problem        failure of the last job; null if it succeeded
+ * @param canceled       whether the last job was canceled
  */
 public record RenderState(UpdatePlan plan, int done, int total, int verifiedTiles, int tilesToVerify, Frame frame,
         WarmSaving measuredSaving,
         Verification verification, Throwable problem, boolean canceled) {
     public static final RenderState NONE = new RenderState(null, 0, 0, 0, 0, null, null, null, null, false);
 
-    /** 0…1. */
+    /** Returns the progress, 0…1. */
     public double progress() {
         return total == 0 ? 0 : (double) done / total;
     }
 
-    /** What the update that made the picture saves; empty while that is not known. */
+    /** Returns the saving of the update that rendered the image; empty if unknown. */
     public Optional<WarmSaving> saving() {
         return Optional.ofNullable(measuredSaving).filter(m -> frame != null && m.isOf(frame.update()));
     }
@@ -49,7 +50,7 @@ public record RenderState(UpdatePlan plan, int done, int total, int verifiedTile
         return new RenderState(plan, done, total, tiles, tileCount, frame, measuredSaving, verification, null, false);
     }
 
-    /** The last verdict goes where it is of another picture. */
+    /** Sets the image and drops a verification of another one. */
     public RenderState withFrame(Frame newFrame) {
         Verification validVerification = verification != null && verification.appliesTo(newFrame.guarantee()) ? verification : null;
         return new RenderState(plan, done, total, verifiedTiles, tilesToVerify, newFrame, measuredSaving, validVerification, problem,

@@ -21,7 +21,7 @@ import lightning.render.relight.plan.UpdatePlan;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Scene;
 
-/** Does the work of a {@link RenderLoop} with a renderer, on the loop's thread; other threads set only how the picture is shown. */
+/** Runs the jobs of a {@link RenderLoop} with a renderer, on the loop's thread. Other threads only set the display mode. */
 final class RenderWorker implements RenderJobRunner.RenderJobHandler {
     private final RenderListener listener;
     private final RenderQueue queue;
@@ -30,12 +30,12 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
     private final DisplayRenderer displayRenderer = new DisplayRenderer();
     private volatile ViewTransform view = ViewTransform.DEFAULT;
     private volatile DisplayMode displayMode = DisplayMode.FULL_PICTURE;
-    /** What is seen of the first scene; none after that. */
+    /** Startup preview of the first scene; null afterwards. */
     private volatile Future<Optional<CoarsePicture>> startupPreview = CompletableFuture.completedFuture(Optional.empty());
     private UpdateResult lastUpdate;
     private Accuracy lastAccuracy;
     private Scene renderedScene;
-    /** What is kept of the picture told last, as long as the renderer keeps it: who looks at it must not hold it in memory. */
+    /** Cache of the last reported image, weakly referenced so that readers do not keep it in memory. */
     private volatile WeakReference<PixelCache> publishedCache = new WeakReference<>(null);
 
     RenderWorker(RenderOptions options, RenderQueue queue, PictureVerifier verifier, RenderListener listener) {
@@ -45,7 +45,7 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
         this.listener = listener;
     }
 
-    /** See {@link RenderLoop#setStartupPreview}. */
+    /** Sets the startup preview, as {@link RenderLoop#setStartupPreview}. */
     void setStartupPreview(Future<Optional<CoarsePicture>> preview) {
         startupPreview = preview;
     }
@@ -58,7 +58,7 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
         displayMode = v;
     }
 
-    /** See {@link RenderLoop#cache}. */
+    /** Returns the cache, as {@link RenderLoop#cache}. */
     Optional<PixelCache> cache() {
         return Optional.ofNullable(publishedCache.get());
     }
@@ -113,7 +113,7 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
         }
     }
 
-    /** Makes the samples that the picture lacks; nothing where it lacks none. */
+    /** Renders the missing samples of the image, if any. */
     private void renderSamples(RenderQueue.CancelSignal signal) {
         if (!renderer.isFinished()) {
             Scene scene = renderer.scene();
@@ -122,9 +122,9 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
     }
 
     /**
-     * Lets go of the picture before where the new one does not fit beside it; then a pass that is canceled has none to go back to.
+     * Frees the current image if a new one does not fit into memory with it. A canceled pass then cannot restore it.
      *
-     * @throws PictureTooLargeException if it does not fit even so; nothing is let go of then
+     * @throws PictureTooLargeException if it does not fit at all; nothing is freed then
      */
     private void freeMemory(Scene scene) {
         renderer.requireMemory(scene, 0);
@@ -146,9 +146,9 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
     }
 
     /**
-     * Updates the picture.
+     * Updates the image.
      *
-     * @param repeatStep does the same from the beginning, planning included, to measure what it saves
+     * @param repeatStep repeats the update from the start, planning included, to measure its saving
      */
     private void update(WarmSaving.UpdateStep step, WarmSaving.UpdateStep repeatStep, RenderQueue.CancelSignal signal) {
         PixelCache start = startCache();
@@ -164,7 +164,7 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
         show(update, signal);
     }
 
-    /** What an update starts from; null where it cannot start from there again, as it is of another accuracy. */
+    /** Returns the cache that the update starts from; null if a repetition cannot start from it, as its accuracy differs. */
     private PixelCache startCache() {
         return renderer.hasPicture() && renderer.options().accuracy() == lastAccuracy ? renderer.lastFinishedCache() : null;
     }
@@ -194,7 +194,7 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
             publish(mode.isFullPicture() ? displayRenderer.fullPicture(renderer)
                     : displayRenderer.film(renderer, mode, signal.cancellationOnly()), mode);
         } catch (CancellationException e) {
-            // The picture itself is finished.
+            // The image itself is finished.
             publish(renderer.film(), DisplayMode.FULL_PICTURE);
         } catch (PictureTooLargeException | OutOfMemoryError e) {
             publish(displayRenderer.fullPicture(renderer), DisplayMode.FULL_PICTURE);
@@ -208,7 +208,7 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
                 renderer.cache().geometry(), renderer.isFinished()));
     }
 
-    /** Tells of the tiles, where it is a first pass. */
+    /** Reports finished tiles in a first pass. */
     private Progress reportingTiles(Scene scene, Progress progress) {
         return new Progress() {
             @Override
@@ -228,7 +228,7 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
         };
     }
 
-    /** A look at all of the picture in a fraction of its time, then a better one. */
+    /** Renders coarse images of increasing resolution, each in a fraction of the full time. */
     private void renderCoarse(Scene scene, RenderQueue.CancelSignal signal) {
         Optional<CoarsePicture> startPicture = takeStartupPreview().filter(preview -> preview.scene() == scene);
         startPicture.ifPresent(preview -> {

@@ -1,5 +1,5 @@
 /**
- * The loop that renders beside the window: a queue of what is wanted, where the newest wish wins, a thread that works it off,
- * and another that verifies and measures while nobody works. {@link lightning.editor.loop.RenderLoop} is safe for several threads.
+ * Background rendering for the editor: a queue that keeps the newest request, a thread that runs it, and another that verifies and measures
+ * when idle. {@link lightning.editor.loop.RenderLoop} is thread-safe.
  */
 package lightning.editor.loop;

@@ -14,7 +14,7 @@ import lightning.scene.Scene;
 import lightning.scene.effects.RenderEffect;
 import org.junit.jupiter.api.Test;
 
-/** What effects take: bytes and rays, which no noise changes. */
+/** Costs of effects in bytes and rays, which are deterministic. */
 class EffectCostsTest {
     private static final RenderOptions OPTIONS = RenderOptions.DEFAULT.withThreads(1);
 
@@ -73,7 +73,7 @@ class EffectCostsTest {
         EffectCost textures = cost(measure(scene), RenderEffect.TEXTURES);
         assertThat(textures.inUse()).isFalse();
         assertThat(textures.measured()).isTrue();
-        // Twelve bytes for each row of each level, which are rounded up to sixteen rows a tile.
+        // Twelve bytes per row of each level, rounded up to sixteen rows per tile.
         assertThat(textures.bytes()).isPositive().isEqualTo(textures.bytes() / (12 * 16) * 12 * 16);
         assertThat(textures.rays().total()).isZero();
         assertThat(HitRows.paddedLength(1)).isEqualTo(16);

@@ -38,7 +38,7 @@ class FilmUpscalerTest {
         }
     }
 
-    /** Centers at 1/6, 1/2, 5/6 of the width: in the halves 0, 1 (its border), 1. */
+    /** Checks centers at 1/6, 1/2 and 5/6 of the width: in the halves 0, 1 (its border), 1. */
     @Test
     void oddSizes_useCenterPixel() {
         Film large = upscale(numbered(2, 1), 3, 1);

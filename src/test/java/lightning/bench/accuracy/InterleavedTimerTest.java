@@ -31,7 +31,7 @@ class InterleavedTimerTest {
     @Test
     void warmUp_continuesWhileATaskGetsFaster() {
         List<Timing> times = new InterleavedTimer(2, 1e6).warmUpAndMeasure(List.of(task('a', 64, 32, 16, 8, 4, 4, 4, 2, 1)), Progress.NONE);
-        // 4 ms is the best of two rounds more: steady.
+        // 4 ms is still the best after two more rounds: steady.
         assertThat(times.getFirst().milliseconds()).containsExactly(2.0, 1.0);
     }
 
@@ -43,7 +43,7 @@ class InterleavedTimerTest {
 
     @Test
     void veryShortTasks_mustBeSteadyForMinimumTime() {
-        // Java compiles late: the two are as slow for ten rounds and ten times as fast from then on.
+        // Late compilation: both are equally slow for ten rounds, then ten times as fast.
         double[] late = {4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 0.4};
         List<InterleavedTimer.TimedTask<RuntimeException>> works = List.of(task('a', late), task('b', late));
         var turns = new InterleavedTimer(1, 1e6, 100);
@@ -60,7 +60,7 @@ class InterleavedTimerTest {
     @Test
     void warmUpLimit_countsOnlyOwnCpuTime() {
         InterleavedTimer.TimedTask<RuntimeException> work = task('a', 64, 32, 16, 8, 4, 2, 1);
-        // Whoever waits for a processor works as little as whoever sleeps.
+        // Waiting for a processor uses as little processor time as sleeping.
         InterleavedTimer.TimedTask<RuntimeException> late = () -> {
             LockSupport.parkNanos(200_000_000);
             return work.runMs();

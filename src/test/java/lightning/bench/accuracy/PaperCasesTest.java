@@ -301,12 +301,12 @@ class PaperCasesTest {
         return PaperCases.of(SceneFiles.read("bird", 40)).stream().filter(c -> c.name().equals(name)).findFirst().orElseThrow();
     }
 
-    /** The plan of the case's last step. */
+    /** Returns the plan of the case's last step. */
     private static UpdatePlan.Relight lastPlan(PaperCase edit) {
         return (UpdatePlan.Relight) lastUpdate(edit).plan();
     }
 
-    /** What the last step did, in the paper's way: stale reflections. */
+    /** Returns the update of the last step with stale reflections, as in the paper. */
     private static UpdateResult lastUpdate(PaperCase edit) {
         try (Renderer renderer = new Renderer(RenderOptions.DEFAULT.withReflections(ReflectionMode.STALE).withThreads(1))) {
             UpdateResult update = null;

@@ -17,7 +17,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** The scenes hold exactly what the paper counts in them (§4 and appendix B). */
+/** Tests that scenes have the objects that the paper lists (§4 and appendix B). */
 class PaperScenesTest {
     @ParameterizedTest
     @CsvSource({"bird, 4, 2, 4, 1", "balls, 4, 0, 0, 1", "spaceship, 0, 1, 11, 8",

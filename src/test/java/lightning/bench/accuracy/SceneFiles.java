@@ -10,13 +10,13 @@ import lightning.format.jen.JenException;
 import lightning.format.jen.JenReader;
 import lightning.scene.Scene;
 
-/** The scenes of the project. */
+/** Scenes of the project. */
 final class SceneFiles {
     private static final Path FOLDER = Path.of("scenes");
 
     private SceneFiles() {}
 
-    /** The names of all scenes, without {@code .jen}. */
+    /** Returns the names of all scenes, without {@code .jen}. */
     static List<String> names() {
         try (Stream<Path> files = Files.list(FOLDER)) {
             return files.map(f -> f.getFileName().toString()).filter(n -> n.endsWith(".jen"))
@@ -34,7 +34,7 @@ final class SceneFiles {
         }
     }
 
-    /** A scene at {@code size} × {@code size} pixels. */
+    /** Returns a scene at {@code size} × {@code size} pixels. */
     static Scene read(String name, int size) {
         Scene scene = read(name);
         return scene.withPicture(scene.picture().withSize(size, size));

@@ -16,11 +16,11 @@ import lightning.scene.Scene;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** The scenes are lit with care: no light is idle, and no picture is burnt out or lost in the dark. */
+/** Tests the lighting of all scenes: every light is visible, and no image is overexposed or underexposed. */
 @Slow
 class SceneLightingTest {
     private static final int SIZE = 100;
-    /** A light must be seen in a five-hundredth of the picture. */
+    /** Minimum visible area of a light: 1/500 of the image. */
     private static final long MIN_PIXELS = SIZE * SIZE / 500;
 
     @ParameterizedTest
@@ -38,7 +38,7 @@ class SceneLightingTest {
                 }
             }
         }
-        assertThat(idle).as("lights that nobody would miss").isEmpty();
+        assertThat(idle).as("lights without visible effect").isEmpty();
     }
 
     @ParameterizedTest
@@ -60,7 +60,7 @@ class SceneLightingTest {
         return new TraditionalTracer(scene, geometry).trace(workers, Progress.NONE).film();
     }
 
-    /** How many pixels lose at least 8 of 255 steps of the display in some channel. */
+    /** Counts pixels that lose at least 8 of 255 display steps in some channel. */
     private static long visiblyDarker(Film withoutLight, Film allLights) {
         ViewTransform view = ViewTransform.DEFAULT;
         long count = 0;
@@ -75,7 +75,7 @@ class SceneLightingTest {
         return count;
     }
 
-    /** The share of pixels whose channels are all from {@code min} to {@code max}. */
+    /** Returns the share of pixels whose channels are all from {@code min} to {@code max}. */
     private static double share(Film film, float min, float max) {
         long count = 0;
         for (int y = 0; y < film.height(); y++) {

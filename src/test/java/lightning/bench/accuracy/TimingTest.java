@@ -46,7 +46,7 @@ class TimingTest {
         assertThatThrownBy(() -> new Timing(List.of())).isInstanceOf(IllegalArgumentException.class).hasMessageContaining("at least one");
         for (double bad : new double[] {-1, Double.NaN, Double.POSITIVE_INFINITY}) {
             assertThatThrownBy(() -> new Timing(List.of(1.0, bad))).isInstanceOf(IllegalArgumentException.class)
-                    .hasMessage("a sample must be a time in milliseconds ≥ 0, was " + bad);
+                    .hasMessage("timing: expected milliseconds ≥ 0, found " + bad);
         }
     }
 }

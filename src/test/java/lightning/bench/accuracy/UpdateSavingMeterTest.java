@@ -52,7 +52,7 @@ class UpdateSavingMeterTest {
         assertThat(new FirstPassCost(ms(25), ms(20), 7, 10, 1250, 1, true).percentAtMemoryLimit()).isEqualTo(5);
     }
 
-    /** A quarter of the rays takes 5 of 20 ms at least, 1600 bytes at 200 a millisecond take 8. */
+    /** Checks that a quarter of the rays takes at least 5 of 20 ms, and 1600 bytes at 200 per millisecond take 8. */
     @Test
     void maxPercent_isLimitedByRaysOrMemory() {
         RayCounts all = new RayCounts(100, 0, 300);
@@ -102,6 +102,6 @@ class UpdateSavingMeterTest {
     @Test
     void zeroRepetitions_areRejected() {
         assertThatThrownBy(() -> new UpdateSavingMeter(RenderOptions.DEFAULT, 0)).isInstanceOf(IllegalArgumentException.class)
-                .hasMessage("the number of repetitions must be ≥ 1, was 0");
+                .hasMessage("number of repetitions: expected ≥ 1, found 0");
     }
 }

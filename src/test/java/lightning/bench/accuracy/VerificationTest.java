@@ -31,7 +31,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
-/** One promise of a picture, and what is said of one that keeps it and of one that does not. */
+/** Tests of a guarantee and the messages of images that satisfy or violate it. */
 class VerificationTest {
     private static final Scene STUDIO = StudioScene.of(LightType.POINT);
     private static final Light KEY = STUDIO.lights().getFirst();
@@ -51,7 +51,7 @@ class VerificationTest {
         }
     }
 
-    /** A picture that is brighter by 0.25 in one value. */
+    /** Returns an image that is brighter by 0.25 in one value. */
     private static Film withError(Film film) {
         Film off = film.copy();
         off.blue(0)[33] += 0.25f;
@@ -74,12 +74,12 @@ class VerificationTest {
     @Test
     void text_statesBoundAndStaleMirrors() {
         assertThat(guarantee(STUDIO, STUDIO, 0).text()).isEqualTo("exact");
-        assertThat(guarantee(DIM, STUDIO, 0).text()).isEqualTo("exact, reflections of an older light");
-        assertThat(guarantee(DIM, DIM, 1.21e-6).text()).as("never less than it is").isEqualTo("off by at most 1.3e-06");
+        assertThat(guarantee(DIM, STUDIO, 0).text()).isEqualTo("exact, reflections out of date");
+        assertThat(guarantee(DIM, DIM, 1.21e-6).text()).as("rounded up").isEqualTo("off by at most 1.3e-06");
         Scene renamed = STUDIO.withLights(List.of(KEY.withName("rim")));
-        assertThat(guarantee(renamed, STUDIO, 0).text()).as("no picture tells").isEqualTo("exact");
+        assertThat(guarantee(renamed, STUDIO, 0).text()).as("not visible in the image").isEqualTo("exact");
         Scene matt = DIM.withPicture(DIM.picture().withDepth(0));
-        assertThat(guarantee(matt, STUDIO.withPicture(matt.picture()), 0).text()).as("there are no mirrors").isEqualTo("exact");
+        assertThat(guarantee(matt, STUDIO.withPicture(matt.picture()), 0).text()).as("no mirrors").isEqualTo("exact");
     }
 
     @ParameterizedTest
@@ -90,8 +90,8 @@ class VerificationTest {
             UpdateResult update = renderer.render(DIM, Progress.NONE);
             Verification verification = verify(AccuracyGuarantee.of(renderer, update), renderer.film());
             assertThat(verification.hasPassed()).isTrue();
-            assertThat(verification.text()).startsWith("Verified: ").contains("whose mirrors show an older light",
-                    "would change with current mirrors");
+            assertThat(verification.text()).startsWith("Verified: ").contains("with outdated reflections",
+                    "would change with current reflections");
             assertThat(verification.full().hasSameBits(new ReferenceTracer(DIM).trace())).isTrue();
             assertThat(verification.currentDifference().pixels()).isPositive();
         }
@@ -115,7 +115,7 @@ class VerificationTest {
         Film film = new ReferenceTracer(STUDIO).trace();
         assertThat(verify(guarantee(STUDIO, STUDIO, 0), film).text()).isEqualTo("Verified: equal to a full trace in every bit");
         assertThat(verify(guarantee(STUDIO, STUDIO, 0.5), withError(film)).text())
-                .isEqualTo("Verified: 1 value in 1 pixel differs from a full trace, by at most 2.5e-01 where 5.0e-01 is promised");
+                .isEqualTo("Verified: 1 value in 1 pixel differs from a full trace by at most 2.5e-01 (expected: at most 5.0e-01)");
     }
 
     @Test
@@ -124,15 +124,17 @@ class VerificationTest {
         Verification broken = verify(guarantee(STUDIO, STUDIO, 0), film);
         assertThat(broken.hasPassed()).isFalse();
         assertThat(broken.text())
-                .isEqualTo("NOT KEPT: 1 value in 1 pixel differs from a full trace, by at most 2.5e-01 where no bit may differ");
+                .isEqualTo("Verification failed: 1 value in 1 pixel differs from a full trace by at most 2.5e-01 "
+                        + "(expected: no difference)");
         assertThatThrownBy(() -> GuaranteeViolation.require(broken, AccuracySetting.EXACT)).isInstanceOf(GuaranteeViolation.class)
-                .hasMessage("grade exact: " + broken.text() + "; not measured");
-        assertThat(verify(guarantee(STUDIO, STUDIO, 0.2), film).text()).startsWith("NOT KEPT: ").endsWith("where 2.0e-01 is promised");
+                .hasMessage("accuracy setting exact: " + broken.text() + "; not measured");
+        assertThat(verify(guarantee(STUDIO, STUDIO, 0.2), film).text()).startsWith("Verification failed: ")
+                .endsWith("(expected: at most 2.0e-01)");
         assertThatCode(() -> GuaranteeViolation.require(verify(guarantee(STUDIO, STUDIO, 0.3), film), AccuracySetting.RATIO))
                 .doesNotThrowAnyException();
     }
 
-    /** The boxes of the renderer's tree hold nothing any more: a trace over the same tree sees as little as the picture. */
+    /** Empties the boxes of the renderer's BVH: a trace with the same BVH would be as wrong as the image. */
     @Test
     void wrongBvh_isDetected() throws ReflectiveOperationException {
         try (Renderer renderer = renderer(Accuracy.EXACT, ReflectionMode.CURRENT); WorkerPool workers = new WorkerPool(1)) {

@@ -75,7 +75,7 @@ class WarmSavingTest {
         assertThat(edit(before)).isEmpty();
         assertThat(edit(before)).isEmpty();
         Scene larger = before.withPicture(before.picture().withSize(70, 70));
-        assertThat(edit(larger)).as("another picture").isEmpty();
+        assertThat(edit(larger)).as("different image").isEmpty();
         assertThat(renderer.plan(larger).update()).isInstanceOf(UpdatePlan.Nothing.class);
     }
 

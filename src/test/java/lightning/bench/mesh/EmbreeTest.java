@@ -9,14 +9,14 @@ import lightning.render.trace.mesh.MeshSolid;
 import lightning.scene.Mesh;
 import org.junit.jupiter.api.Test;
 
-/** Another program's answers, where it is installed: {@code -Dlightning.embree=1000000} asks for as many. */
+/** Comparison with Embree, if installed; {@code -Dlightning.embree=1000000} sets the number of rays. */
 class EmbreeTest {
     /**
-     * Embree moves vertices to the ray's origin and finds edges' signs in floats, v = 2⁻²⁴: each coordinate is off by v·(|o| + r), and products of such
-     * differ as if the ray were moved by less than 8v·(|o| + r). This is four times as much.
+     * Embree moves vertices to the ray's origin and computes edge signs in floats, v = 2⁻²⁴. Each coordinate is off by v·(|o| + r), and
+     * differences of products correspond to a ray moved by less than 8v·(|o| + r). This is four times as much.
      */
     private static final double TOLERANCE_SCALE = 0x1p-19;
-    /** Beside a vertex that stands out, what passes it is a thin wedge of them. */
+    /** Number of moved rays to try: near a protruding vertex, only a thin wedge of them misses. */
     private static final int RAY_COUNT = 5000;
 
     private final Random random = new Random(1);
@@ -48,7 +48,7 @@ class EmbreeTest {
         assertThat(unlike).as("of %s rays", rays.count()).isZero();
     }
 
-    /** Rays that go anywhere, past the ball just above a vertex, at vertices, and at points of edges. */
+    /** Returns random rays, and rays just above a vertex, at vertices, and at points of edges. */
     private RaySet rays(int count) {
         float[][] c = new float[6][count];
         for (int i = 0; i < count; i++) {
@@ -63,7 +63,7 @@ class EmbreeTest {
                 from[k] = 2 * random.nextGaussian();
             }
             if (i % 4 == 1) {
-                // At a right angle to where the vertex lies, seen from the middle.
+                // Perpendicular to the vertex's direction, seen from the center.
                 double along = (from[0] * to[0] + from[1] * to[1] + from[2] * to[2]) / (to[0] * to[0] + to[1] * to[1] + to[2] * to[2]);
                 for (int k = 0; k < 3; k++) {
                     from[k] += (1 - along) * to[k];
@@ -100,8 +100,8 @@ class EmbreeTest {
     }
 
     /**
-     * Whether the point that Embree names lies on the triangle that it names, as far as its floats can tell; and where it passed what we meet, whether
-     * some ray that is moved by as much does.
+     * Tests if Embree's point is on its triangle, within float accuracy. If Embree misses our hit, tests if some ray moved by that error
+     * misses it too.
      */
     private boolean isExplained(double[] ray, double ours, double theirs, int triangle) {
         if (triangle >= 0 && !isOnTriangle(ray, theirs, triangle)) {
@@ -120,8 +120,8 @@ class EmbreeTest {
     }
 
     /**
-     * Whether the point at a distance lies off a triangle by no more than the margin, which the slant of the ray makes longer along it; and the slant itself is
-     * known but for the margin in units of the triangle's least height.
+     * Tests if the point at a distance is off a triangle by at most the margin, which grows with the slant of the ray. The slant itself has
+     * an error of the margin relative to the triangle's smallest height.
      */
     private boolean isOnTriangle(double[] ray, double distance, int triangle) {
         double[] e = side(triangle, 1);

@@ -46,7 +46,7 @@ class AccuracyChartTest {
         assertThat(svg).contains(">ratio<", ">full trace<", ">0<");
     }
 
-    /** Colors and shapes stand in the order of the grades. */
+    /** Checks that colors and shapes are in the order of the settings. */
     @Test
     void everySetting_hasUniqueColorAndShape() {
         assertThat(AccuracySetting.values()).extracting(PlotStyle::shape).doesNotHaveDuplicates();

@@ -23,7 +23,7 @@ class HtmlWriterTest {
         assertThat(p.getAttribute("title")).isEqualTo(xmlCharacters(text).replace("\r\n", " ").replaceAll("[\r\n\t]", " "));
     }
 
-    /** What XML can hold. */
+    /** Returns the characters that XML allows. */
     private static String xmlCharacters(String text) {
         return text.codePoints().map(c -> c == '\t' || c == '\n' || c == '\r' || c >= 0x20 && c <= 0xD7FF || c >= 0xE000 && c <= 0xFFFD
                 || c >= 0x10000 ? c : 0xFFFD).collect(StringBuilder::new, StringBuilder::appendCodePoint, StringBuilder::append).toString();

@@ -28,7 +28,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Every command is enabled exactly when it has something to do, in a session with real pictures. */
+/** Tests that commands are enabled exactly when applicable, in a session with real images. */
 class CommandTest {
     @TempDir
     private Path folder;
@@ -85,7 +85,7 @@ class CommandTest {
     void go_isEnabledUntilPictureShowsScene() {
         assertEnabled(Command.GO);
         go();
-        assertDisabled(Command.GO, "nothing was edited since the last Go");
+        assertDisabled(Command.GO, "nothing to render");
         setIntensity(2);
         assertEnabled(Command.GO);
     }
@@ -104,7 +104,7 @@ class CommandTest {
         go();
         setIntensity(2);
         document.history().undo();
-        assertDisabled(Command.GO, "nothing was edited since the last Go");
+        assertDisabled(Command.GO, "nothing to render");
     }
 
     @Test
@@ -112,7 +112,7 @@ class CommandTest {
         go();
         document.apply(LightEdits.edit(document.scene(), "sun", l -> l.withPosition(new Vec3(9, 9, 9))));
         document.apply(LightEdits.rename(document.scene(), "key", "rim"));
-        assertDisabled(Command.GO, "nothing was edited since the last Go");
+        assertDisabled(Command.GO, "nothing to render");
         assertThat(document.isDirty()).isTrue();
     }
 
@@ -121,7 +121,7 @@ class CommandTest {
         go();
         setIntensity(2);
         assertThat(Command.GO.disabledReason(editorState().withSceneInProgress(Optional.of(document.scene()))))
-                .contains("the scene is being rendered");
+                .contains("rendering is in progress");
         Scene older = document.scene();
         setIntensity(3);
         assertThat(Command.GO.disabledReason(editorState().withSceneInProgress(Optional.of(older)))).isEmpty();
@@ -133,22 +133,22 @@ class CommandTest {
         frame = frame.map(
                 f -> new Frame(f.film(), f.displayed(), f.displayMode(), f.scene(), f.mirroredScene(), f.update(), f.geometry(), false));
         assertEnabled(Command.GO);
-        assertThat(editorState().pendingMessage()).contains("the picture lacks the finer samples of its edges");
+        assertThat(editorState().pendingMessage()).contains("the image is not anti-aliased yet");
         assertThat(Command.GO.disabledReason(editorState().withSceneInProgress(Optional.of(document.scene()))))
-                .contains("the scene is being rendered");
+                .contains("rendering is in progress");
     }
 
     @Test
     void updateReflections_isEnabledWhileMirrorsAreStale() {
-        assertDisabled(Command.UPDATE_REFLECTIONS, "there is no picture yet");
+        assertDisabled(Command.UPDATE_REFLECTIONS, "nothing is rendered yet");
         go();
-        assertDisabled(Command.UPDATE_REFLECTIONS, "the mirrors show the picture's lights already");
+        assertDisabled(Command.UPDATE_REFLECTIONS, "reflections are up to date");
         setIntensity(2);
-        assertDisabled(Command.UPDATE_REFLECTIONS, "the mirrors show the picture's lights already");
+        assertDisabled(Command.UPDATE_REFLECTIONS, "reflections are up to date");
         go();
         assertEnabled(Command.UPDATE_REFLECTIONS);
         updateReflections();
-        assertDisabled(Command.UPDATE_REFLECTIONS, "the mirrors show the picture's lights already");
+        assertDisabled(Command.UPDATE_REFLECTIONS, "reflections are up to date");
     }
 
     @Test
@@ -157,7 +157,7 @@ class CommandTest {
         go();
         setIntensity(2);
         go();
-        assertDisabled(Command.UPDATE_REFLECTIONS, "nothing in the picture mirrors or is clear");
+        assertDisabled(Command.UPDATE_REFLECTIONS, "no visible object is reflective or transparent");
     }
 
     @ParameterizedTest
@@ -170,20 +170,20 @@ class CommandTest {
         assertEnabled(Command.UPDATE_REFLECTIONS);
         assertThat(editorState().staleMirrorsMessage()).isPresent();
         updateReflections();
-        assertDisabled(Command.UPDATE_REFLECTIONS, "the mirrors show the picture's lights already");
+        assertDisabled(Command.UPDATE_REFLECTIONS, "reflections are up to date");
         assertThat(editorState().staleMirrorsMessage()).isEmpty();
     }
 
     @Test
     void undoAndRedo_areEnabledIfStepsExist() {
-        assertDisabled(Command.UNDO, "there is nothing to undo");
-        assertDisabled(Command.REDO, "there is nothing to redo");
+        assertDisabled(Command.UNDO, "nothing to undo");
+        assertDisabled(Command.REDO, "nothing to redo");
         setIntensity(2);
         assertEnabled(Command.UNDO);
         go();
         assertEnabled(Command.UNDO);
         document.history().undo();
-        assertDisabled(Command.UNDO, "there is nothing to undo");
+        assertDisabled(Command.UNDO, "nothing to undo");
         assertEnabled(Command.REDO);
     }
 
@@ -192,25 +192,25 @@ class CommandTest {
         setIntensity(2);
         assertDisabled(Command.UNDO_LIGHT, "no light is selected");
         document.selectLight("fill");
-        assertDisabled(Command.UNDO_LIGHT, "there is nothing to undo of this light");
+        assertDisabled(Command.UNDO_LIGHT, "nothing to undo for this light");
         document.selectLight("key");
         assertEnabled(Command.UNDO_LIGHT);
-        assertDisabled(Command.REDO_LIGHT, "there is nothing to redo of this light");
+        assertDisabled(Command.REDO_LIGHT, "nothing to redo for this light");
         document.history().undoLight(document.history().id("key"));
         assertEnabled(Command.REDO_LIGHT);
-        assertDisabled(Command.UNDO_LIGHT, "there is nothing to undo of this light");
+        assertDisabled(Command.UNDO_LIGHT, "nothing to undo for this light");
     }
 
     @Test
     void reloadAndSave_areEnabledWithUnsavedEdits() throws Exception {
-        assertDisabled(Command.RELOAD, "the scene is as it is on disk");
-        assertDisabled(Command.SAVE_SCENE, "there is nothing to save");
+        assertDisabled(Command.RELOAD, "no unsaved changes");
+        assertDisabled(Command.SAVE_SCENE, "nothing to save");
         setIntensity(2);
         assertEnabled(Command.RELOAD);
         assertEnabled(Command.SAVE_SCENE);
         TestSaves.save(document);
-        assertDisabled(Command.RELOAD, "the scene is as it is on disk");
-        assertDisabled(Command.SAVE_SCENE, "there is nothing to save");
+        assertDisabled(Command.RELOAD, "no unsaved changes");
+        assertDisabled(Command.SAVE_SCENE, "nothing to save");
     }
 
     @Test
@@ -228,18 +228,18 @@ class CommandTest {
 
     @Test
     void saveImage_needsPictureAndReportsPendingEdits() {
-        assertDisabled(Command.SAVE_IMAGE, "there is no picture yet");
+        assertDisabled(Command.SAVE_IMAGE, "nothing is rendered yet");
         go();
         assertEnabled(Command.SAVE_IMAGE);
         assertThat(editorState().pendingMessage()).isEmpty();
         setIntensity(2);
         assertEnabled(Command.SAVE_IMAGE);
-        assertThat(editorState().pendingMessage()).contains("the picture does not show the edits since the last Go");
+        assertThat(editorState().pendingMessage()).contains("the image is out of date");
     }
 
     @Test
     void verify_needsAPicture() {
-        assertDisabled(Command.VERIFY, "there is no picture yet");
+        assertDisabled(Command.VERIFY, "nothing is rendered yet");
         go();
         assertEnabled(Command.VERIFY);
     }
@@ -273,14 +273,14 @@ class CommandTest {
         }
         document.apply(new EditOutcome.Applied(document.scene().withLights(many)));
         document.selectLight("l0");
-        assertDisabled(Command.ADD_LIGHT, "a scene has at most 1000 lights");
-        assertDisabled(Command.DUPLICATE_LIGHT, "a scene has at most 1000 lights");
+        assertDisabled(Command.ADD_LIGHT, "a scene can have at most 1000 lights");
+        assertDisabled(Command.DUPLICATE_LIGHT, "a scene can have at most 1000 lights");
     }
 
     @Test
     void pasteSettings_needsCopiedSettings() {
         document.selectLight("key");
-        assertDisabled(Command.PASTE_SETTINGS, "no settings were copied");
+        assertDisabled(Command.PASTE_SETTINGS, "no settings are copied");
         assertThat(Command.PASTE_SETTINGS.isEnabled(editorState().withCopiedLight(document.selectedLight()))).isTrue();
     }
 
@@ -294,11 +294,11 @@ class CommandTest {
     void makeAnimation_needsSelectedLightAndNoPendingEdits() {
         assertDisabled(Command.MAKE_ANIMATION, "no light is selected");
         document.selectLight("key");
-        assertDisabled(Command.MAKE_ANIMATION, "there is no picture yet");
+        assertDisabled(Command.MAKE_ANIMATION, "nothing is rendered yet");
         go();
         assertEnabled(Command.MAKE_ANIMATION);
         setIntensity(2);
-        assertDisabled(Command.MAKE_ANIMATION, "the picture does not show the last edits; press Go first");
+        assertDisabled(Command.MAKE_ANIMATION, "the image is out of date; render first");
     }
 
     @Test
@@ -309,7 +309,7 @@ class CommandTest {
         EditorState animating = editorState().withAnimating(true).withCopiedLight(document.selectedLight());
         EnumSet<Command> heldBack = EnumSet.noneOf(Command.class);
         for (Command command : Command.values()) {
-            if (command.disabledReason(animating).equals(Optional.of("an animation is open; close it first"))) {
+            if (command.disabledReason(animating).equals(Optional.of("close the open animation first"))) {
                 heldBack.add(command);
             }
         }

@@ -9,7 +9,7 @@ import lightning.scene.Light;
 import lightning.scene.LightType;
 import lightning.scene.Scene;
 
-/** A small scene to edit: a mirror under a ball, and a light of each type. */
+/** Small scene to edit: a ball on a mirror, and a light of each type. */
 public final class DeskScene {
     static final String TEXT = """
             jen 1
@@ -38,7 +38,7 @@ public final class DeskScene {
         return scene.light(name).orElseThrow();
     }
 
-    /** The scene after an edit that is allowed. */
+    /** Returns the scene of an allowed edit. */
     public static Scene sceneOf(EditOutcome change) {
         return switch (change) {
             case EditOutcome.Applied to -> to.scene();
@@ -46,7 +46,7 @@ public final class DeskScene {
         };
     }
 
-    /** The dial of that title. */
+    /** Returns the parameter with that title. */
     public static NumericParameter parameter(String title) {
         return NumericParameter.ALL.stream().filter(d -> d.title().equals(title)).findFirst().orElseThrow();
     }

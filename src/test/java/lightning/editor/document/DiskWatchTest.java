@@ -35,7 +35,7 @@ class DiskWatchTest {
         watch.watch(file, known);
     }
 
-    /** The watching thread makes and removes its file in the folder. */
+    /** Closes the watch first, as its thread creates and deletes a file in the folder. */
     @AfterEach
     void close() throws Exception {
         watch.close();
@@ -45,7 +45,7 @@ class DiskWatchTest {
     private DiskStatus await(Predicate<DiskStatus> condition) throws InterruptedException {
         while (true) {
             DiskStatus news = statuses.poll(Await.TIMEOUT_SECONDS, TimeUnit.SECONDS);
-            assertThat(news).as("what is waited for").isNotNull();
+            assertThat(news).as("expected event").isNotNull();
             if (condition.test(news)) {
                 return news;
             }
@@ -87,7 +87,7 @@ class DiskWatchTest {
     void deletedFile_isDeletedUntilRestored() throws Exception {
         Files.delete(file);
         await(DiskStatus::isDeleted);
-        // Whole at once: a look between the file and its text would see another.
+        // Moved into place atomically, as a check during the write would see an incomplete file.
         Files.move(Files.writeString(folder.resolve("again"), DeskScene.TEXT), file, StandardCopyOption.ATOMIC_MOVE);
         assertThat(await(news -> !news.isDeleted()).isChanged()).isFalse();
     }

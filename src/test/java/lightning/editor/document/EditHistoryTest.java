@@ -185,8 +185,8 @@ class EditHistoryTest {
     void lightWithoutEdits_hasNothingToUndo() {
         set(DeskScene.parameter("intensity"), "key", 2);
         assertThat(history.undoLabel(history.id("fill"))).isEmpty();
-        assertThat(history.undoLight(history.id("fill")).refusal()).contains("there is nothing to undo of this light");
-        assertThat(history.redoLight(history.id("key")).refusal()).contains("there is nothing to redo of this light");
+        assertThat(history.undoLight(history.id("fill")).refusal()).contains("nothing to undo for this light");
+        assertThat(history.redoLight(history.id("key")).refusal()).contains("nothing to redo for this light");
     }
 
     @Test
@@ -230,7 +230,7 @@ class EditHistoryTest {
         assertThat(selection.light(history)).map(Light::name).contains("key");
     }
 
-    /** Lights a, b, c: without b, c stands where it stood; without c too, the last does. */
+    /** Deletes b, then c, of lights a, b, c: the selection moves to c at b's index, then to the last light. */
     @Test
     void selectionOfDeletedLight_isItsNeighbor() {
         String second = scene.lights().get(1).name();

@@ -35,7 +35,7 @@ class LightEditsTest {
     @Test
     void aimAtOwnPosition_isRefused() {
         assertThat(aim("key", new Vec3(3, 5, 2)).refusal())
-                .contains("the light stands at the point that it should aim at");
+                .contains("the target is at the light's position");
     }
 
     @Test
@@ -93,7 +93,7 @@ class LightEditsTest {
     @Test
     void delete_removesLight() {
         assertThat(DeskScene.names(DeskScene.sceneOf(LightEdits.delete(scene, "fill")))).containsExactly("key", "sun");
-        assertThat(LightEdits.delete(scene, "rim").refusal()).contains("there is no light 'rim'");
+        assertThat(LightEdits.delete(scene, "rim").refusal()).contains("light 'rim' not found");
     }
 
     @Test

@@ -51,7 +51,7 @@ class LightGizmoTest {
                 .allSatisfy(p -> assertThat(p.minus(target).length() / pixel).isCloseTo(12, within(1e-9)));
     }
 
-    /** Without an outline, which has the size of the light. */
+    /** Returns a light without an outline, whose size would depend on the light. */
     private Light lightAtTarget(LightType type) {
         return light(type).withArea(AreaShape.DEFAULT.withWidth(0).withHeight(0));
     }

@@ -19,7 +19,7 @@ import net.jqwik.api.Provide;
 import net.jqwik.api.constraints.DoubleRange;
 import org.junit.jupiter.api.Test;
 
-/** The renderer's own explanation of a pixel is the judge. */
+/** Placement of lights, verified with the renderer's pixel explanation. */
 class LightPlacementTest {
     private static final int X = 20;
     private static final int BALL_Y = 15;
@@ -82,7 +82,7 @@ class LightPlacementTest {
         }
     }
 
-    /** A ball of radius 1 about (0 1 0), seen from far away along −z: its rim begins where it was asked for, above it is lit, below not. */
+    /** Checks a ball of radius 1 at (0 1 0), seen from far away along −z: above the chosen point it is lit, below not. */
     @Test
     void rim_startsAtPoint() {
         Vec3 normal = new Vec3(0, Math.sqrt(0.75), 0.5);
@@ -96,7 +96,7 @@ class LightPlacementTest {
     void rimOnSurfaceFacingEye_isRefused() {
         var at = new ScenePicker.SurfaceHit("ball", new Vec3(0, 1, 1), new Vec3(0, 0, 1), new Vec3(0, 1, 9));
         assertThatThrownBy(() -> LightPlacement.start(DeskScene.light(scene, "fill"), new LightPlacement.Goal.Rim(), at.point()).place(at))
-                .hasMessage("the surface faces the eye there; a rim is where it turns away");
+                .hasMessage("the surface faces the camera here; a rim light needs a silhouette");
     }
 
     @Test
@@ -112,7 +112,7 @@ class LightPlacementTest {
         var at = new ScenePicker.SurfaceHit("ball", Vec3.ZERO, Vec3.Y, new Vec3(0, 0, 9));
         assertThatThrownBy(
                 () -> LightPlacement.start(DeskScene.light(scene, "key"), new LightPlacement.Goal.Shadow(Vec3.ZERO), Vec3.ZERO).place(at))
-                .hasMessage("the shadow falls on what throws it");
+                .hasMessage("the shadow falls on its own caster");
     }
 
     @Test
@@ -143,7 +143,7 @@ class LightPlacementTest {
         return ViewArbitraries.directions();
     }
 
-    /** A surface of any normal on the side of the eye, a light of each type, at any distance. */
+    /** Checks any surface normal on the eye's side, each light type, and any distance. */
     @Property
     void placedLight_doesWhatWasAskedAtTheDistanceOfThePress(@ForAll("points") Vec3 point, @ForAll("directions") Vec3 towardsEye,
             @ForAll("directions") Vec3 leaning, @ForAll LightType type, @ForAll @DoubleRange(min = 0.01, max = 1e3) double distance) {

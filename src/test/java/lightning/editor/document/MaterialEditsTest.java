@@ -47,7 +47,7 @@ class MaterialEditsTest {
 
     @Test
     void impossibleEdits_areRefused() {
-        assertThat(MaterialEdits.set(scene, "miror", MaterialAttribute.SHININESS, 3.0).refusal()).contains("there is no material 'miror'");
+        assertThat(MaterialEdits.set(scene, "miror", MaterialAttribute.SHININESS, 3.0).refusal()).contains("material 'miror' not found");
         assertThat(MaterialEdits.set(scene, "mirror", MaterialAttribute.SHININESS, -3.0).refusal())
                 .contains("shininess must be ≥ 0, was -3");
         assertThat(MaterialEdits.set(scene, "mirror", MaterialAttribute.DIFFUSE, new Rgb(0, 2, 0)).refusal())

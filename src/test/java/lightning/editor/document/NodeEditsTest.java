@@ -53,13 +53,13 @@ class NodeEditsTest {
         assertThat(copy.name()).isEqualTo("g2");
         assertThat(copy.children()).extracting(SceneNode::name).containsExactly("a3", "a4");
         assertThat(copy.placement().position().x()).isPositive();
-        assertThat(copy.children().getFirst().placement()).as("inside, nothing moved").isEqualTo(Placement.IDENTITY);
+        assertThat(copy.children().getFirst().placement()).as("children unmoved").isEqualTo(Placement.IDENTITY);
     }
 
     @Test
     void editOfMissingShape_isRefused() {
-        assertThat(NodeEdits.setVisible(scene(), "ball", false).refusal()).contains("there is no shape 'ball'");
-        assertThat(NodeEdits.delete(scene(), "ball").refusal()).contains("there is no shape 'ball'");
+        assertThat(NodeEdits.setVisible(scene(), "ball", false).refusal()).contains("object 'ball' not found");
+        assertThat(NodeEdits.delete(scene(), "ball").refusal()).contains("object 'ball' not found");
     }
 
     @Test

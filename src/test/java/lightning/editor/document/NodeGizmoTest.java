@@ -69,7 +69,7 @@ class NodeGizmoTest {
                 Vec3 at = gizmo
                         .drag(handle, view, CANVAS, CANVAS.project(view, inScene(BALL.position())), CANVAS.project(view, inScene(target)))
                         .position();
-                assertThat(at.minus(target).maxAbs()).as("it stands under the mouse").isLessThan(1e-9);
+                assertThat(at.minus(target).maxAbs()).as("stays under the mouse").isLessThan(1e-9);
             }
         }
     }
@@ -144,7 +144,7 @@ class NodeGizmoTest {
         Transform expected = Transform.rotation(NodeGizmo.unit(axis).times(degrees)).times(Transform.rotation(rotate));
         Transform found = Transform.rotation(EulerRotation.rotate(rotate, axis, degrees));
         for (int i = 0; i < 3; i++) {
-            // Three angles, each rounded to a ten-thousandth of a degree; where the angles lock, what a cosine of 1e-6 makes in each of them.
+            // Three angles, each rounded to 1e-4 degrees; in gimbal lock, the effect of a cosine of 1e-6 on each of them.
             assertThat(found.transformVector(NodeGizmo.unit(i)).minus(expected.transformVector(NodeGizmo.unit(i))).maxAbs())
                     .isCloseTo(0, within(3 * Math.toRadians(0.5e-4) + 3 * 1e-6));
         }

@@ -27,7 +27,7 @@ import org.junit.jupiter.params.provider.FieldSource;
 class NumericParameterTest {
     private final Scene scene = DeskScene.scene();
 
-    /** What the documents call degrees is typed and shown in degrees, and nothing else is. */
+    /** Checks that exactly the documented degree parameters are entered and shown in degrees. */
     @Test
     void degreeParameters_matchDocumentation() {
         Stream<SceneAttribute<?, ?>> all = Stream.<List<? extends SceneAttribute<?, ?>>>of(LightAttribute.ALL, MaterialAttribute.ALL,
@@ -84,8 +84,8 @@ class NumericParameterTest {
 
     @Test
     void unknownLight_isRefused() {
-        assertThat(DeskScene.parameter("intensity").set(scene, "nobody", 1).refusal()).contains("there is no light 'nobody'");
-        assertThat(DeskScene.parameter("intensity").step(scene, "nobody", 1).refusal()).contains("there is no light 'nobody'");
+        assertThat(DeskScene.parameter("intensity").set(scene, "nobody", 1).refusal()).contains("light 'nobody' not found");
+        assertThat(DeskScene.parameter("intensity").step(scene, "nobody", 1).refusal()).contains("light 'nobody' not found");
     }
 
     @Test

@@ -128,7 +128,7 @@ class OpenDocumentTest {
         OpenDocument open = OpenDocument.open(textured);
         Path away = folder.resolve("away.jen");
         assertThatIOException().isThrownBy(() -> TestSaves.saveAs(open, away))
-                .withMessageStartingWith("the scene cannot be read from there: ").withMessageContaining("wood.png");
+                .withMessageStartingWith("the saved scene cannot be read: ").withMessageContaining("wood.png");
         assertThat(open.file()).isEqualTo(textured);
         assertThat(away).doesNotExist();
     }
@@ -162,7 +162,7 @@ class OpenDocumentTest {
         assertThat(document.isDirty()).isTrue();
     }
 
-    /** What a watch would tell. */
+    /** Sets the disk state as a watch does. */
     private void checkDisk() throws IOException {
         document.setDiskStatus(new DiskStatus(document.file(), document.knownState(), FileState.of(document.file()), false));
     }
@@ -182,7 +182,7 @@ class OpenDocumentTest {
         assertThat(document.isChangedOnDisk()).isFalse();
     }
 
-    /** So that undo of that edit does not jump away from what was edited. */
+    /** Keeps the neighbor selected after its edit, so that undo does not change the selection. */
     @Test
     void editedNeighbor_staysSelected() {
         List<String> names = document.scene().lights().stream().map(Light::name).toList();

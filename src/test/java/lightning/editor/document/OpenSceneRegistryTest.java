@@ -73,18 +73,18 @@ class OpenSceneRegistryTest {
             assertThat(here.isOpenElsewhere(scene)).isTrue();
             other.destroyForcibly().waitFor();
             assertThat(here.isOpenElsewhere(scene)).isFalse();
-            assertThat(registeredFiles()).as("what it left, young as it is").hasSize(2);
+            assertThat(registeredFiles()).as("recent file of the ended process").hasSize(2);
             for (Path file : registeredFiles()) {
                 Files.setLastModifiedTime(file, FileTime.fromMillis(1_000_000));
             }
             assertThat(here.isOpenElsewhere(scene)).isFalse();
-            assertThat(registeredFiles()).as("its own").hasSize(1);
+            assertThat(registeredFiles()).as("own file").hasSize(1);
         } finally {
             other.destroyForcibly();
         }
     }
 
-    /** A process that has a scene open until it is killed. */
+    /** Process that has a scene open until it is killed. */
     public static final class Editor {
         public static void main(String[] arguments) throws IOException {
             var presence = new OpenSceneRegistry(Path.of(arguments[0]));
@@ -92,7 +92,7 @@ class OpenSceneRegistryTest {
             System.out.write('o');
             System.out.flush();
             while (System.in.read() >= 0) {
-                // Whoever started it holds its input.
+                // The parent process holds its input open.
             }
             presence.close();
         }

@@ -128,7 +128,7 @@ public class PreviewCameraTest {
         assertClose(PreviewCamera.throughLight(down, scene).forward(), new Vec3(0, -1, 0), 1e-12);
     }
 
-    /** The renderer's own rays are the oracle: what a pixel's ray meets falls on that pixel. */
+    /** Compares with the renderer's rays: the hit of a pixel's ray must project to that pixel. */
     @Test
     void pointsOnPixelRay_projectToPixelCenter() {
         var canvas = new Viewport(40, 30);

@@ -14,7 +14,7 @@ import lightning.sample.Slow;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Recovery files with a few mistakes: each is found with the file that it is of, or passed over. */
+/** Fuzz test of recovery files: each mutated file is found with its scene or skipped. */
 @Slow
 class RecoveryFolderFuzzTest {
     private static final int TRIES = ByteFuzzer.tryCount(2_000);
@@ -33,7 +33,7 @@ class RecoveryFolderFuzzTest {
             kept = files.findFirst().orElseThrow();
         }
         List<byte[]> pool = new ArrayList<>(List.of(Files.readAllBytes(kept)));
-        // The mistakes are to meet the line that is read, so one of the texts has only that.
+        // One text has only the header line, so that mutations hit it.
         String text = new String(pool.getFirst(), StandardCharsets.UTF_8);
         pool.add(text.substring(0, text.indexOf("/scenes")).getBytes(StandardCharsets.UTF_8));
         int found = 0;
@@ -54,7 +54,7 @@ class RecoveryFolderFuzzTest {
         assertThat(found).isBetween(TRIES / 20, TRIES - TRIES / 20);
     }
 
-    /** What no try may depend on finding. */
+    /** Checks the fixed cases that random mutations may miss. */
     @Test
     void invalidProcess_isACrashAndRootIsNoScene() throws IOException {
         Files.createDirectories(folder);

@@ -29,7 +29,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class RecoveryFolderTest {
-    /** No process has this number: it is beyond what any system hands out. */
+    /** Process id beyond the range of any system. */
     private static final String CRASHED = "999999999999-1";
 
     @TempDir
@@ -128,7 +128,7 @@ class RecoveryFolderTest {
         recovery.store(folder.resolve("a.jen"), "older");
         String text = "x".repeat(JenLimits.FILE_BYTES + 1);
         assertThatIOException().isThrownBy(() -> recovery.store(folder.resolve("a.jen"), text))
-                .withMessage(folder.resolve("a.jen") + ": the text of a scene may have at most 268435456 bytes, found 268435457");
+                .withMessage(folder.resolve("a.jen") + ": expected at most 268435456 bytes of scene text, found 268435457");
         assertThat(new RecoveryFolder(recoveryFile()).list()).extracting(RecoveryFolder.RecoverableScene::text).containsExactly("older");
     }
 
@@ -217,7 +217,7 @@ class RecoveryFolderTest {
         var troubles = new LinkedBlockingQueue<Throwable>();
         var recovery = new RecoveryFolder(recoveryFile(), CRASHED);
         try (var autosave = new Autosave(recovery, Duration.ZERO, troubles::add)) {
-            // A scene that no text can say: files cannot name its texture.
+            // A scene that cannot be written: its texture has no valid file name.
             Scene scene = document.scene();
             var texture = new TextureMap("a\nb.png", 1, 1, new Texture(1, 1, new float[3]));
             document.apply(new EditOutcome.Applied(scene.withMaterial(scene.materials().getFirst().withTexture(Optional.of(texture)))));

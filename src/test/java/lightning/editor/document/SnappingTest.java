@@ -56,7 +56,7 @@ class SnappingTest {
     void movedLight_isOnGridAndReportsPosition() {
         Light spot = DeskScene.spot(new Vec3(0, 1, 0), new Vec3(0, -1, 0));
         Snapping snap = Snapping.of(spot, spot.withPosition(new Vec3(0.61, 1.17, -0.49)), view, CANVAS);
-        // 9.06 from the eye, opening 40°: 8 pixels of 400 are 0.13, so the grid is 0.2.
+        // At distance 9.06 with an opening of 40°, 8 of 400 pixels are 0.13, so the grid is 0.2.
         assertThat(snap.light().position()).isEqualTo(new Vec3(0.6, 1.2, -0.4));
         assertThat(snap.message()).isEqualTo("at 0.6 1.2 -0.4, grid 0.2");
     }

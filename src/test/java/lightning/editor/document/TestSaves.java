@@ -5,7 +5,7 @@ import java.nio.file.Path;
 import java.util.Set;
 import lightning.format.jen.JenException;
 
-/** Saves and reads documents as the editor does, but at once. */
+/** Synchronous saves and reloads of documents, with the editor's code. */
 public final class TestSaves {
     private TestSaves() {}
 

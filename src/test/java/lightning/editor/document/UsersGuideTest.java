@@ -15,7 +15,7 @@ import lightning.scene.NumericKind;
 import lightning.scene.SceneAttribute;
 import org.junit.jupiter.api.Test;
 
-/** The user's guide lists what the property editor shows. */
+/** Tests that the user's guide lists the parameters of the property editor. */
 class UsersGuideTest {
     @Test
     void everyLightParameter_isInTable() throws IOException {
@@ -33,7 +33,7 @@ class UsersGuideTest {
         assertThat(listedNames()).containsAll(MaterialAttribute.ALL.stream().map(SceneAttribute::title).toList());
     }
 
-    /** The words in the first column of all tables, in lower case. */
+    /** Returns the names in the first column of all tables, in lower case. */
     private static Set<String> listedNames() throws IOException {
         return Files.readString(Path.of("docs/users-guide.md")).lines().filter(line -> line.startsWith("| "))
                 .flatMap(line -> Arrays.stream(line.split("\\|")[1].strip().toLowerCase(Locale.ROOT).split(", ")))

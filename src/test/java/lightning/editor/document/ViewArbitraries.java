@@ -6,7 +6,7 @@ import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.Combinators;
 
-/** Arbitrary cameras, canvases and directions. */
+/** Arbitraries for cameras, canvases and directions. */
 final class ViewArbitraries {
     private ViewArbitraries() {}
 
@@ -31,7 +31,7 @@ final class ViewArbitraries {
         return Combinators.combine(side, side).as(Viewport::new);
     }
 
-    /** Ways of the mouse, pixels. */
+    /** Returns mouse movements in pixels. */
     static Arbitrary<Double> distances() {
         return Arbitraries.doubles().between(-300, 300).ofScale(1);
     }

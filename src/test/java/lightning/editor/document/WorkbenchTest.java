@@ -27,7 +27,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** The test's thread is the window's: it runs what the loop sends there. */
+/** Tests of the workbench, with the test's thread as the window's thread. */
 class WorkbenchTest {
     private static final RenderOptions OPTIONS = RenderOptions.DEFAULT.withReflections(ReflectionMode.STALE).withThreads(1);
 
@@ -57,7 +57,7 @@ class WorkbenchTest {
     private void runUntil(BooleanSupplier condition) throws InterruptedException {
         while (!condition.getAsBoolean()) {
             Runnable task = window.poll(Await.TIMEOUT_SECONDS, TimeUnit.SECONDS);
-            assertThat(task).as("a task for the window").isNotNull();
+            assertThat(task).as("task for the window").isNotNull();
             task.run();
         }
     }
@@ -80,9 +80,9 @@ class WorkbenchTest {
         assertThat(workbench.lastEdit()).contains(new LastEdit(first, second, false));
         workbench.updateReflections();
         awaitIdle();
-        assertThat(workbench.lastEdit()).as("mirrors are no edit").contains(new LastEdit(first, second, false));
+        assertThat(workbench.lastEdit()).as("updating reflections is not an edit").contains(new LastEdit(first, second, false));
         workbench.edit(new EditOutcome.Applied(second.withPicture(second.picture().withSize(20, 10))));
-        assertThat(workbench.lastEdit()).as("another picture").isEmpty();
+        assertThat(workbench.lastEdit()).as("different image").isEmpty();
     }
 
     private void setIntensity(double intensity) {
@@ -109,7 +109,7 @@ class WorkbenchTest {
         setIntensity(2);
         workbench.go();
         listener.expectNext(RecordingRenderListener.Event.IDLE);
-        // The window had no time to listen yet.
+        // Before the window's thread has run its tasks.
         awaitIdle();
         assertThat(shownScene()).isEqualTo(workbench.document().scene());
         for (Runnable task = window.poll(); task != null; task = window.poll()) {
@@ -157,7 +157,7 @@ class WorkbenchTest {
     @Test
     void undoAndRedoOfTheSelectedLight_areEdits() {
         setIntensity(2);
-        assertThat(workbench.undoLight()).contains("there is nothing to undo of this light");
+        assertThat(workbench.undoLight()).contains("nothing to undo for this light");
         workbench.selectLight("key");
         assertThat(workbench.undoLight()).isEmpty();
         assertThat(workbench.document().scene()).isEqualTo(DeskScene.scene());
@@ -178,7 +178,7 @@ class WorkbenchTest {
         assertThat(DeskScene.light(workbench.document().scene(), "key").intensity()).isEqualTo(2);
         assertThat(workbench.undoLight()).isEmpty();
         assertThat(workbench.document().scene()).isEqualTo(DeskScene.scene());
-        assertThat(Command.GO.isEnabled(workbench.editorState())).as("what was undone is not rendered").isTrue();
+        assertThat(Command.GO.isEnabled(workbench.editorState())).as("undone edit not rendered").isTrue();
         assertThat(workbench.redoLight()).isEmpty();
         assertThat(DeskScene.light(workbench.document().scene(), "key").intensity()).isEqualTo(2);
     }
@@ -186,7 +186,7 @@ class WorkbenchTest {
     @Test
     void copiedSettings_arePastedToSelectedLight() {
         workbench.selectLight("fill");
-        assertThat(workbench.pasteSettings()).contains("no settings were copied");
+        assertThat(workbench.pasteSettings()).contains("no settings are copied");
         workbench.selectLight("key");
         workbench.copySettings();
         workbench.selectLight("fill");
@@ -252,10 +252,10 @@ class WorkbenchTest {
         Path other = Files.writeString(folder.resolve("other.jen"), DeskScene.TEXT.replace("light sun", "light moon"));
         workbench.open(OpenDocument.open(other));
         assertThat(workbench.document().name()).isEqualTo("other.jen");
-        assertThat(workbench.frame()).as("a picture of the other document").isEmpty();
+        assertThat(workbench.frame()).as("image of the other document").isEmpty();
         awaitIdle();
         assertThat(shownScene().light("moon")).isPresent();
-        assertThat(workbench.frame().orElseThrow().mirrorsAreCurrent()).as("its mirrors show nothing of the other document").isTrue();
+        assertThat(workbench.frame().orElseThrow().mirrorsAreCurrent()).as("reflections without the other document").isTrue();
         assertThat(workbench.frame().orElseThrow().update().plan()).isEqualTo(new UpdatePlan.FirstPass("no image yet"));
     }
 
@@ -270,7 +270,7 @@ class WorkbenchTest {
         hold.release();
         awaitIdle();
         assertThat(workbench.frame()).isEmpty();
-        assertThat(workbench.renderState().canceled()).as("once the loop has left the document before").isTrue();
+        assertThat(workbench.renderState().canceled()).as("after the loop dropped the previous document").isTrue();
     }
 
     @Test
@@ -340,7 +340,7 @@ class WorkbenchTest {
         workbench.saveAs(workbench.document().file(), Set.of(), failures::add);
         assertThat(workbench.isSaving()).isTrue();
         runUntil(() -> failures.size() == 2);
-        assertThat(failures).as("the first is no change by somebody else").containsOnly(Optional.empty());
+        assertThat(failures).as("own save is not an external change").containsOnly(Optional.empty());
         assertThat(workbench.isSaving()).isFalse();
         assertThat(workbench.editorState().dirty()).isFalse();
         assertThat(DeskScene.light(OpenDocument.open(workbench.document().file()).scene(), "key").intensity()).isEqualTo(3);
@@ -384,6 +384,6 @@ class WorkbenchTest {
         awaitIdle();
         assertThat(shownScene().light("key")).contains(away);
         assertThat(workbench.document().scene()).isEqualTo(DeskScene.scene());
-        assertThat(Command.UNDO.disabledReason(workbench.editorState())).contains("an animation is open; close it first");
+        assertThat(Command.UNDO.disabledReason(workbench.editorState())).contains("close the open animation first");
     }
 }

@@ -1,2 +1,2 @@
-/** The editor without its window. */
+/** Tests of the editor's document without a window. */
 package lightning.editor.document;

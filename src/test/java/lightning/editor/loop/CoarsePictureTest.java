@@ -21,16 +21,16 @@ import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
 import net.jqwik.api.constraints.IntRange;
 
-/** How much is traced before something of every part of a picture is seen: counted, as times depend on the machine. */
+/** Number of rays before every part of an image is visible; counted, as times depend on the machine. */
 class CoarsePictureTest {
-    /** Rays of the eye. Plain loops that nothing has compiled yet take some 0.1 s for a tenth of them. */
+    /** Maximum number of eye rays. Interpreted scalar loops take about 0.1 s for a tenth of them. */
     private static final double MAX_RAYS = 32_000;
     private static final double COARSE_RAYS = 2_000;
     private static final double MAX_SIDE = 2500;
-    /** What is kept of more need not fit into the memory of a test, and is refused before anything is traced. */
+    /** Maximum number of samples: a larger cache may exceed a test's memory and be refused before tracing. */
     private static final double MAX_SAMPLES = 10_000_000;
 
-    /** Remembers what is seen first, and has the rest given up. */
+    /** Records the first visible image and cancels the rest. */
     private static final class CoarsePictureListener implements RenderListener {
         private final BlockingQueue<Film> films = new LinkedBlockingQueue<>();
         private volatile RenderLoop loop;
@@ -58,7 +58,9 @@ class CoarsePictureTest {
         return Arbitraries.randomValue(random -> (int) Math.exp(Math.log(MAX_SIDE) * random.nextDouble()));
     }
 
-    /** Where all pixels have samples, tiles of the whole picture are what costs; else its centers come first. */
+    /**
+     * Returns the eye rays of an image before its edges are refined: all samples if every pixel is supersampled, otherwise one per pixel.
+     */
     private static double rays(PictureSettings picture) {
         return (double) picture.width() * picture.height()
                 * (picture.sampling().antialias() == AntialiasMode.EVERY ? picture.sampling().samplesPerPixel() : 1);
@@ -75,18 +77,18 @@ class CoarsePictureTest {
             look.loop = loop;
             loop.render(scene.withPicture(picture));
             Film first = look.films.poll(Await.TIMEOUT_SECONDS, TimeUnit.SECONDS);
-            assertThat(first).as("a picture").isNotNull();
+            assertThat(first).as("image").isNotNull();
             if (rays(picture) < MAX_RAYS) {
-                assertThat(first.width()).as("a small picture is not told coarsely first").isEqualTo(width);
+                assertThat(first.width()).as("small image without a coarse one").isEqualTo(width);
             } else {
                 assertThat((double) first.width() * first.height()).as("rays")
                         .isLessThanOrEqualTo(Math.max(COARSE_RAYS, longSide(picture)));
-                assertThat(look.tiles).as("parts of the picture are seen before the whole of it").isFalse();
+                assertThat(look.tiles).as("tiles before the first full image").isFalse();
             }
         }
     }
 
-    /** Of a picture that is hundreds of times as long as high the coarse one has a line of pixels. */
+    /** Returns the long side for an extreme aspect ratio, whose coarse image is a single line of pixels. */
     private static double longSide(PictureSettings picture) {
         double all = (double) picture.width() * picture.height();
         return Math.max(picture.width(), picture.height()) / Math.sqrt(all / COARSE_RAYS);

@@ -10,7 +10,7 @@ import lightning.render.relight.Renderer;
 import lightning.render.relight.tile.RenderOptions;
 import org.junit.jupiter.api.Test;
 
-/** What comes between the taking of a verification and its beginning. */
+/** Events between requesting and starting a verification. */
 class PictureVerifierTest {
     private final RecordingRenderListener listener = new RecordingRenderListener();
     private final PictureVerifier verifier = new PictureVerifier(1, listener);

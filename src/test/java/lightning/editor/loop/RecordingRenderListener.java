@@ -13,16 +13,16 @@ import lightning.render.image.Film;
 import lightning.render.relight.plan.UpdatePlan;
 import lightning.scene.Scene;
 
-/** Hears a render loop, and can hold it at its next tile. */
+/** Recording listener of a render loop that can hold it at its next tile. */
 public final class RecordingRenderListener implements RenderListener {
     final LinkedBlockingQueue<Object> events = new LinkedBlockingQueue<>();
     private final AtomicReference<Hold> nextTileHold = new AtomicReference<>();
     private final AtomicReference<Hold> nextPictureHold = new AtomicReference<>();
 
-    /** What is told of a finished picture, with a film of its own. */
+    /** Reported image with a copy of its film. */
     record Shown(Frame frame, Film film) {}
 
-    /** The tiles that were told of, as they were told last. */
+    /** Last reported content of each tile. */
     final Map<Integer, float[][]> tiles = new ConcurrentHashMap<>();
 
     record Coarse(Film film) {}
@@ -33,7 +33,7 @@ public final class RecordingRenderListener implements RenderListener {
         CANCELLED, IDLE
     }
 
-    /** A place where the loop stands still. */
+    /** Point at which the loop is held. */
     public static final class Hold {
         private final CountDownLatch reached = new CountDownLatch(1);
         private final CountDownLatch released = new CountDownLatch(1);
@@ -58,21 +58,21 @@ public final class RecordingRenderListener implements RenderListener {
         }
     }
 
-    /** The next tile of an update stands still until released. */
+    /** Holds the next tile of an update until released. */
     public Hold holdNextTile() {
         var next = new Hold();
         nextTileHold.set(next);
         return next;
     }
 
-    /** The next tile after the next picture stands still until released. */
+    /** Holds the next tile after the next image until released. */
     public Hold holdAfterNextPicture() {
         var next = new Hold();
         nextPictureHold.set(next);
         return next;
     }
 
-    /** The next event of this kind; others before it are dropped. */
+    /** Waits for the next event of this kind; drops others before it. */
     public <T> T next(Class<T> kind) throws InterruptedException {
         while (true) {
             Object event = events.poll(Await.TIMEOUT_SECONDS, TimeUnit.SECONDS);

@@ -16,7 +16,7 @@ import lightning.scene.Scene;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
-/** From the edit on the window's thread to the finished picture on the same thread, over the loop's. */
+/** Model test of the path from an edit on the window's thread over the loop's thread to the finished image. */
 @Tag("model")
 class RenderJobRunnerModelTest {
     private static final Scene FIRST = DeskScene.scene();
@@ -26,7 +26,7 @@ class RenderJobRunnerModelTest {
     private static final Scene SAMPLED = FIRST.withPicture(FIRST.picture().withSampling(new SamplingSettings(AntialiasMode.EDGES, 2)));
     private static final Scene SECOND_SAMPLED = SECOND.withPicture(SAMPLED.picture());
 
-    /** The window's thread: runs what it is told, in turn, when it has time. */
+    /** Model of the window's thread: runs its tasks in order when it has time. */
     private static final class Window implements Executor {
         private final ArrayDeque<Runnable> tasks = new ArrayDeque<>();
 
@@ -52,7 +52,7 @@ class RenderJobRunnerModelTest {
         }
     }
 
-    /** A renderer of two tiles, and two more of finer samples where there are any. */
+    /** Model of a renderer with two tiles, and two more for anti-aliasing samples. */
     private static final class TileJobHandler implements RenderJobRunner.RenderJobHandler {
         private final RenderListener listener;
         private final RenderQueue queue;
@@ -112,7 +112,7 @@ class RenderJobRunnerModelTest {
         }
     }
 
-    /** All that stands between the two threads, and what the window knows. */
+    /** Model of everything between the two threads, with the window's state. */
     private static final class Stage {
         final RenderQueue queue = new RenderQueue();
         final Window window = new Window();
@@ -138,7 +138,7 @@ class RenderJobRunnerModelTest {
             loop = ScheduleExplorer.startConcurrently(new RenderJobRunner(queue, tiles, feed)::run);
         }
 
-        /** As the workbench does. */
+        /** Refreshes the state as the workbench does. */
         private void stateChanged() {
             inWork = queue.isBusy();
             Frame now = feed.state().frame();
@@ -156,7 +156,7 @@ class RenderJobRunnerModelTest {
             queue.render(scene);
         }
 
-        /** Until the window knows of the end of all that it asked for, and heard all that was told until then. */
+        /** Waits until the window has received the end of all its requests and all earlier events. */
         void settle() throws InterruptedException {
             while (inWork || !settled || !window.isEmpty()) {
                 window.runOne();
@@ -166,7 +166,7 @@ class RenderJobRunnerModelTest {
         void close() throws InterruptedException {
             queue.close();
             loop.end();
-            check(tiles.closed, "the renderer is closed with its loop");
+            check(tiles.closed, "renderer closed with its loop");
         }
     }
 
@@ -182,10 +182,10 @@ class RenderJobRunnerModelTest {
             while (stage.inWork) {
                 stage.window.runOne();
             }
-            check(stage.shown.getLast() == SECOND, "work that ended is taken with its picture");
+            check(stage.shown.getLast() == SECOND, "finished job delivered with its image");
             stage.settle();
-            check(stage.shown.getLast() == SECOND, "the last edit is shown last");
-            check(stage.shown.lastIndexOf(FIRST) < stage.shown.indexOf(SECOND), "no older edit is shown after a newer one");
+            check(stage.shown.getLast() == SECOND, "last edit displayed last");
+            check(stage.shown.lastIndexOf(FIRST) < stage.shown.indexOf(SECOND), "no older edit displayed after a newer one");
             stage.close();
         });
     }
@@ -197,8 +197,8 @@ class RenderJobRunnerModelTest {
             stage.render(LARGER);
             stage.render(FIRST);
             stage.settle();
-            check(stage.shown.getLast() == FIRST, "the last picture is shown last");
-            check(stage.shown.lastIndexOf(LARGER) <= 0, "a picture is shown at most once");
+            check(stage.shown.getLast() == FIRST, "last image displayed last");
+            check(stage.shown.lastIndexOf(LARGER) <= 0, "image displayed at most once");
             stage.close();
         });
     }
@@ -211,8 +211,8 @@ class RenderJobRunnerModelTest {
             stage.settle();
             stage.render(SECOND);
             stage.settle();
-            check(stage.problems.size() == 1, "a failure is told once");
-            check(stage.shown.equals(List.of(SECOND)), "the loop lives on");
+            check(stage.problems.size() == 1, "failure reported once");
+            check(stage.shown.equals(List.of(SECOND)), "loop continues");
             stage.close();
         });
     }
@@ -227,10 +227,10 @@ class RenderJobRunnerModelTest {
             }
             stage.render(SECOND_SAMPLED);
             stage.settle();
-            check(stage.shown.getLast() == SECOND_SAMPLED, "the last edit is shown last");
-            check(stage.shown.lastIndexOf(SAMPLED) < stage.shown.indexOf(SECOND_SAMPLED), "no older picture is shown after a newer one");
-            check(stage.finished, "the window comes to rest with all samples");
-            check(!stage.cancelled, "samples that give way to an edit are not told as canceled");
+            check(stage.shown.getLast() == SECOND_SAMPLED, "last edit displayed last");
+            check(stage.shown.lastIndexOf(SAMPLED) < stage.shown.indexOf(SECOND_SAMPLED), "no older image displayed after a newer one");
+            check(stage.finished, "window ends with all samples");
+            check(!stage.cancelled, "preempted samples not reported as canceled");
             stage.close();
         });
     }
@@ -249,7 +249,7 @@ class RenderJobRunnerModelTest {
             while (!stage.window.isEmpty()) {
                 stage.window.runOne();
             }
-            check(stage.shown.equals(stage.tiles.renderedScene() == null ? List.of() : List.of(FIRST)), "what is kept is what is shown");
+            check(stage.shown.equals(stage.tiles.renderedScene() == null ? List.of() : List.of(FIRST)), "cache matches the display");
         });
     }
 
@@ -262,7 +262,7 @@ class RenderJobRunnerModelTest {
             while (!stage.window.isEmpty()) {
                 stage.window.runOne();
             }
-            check(stage.problems.isEmpty(), "closing is no failure");
+            check(stage.problems.isEmpty(), "closing reports no failure");
         });
     }
 }

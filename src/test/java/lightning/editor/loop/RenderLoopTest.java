@@ -69,7 +69,7 @@ class RenderLoopTest {
         return awaitFinished();
     }
 
-    /** The next picture with all its samples. */
+    /** Waits for the next image with all its samples. */
     private RecordingRenderListener.Shown awaitFinished() throws InterruptedException {
         RecordingRenderListener.Shown shown = listener.next(RecordingRenderListener.Shown.class);
         while (!shown.frame().isFinished()) {
@@ -78,12 +78,12 @@ class RenderLoopTest {
         return shown;
     }
 
-    /** One that is worth a coarse look, and no second one. */
+    /** Returns a scene large enough for one coarse preview, but not for two. */
     private Scene large() {
         return scene.withPicture(scene.picture().withSize(240, 160));
     }
 
-    /** The width of the one coarse picture that is told of. */
+    /** Returns the width of the only reported coarse image. */
     private int renderWithPreview(Scene requested, Future<Optional<CoarsePicture>> preview) throws Exception {
         loop.setStartupPreview(preview);
         loop.render(requested);
@@ -141,7 +141,7 @@ class RenderLoopTest {
         return scene.withPicture(scene.picture().withSize(width, height));
     }
 
-    /** The loop with so much memory. */
+    /** Returns a loop with a memory limit. */
     private RenderLoop loopWithMemory(long memory) {
         return new RenderLoop(OPTIONS.withMemory(memory), listener);
     }
@@ -397,7 +397,7 @@ class RenderLoopTest {
         go(key(2));
         loop.setDisplayMode(DisplayMode.FULL_PICTURE.withEffects(ViewEffects.ALL.withLitTextures(false)));
         Frame frame = listener.next(RecordingRenderListener.Shown.class).frame();
-        assertThat(frame.displayed().hasSameBits(stale(key(2), scene))).as("there are no textures").isTrue();
+        assertThat(frame.displayed().hasSameBits(stale(key(2), scene))).as("no textures").isTrue();
     }
 
     @Test
@@ -465,7 +465,7 @@ class RenderLoopTest {
         RecordingRenderListener.Shown centers = listener.next(RecordingRenderListener.Shown.class);
         assertThat(centers.frame().isFinished()).isFalse();
         assertThat(centers.film().hasSameBits(stale(key(2), scene))).isTrue();
-        assertThat(centers.frame().guarantee().scenes().scene()).as("what it is equal to").isEqualTo(key(2));
+        assertThat(centers.frame().guarantee().scenes().scene()).as("guaranteed scene").isEqualTo(key(2));
         RecordingRenderListener.Shown samples = listener.next(RecordingRenderListener.Shown.class);
         assertThat(samples.frame().isFinished()).isTrue();
         assertThat(samples.film().hasSameBits(stale(withAntialias(key(2), AntialiasMode.EDGES), withAntialias(scene, AntialiasMode.EDGES))))

@@ -13,7 +13,7 @@ import lightning.scene.Scene;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
-/** The queue's laws, whatever threads do when. */
+/** Invariants of the queue under any thread schedule. */
 @Tag("model")
 class RenderQueueModelTest {
     private static final Scene FIRST = DeskScene.scene();
@@ -21,7 +21,7 @@ class RenderQueueModelTest {
     private static final Scene THIRD = DeskScene.sceneOf(DeskScene.parameter("intensity").set(FIRST, "key", 3));
     private static final Scene LARGER = FIRST.withPicture(FIRST.picture().withSize(80, 60));
 
-    /** A render loop that does nothing with its works but remember them. */
+    /** Model of a render loop that only records its jobs. */
     private static final class QueueConsumer {
         private final RenderQueue queue;
         private final List<RenderQueue.RenderJob> finished = new ArrayList<>();
@@ -43,7 +43,7 @@ class RenderQueueModelTest {
                 }
                 boolean late = canceled;
                 begin();
-                check(!late || stop.isCanceled(), "what was canceled is not begun");
+                check(!late || stop.isCanceled(), "canceled job not started");
                 if (!stop.isCanceled()) {
                     finish(work);
                 }
@@ -97,11 +97,11 @@ class RenderQueueModelTest {
             queue.render(SECOND);
             queue.render(THIRD);
             taker.awaitRest();
-            check(taker.shown() == THIRD, "the last edit asked is rendered last");
+            check(taker.shown() == THIRD, "last requested edit rendered last");
             int before = -1;
             for (RenderQueue.RenderJob work : taker.finished()) {
                 int number = List.of(FIRST, SECOND, THIRD).indexOf(((RenderQueue.RenderJob.Render) work).scene());
-                check(number > before, "no older edit is rendered after a newer one");
+                check(number > before, "no older edit rendered after a newer one");
                 before = number;
             }
             queue.close();
@@ -124,11 +124,11 @@ class RenderQueueModelTest {
             other.end();
             taker.awaitRest();
             List<RenderQueue.RenderJob> done = taker.finished();
-            check(done.contains(new RenderQueue.RenderJob.UpdateReflections()), "mirrors are not forgotten");
-            check(done.contains(new RenderQueue.RenderJob.Redisplay()), "a look is not forgotten");
-            check(done.contains(new RenderQueue.RenderJob.Verify()), "a verification is not forgotten");
-            check(done.contains(new RenderQueue.RenderJob.ChangeOptions(RenderOptions.DEFAULT, null)), "a way of working is not forgotten");
-            check(done.size() == 4, "nothing is done twice");
+            check(done.contains(new RenderQueue.RenderJob.UpdateReflections()), "reflections not lost");
+            check(done.contains(new RenderQueue.RenderJob.Redisplay()), "redisplay not lost");
+            check(done.contains(new RenderQueue.RenderJob.Verify()), "verification not lost");
+            check(done.contains(new RenderQueue.RenderJob.ChangeOptions(RenderOptions.DEFAULT, null)), "options not lost");
+            check(done.size() == 4, "no job runs twice");
             queue.close();
             loop.end();
         });
@@ -144,8 +144,8 @@ class RenderQueueModelTest {
             taker.awaitBegun();
             queue.render(FIRST);
             taker.awaitRest();
-            check(taker.finished().contains(new RenderQueue.RenderJob.UpdateReflections()), "the mirrors are still wanted");
-            check(taker.shown() == FIRST, "the edit is rendered");
+            check(taker.finished().contains(new RenderQueue.RenderJob.UpdateReflections()), "reflections still requested");
+            check(taker.shown() == FIRST, "edit rendered");
             queue.close();
             loop.end();
         });
@@ -158,19 +158,19 @@ class RenderQueueModelTest {
             var asked = new CountDownLatch(1);
             queue.requestSamples();
             var samples = new RenderQueue.CancelSignal((_, _) -> {});
-            check(queue.take(samples) instanceof RenderQueue.RenderJob.RenderSamples, "samples that nothing comes before are made");
+            check(queue.take(samples) instanceof RenderQueue.RenderJob.RenderSamples, "samples rendered without other jobs");
             ScheduleExplorer.ConcurrentRun window = ScheduleExplorer.startConcurrently(() -> {
                 queue.render(FIRST);
                 asked.countDown();
             });
             asked.await();
-            check(samples.isCanceled() && samples.isPreempted(), "samples give way, and nobody hears of it");
-            check(!queue.finishJob(null), "the edit waits");
-            check(queue.take(new RenderQueue.CancelSignal((_, _) -> {})) instanceof RenderQueue.RenderJob.Render, "the edit comes first");
-            check(!queue.finishJob(FIRST), "the samples are still wanted");
+            check(samples.isCanceled() && samples.isPreempted(), "samples preempted silently");
+            check(!queue.finishJob(null), "edit pending");
+            check(queue.take(new RenderQueue.CancelSignal((_, _) -> {})) instanceof RenderQueue.RenderJob.Render, "edit before samples");
+            check(!queue.finishJob(FIRST), "samples still requested");
             check(queue.take(new RenderQueue.CancelSignal((_, _) -> {})) instanceof RenderQueue.RenderJob.RenderSamples,
                     "they come after the edit");
-            check(queue.finishJob(FIRST), "nothing is left");
+            check(queue.finishJob(FIRST), "no job left");
             window.end();
         });
     }
@@ -187,8 +187,8 @@ class RenderQueueModelTest {
                 queue.cancel();
             });
             window.end();
-            check(samples.isCanceled() && !samples.isPreempted(), "who cancels hears of it");
-            check(queue.finishJob(null), "nothing is begun again");
+            check(samples.isCanceled() && !samples.isPreempted(), "cancellation reported");
+            check(queue.finishJob(null), "no job restarted");
         });
     }
 
@@ -219,7 +219,7 @@ class RenderQueueModelTest {
             taker.awaitBegun();
             queue.cancel();
             taker.awaitRest();
-            check(!queue.isBusy(), "nothing is left to do");
+            check(!queue.isBusy(), "no job left");
             queue.close();
             loop.end();
         });
@@ -244,7 +244,7 @@ class RenderQueueModelTest {
                 while (stops.isEmpty()) {
                     stops.wait();
                 }
-                check(stops.getFirst() == null || stops.getFirst().isCanceled(), "a trace that is useless is stopped");
+                check(stops.getFirst() == null || stops.getFirst().isCanceled(), "obsolete trace stopped");
             }
             loop.end();
         });
@@ -273,10 +273,10 @@ class RenderQueueModelTest {
             ScheduleExplorer.ConcurrentRun loop = ScheduleExplorer.startConcurrently(taker::run);
             queue.render(FIRST);
             boolean busy = queue.isBusy();
-            check(busy || taker.shown() == FIRST, "what is asked is waiting, running or done");
+            check(busy || taker.shown() == FIRST, "request pending, running or done");
             queue.requestVerification();
             boolean verifying = queue.isVerifying();
-            check(verifying || taker.finished().contains(new RenderQueue.RenderJob.Verify()), "a verification waits, runs or is done");
+            check(verifying || taker.finished().contains(new RenderQueue.RenderJob.Verify()), "verification pending, running or done");
             queue.close();
             loop.end();
         });

@@ -49,7 +49,7 @@ class CommandPaletteTest extends EditorFixture {
     @Test
     void disabledCommand_showsReasonAndStaysOpen() {
         find("undo");
-        assertThat(robot.lookup("#palette-about").<Label>query().getText()).contains("Unavailable: there is nothing to undo.");
+        assertThat(robot.lookup("#palette-about").<Label>query().getText()).contains("Unavailable: nothing to undo.");
         robot.push(KeyCode.ENTER);
         assertThat(isOpen()).isTrue();
         robot.push(KeyCode.ESCAPE);
@@ -58,7 +58,7 @@ class CommandPaletteTest extends EditorFixture {
 
     @Test
     void longReason_isShownInFull() {
-        find("way keys");
+        find("path keyframes");
         Label about = robot.lookup("#palette-about").query();
         assertThat(about.getText()).contains("Unavailable: ");
         assertThat(about.getHeight()).isGreaterThanOrEqualTo(about.prefHeight(about.getWidth()));

@@ -65,7 +65,7 @@ class GoTest extends EditorFixture {
     @Test
     void openedScene_isTracedAndGoIsDisabled() {
         assertThat(isEnabled(Command.GO)).isFalse();
-        assertThat(model().commands().disabledReason(Command.GO)).contains("nothing was edited since the last Go");
+        assertThat(model().commands().disabledReason(Command.GO)).contains("nothing to render");
         assertFilmIs(new ReferenceTracer(model().editor().scene()).trace());
         assertThat(text("status")).matches("Traced in [0-9.]+ m?s, exact");
         assertThat(telemetry()).contains("full render").contains("exact");
@@ -101,7 +101,7 @@ class GoTest extends EditorFixture {
         assertFilmIs(new ReferenceTracer(model().editor().scene()).trace());
         assertCanvasShows(new ReferenceTracer(model().editor().scene()).trace());
         assertThat(isShown("mirrors")).isFalse();
-        assertThat(model().commands().disabledReason(Command.UPDATE_REFLECTIONS)).contains("the mirrors show the picture's lights already");
+        assertThat(model().commands().disabledReason(Command.UPDATE_REFLECTIONS)).contains("reflections are up to date");
     }
 
     @Test
@@ -128,7 +128,7 @@ class GoTest extends EditorFixture {
         waitForPicture();
         assertFilmIs(new ReferenceTracer(model().editor().scene(), mirrored).trace());
         assertCanvasShows(new ReferenceTracer(model().editor().scene(), mirrored).trace());
-        assertThat(text("status")).contains("reflections of an older light");
+        assertThat(text("status")).contains("reflections out of date");
     }
 
     @Test
@@ -261,8 +261,8 @@ class GoTest extends EditorFixture {
         waitForPicture();
         click("verify");
         waitFor("it is verified", () -> model().picture().renderStateProperty().get().verification() != null);
-        assertThat(text("status")).startsWith("Verified: equal to a full trace whose mirrors show an older light in every bit")
-                .contains("would change with current mirrors");
+        assertThat(text("status")).startsWith("Verified: equal to a full trace with outdated reflections in every bit")
+                .contains("would change with current reflections");
     }
 
     @Test
@@ -316,7 +316,7 @@ class GoTest extends EditorFixture {
         dim();
         click("go");
         waitForPicture();
-        assertThat(text("status")).contains("reflections of an older light");
+        assertThat(text("status")).contains("reflections out of date");
         assertThat(isEnabled(Command.UPDATE_REFLECTIONS)).isTrue();
         robot.interact(() -> model().pictureDisplay().effectsProperty().set(ViewEffects.ALL.with(RenderEffect.REFLECTION, false)));
         waitFor("the look is shown", () -> !model().picture().frame().displayMode().isFullPicture());

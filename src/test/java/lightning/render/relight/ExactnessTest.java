@@ -128,7 +128,7 @@ class ExactnessTest {
         boolean bounces = scene.picture().depth() > 0 && scene.placedShapes().stream().map(PlacedShape::material)
                 .anyMatch(m -> m.reflective().max() > 0 || m.transmission().color().max() > 0);
         assertThat(bounces || !promise.isStale()).as(session.toString()).isTrue();
-        assertThat(promise.text()).isEqualTo(promise.isStale() ? "exact, reflections of an older light" : "exact");
+        assertThat(promise.text()).isEqualTo(promise.isStale() ? "exact, reflections out of date" : "exact");
         Statistics.label("statement").collect(promise.isStale() ? "stale" : "exact");
         if (!promise.isStale()) {
             SessionAssert.assertSameBits(renderer.film(), new ReferenceTracer(scene).trace(), "called-exact", session, step,
@@ -145,7 +145,7 @@ class ExactnessTest {
             renderer.render(scene, Progress.NONE);
             AccuracyGuarantee edited = AccuracyGuarantee.of(renderer, renderer.render(dim, Progress.NONE));
             assertThat(renderer.film().hasSameBits(new ReferenceTracer(dim).trace())).as("glass shows the older light").isFalse();
-            assertThat(edited.text()).isEqualTo("exact, reflections of an older light");
+            assertThat(edited.text()).isEqualTo("exact, reflections out of date");
             AccuracyGuarantee updated = AccuracyGuarantee.of(renderer, renderer.updateReflections(Progress.NONE));
             assertThat(renderer.film().hasSameBits(new ReferenceTracer(dim).trace())).isTrue();
             assertThat(updated.text()).isEqualTo("exact");

@@ -5,12 +5,12 @@ import java.util.Optional;
 import lightning.render.image.Film;
 
 /**
- * How a scene was lit, kept with a picture.
+ * Saved look of a scene: its lighting with a thumbnail.
  *
- * @param name     that of its files, without their endings
- * @param file     its lights
- * @param lighting what the file says; empty where it cannot be read
- * @param problem  why it cannot: a sentence; empty where it can
- * @param picture  what was seen, as linear values of the display's codes; empty where there is no picture that can be read
+ * @param name     name of its files, without extension
+ * @param file     file with its lights
+ * @param lighting content of the file; empty if it cannot be read
+ * @param problem  reason why it cannot be read, a sentence; empty if it can
+ * @param picture  saved image, as linear values of the display codes; empty if there is no readable image
  */
 public record Cue(String name, Path file, Optional<Lighting> lighting, String problem, Optional<Film> picture) {}

@@ -19,15 +19,15 @@ import lightning.render.image.ViewTransform;
 import lightning.scene.Stage;
 
 /**
- * The cues of a scene: the folder {@code NAME.cues} beside {@code NAME.jen}, with two files for each, its lights as blocks of a scene file and
- * its picture as PNG. All methods read or write files, and belong on no window's thread.
+ * Folder {@code NAME.cues} next to {@code NAME.jen} with the saved looks of a scene. Each has two files: its lights as blocks of a scene
+ * file, and its image as PNG. All methods access files; do not call them on a window's thread.
  */
 public final class CueFolder {
-    /** More than these are not listed. */
+    /** Maximum number of listed cues. */
     public static final int MAX_CUES = 200;
-    /** Characters of a name. */
+    /** Maximum length of a name, in characters. */
     private static final int MAX_NAME_LENGTH = 60;
-    /** Those that some system takes for more than a part of a name. */
+    /** Characters with a special meaning in file names on some system. */
     private static final String FORBIDDEN_CHARACTERS = "/\\:*?\"<>|";
     private static final String LIGHTS_EXTENSION = ".jen";
     private static final String PICTURE_EXTENSION = ".png";
@@ -35,7 +35,7 @@ public final class CueFolder {
     private final Path scene;
     private final Path folder;
 
-    /** @param scene the scene's file */
+    /** @param scene scene file */
     public CueFolder(Path scene) {
         this.scene = scene.toAbsolutePath();
         String name = scene.getFileName().toString();
@@ -43,33 +43,33 @@ public final class CueFolder {
         folder = this.scene.resolveSibling(stem + ".cues");
     }
 
-    /** Where the cues are, or would be. */
+    /** Returns the folder, which may not exist. */
     public Path path() {
         return folder;
     }
 
-    /** Why a cue cannot have a name: a clause; empty where it can. */
+    /** Returns the reason why a name is invalid, a clause; empty if it is valid. */
     public static Optional<String> nameProblem(String name) {
         if (name.isBlank()) {
-            return Optional.of(Messages.tr("a cue needs a name"));
+            return Optional.of(Messages.tr("enter a look name"));
         }
         if (name.length() > MAX_NAME_LENGTH) {
-            return Optional.of(Messages.tr("the name of a cue may have {0} characters, this has {1}", MAX_NAME_LENGTH, name.length()));
+            return Optional.of(Messages.tr("a look name can have at most {0} characters, found {1}", MAX_NAME_LENGTH, name.length()));
         }
         Optional<String> forbidden = name.chars().filter(c -> FORBIDDEN_CHARACTERS.indexOf(c) >= 0 || Character.isISOControl(c)).boxed()
                 .findFirst()
-                .map(c -> Messages.tr("the name of a cue is that of a file, which cannot have {0}", Quote.of(Character.toString(c))));
+                .map(c -> Messages.tr("a look name is a file name and cannot contain {0}", Quote.of(Character.toString(c))));
         return forbidden.or(() -> name.startsWith(".") || name.endsWith(".") || !name.equals(name.strip())
                 ? Optional
-                        .of(Messages.tr("the name of a cue begins and ends with neither a space nor a full stop, {0} does", Quote.of(name)))
+                        .of(Messages.tr("a look name cannot start or end with a space or period, found {0}", Quote.of(name)))
                 : Optional.empty());
     }
 
     /**
-     * All cues by name, each with its lights and its picture or why there is none.
+     * Returns all cues by name, each with its lights and image, or the reason why they cannot be read.
      *
-     * @param stage the scene's
-     * @throws IOException if the folder cannot be read, or leads out of the scene's
+     * @param stage stage of the scene
+     * @throws IOException if the folder cannot be read, or is outside the scene's folder
      */
     public List<Cue> list(Stage stage) throws IOException {
         if (!Files.exists(folder)) {
@@ -115,10 +115,10 @@ public final class CueFolder {
         }
     }
 
-    /** No link leads out of the scene's folder. */
+    /** Checks that no link leads out of the scene's folder. */
     private void checkInsideSceneFolder(Path file) throws IOException {
         if (!file.toRealPath().startsWith(scene.getParent().toRealPath())) {
-            throw new IOException(Messages.tr("{0}: leads out of the scene's folder", Quote.path(file)));
+            throw new IOException(Messages.tr("{0}: expected a file in the scene's folder", Quote.path(file)));
         }
     }
 
@@ -127,10 +127,10 @@ public final class CueFolder {
     }
 
     /**
-     * Keeps a cue, in place of one of that name.
+     * Saves a cue, replacing one with the same name.
      *
-     * @param film what is seen, by {@code view}
-     * @throws IOException if it cannot be written; the old one is then unchanged, or has a new picture
+     * @param film image, displayed with {@code view}
+     * @throws IOException if it cannot be written; the old one is then unchanged, or has the new image
      */
     public void save(String name, Lighting lighting, Film film, ViewTransform view) throws IOException {
         Optional<String> problem = nameProblem(name);
@@ -145,15 +145,15 @@ public final class CueFolder {
         lighting.write(file(name, LIGHTS_EXTENSION));
     }
 
-    /** Whether there is one of that name. */
+    /** Tests if a cue with that name exists. */
     public boolean has(String name) {
         return Files.exists(file(name, LIGHTS_EXTENSION));
     }
 
     /**
-     * Gives a cue another name.
+     * Renames a cue.
      *
-     * @throws IOException if there is one of that name, or it cannot be moved
+     * @throws IOException if the new name is taken, or the files cannot be moved
      */
     public void rename(String from, String to) throws IOException {
         Optional<String> problem = nameProblem(to);
@@ -163,7 +163,7 @@ public final class CueFolder {
         checkInsideSceneFolder(folder);
         for (String extension : List.of(LIGHTS_EXTENSION, PICTURE_EXTENSION)) {
             if (Files.exists(file(to, extension))) {
-                throw new FileAlreadyExistsException(file(to, extension).toString(), null, Messages.tr("is there already"));
+                throw new FileAlreadyExistsException(file(to, extension).toString(), null, Messages.tr("name already in use"));
             }
         }
         if (Files.exists(file(from, PICTURE_EXTENSION))) {
@@ -172,7 +172,7 @@ public final class CueFolder {
         Files.move(file(from, LIGHTS_EXTENSION), file(to, LIGHTS_EXTENSION));
     }
 
-    /** Takes a cue away: its files get the ending {@code .gone}, from which {@link #restore} brings them back. */
+    /** Removes a cue: renames its files to {@code .gone}, from which {@link #restore} recovers them. */
     public void remove(String name) throws IOException {
         checkInsideSceneFolder(folder);
         for (String extension : List.of(LIGHTS_EXTENSION, PICTURE_EXTENSION)) {
@@ -183,14 +183,14 @@ public final class CueFolder {
     }
 
     /**
-     * Brings back a cue that was removed.
+     * Restores a removed cue.
      *
-     * @throws IOException if there is one of that name again, or nothing to bring back
+     * @throws IOException if the name is taken, or nothing can be restored
      */
     public void restore(String name) throws IOException {
         checkInsideSceneFolder(folder);
         if (has(name)) {
-            throw new FileAlreadyExistsException(file(name, LIGHTS_EXTENSION).toString(), null, Messages.tr("is there already"));
+            throw new FileAlreadyExistsException(file(name, LIGHTS_EXTENSION).toString(), null, Messages.tr("name already in use"));
         }
         for (String extension : List.of(PICTURE_EXTENSION, LIGHTS_EXTENSION)) {
             if (Files.exists(file(name, extension + ".gone"))) {

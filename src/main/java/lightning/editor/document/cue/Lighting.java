@@ -23,33 +23,33 @@ import lightning.scene.Stage;
 import lightning.scene.World;
 
 /**
- * All that lights a scene, without its shapes and its camera.
+ * Lighting of a scene, without its shapes and camera.
  *
  * @param world ambience, background and environment
- * @param rig   lights and banks
+ * @param rig   lights and light groups
  */
 public record Lighting(World world, LightRig rig) {
 
-    /** How a scene is lit. */
+    /** Returns the lighting of a scene. */
     public static Lighting of(Scene scene) {
         return new Lighting(scene.world(), scene.rig());
     }
 
     /**
-     * The scene lit so: its own shapes, materials and camera stay. Links to shapes that it does not have are left out. Refused where a
-     * light has the name of a shape.
+     * Applies this lighting to a scene, keeping its shapes, materials and camera. Drops links to missing shapes. Refused if a light has the
+     * name of a shape.
      */
     public EditOutcome applyTo(Scene scene) {
         return EditOutcome
                 .of(() -> scene.withWorld(world).withRig(LightRig.of(withValidLinks(rig.lights(), scene.stage()), rig.lightGroups())));
     }
 
-    /** The scene with these lights and banks in place of its own; the world stays. Refused as {@link #applyTo}. */
+    /** Replaces the scene's lights and light groups, keeping its world. Refused as {@link #applyTo}. */
     public EditOutcome applyRigTo(Scene scene) {
         return new Lighting(scene.world(), rig).applyTo(scene);
     }
 
-    /** The scene with these lights and banks beside its own, with free names where theirs are taken. */
+    /** Adds these lights and light groups to the scene, renaming them if their names are taken. */
     public EditOutcome addTo(Scene scene) {
         return EditOutcome.of(() -> {
             Map<String, String> names = new HashMap<>(Map.of("", ""));
@@ -62,7 +62,7 @@ public record Lighting(World world, LightRig rig) {
                 extended = LightEdits.add(extended, light.withLightGroup(names.get(light.lightGroup()))).sceneOr(extended);
             }
             if (extended.lights().size() < scene.lights().size() + rig.lights().size()) {
-                throw new IllegalArgumentException(Messages.tr("the scene has no room for {0} lights more", rig.lights().size()));
+                throw new IllegalArgumentException(Messages.tr("the scene has no room for {0} more lights", rig.lights().size()));
             }
             return extended;
         });
@@ -77,7 +77,7 @@ public record Lighting(World world, LightRig rig) {
         return all;
     }
 
-    /** Writes it to a file, at once or not at all. */
+    /** Writes it to a file atomically. */
     public void write(Path file) throws IOException {
         JenDocument.of(new Scene(PictureSettings.DEFAULT, Camera.DEFAULT, world, Stage.EMPTY, rig)).save(AtomicFile.of(file));
     }
@@ -85,9 +85,9 @@ public record Lighting(World world, LightRig rig) {
     /**
      * Reads the lighting of any scene file.
      *
-     * @param folder where the scene is for which it is read, beside which files that lights name are looked for
-     * @param stage  that scene's
-     * @throws IOException if the file cannot be read, or its content is wrong; the message is a sentence with the first problem
+     * @param folder folder of the target scene, where files of the lights are searched
+     * @param stage  stage of the target scene
+     * @throws IOException if the file cannot be read or its content is invalid; the message is a sentence with the first problem
      */
     public static Lighting read(Path file, Path folder, Stage stage) throws IOException {
         try {

@@ -16,20 +16,21 @@ import lightning.scene.SceneAttribute;
 import lightning.scene.World;
 
 /**
- * The way from one lighting to another. At its ends it is these themselves; between them it is a lighting like any other, so that its picture
- * is exact at every position:
+ * Interpolation between two lightings. Its ends are the lightings themselves. Every position between is a regular lighting, so its image is
+ * exact:
  *
  * <ul>
- * <li>Color times intensity goes linearly, a light that is off or silenced by a solo counting as 0, and so do places, angles, sizes,
- * attenuation and all other numbers; of whole numbers the larger holds. Directions go along the great circle.
- * <li>A light goes on in the light of its name where both have the same type, gobo, profile and links. All others fade: those of the
- * begin out, those of the end in, under a free name where theirs is taken.
- * <li>Banks stay where they are the same at both ends. Else they are folded into their lights.
- * <li>An environment goes on in the same picture. Another fades out in the first half, and the new one in in the second.
+ * <li>Color times intensity is interpolated linearly, and so are positions, angles, sizes, attenuation and all other numbers. A light that
+ * is off or muted by a solo counts as 0. Integers take the larger value. Directions follow the great circle.
+ * <li>Lights of the same name are interpolated if type, gobo, profile and links are equal. All others fade out or in, renamed if their
+ * names are taken.
+ * <li>Light groups stay if they are equal at both ends. Otherwise they are merged into their lights.
+ * <li>Environments with the same image are interpolated. Otherwise the first fades out in the first half, and the second fades in in the
+ * second.
  * </ul>
  */
 public final class LightingBlend {
-    /** Of two directions of length 1, the cosine from which on they are taken as the same, or as opposite. */
+    /** Cosine from which two unit directions count as equal, or as opposite. */
     private static final double PARALLEL_COSINE = 1 - 1e-12;
 
     private final Lighting from;
@@ -45,10 +46,10 @@ public final class LightingBlend {
     }
 
     /**
-     * The lighting at a position of the way.
+     * Returns the lighting at a position.
      *
-     * @param t 0 at its begin, 1 at its end
-     * @throws IllegalArgumentException if it has more lights than a scene may have
+     * @param t 0 at the start, 1 at the end
+     * @throws IllegalArgumentException if it has more lights than a scene can have
      */
     public static Lighting blend(Lighting from, Lighting to, double t) {
         return t <= 0 ? from : t >= 1 ? to : new LightingBlend(from, to, t).lighting();
@@ -92,7 +93,7 @@ public final class LightingBlend {
                 && (!hasSameGroups || a.lightGroup().equals(b.lightGroup()));
     }
 
-    /** A light as it shines by its own switches and solo, or by its bank's too where banks do not stay; off where it is dark. */
+    /** Returns a light with its own switches and solo applied, and its group's if groups are merged; off if it does not contribute. */
     private Light effectiveLight(LightRig rig, Light light) {
         Light effective = hasSameGroups ? light : rig.effectiveLight(light);
         return effective.withOn(rig.isActive(light)).withSolo(false);
@@ -120,7 +121,10 @@ public final class LightingBlend {
                 .withOn(first.on() || last.on());
     }
 
-    /** The color by which the mean intensity is the mean weight: between the two colors, so within their range. */
+    /**
+     * Returns the color that makes mean intensity times color the mean of both products. It lies between the two colors, so within their
+     * range.
+     */
     private Rgb color(Rgb a, double fromIntensity, Rgb b, double toIntensity) {
         double share = fromIntensity == toIntensity ? t : t * toIntensity / lerp(fromIntensity, toIntensity);
         return a.equals(b) ? a : lerp(a, b, share);
@@ -138,7 +142,7 @@ public final class LightingBlend {
         return a == b ? a : Math.clamp((1 - share) * a + share * b, Math.min(a, b), Math.max(a, b));
     }
 
-    /** What is made of numbers goes linearly, whole ones to the larger; all else stays. */
+    /** Interpolates numbers linearly, integers to the larger; keeps all other attributes. */
     private <T, V> T interpolateAttribute(SceneAttribute<T, V> attribute, T to, T first, T last) {
         if (!(attribute.kind() instanceof NumericKind<V> quantity)) {
             return to;
@@ -148,13 +152,13 @@ public final class LightingBlend {
             double a = quantity.number(attribute.get(first), i);
             double b = quantity.number(attribute.get(last), i);
             double mean = quantity.integer() ? Math.max(a, b) : lerp(a, b);
-            // A direction that is opposite would have no length on its way; it is turned later.
+            // An opposite direction would pass through length 0; it is rotated afterwards.
             value = quantity.form() == NumericKind.Form.DIRECTION ? value : quantity.with(value, i, mean);
         }
         return attribute.with(to, value);
     }
 
-    /** Along the great circle, at length 1; the same where both are the same. */
+    /** Interpolates along the great circle at length 1; returns equal directions unchanged. */
     private Vec3 slerp(Vec3 from, Vec3 to) {
         if (from.equals(to)) {
             return from;
@@ -166,7 +170,7 @@ public final class LightingBlend {
             return b;
         }
         if (cos <= -PARALLEL_COSINE) {
-            // Every way is as short: about the axis that is farthest from the direction.
+            // All great circles are equally short: uses the axis farthest from the direction.
             Vec3 side = a.cross(Math.abs(a.y()) < 0.5 ? Vec3.Y : new Vec3(1, 0, 0)).normalized();
             return a.times(Math.cos(Math.PI * t)).plus(side.times(Math.sin(Math.PI * t)));
         }

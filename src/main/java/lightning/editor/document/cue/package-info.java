@@ -1,4 +1,2 @@
-/**
- * Cues: how a scene was lit, kept beside it with a picture; and light rigs as files.
- */
+/** Cues, which are saved looks of a scene with images, and light rigs as files. */
 package lightning.editor.document.cue;

@@ -15,12 +15,12 @@ import lightning.scene.Scene;
 import lightning.scene.SceneLimits;
 
 /**
- * Writes a recorded shot as numbered pictures, evenly spaced from its begin to its end. Each is exact, its mirrors too.
+ * Export of a recorded shot as numbered images, evenly spaced from start to end. Each is exact, reflections included.
  *
- * @param scene    all but the moving light
- * @param recordedShot of a light of the scene
- * @param pictureCount how many, 1…{@value #MAX_PICTURES}
- * @param view     how linear light becomes display pixels
+ * @param scene        scene without the moving light
+ * @param recordedShot shot of a light of the scene
+ * @param pictureCount number of images, 1…{@value #MAX_PICTURES}
+ * @param view         view transform from linear light to display pixels
  */
 public record MotionExport(Scene scene, RecordedShot recordedShot, int pictureCount, ViewTransform view) {
     public static final int MAX_PICTURES = 100_000;
@@ -31,33 +31,33 @@ public record MotionExport(Scene scene, RecordedShot recordedShot, int pictureCo
         recordedShot.shot().check(scene);
     }
 
-    /** Hears how far the export is, and stops it. On the thread that exports. */
+    /** Listener that receives the export's progress and can cancel it. Called on the exporting thread. */
     public interface Listener {
-        /** So many pictures are written. */
+        /** Reports the number of written images. */
         void pictureWritten(int pictures);
 
-        /** Asked often. */
+        /** Tests if the export is canceled. Called often. */
         boolean isCanceled();
     }
 
-    /** The scene of one picture, 0 ≤ {@code number} &lt; {@link #pictureCount}. */
+    /** Returns the scene of one image, 0 ≤ {@code number} &lt; {@link #pictureCount}. */
     public Scene scene(int number) {
         double share = pictureCount == 1 ? 0 : (double) number / (pictureCount - 1);
         return recordedShot.shot().sceneAt(scene, share * recordedShot.shot().last());
     }
 
-    /** The name of one picture's file: {@code name-0001.png} for the first. */
+    /** Returns the file name of one image: {@code name-0001.png} for the first. */
     public String file(String name, int number) {
         int digits = Math.max(MIN_DIGITS, Integer.toString(pictureCount).length());
         return name + "-" + String.format(Locale.ROOT, "%0" + digits + "d", number + 1) + ".png";
     }
 
     /**
-     * Renders and writes all pictures; waits until they are there.
+     * Renders and writes all images; blocks until they are written.
      *
-     * @param name what the files are called before their number
-     * @throws IOException           if one cannot be written; those before it stay
-     * @throws CancellationException if the listener asked for it; the pictures that are finished stay
+     * @param name prefix of the file names, before the number
+     * @throws IOException           if an image cannot be written; earlier ones are kept
+     * @throws CancellationException if the listener canceled; finished images are kept
      */
     public void write(Path folder, String name, Listener listener) throws IOException {
         Progress cancellation = Progress.cancellation(listener::isCanceled);

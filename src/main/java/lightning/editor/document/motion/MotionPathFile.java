@@ -21,7 +21,7 @@ import lightning.scene.LightType;
 import lightning.scene.shot.Keyframe;
 import lightning.scene.shot.KeyframeValue;
 
-/** Recorded shots as text; the format is described in {@code docs/motion-path.md}. */
+/** Text format of recorded shots, described in {@code docs/motion-path.md}. */
 public final class MotionPathFile {
     private static final String HEADER = "lightning-path 1";
     private static final int MAX_BYTES = 32 << 20;
@@ -41,7 +41,7 @@ public final class MotionPathFile {
         return text.toString();
     }
 
-    /** Writes a file completely or not at all. */
+    /** Writes a file atomically. */
     public static void save(RecordedShot recorded, Path file) throws IOException {
         AtomicFile.write(file, out -> out.write(write(recorded).getBytes(StandardCharsets.UTF_8)));
     }
@@ -49,8 +49,8 @@ public final class MotionPathFile {
     /**
      * Reads a file.
      *
-     * @param light the name of the light that shall move; the file names none
-     * @throws IOException if it cannot be read or is no motion path: {@code file:line: what was expected and found}
+     * @param light name of the moving light; the file has no names
+     * @throws IOException if it cannot be read or is not a motion path: {@code file:line: expected X, found Y}
      */
     public static RecordedShot load(Path file, String light) throws IOException {
         byte[] bytes;
@@ -70,7 +70,7 @@ public final class MotionPathFile {
     /**
      * Reads a text.
      *
-     * @param name  the file's name in error messages
+     * @param name  file name for error messages
      * @param light as in {@link #load}
      * @throws IOException as {@link #load}
      */
@@ -81,7 +81,7 @@ public final class MotionPathFile {
         boolean hasHeader = false;
         int number = 0;
         int end;
-        // A byte order mark, which some editors write, is passed over.
+        // Skips a byte order mark, which some editors write.
         for (int start = text.startsWith("\uFEFF") ? 1 : 0; start < text.length(); start = end + 1) {
             int newline = text.indexOf('\n', start);
             end = newline < 0 ? text.length() : newline;
@@ -108,7 +108,7 @@ public final class MotionPathFile {
         return RecordedShot.of(interval, samples);
     }
 
-    /** A line without its comment, its line end and the spaces around. */
+    /** Returns a line without its comment, its end and surrounding spaces. */
     private static String content(String text, int start, int end) {
         int comment = text.indexOf('#', start, end);
         int to = comment < 0 ? end : comment;

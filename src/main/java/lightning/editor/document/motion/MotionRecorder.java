@@ -6,31 +6,31 @@ import java.util.Optional;
 import lightning.scene.Light;
 import lightning.scene.SceneLimits;
 
-/** Records a shot of a light while it is moved: a key every so many frames of the preview (paper §3.7). */
+/** Recorder of a moving light: sets a keyframe every few frames of the preview (paper §3.7). */
 public final class MotionRecorder {
     private final int interval;
     private final List<Light> samples = new ArrayList<>();
     private int frameCount;
 
-    /** @param interval the resolution number, 1…{@value RecordedShot#MAX_INTERVAL} */
+    /** @param interval frames between keyframes, 1…{@value RecordedShot#MAX_INTERVAL} */
     public MotionRecorder(int interval) {
         SceneLimits.checkRange("resolution", interval, 1, RecordedShot.MAX_INTERVAL);
         this.interval = interval;
     }
 
-    /** The preview drew a frame with the light as it is. The first frame is always recorded, none after the last key that fits. */
+    /** Records a drawn frame of the preview. Always records the first frame, and none after the maximum number of keyframes. */
     public void recordFrame(Light light) {
         if (frameCount++ % interval == 0 && samples.size() < RecordedShot.MAX_KEYS) {
             samples.add(light);
         }
     }
 
-    /** How many frames were drawn. */
+    /** Returns the number of drawn frames. */
     public int frameCount() {
         return frameCount;
     }
 
-    /** What was recorded; empty before the first frame. */
+    /** Returns the recorded shot; empty before the first frame. */
     public Optional<RecordedShot> recordedShot() {
         return samples.isEmpty() ? Optional.empty() : Optional.of(RecordedShot.of(interval, samples));
     }

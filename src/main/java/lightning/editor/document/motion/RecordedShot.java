@@ -16,11 +16,10 @@ import lightning.scene.shot.Track;
 import lightning.scene.shot.TrackTarget;
 
 /**
- * A shot of one light that was moved in the preview (paper §3.7): a linear key of its position and of its direction every
- * so many frames.
+ * Shot of one light that was moved in the preview (paper §3.7), with linear position and direction keyframes at regular intervals.
  *
- * @param interval frames from one key to the next, 1…{@value #MAX_INTERVAL}
- * @param shot  from frame 0 to the last key; its tracks are the position and the direction, with keys at the same frames
+ * @param interval frames between keyframes, 1…{@value #MAX_INTERVAL}
+ * @param shot     frames from 0 to the last keyframe; its tracks are position and direction, with keyframes at the same frames
  */
 public record RecordedShot(int interval, Shot shot) {
     public static final int DEFAULT_INTERVAL = 10;
@@ -32,7 +31,7 @@ public record RecordedShot(int interval, Shot shot) {
         SceneLimits.checkRange("the number of keys", shot.tracks().getFirst().keys().size(), 1, MAX_KEYS);
     }
 
-    /** @param samples the light at each key, at least one */
+    /** @param samples light at each keyframe, at least one */
     static RecordedShot of(int interval, List<Light> samples) {
         return ofTracks(interval,
                 List.of(track(LightAttribute.POSITION, interval, samples), track(LightAttribute.DIRECTION, interval, samples)));
@@ -52,8 +51,8 @@ public record RecordedShot(int interval, Shot shot) {
     }
 
     /**
-     * Returns a light's movement in a shot, its first key at frame 0. Empty if the light's position and direction do not have
-     * linear keys at the same, evenly spaced frames.
+     * Returns a light's movement in a shot, its first keyframe at frame 0. Empty if the light's position and direction do not have linear
+     * keyframes at the same, evenly spaced frames.
      */
     public static Optional<RecordedShot> of(Shot shot, String light) {
         List<Track> tracks = Stream.of(LightAttribute.POSITION, LightAttribute.DIRECTION)
@@ -79,10 +78,10 @@ public record RecordedShot(int interval, Shot shot) {
     }
 
     /**
-     * Returns another shot in which the light moves like this from a frame on. Replaces the keys that its position and direction
-     * had there. The shot gets longer where it ends before the last key.
+     * Returns another shot in which the light follows this movement from a frame on. Replaces the light's position and direction keyframes
+     * there. Extends the shot if it ends before the last keyframe.
      *
-     * @throws IllegalArgumentException if a key would be after {@link Shot#MAX_FRAME}, or if there were too many
+     * @throws IllegalArgumentException if a keyframe would be after {@link Shot#MAX_FRAME}, or if there were too many
      */
     public Shot addTo(Shot other, int frame) {
         Shot all = other;
@@ -92,12 +91,12 @@ public record RecordedShot(int interval, Shot shot) {
         return all.withFrames(all.first(), Math.max(all.last(), Math.addExact(frame, shot.last())));
     }
 
-    /** The number of keys of the position, which is that of the direction. */
+    /** Returns the number of position keyframes, which equals that of the direction. */
     public int keyCount() {
         return shot.tracks().getFirst().keys().size();
     }
 
-    /** The number of frames from the first key to the last, both included. */
+    /** Returns the number of frames from the first to the last keyframe, inclusive. */
     public int frameCount() {
         return shot.last() + 1;
     }

@@ -1,4 +1,2 @@
-/**
- * The shot of one light that an animation records: its keys, its file, and its pictures (paper §3.7).
- */
+/** Recorded movement of one light: keyframes, file format and image export (paper §3.7). */
 package lightning.editor.document.motion;

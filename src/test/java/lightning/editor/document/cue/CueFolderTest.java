@@ -88,7 +88,7 @@ class CueFolderTest {
         Path secret = Files.writeString(elsewhere.resolve("secret.jen"), "jen 1\n");
         Files.createSymbolicLink(cues.path().resolve("out.jen"), secret);
         assertThat(list()).filteredOn(c -> c.name().equals("out")).first()
-                .satisfies(c -> assertThat(c.problem()).contains("leads out of the scene's folder"));
+                .satisfies(c -> assertThat(c.problem()).contains("expected a file in the scene's folder"));
     }
 
     @Test

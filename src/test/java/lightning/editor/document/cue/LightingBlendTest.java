@@ -43,7 +43,7 @@ class LightingBlendTest {
         Lighting b = Lighting.of(session.scenes().getLast());
         assertThat(LightingBlend.blend(a, b, 0)).isEqualTo(a);
         assertThat(LightingBlend.blend(a, b, 1)).isEqualTo(b);
-        // A scene checks all of its limits when it is made; what the blend adds beside are names of shapes.
+        // Creating a scene checks its limits; the blend only adds the names of shapes.
         Lighting blend = LightingBlend.blend(a, b, t);
         assertThat(blend.rig().lights().size()).isLessThanOrEqualTo(a.rig().lights().size() + b.rig().lights().size());
         assertThat(LightingBlend.blend(a, a, t).rig().lights()).hasSameSizeAs(a.rig().lights());

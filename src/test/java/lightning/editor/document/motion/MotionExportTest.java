@@ -27,7 +27,7 @@ class MotionExportTest {
     @TempDir
     private Path folder;
 
-    /** Stops after so many pictures. */
+    /** Cancels after a number of images. */
     private record StopAfter(int most, List<Integer> written) implements MotionExport.Listener {
         @Override
         public void pictureWritten(int pictures) {

@@ -14,7 +14,7 @@ import lightning.sample.Slow;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Motion paths with a few mistakes: each gives a path that can be written, or a refusal in one visible line. */
+/** Fuzz test of motion paths: each mutated file gives a valid path or a one-line error message. */
 @Slow
 class MotionPathFuzzTest {
     private static final int TRIES = ByteFuzzer.tryCount(15_000);

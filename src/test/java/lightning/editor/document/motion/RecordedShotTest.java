@@ -28,13 +28,13 @@ import net.jqwik.api.Provide;
 import net.jqwik.api.constraints.IntRange;
 import org.junit.jupiter.api.Test;
 
-/** A shot recorded of a light, as keys of another shot, and back. */
+/** Conversion of a light's recorded shot to keyframes of another shot, and back. */
 class RecordedShotTest {
     private static final Light LIGHT = Light.of("key", LightType.SPOT);
     private static final Scene SCENE =
             new Scene(PictureSettings.DEFAULT, Camera.DEFAULT, World.DEFAULT, List.of(), List.of(), List.of(LIGHT));
 
-    /** A light at keys that lie so many frames apart. */
+    /** Light at keyframes with a constant interval. */
     record Case(int interval, List<Light> samples) {
         RecordedShot shot() {
             return RecordedShot.of(interval, samples);
