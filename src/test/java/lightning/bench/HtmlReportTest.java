@@ -94,7 +94,7 @@ class HtmlReportTest {
 
         assertThat(texts(key, "dt").subList(0, 3)).containsExactly("80.0\u00a0%", "60.0\u00a0%", "3 of 3");
         assertThat(texts(key, "dd").subList(0, 3))
-                .allSatisfy(text -> assertThat(text).contains("at setting " +  AccuracySetting.DEFAULT.label()));
+                .allSatisfy(text -> assertThat(text).contains("at setting " + AccuracySetting.DEFAULT.label()));
         assertThat(texts(key, "dd").get(1)).contains("edit0 on bird");
     }
 
