@@ -32,7 +32,7 @@ import org.junit.jupiter.api.io.TempDir;
 @Slow
 class ExamplesTest {
     /** What is said where another program is not installed. */
-    private static final Pattern MISSING_PROGRAM = Pattern.compile("no program povray|program ffmpeg, which is not installed");
+    private static final Pattern MISSING_PROGRAM = Pattern.compile("program povray not found|program ffmpeg, which is not installed");
     /** A user's files that examples read. */
     private static final List<String> PICTURES = List.of("before.png", "after.png", "before.pfm", "after.pfm");
 

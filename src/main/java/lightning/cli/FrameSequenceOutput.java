@@ -3,12 +3,11 @@ package lightning.cli;
 import java.nio.file.Path;
 import picocli.CommandLine.Option;
 
-/** The options of commands that write a picture for each frame of a shot. */
+/** Output options of commands that write an image for each frame of a shot. */
 final class FrameSequenceOutput extends PictureOutput {
     @Option(names = {"-o", "--output"}, paramLabel = "FOLDER", required = true,
-            description = {
-                "The folder of the pictures, which are .png; made if it is not there. Or a name with an ending, before which each",
-                "picture gets its number: out/bird.exr for out/bird-0001.exr, in a folder that is there."})
+            description = "The folder of the images (.png), created if missing; or a file name to which each frame's number is added: "
+                    + "out/bird.exr for out/bird-0001.exr, in an existing folder.")
     private Path output;
 
     @Override

@@ -47,7 +47,7 @@ class BenchCommandTest {
     @Test
     void run_writesResultsTablesAndPictures() throws Exception {
         CliResult run = bench(scene, "--figure", 6, "--seed", 9).assertSuccess();
-        assertThat(run.out()).contains("1 scene; this will take about", "a at 24 x 16, depth 2, 3 shapes, 3 lights", "color ", "intensity ",
+        assertThat(run.out()).contains("1 scene; this will take about", "a at 24 x 16, depth 2, 3 objects, 3 lights", "color ", "intensity ",
                 "memory: ", "results.json");
         assertThat(results().scenes().getFirst().edits()).extracting(EditResult::edit).containsExactly("color", "intensity");
         assertThat(results().run().complete()).isTrue();
@@ -120,19 +120,19 @@ class BenchCommandTest {
         Path stored = Files.copy(out.resolve("results.json"), folder.resolve("old.json"));
         CliResult run = bench(scene, "--figure", 13, "--baseline", stored);
         assertThat(run.exit()).isEqualTo(2);
-        assertThat(run.err()).contains("old.json: holds none of the edits that were measured now");
+        assertThat(run.err()).contains("old.json: contains none of the edits measured now");
     }
 
     @Test
     void invalidArguments_areRejected() throws Exception {
         CliResult.run("bench", scene).assertRejected("--output");
         bench(scene, "--figure", 12).assertRejected(
-                "--figure must be one that shows measured edits (6 to 11, 13 to 26, B1 to B4 or B for Appendix B), was '12'");
+                "--figure must be a figure with measured edits (6 to 11, 13 to 26, B1 to B4 or B for Appendix B), was '12'");
         bench(scene, "--repetitions", 0).assertRejected("repetitions");
         bench(scene, "--size", "0x5").assertRejected("width and height must be from 1");
         bench(scene, "--baseline", folder.resolve("no.json")).assertRejected("no.json: there is no such file");
         bench(scene, "--baseline", scene).assertRejected("no results of 'lightning bench'");
-        bench(folder.resolve("no.jen")).assertRejected("no.jen: there is no such file", "there is no scene to measure");
+        bench(folder.resolve("no.jen")).assertRejected("no.jen: there is no such file", "no scene to measure");
     }
 
     @Test

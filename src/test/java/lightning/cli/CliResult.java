@@ -52,7 +52,7 @@ record CliResult(int exit, String out, String err) {
     void assertRejected(String... words) {
         assertThat(exit).as(err).isEqualTo(2);
         assertThat(out).isEmpty();
-        assertThat(err).contains(words).doesNotContain("Exception", "\tat ", "error of the program");
+        assertThat(err).contains(words).doesNotContain("Exception", "\tat ", "internal error");
     }
 
     CliResult assertSuccess() {

@@ -22,8 +22,8 @@ class HelpTextTest {
     @ValueSource(strings = {"render", "relight"})
     void shotOutput_isDescribedAsFolder(String command) {
         String help = CliResult.run("shot", command, "--help").assertSuccess().out();
-        assertThat(help).contains("--output=FOLDER", "The folder of the pictures").doesNotContain("The picture:");
-        assertThat(CliResult.run(command, "--help").assertSuccess().out()).contains("--output=FILE", "The picture:");
+        assertThat(help).contains("--output=FOLDER", "The folder of the images").doesNotContain("Output image:");
+        assertThat(CliResult.run(command, "--help").assertSuccess().out()).contains("--output=FILE", "Output image:");
     }
 
     @Test

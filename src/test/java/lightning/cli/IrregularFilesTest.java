@@ -37,7 +37,7 @@ class IrregularFilesTest {
         var err = new ByteArrayOutputStream();
         int exit = Lightning.run(full, new PrintStream(err, true, StandardCharsets.UTF_8), "check", CliResult.scene(folder).toString());
         assertThat(exit).isEqualTo(2);
-        assertThat(err.toString(StandardCharsets.UTF_8)).hasLineCount(1).contains("could not be written to the standard output");
+        assertThat(err.toString(StandardCharsets.UTF_8)).hasLineCount(1).contains("cannot write to the standard output");
     }
 
     @Test
@@ -123,7 +123,7 @@ class IrregularFilesTest {
 
     @Test
     void invalidFileName_isRejected() {
-        CliResult.run("check", "a\0b.jen").assertRejected("cannot be a file's name here", "LC_ALL=C.UTF-8");
+        CliResult.run("check", "a\0b.jen").assertRejected("not a valid file name", "LC_ALL=C.UTF-8");
     }
 
     @Test

@@ -144,7 +144,7 @@ class RelightCommandTest {
     @Test
     void updateReflections_withCurrentMirrors_isRejected() {
         CliResult.run("relight", path, "-o", picture, "--set", "lamp.intensity=3", "--reflections", "current", "--update-reflections")
-                .assertRejected("--update-reflections updates mirrors on demand; with --reflections current they need no update");
+                .assertRejected("--update-reflections updates stale reflections; with --reflections current they need no update");
         assertThat(picture).doesNotExist();
     }
 

@@ -85,7 +85,7 @@ class RenderCommandTest {
     void layersInUnsupportedFormat_areRejected() {
         CliResult.run("render", scene, "-o", folder.resolve("a.png"), "--layers").assertRejected("layers are written to .exr");
         CliResult.run("render", scene, "-o", folder.resolve("a.exr"), "--layers", "--traditional")
-                .assertRejected("keeps nothing has no layers");
+                .assertRejected("a trace without a cache has no layers");
         CliResult.run("render", scene, "-o", folder.resolve("a.png"), "--bits", "12").assertRejected("8 or 16 bits, not 12");
     }
 
@@ -174,14 +174,14 @@ class RenderCommandTest {
     @ParameterizedTest
     @ValueSource(strings = {"--threads=1", "--traditional"})
     void coldTime_isMarked(String option) {
-        assertThat(CliResult.run("render", scene, "-o", folder.resolve("a.png"), option).assertSuccess().out()).contains(" ms from cold: ");
+        assertThat(CliResult.run("render", scene, "-o", folder.resolve("a.png"), option).assertSuccess().out()).contains(" ms (cold start): ");
     }
 
     /** 2⁻⁴⁰ of it is below white everywhere, 2⁴⁰ of it above wherever there is any light. */
     @Test
     void report_showsClippedPixels() {
         assertThat(CliResult.run("render", scene, "-o", folder.resolve("a.png"), "--exposure", "40").assertSuccess().out())
-                .containsPattern("a.png: \\d+ of 1536 pixels \\([\\d.]+ %\\) are cut off at white, the brightest is .+ times as bright");
+                .containsPattern("a.png: \\d+ of 1536 pixels \\([\\d.]+ %\\) are clipped, the peak is .+ times white");
         assertThat(CliResult.run("render", scene, "-o", folder.resolve("a.png"), "--exposure", "-40").assertSuccess().out())
                 .doesNotContain("cut off");
         assertThat(CliResult.run("render", scene, "-o", folder.resolve("a.pfm"), "--exposure", "40").assertSuccess().out())
