@@ -30,7 +30,7 @@ class ImportCommandTest {
         Path gltf = Files.write(folder.resolve("a.gltf"), GltfFixtures.text(GltfFixtures.SQUARE_JSON, GltfFixtures.SQUARE));
         CliResult done = CliResult.run("export-lights", scene, "--into", gltf, "-o", folder.resolve("b.gltf")).assertSuccess();
         assertThat(done.out()).contains("b.gltf: written; 3 lights");
-        assertThat(done.err()).contains("not exported exactly: lights that do not fall off with the square of the distance");
+        assertThat(done.err()).contains("not exported exactly: lights without inverse-square falloff");
         assertThat(Files.readString(folder.resolve("b.gltf"))).contains("KHR_lights_punctual", "\"lamp\"", "\"sun\"", "\"stage\"");
         CliResult.run("export-lights", scene, "--into", gltf, "-o", gltf).assertRejected("is the file to copy; choose another");
         CliResult.run("export-lights", scene, "--into", scene, "-o", folder.resolve("c.gltf")).assertRejected("a.jen: line 1, column");

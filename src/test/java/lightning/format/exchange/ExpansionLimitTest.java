@@ -41,7 +41,7 @@ class ExpansionLimitTest {
         Path file = writeFile(scene(1000, PRIMITIVE, 1000));
         long startBytes = THREADS.getCurrentThreadAllocatedBytes();
         assertThatExceptionOfType(MeshException.class).isThrownBy(() -> read(file)).withMessage(file + ": nodes: must show at most 100000"
-                + " shapes where the file and its buffers have " + Files.size(file) + " bytes, found 1000000; each node shows every"
+                + " shapes for a file and buffers of " + Files.size(file) + " bytes, found 1000000; each node shows every"
                 + " primitive of its mesh");
         assertThat(THREADS.getCurrentThreadAllocatedBytes() - startBytes).as("bytes for a file of %d", Files.size(file))
                 .isLessThan(16L << 20);
@@ -78,7 +78,7 @@ class ExpansionLimitTest {
         Path file = writeFile(zeros);
         long startBytes = THREADS.getCurrentThreadAllocatedBytes();
         assertThatExceptionOfType(MeshException.class).isThrownBy(() -> read(file))
-                .withMessageContaining("the meshes up to here must take at most 68 MiB where the file and its buffers have");
+                .withMessageContaining("the meshes up to here must take at most 68 MiB for a file and buffers of");
         assertThat(THREADS.getCurrentThreadAllocatedBytes() - startBytes).isLessThan(512L << 20);
     }
 

@@ -165,7 +165,7 @@ class GltfMaterialImportTest {
         assertThat(emission.r()).isEqualTo(SrgbCurve.toLinear(128 / 255.0), within(1e-6));
         assertThat(emission.g()).isEqualTo(0.5 * SrgbCurve.toLinear(192 / 255.0), within(1e-6));
         assertThat(emission.b()).isEqualTo(1, within(1e-6));
-        assertThat(imported.notes()).containsEntry("emissiveTexture of materials, of which the mean is taken", 1);
+        assertThat(imported.notes()).containsEntry("emissiveTexture of materials, averaged", 1);
     }
 
     @Test
@@ -195,8 +195,8 @@ class GltfMaterialImportTest {
         assertThat(material(plastic.replace("COLOR", "8, 8, 8")).f0()).as("a surface mirrors all, half of which is left").isEqualTo(0.5);
         ImportedScene tinted = importJson(plastic.replace("COLOR", "1, 0, 0"));
         assertThat(tinted.scene().materials().getFirst().f0()).isEqualTo(0.2126 * 0.125);
-        assertThat(tinted.notes()).containsEntry("colored highlights of materials that are no metals, gray here", 1)
-                .containsEntry("highlights of materials weakened where they are grazed, not weakened here", 1);
+        assertThat(tinted.notes()).containsEntry("colored highlights of dielectric materials, imported as gray", 1)
+                .containsEntry("grazing-angle specular below 1 (specularFactor), imported as 1", 1);
         assertThat(importJson(plastic.replace("COLOR", "1, 0, 0").replace("'metallicFactor': 0", "'metallicFactor': 1")).notes().keySet())
                 .as("of a metal").noneMatch(note -> note.contains("highlights"));
     }
@@ -211,7 +211,7 @@ class GltfMaterialImportTest {
             ImportedScene imported = importJson(rough);
             assertThat(imported.scene().materials().getFirst().reflective()).as(rough).isEqualTo(Rgb.BLACK);
             assertThat(imported.notes()).as(rough)
-                    .containsEntry("metals that mirror lights alone here, being rough, in part no metal, textured or shining", 1);
+                    .containsEntry("metals that reflect only lights (rough, partly metallic, textured or emissive)", 1);
         }
         ImportedScene plastic = importJson(surface(gold + ", 'metallicFactor': 0"));
         assertThat(plastic.scene().materials().getFirst().reflective()).isEqualTo(Rgb.BLACK);
@@ -226,7 +226,7 @@ class GltfMaterialImportTest {
         assertThat(material.metalness()).isEqualTo(0.5);
         assertThat(material.roughness()).isEqualTo(0.5 * (192 / 255f));
         assertThat(material.texture()).isEmpty();
-        assertThat(imported.notes()).containsEntry("metallicRoughnessTexture of materials, of which the mean is taken", 1);
+        assertThat(imported.notes()).containsEntry("metallicRoughnessTexture of materials, averaged", 1);
     }
 
     @Test
@@ -265,7 +265,7 @@ class GltfMaterialImportTest {
                 importJson("{'pbrMetallicRoughness': {'baseColorTexture': {'index': 0}}, 'normalTexture': {'index': 0, PLACED}}"
                         .replace("PLACED", placement));
         assertThat(
-                imported.notes().getOrDefault("normalTexture of materials placed otherwise than their baseColorTexture, as that here", 0))
+                imported.notes().getOrDefault("normalTexture of materials with another placement than baseColorTexture, placed like it", 0))
                 .isEqualTo(noteCount);
     }
 
@@ -358,7 +358,7 @@ class GltfMaterialImportTest {
         ImportedScene fading = masked("'alphaMode': 'BLEND', ", 1, BufferedImage.TYPE_INT_ARGB);
         assertThat(fading.scene().materials().getFirst().cutout().cutoff()).isEqualTo(0.5);
         assertThat(fading.scene().materials().getFirst().cutout().isActive()).isTrue();
-        assertThat(fading.notes()).containsEntry("pictures that fade out, cut out here where half of them is there", 1);
+        assertThat(fading.notes()).containsEntry("alpha-blended textures, imported as cutouts at half opacity", 1);
         ImportedScene veil = masked("'alphaMode': 'BLEND', ", 0.8, BufferedImage.TYPE_INT_ARGB);
         assertThat(veil.scene().materials().getFirst().cutout()).isEqualTo(AlphaCutout.NONE);
         assertThat(veil.scene().materials().getFirst().transmission().isTransparent()).isTrue();

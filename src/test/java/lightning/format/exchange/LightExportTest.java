@@ -93,8 +93,8 @@ class LightExportTest {
         Scene odd = scene.withLight(scene.light("lamp").orElseThrow().withAttenuation(new Attenuation(1, 0.5, 0)))
                 .withLight(scene.light("beam").orElseThrow().withOn(false).withAngle(120));
         assertThat(LightExport.toGltf(gltf, odd, LightUnits.CANDELA, Progress.NONE).notes()).containsKeys(
-                "lights that do not fall off with the square of the distance; theirs is right at distance 1",
-                "lights that are dark, which shine there", "spots wider than 90 degrees");
+                "lights without inverse-square falloff, exact only at distance 1",
+                "lights that are off, exported as on", "spots wider than 90 degrees");
     }
 
     @Test

@@ -57,7 +57,7 @@ class NffImportTest {
         assertThat(solids).filteredOn(s -> s instanceof Solid.Frustum || s instanceof Solid.Cylinder).hasSize(cones);
         assertThat(solids.stream().mapToInt(s -> s instanceof Solid.TriangleMesh t ? t.mesh().triangleCount() : 0).sum())
                 .isEqualTo(triangles);
-        assertThat(imported.notes().keySet()).allMatch(note -> note.startsWith("materials that light goes through"));
+        assertThat(imported.notes().keySet()).allMatch(note -> note.startsWith("emission of transparent materials"));
     }
 
     @Property
@@ -125,7 +125,7 @@ class NffImportTest {
     void flatShapes_areSkippedAndNoted() throws Exception {
         ImportedScene imported = read("a", "s 0 0 0 0\nc 0 0 0 1 0 0 0 1\nc 0 0 0 0 1 0 0 0\ns 0 0 0 1\n");
         assertThat(imported.scene().placedShapes()).hasSize(1);
-        assertThat(imported.notes()).containsEntry("shapes that are flat, too small or too large", 3);
+        assertThat(imported.notes()).containsEntry("objects that are flat, too small or too large", 3);
     }
 
     private static void assertNear(Vec3 actual, Vec3 expected) {

@@ -100,8 +100,8 @@ class SceneImporterTest {
                         "'textures': [{'sampler': 0, 'source': 0}], 'samplers': [{'wrapS': 33071, 'magFilter': 9728}], "
                                 + "'images': [{'uri': 'data:image/png;base64,'}], 'cameras':");
         assertThat(read(Files.write(from.resolve("a.glb"), GltfFixtures.binary(clamped, GltfFixtures.SQUARE))).notes())
-                .containsEntry("textures that end or turn back at their edges, repeated here", 1)
-                .containsEntry("textures with hard pixels, smooth here", 1);
+                .containsEntry("clamped or mirrored textures, imported as repeating", 1)
+                .containsEntry("unfiltered textures, imported as filtered", 1);
     }
 
     /** A pixel of 128, 192, 255. */
@@ -190,7 +190,7 @@ class SceneImporterTest {
         assertThat(to.resolveSibling("my data.bin")).hasSameBinaryContentAs(from.resolve("my data.bin"));
         Files.write(to.resolveSibling("a.gltf"), new byte[1]);
         assertThatExceptionOfType(IOException.class).isThrownBy(() -> read(file).write())
-                .withMessageContaining("a.gltf: is there already and holds something else");
+                .withMessageContaining("a.gltf: already exists with other content");
         assertThat(to.resolveSibling("a.gltf")).hasSize(1);
     }
 
@@ -279,7 +279,7 @@ class SceneImporterTest {
         Path file = Files.write(from.resolve("a.glb"),
                 GltfFixtures.binary(SCENE.replace("'children': [1, 2, 3, 4]", "'children': [1, 0]"), GltfFixtures.SQUARE));
         assertThatExceptionOfType(MeshException.class).isThrownBy(() -> read(file))
-                .withMessageEndingWith("nodes[0].children[1]: must be a node that stands nowhere else, was 0");
+                .withMessageEndingWith("nodes[0].children[1]: must be a node with a single parent, was 0");
     }
 
     /** A picture whose file is named so. */

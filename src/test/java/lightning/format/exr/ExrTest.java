@@ -128,7 +128,7 @@ class ExrTest {
     @Test
     void otherFormat_isRejected() throws IOException {
         Path file = Files.write(folder.resolve("a.exr"), new byte[100]);
-        assertThatIOException().isThrownBy(() -> new ExrReader(file).close()).withMessageContaining("is no OpenEXR picture");
+        assertThatIOException().isThrownBy(() -> new ExrReader(file).close()).withMessageContaining("is not an OpenEXR file");
     }
 
     /** Any byte that is another, or missing. */

@@ -131,9 +131,9 @@ class GltfMeshReaderTest {
         assertRejected(json("'count': 4, 'type': 'VEC3'", "'count': 60000000, 'type': 'VEC3'"),
                 "accessors[0]: needs 720000000 bytes of its bufferView, which has 128");
         assertRejected(json("'bufferView': 0, 'componentType': 5126, 'count': 4", "'componentType': 5126, 'count': 60000000"),
-                "accessors[0].count: must be at most the bytes of the file where there is no bufferView, was 60000000");
+                "accessors[0].count: must be at most the file's size if there is no bufferView, was 60000000");
         assertRejected(json("'byteLength': 140", "'byteLength': 2000000000"),
-                "buffers[0].byteLength: must be at most the bytes that are there, 140, was 2000000000");
+                "buffers[0].byteLength: must be at most the available bytes, 140, was 2000000000");
         assertRejected(json("'byteLength': 128", "'byteLength': 141"),
                 "bufferViews[0].byteLength: must be a whole number from 0 to 140, was '141'");
     }
@@ -145,9 +145,9 @@ class GltfMeshReaderTest {
         assertRejected(json("'indices': 3", "'indices': 4"),
                 "meshes[0].primitives[0].indices: must be a whole number from 0 to 3, was '4'");
         assertRejected(json("'VEC2'", "'MAT4'"), "accessors[2].type: must be SCALAR, VEC2, VEC3 or VEC4, was 'MAT4'");
-        assertRejected(json("'componentType': 5123", "'componentType': 5126"), "accessors[3]: indices must be single numbers without sign");
+        assertRejected(json("'componentType': 5123", "'componentType': 5126"), "accessors[3]: indices must be unsigned scalars");
         assertRejected(json("'scene': 0", "'extensionsRequired': ['KHR_draco_mesh_compression']"),
-                "extensionsRequired[0]: needs KHR_draco_mesh_compression, which Lightning cannot read; export it without");
+                "extensionsRequired[0]: requires KHR_draco_mesh_compression, which Lightning does not support; export without it");
         assertRejected(json("'meshes': [{", "'meshes': [7, {"), "meshes[0]: must be an object, was '7'");
         assertRejected(json("'buffers': [{", "'buffers': [{'uri': '../secret.bin', "),
                 "buffers[0].uri: must be data or a file in the folder of this one, was '../secret.bin'");

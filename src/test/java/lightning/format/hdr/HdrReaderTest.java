@@ -78,7 +78,7 @@ class HdrReaderTest {
         "-Y 1 +X 2 | -Y 99999 +X 99999 | line 5: a picture must have from 1 to 8388608 pixels, has 99999×99999",
         "-Y 1 +X 2 | -Y 2000000000 +X 2000000000 | line 5: a picture must have from 1 to 8388608 pixels, has 2000000000×2000000000",
         "-Y 1 +X 2 | -Y 2048 +X 4096 | line 5: 4096×2048 pixels take at least 548864 bytes, found 8",
-        "-Y 1 +X 2 | -Y 1 +X 1 | expected nothing behind the last of 1 lines, found 4 bytes",
+        "-Y 1 +X 2 | -Y 1 +X 1 | expected nothing after the last of 1 lines, found 4 bytes",
         "# by hand | EXPOSURE=0 | line 2: an exposure must be a number from 1e-30 to 1e30, was '0'",
         "# by hand | EXPOSURE=nan | line 2: an exposure must be a number above 0, was 'nan'"})
     void invalidFile_isReportedWithLocation(String valid, String invalid, String message) {
@@ -105,7 +105,7 @@ class HdrReaderTest {
     @Test
     void oldRunLengthEncoding_isRejected() {
         assertThatThrownBy(() -> read(HEADER, new byte[] {9, 9, 9, 9, 1, 1, 1, 1}))
-                .hasMessageEndingWith("row 1: runs of pixels that are the same are not read");
+                .hasMessageEndingWith("row 1: old-style runs of equal pixels are not supported");
     }
 
     /** Whatever is written over a picture, it is read, finite and not negative, or refused in a sentence. */

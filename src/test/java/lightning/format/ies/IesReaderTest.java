@@ -78,14 +78,14 @@ class IesReaderTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {
-        "TILT=NONE | a file of intensities must have a line that begins with TILT=, found none |",
+        "TILT=NONE | an IES file must have a line that begins with TILT=, found none |",
         "3 2 1 2 | line 2: number of vertical angles must be a number from 1 to 1048576, was '0' | 0 2 1 2",
         "1 3 2 1 2 | line 2: multiplier must be a number from 1e-30 to 1e12, was '0' | 0 3 2 1 2",
         "3 2 1 2 | line 3: expected 3000002 angles and intensities, found 11 | 2 1000000 1 2",
         "3 2 1 2 | line 3: expected 19 angles and intensities, found 11 | 4 3 1 2",
         "3 2 1 2 | line 2: photometric type must be a number from 1 to 3, was '4' | 3 2 4 2",
         "3 2 1 2 | line 2: number of horizontal angles must be a whole number, was 1.5 | 3 1.5 1 2",
-        "0 45 90 | line 4: vertical angles must increase, found 45.0 behind 45.0 | 45 45 90",
+        "0 45 90 | line 4: vertical angles must increase, found 45.0 after 45.0 | 45 45 90",
         "0 45 90 | line 4: vertical angle must be a number from 0 to 180, was 'nan' | 0 nan 90",
         "100 50 0 | line 6: intensity must be a number from 0 to 1e12, was '-50' | 100 -50 0",
         "100 50 0 | line 6: intensity must be a number from 0 to 1e12, was '1e999' | 100 1e999 0",

@@ -84,7 +84,7 @@ class ImageFileTest {
     @Test
     void unsupportedBitDepth_isRejected() {
         assertThatIOException().isThrownBy(() -> ImageFormat.XPM.requireBitDepth(Path.of("a.xpm"), 16))
-                .withMessage("a.xpm: such a picture has 8 bits, not 16");
+                .withMessage("a.xpm: this format has 8 bits, not 16");
     }
 
     @Test
@@ -194,7 +194,7 @@ class ImageFileTest {
     void truncatedFile_isRejected() throws IOException {
         Path pfm = Files.writeString(folder.resolve("cut.pfm"), "PF\n4000 4000\n-1\nabc");
 
-        assertThatIOException().isThrownBy(() -> ImageFile.read(pfm)).withMessageContaining("cut short");
+        assertThatIOException().isThrownBy(() -> ImageFile.read(pfm)).withMessageContaining("truncated");
     }
 
     @Property(tries = 600)
@@ -224,7 +224,7 @@ class ImageFileTest {
         ImageFile.write(file, Film.black(1, 1), ViewTransform.DEFAULT);
 
         assertThatIOException().isThrownBy(() -> ImageFile.read(file))
-                .withMessage(file + ": is an XPM picture, which can be written but not read");
+                .withMessage(file + ": is an XPM image, which can be written but not read");
     }
 
     @Test
