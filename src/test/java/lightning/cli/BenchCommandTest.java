@@ -33,7 +33,7 @@ class BenchCommandTest {
         out = folder.resolve("new/results");
     }
 
-    /** A quick run of few samples. */
+    /** Runs a quick benchmark with few samples. */
     private CliResult bench(Object... more) {
         List<Object> words = new ArrayList<>(List.of("bench", "-o", out, "--quick", "--repetitions", 1, "--size", "24x16", "--threads", 2));
         words.addAll(Arrays.asList(more));
@@ -58,7 +58,7 @@ class BenchCommandTest {
         assertThat(out.resolve("report.html")).content().contains("<svg", "data:image/");
     }
 
-    /** It takes long, so it is once for both: Egypt's digits are the ones that can be told from plain ones. */
+    /** Covers the quick run and the locale in one slow test; Egypt's digits differ from ASCII digits. */
     @Test
     void quickRun_inArabicLocale_printsAsciiDigits() throws Exception {
         CliResult run = DefaultLocale.during(Locale.of("ar", "EG"), () -> bench(scene).assertSuccess());
@@ -105,7 +105,7 @@ class BenchCommandTest {
     void baselineWithOtherErrors_exitsWith1() throws Exception {
         bench(scene, "--figure", 21).assertSuccess();
         Path old = out.resolve("results.json");
-        // As if half resolution had shown every value right.
+        // As if half resolution had had no error.
         Files.writeString(old, Files.readString(old).replaceFirst("\"values\" : \\d+", "\"values\" : 0"));
         Path stored = Files.copy(old, folder.resolve("old.json"));
         CliResult run = bench(scene, "--figure", 21, "--baseline", stored);

@@ -15,7 +15,7 @@ import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Processes that the system grants too few file handles. */
+/** Processes with too few file handles. */
 @EnabledOnOs({OS.LINUX, OS.MAC})
 @Slow
 final class HandleLimitTest {

@@ -13,9 +13,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Words of the help and of results. */
+/** Wording of help and results. */
 class HelpTextTest {
-    /** A number before a plural; of parts and sizes, as in "1 of 2 pixels", the number may be any. */
+    /** Number before a plural; excludes parts and sizes, as in "1 of 2 pixels", where any number is correct. */
     private static final Pattern UNCOUNTED = Pattern.compile("(?<!of |x |to )%d (?!is\\b)(?:shadow |eye )?[a-z]+s\\b");
 
     @ParameterizedTest

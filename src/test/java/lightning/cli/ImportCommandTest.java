@@ -9,7 +9,7 @@ import lightning.format.gltf.GltfFixtures;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** import and export-lights, as their users see them. */
+/** Commands import and export-lights. */
 class ImportCommandTest {
     private static final String TRIANGLE = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nl 1 2\n";
     @TempDir
@@ -20,7 +20,7 @@ class ImportCommandTest {
         CliResult done = CliResult.run("import", Files.writeString(folder.resolve("a.obj"), TRIANGLE), "-o", folder.resolve("a.jen"))
                 .assertSuccess();
         assertThat(done.out()).contains("a.jen: written; 1 object, 0 materials, 1 light");
-        assertThat(done.err()).contains("left out or not the same: lines (1)");
+        assertThat(done.err()).contains("left out or approximated: lines (1)");
         CliResult.run("check", folder.resolve("a.jen")).assertSuccess();
     }
 
@@ -57,7 +57,7 @@ class ImportCommandTest {
     @Test
     void invalidInput_isRejected() throws Exception {
         Path wrong = Files.writeString(folder.resolve("a.obj"), TRIANGLE.replace("1 2 3", "1 2 4"));
-        CliResult.run("import", wrong, "-o", folder.resolve("a.jen")).assertRejected("a.obj: line 4: a corner must name one of 3 vertices");
+        CliResult.run("import", wrong, "-o", folder.resolve("a.jen")).assertRejected("a.obj: line 4: a corner must reference one of 3");
         CliResult.run("import", folder.resolve("b.obj"), "-o", folder.resolve("a.jen")).assertRejected("b.obj: there is no such file");
         CliResult.run("import", folder, "-o", folder.resolve("a.jen")).assertRejected("is a folder");
         CliResult.run("import", wrong, "-o", folder.resolve("a.png")).assertRejected("a scene's file name must end in .jen");

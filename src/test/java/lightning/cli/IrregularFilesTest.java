@@ -17,7 +17,7 @@ import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Outputs that cannot be written, and inputs that are no ordinary files. */
+/** Outputs that cannot be written, and inputs that are not regular files. */
 @DisabledOnOs(OS.WINDOWS)
 @Slow
 class IrregularFilesTest {
@@ -74,14 +74,14 @@ class IrregularFilesTest {
     void pipeAsPicture_isRejected() throws Exception {
         for (String ending : List.of("png", "xpm", "pfm")) {
             Path pipe = pipe("p." + ending);
-            CliResult.run("compare", pipe, pipe).assertRejected("p." + ending + ": is no file");
+            CliResult.run("compare", pipe, pipe).assertRejected("p." + ending + ": is not a regular file");
         }
     }
 
     @Test
     void deviceLinkAsPicture_isRejected() throws IOException {
         Path link = Files.createSymbolicLink(folder.resolve("zero.pfm"), Path.of("/dev/zero"));
-        CliResult.run("compare", link, link).assertRejected("zero.pfm: is no file");
+        CliResult.run("compare", link, link).assertRejected("zero.pfm: is not a regular file");
     }
 
     @Test
@@ -141,7 +141,7 @@ class IrregularFilesTest {
         }
     }
 
-    /** No file may grow beyond a block of the shell, 512 or 1024 bytes. */
+    /** Limits files to one block of the shell, 512 or 1024 bytes. */
     @Test
     void growingFile_isRejectedByName() throws Exception {
         Path scene = CliResult.scene(folder);

@@ -15,7 +15,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** check, compare, explain, export, effects and tour, as their users see them. */
+/** Commands check, compare, explain, export, effects and tour. */
 @Slow
 class OtherCommandsTest {
     @TempDir
@@ -139,7 +139,7 @@ class OtherCommandsTest {
                 ", below the horizon\n");
     }
 
-    /** Pixels on edges are means of several rays; the one that is explained is the center's. */
+    /** Edge pixels are means of several rays; the center's ray is explained. */
     @Test
     void explainedEdge_showsCenterAndRenderedColor() throws Exception {
         Path picture = folder.resolve("a.pfm");
@@ -172,7 +172,7 @@ class OtherCommandsTest {
         Path pov = folder.resolve("a.pov");
         CliResult exported = CliResult.run("export", scene, "-o", pov).assertSuccess();
         assertThat(exported.err()).contains("light lamp: attenuation", "without the limit 1");
-        assertThat(Files.readString(pov)).contains("// Not as in the scene: light lamp: attenuation", "max_trace_level 3", "sphere {");
+        assertThat(Files.readString(pov)).contains("// Not exported exactly: light lamp: attenuation", "max_trace_level 3", "sphere {");
     }
 
     @Test
@@ -189,7 +189,7 @@ class OtherCommandsTest {
                 .anyMatch(line -> line.matches("reflections( ~?-?[0-9.]+){4} up to 2 bounces: floor"))
                 .anyMatch(line -> line.matches("textures( ~?-?[0-9.]+){4} ?"))
                 .contains("cylinders - - - -")
-                .anyMatch(line -> line.startsWith(" in all "));
+                .anyMatch(line -> line.startsWith(" total "));
     }
 
     @Test

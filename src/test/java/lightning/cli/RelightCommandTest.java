@@ -102,7 +102,7 @@ class RelightCommandTest {
         assertThat(run.out().lines().skip(1)).hasSize(2);
     }
 
-    /** The type is that after the whole edit; a material and the world have no light's properties. */
+    /** Uses the light's type after the whole edit; a material and the world have no light properties. */
     @Test
     void usedProperty_isNotWarnedAbout() {
         CliResult run = CliResult

@@ -144,7 +144,7 @@ class RenderCommandTest {
     @Test
     @DisabledOnOs(OS.WINDOWS)
     void linkToIrregularFile_isRejectedBeforeTracing() throws Exception {
-        // A socket stands for devices: a real one would be lost if this ever failed for an administrator.
+        // A socket stands in for a device: a real device would be lost if this failed for an administrator.
         Path socket = folder.resolve("s");
         Path link = Files.createSymbolicLink(folder.resolve("a.png"), socket);
         String sentence = link + ": is a device, a pipe or a socket, expected a file";
@@ -177,7 +177,7 @@ class RenderCommandTest {
         assertThat(CliResult.run("render", scene, "-o", folder.resolve("a.png"), option).assertSuccess().out()).contains(" ms (cold start): ");
     }
 
-    /** 2⁻⁴⁰ of it is below white everywhere, 2⁴⁰ of it above wherever there is any light. */
+    /** Scaled by 2⁻⁴⁰ every value is below white; by 2⁴⁰ every lit value is above it. */
     @Test
     void report_showsClippedPixels() {
         assertThat(CliResult.run("render", scene, "-o", folder.resolve("a.png"), "--exposure", "40").assertSuccess().out())

@@ -21,7 +21,7 @@ import org.junit.jupiter.api.io.TempDir;
 /** Edits in all frames of a shot. */
 @Slow
 class ShotRelightCommandTest {
-    /** Lights alone change at first, then the camera, then a shape. */
+    /** First only lights change, then the camera, then a shape. */
     private static final String SHOT = """
             shot {
               frames 3 7

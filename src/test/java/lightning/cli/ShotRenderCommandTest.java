@@ -23,9 +23,9 @@ import org.junit.jupiter.params.provider.CsvSource;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
-/** A shot as numbered pictures. */
+/** Shot rendered to numbered images. */
 class ShotRenderCommandTest {
-    /** Lights alone change at first, then the camera, then a shape. */
+    /** First only lights change, then the camera, then a shape. */
     private static final String SHOT = """
             shot {
               frames 3 7
@@ -63,7 +63,7 @@ class ShotRenderCommandTest {
                     .as("frame " + frame)
                     .isTrue();
         }
-        // The first frame and the one whose camera moved.
+        // The first frame, and the one in which the camera moved.
         assertThat(done.out()).contains("2 frames traced in", "3 relit in");
     }
 

@@ -59,7 +59,7 @@ public final class ImageFile {
     public static Film read(Path file) throws IOException {
         ImageFormat format = ImageFormat.of(file);
         if (!Files.isRegularFile(file)) {
-            throw new IOException(Quote.path(file) + ": " + (Files.exists(file) ? "not a file" : "no such file"));
+            throw new IOException(Quote.path(file) + ": " + (Files.exists(file) ? "is not a regular file" : "no such file"));
         }
         try {
             return format.read(file);

@@ -17,7 +17,7 @@ import lightning.format.mesh.MeshException;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** No glTF file becomes much more in memory than its bytes justify. */
+/** Limits for the memory that a glTF file expands to. */
 class ExpansionLimitTest {
     private static final ThreadMXBean THREADS = (ThreadMXBean) ManagementFactory.getThreadMXBean();
     private static final String PRIMITIVE = "{'attributes': {'POSITION': 0}, 'indices': 3}";
@@ -63,13 +63,13 @@ class ExpansionLimitTest {
         assertThat(imported.scene().stage().shapeCount()).isEqualTo(400);
     }
 
-    /** A set of a few parts that stands a hundred times. */
+    /** Object of a few parts with a hundred instances. */
     @Test
     void ordinaryNodes_areAccepted() throws Exception {
         assertThat(read(writeFile(scene(100, PRIMITIVE, 20))).scene().stage().shapeCount()).isEqualTo(2000);
     }
 
-    /** 200 primitives of 30 000 vertices that are all zero, of which the file holds none. */
+    /** 200 primitives of 30 000 zero vertices, none of which are in the file. */
     @Test
     void sharedVertices_areLimitedByFileSize() throws IOException {
         String zeros = scene(1, "{'attributes': {'POSITION': 0}}", 200)

@@ -26,7 +26,7 @@ import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 import tools.jackson.databind.node.ObjectNode;
 
-/** Lights go back into the glTF file that they came from. */
+/** Export of lights to the glTF file from which they were imported. */
 class LightExportTest {
     private static final JsonMapper EXACT = JsonMapper.builder().enable(DeserializationFeature.USE_BIG_DECIMAL_FOR_FLOATS).build();
     private static final String SCENE = GltfFixtures.SQUARE_JSON.replace("'nodes': [{'mesh': 0, 'name': 'floor'}]", """
@@ -118,7 +118,7 @@ class LightExportTest {
                 "solo");
     }
 
-    /** The file without the extension's lists and references. */
+    /** Returns the file without the extension's lists and references. */
     private static JsonNode withoutLights(JsonNode root) {
         ((ObjectNode) root.get("extensions")).remove("KHR_lights_punctual");
         ((ObjectNode) root).remove("extensionsUsed");

@@ -43,7 +43,7 @@ import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 import tools.jackson.databind.node.ObjectNode;
 
-/** Lights that go into a glTF file, or a JSON, and come back have every attribute of the table. */
+/** Round trip of lights through glTF and JSON: every attribute of the table is preserved. */
 class LightSettingsTest {
     private static final JsonMapper JSON = JsonMapper.builder().build();
     private static final LightGroup GROUP = new LightGroup("keys", new Rgb(1, 0.5, 0.25), 3, true, false);
@@ -72,7 +72,7 @@ class LightSettingsTest {
         Files.delete(folder);
     }
 
-    /** Lights without files, which {@link #existingFiles_areRestored} has, alone or in a bank. */
+    /** Lights without files, alone or in a bank; {@link #existingFiles_areRestored} covers files. */
     @Provide
     Arbitrary<LightRig> rigs() {
         return Combinators.combine(AttributeArbitraries.lights(), Arbitraries.of(true, false), Arbitraries.of(true, false))

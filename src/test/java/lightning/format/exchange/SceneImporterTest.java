@@ -33,7 +33,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Files of other programs become scenes that can be read and shown. */
+/** Import of other programs' files to scenes that can be read and rendered. */
 class SceneImporterTest {
     private static final String SCENE = GltfFixtures.SQUARE_JSON.replace("'nodes': [{'mesh': 0, 'name': 'floor'}]", """
             'nodes': [{'name': 'set', 'translation': [0, 0, 5], 'scale': [2, 2, 2], 'children': [1, 2, 3, 4]},
@@ -81,7 +81,7 @@ class SceneImporterTest {
         Light bulb = scene.light("bulb").orElseThrow();
         assertThat(bulb.type()).isEqualTo(LightType.POINT);
         assertNear(bulb.position(), new Vec3(0, 2, 5));
-        // 683 candela are a watt per steradian, which on white at distance 1 is 1 / π.
+        // 683 candela are a watt per steradian, which gives white at distance 1 the value 1 / π.
         assertThat(bulb.intensity() / bulb.attenuation().quadratic()).isCloseTo(1 / Math.PI, Offset.offset(1e-12));
     }
 
@@ -104,7 +104,7 @@ class SceneImporterTest {
                 .containsEntry("unfiltered textures, imported as filtered", 1);
     }
 
-    /** A pixel of 128, 192, 255. */
+    /** Pixel with the values 128, 192, 255. */
     @Test
     void normalMap_hasItsScale() throws Exception {
         String mapped =
@@ -155,7 +155,7 @@ class SceneImporterTest {
                 .withMessageEndingWith("cameras[0].perspective.aspectRatio: must be above 0, was 0");
     }
 
-    /** Wherever the camera stands, and however it is held, light comes over its shoulder. */
+    /** For any camera position and orientation, the default light comes from above its right side. */
     @ParameterizedTest
     @CsvSource({"0, 0, 4, 0, 0, 0, 1", "0, 0, -4, 0, 1, 0, 0", "4, 0, 0, 0, 0.70710678, 0, 0.70710678",
         "0, 4, 0, -0.70710678, 0, 0, 0.70710678",
@@ -204,7 +204,7 @@ class SceneImporterTest {
         assertThat(scene.lights()).as("one is made up").hasSize(1);
     }
 
-    /** As MeshLab writes materials, under the diffuse model and under that of highlights. */
+    /** MTL files of MeshLab, for the diffuse model and the highlight model. */
     @ParameterizedTest
     @ValueSource(ints = {1, 2})
     void zeroExponent_addsNoHighlight(int illumination) throws Exception {
@@ -282,7 +282,7 @@ class SceneImporterTest {
                 .withMessageEndingWith("nodes[0].children[1]: must be a node with a single parent, was 0");
     }
 
-    /** A picture whose file is named so. */
+    /** Writes a scene with a texture of the given file name. */
     private Path withTexture(String uri) throws IOException {
         return Files.write(from.resolve("a.glb"), GltfFixtures.binary(SCENE.replace("'metallicFactor': 0}",
                 "'metallicFactor': 0, 'baseColorTexture': {'index': 0}}").replace("'cameras':",

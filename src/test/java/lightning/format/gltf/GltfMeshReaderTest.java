@@ -19,7 +19,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Meshes of glTF files, and what is wrong with them. */
+/** Meshes of glTF files, and their errors. */
 class GltfMeshReaderTest {
     private final ConversionNotes notes = new ConversionNotes();
 
@@ -73,7 +73,7 @@ class GltfMeshReaderTest {
         assertThat(mesh.positions()).containsExactly(0, 0, 0, 1, 1, 0, 1, 1, 0, 0, 1, 0);
     }
 
-    /** Positions serve as tangents: four numbers from a place on. */
+    /** Reuses positions as tangents: four numbers from an offset on. */
     @Test
     void tangents_needNormals() throws IOException, MeshException {
         String tangents = json("'accessors': [",
@@ -84,12 +84,15 @@ class GltfMeshReaderTest {
         float half = (float) Math.sqrt(0.5);
         assertThat(onlyMesh(tangents).tangents()).containsExactly(0, 1, 0, 1, 1, 0, 0, 1, 0, 0, 1, 1, half, half, 0, 1);
         assertThat(notes.counts()).doesNotContainKey("attributes TANGENT of primitives")
-                .containsEntry("tangents whose fourth number is neither 1 nor -1", 2);
+                .containsEntry("tangents with a handedness (w) other than 1 or -1", 2);
         assertThat(onlyMesh(tangents.replace("'NORMAL': 2, ", "")).tangents()).isNull();
         assertThat(notes.counts()).containsEntry("attributes TANGENT of primitives", 1);
     }
 
-    /** As glTF 2.0 has them, of floating and of whole types: 0, 1, 2 and 0 of 65535, no sRGB; as docs/jen-format.md says. */
+    /**
+     * Vertex colors of floating-point and integer types are linear, as glTF 2.0 and docs/jen-format.md define: 0, 1, 2 and 0
+     * of 65535.
+     */
     @Test
     void vertexColors_areLinear() throws IOException, MeshException {
         String integers = json("'accessors': [",
@@ -157,7 +160,7 @@ class GltfMeshReaderTest {
         assertRejected(json("'mode'", "'mode'").replace("'asset'", "asset"), "line 1, column ");
     }
 
-    /** With the version as text, as the number that early files have, without it, and as the head of a GLB. */
+    /** Version as text, as a number in early files, missing, and in the header of a GLB. */
     @Test
     void versionOne_isRejectedWithExportHint() throws IOException {
         String message = "is glTF 1.0; export it as glTF 2.0";

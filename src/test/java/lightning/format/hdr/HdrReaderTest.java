@@ -19,10 +19,10 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** Pictures byte by byte, and pictures that lie. */
+/** Valid images byte by byte, and invalid ones. */
 class HdrReaderTest {
     private static final String HEADER = "#?RADIANCE\n# by hand\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 2\n";
-    /** 1, 2, 4 and black. */
+    /** Pixels of 1, 2, 4 and black. */
     private static final byte[] TWO_PIXELS = {(byte) 128, 64, 32, (byte) 129, 9, 9, 9, 0};
 
     @TempDir
@@ -108,7 +108,7 @@ class HdrReaderTest {
                 .hasMessageEndingWith("row 1: old-style runs of equal pixels are not supported");
     }
 
-    /** Whatever is written over a picture, it is read, finite and not negative, or refused in a sentence. */
+    /** An image with any overwritten byte is read as finite, nonnegative values, or rejected with a message. */
     @Property
     void damagedFile_isReadOrReported(@ForAll @IntRange(max = 100) int index, @ForAll @IntRange(max = 255) int newByte,
             @ForAll @IntRange(max = 9) int length)

@@ -18,7 +18,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Files as laboratories write them, and files that lie. */
+/** IES files as laboratories write them, and invalid ones. */
 class IesReaderTest {
     private static final String PLAIN = "TILT=NONE\n1 1000 1 3 2 1 2 0 0 0\n1 1 20\n0 45 90\n0 90\n100 50 0\n200 100 10\n";
 
@@ -117,7 +117,7 @@ class IesReaderTest {
         assertThatThrownBy(() -> IesReader.read(file)).hasMessageEndingWith("must have at most 1048576 bytes, has 1048577");
     }
 
-    /** Whatever is written over a file, it is read, with shares from 0 to 1, or refused in a sentence. */
+    /** A file with any overwritten byte is read with values from 0 to 1, or rejected with a message. */
     @Property
     void damagedFile_isReadOrReported(@ForAll @IntRange(max = 80) int index, @ForAll @IntRange(max = 255) int newByte,
             @ForAll @IntRange(max = 9) int length)

@@ -61,7 +61,7 @@ class ImageFileTest {
         assertThat(writtenAndRead("a.exr", film).toScanlines()).containsExactly(0.099975586f, 1, 65504);
     }
 
-    /** Of 16 bits each code is that of the formula, and is read as the value that it stands for. */
+    /** With 16 bits each code follows the formula, and is read as the value that it encodes. */
     @Test
     void png16_isWithinHalfACode() throws IOException {
         float[] values = new float[3 * 5000];
@@ -229,7 +229,7 @@ class ImageFileTest {
 
     @Test
     void exrHeader_determinesFullFloats() throws IOException {
-        // Halves can say every value of a black picture.
+        // Halves represent every value of a black image.
         Path halves = folder.resolve("halves.exr");
         Path floats = folder.resolve("floats.exr");
         ImageFile.write(halves, Film.black(1, 1), ViewTransform.DEFAULT, 16);
@@ -239,7 +239,7 @@ class ImageFileTest {
         assertThat(ImageFormat.of(floats).hasFullFloats(floats)).isTrue();
     }
 
-    /** The pixels that an XPM file says, read as plainly as can be. */
+    /** Returns the pixels of an XPM file, read by a minimal parser. */
     private static int[] writtenXpm(Film film) throws IOException {
         Path file = Files.createTempFile("picture", ".xpm");
         try {
@@ -281,7 +281,7 @@ class ImageFileTest {
         return ViewTransform.DEFAULT.toPixels(film);
     }
 
-    /** Bytes 12 to 28 are the header chunk's name and content; its checksum follows. */
+    /** Fixes the checksum after bytes 12 to 28, the header chunk's name and content. */
     private static void fixHeaderChecksum(byte[] png) {
         var crc = new java.util.zip.CRC32();
         crc.update(png, 12, 17);
