@@ -35,7 +35,7 @@ import picocli.CommandLine.Spec;
             "Examples:",
             "  lightning node --make-certificate cluster.p12",
             "  lightning node --certificate cluster.p12 --bind 10.0.0.7",
-            "  lightning node --certificate cluster.p12 --bind 10.0.0.8 --join 10.0.0.7:7800"})
+            "  lightning node --certificate cluster.p12 --bind 10.0.0.8 --join 10.0.0.7"})
 final class NodeCommand implements Callable<Integer> {
     private static final int MAX_PORT = 65_535;
     private static final double GB = 1e9;

@@ -38,11 +38,11 @@ import picocli.CommandLine.Option;
                 + "many pixels 'Update Reflections' would change."},
         footer = {
             "Examples:",
-            "  lightning relight scenes/bird.jen -o red.png --set \"sun.color=1 0 0\" --set sun.intensity=0.3 --verify",
-            "  lightning relight scenes/bird.jen -o two.png --set stage.angle=12 --then --delete sun",
-            "  lightning relight scenes/bird.jen -o feet.png --case position-feet --update-reflections --verify",
-            "  lightning relight scenes/balls.jen -o dull.png --set \"material:gold.reflective=0 0 0\" --set material:jade.shininess=20",
-            "  lightning relight scenes/bird.jen -o new.png --add \"fill point intensity=0.5 at=0 3 2\" --save new.jen"})
+            "  lightning relight scenes/bird.jen -o red.png --set \"sun.color=1 0 0\"",
+            "  lightning relight scenes/bird.jen -o b.png --case color --then --delete sun",
+            "  lightning relight scenes/bird.jen -o feet.png --case position-feet --verify",
+            "  lightning relight scenes/balls.jen -o b.png --set material:jade.shininess=5",
+            "  lightning relight scenes/bird.jen -o new.png --delete sun --save new.jen"})
 final class RelightCommand implements Callable<Integer> {
     /** Limit for the warm-up of one group's timing, in milliseconds of own work. */
     static final double WARM_UP_MS = 5000;

@@ -23,7 +23,7 @@ import picocli.CommandLine.Spec;
             "Examples:",
             "  lightning check scenes/bird.jen",
             "  lightning render scenes/bird.jen -o bird.png",
-            "  lightning relight scenes/bird.jen -o red.png --set \"sun.color=1 0 0\" --verify"})
+            "  lightning relight scenes/bird.jen -o red.png --set \"sun.color=1 0 0\""})
 final class RootCommand implements Callable<Integer> {
     private final Console console;
 

@@ -52,8 +52,7 @@ import picocli.CommandLine.Option;
             "Image files appear only when complete; finished ones remain if the command is canceled."},
         footer = {
             "Examples:",
-            "  lightning shot relight scenes/dusk.jen --frames 1-24 --set world.ambience=0.5 -o dim",
-            "  lightning shot relight scenes/dusk.jen --frames 1-24 --delete sky --then --set \"left light.attenuation=1 0 0\" -o tries"})
+            "  lightning shot relight scenes/dusk.jen -o dim --frames 1-24 --set sky.on=no"})
 final class ShotRelightCommand implements Callable<Integer> {
     private static final double GB = 1e9;
     /** Number of frames of which the savings are measured. */

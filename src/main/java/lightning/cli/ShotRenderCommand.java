@@ -39,7 +39,7 @@ import picocli.CommandLine.Option;
         footer = {
             "Examples:",
             "  lightning shot render scenes/dusk.jen -o frames",
-            "  lightning shot render scenes/dusk.jen --frames 1-24 -o frames --size 150x100 --resume",
+            "  lightning shot render scenes/dusk.jen --frames 1-24 -o frames --resume",
             "  lightning shot render scenes/dusk.jen -o dusk.mp4 --view filmic"})
 final class ShotRenderCommand implements Callable<Integer> {
     private final Console console;

@@ -48,7 +48,7 @@ import picocli.CommandLine.Parameters;
         footer = {
             "Examples:",
             "  lightning tour",
-            "  lightning tour scenes/balls.jen -o balls-tour --size 640x480 --repetitions 3",
+            "  lightning tour scenes/balls.jen -o balls-tour --size 640x480",
             "  lightning tour scenes/bird.jen --reflections stale",
             "  lightning tour scenes/house.jen --povray"})
 final class TourCommand implements Callable<Integer> {

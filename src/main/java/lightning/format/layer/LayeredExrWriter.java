@@ -128,8 +128,8 @@ public final class LayeredExrWriter {
     public void write(Path file, long memory, WorkerPool workers, Progress progress) throws IOException {
         if (bytesToWrite(workers.count()) > memory || header.bytesPerLine() * ExrHeader.LINES_PER_CHUNK > Integer.MAX_VALUE / 2) {
             throw new IOException(String.format(java.util.Locale.ROOT,
-                    "%d layers of %d x %d pixels need %.1f GB of memory to write, expected at most %.1f GB", colorChannels.length, film.width(),
-                    film.height(), bytesToWrite(workers.count()) / 1e9, Math.max(memory, 0) / 1e9));
+                    "%d layers of %d x %d pixels need %.1f GB of memory to write, at most %.1f GB allowed", colorChannels.length,
+                    film.width(), film.height(), bytesToWrite(workers.count()) / 1e9, Math.max(memory, 0) / 1e9));
         }
         try {
             AtomicFile.of(file).writeRandomAccess(channel -> {

@@ -121,7 +121,7 @@ final class PovMaterialWriter {
             warn("material " + m.name() + ": the texture of a transparent material is left out");
         }
         if (clarity.castsShadows()) {
-            warn("material " + m.name() + ": its objects cast no shadows");
+            warn("material " + m.name() + ": its shadows are transparent in POV-Ray");
         }
         if (clarity.thin()) {
             warn("material " + m.name() + ": a thin sheet has no Fresnel reflection");

@@ -134,7 +134,7 @@ class PovSceneTest {
         assertThat(pov.text()).contains("rgbf <0.5, 1.0, 1.0, 1.0>", "fresnel on } conserve_energy", "no_shadow",
                 "interior { ior 1.4 fade_color rgb <" + (1 + Math.log(0.5)) + ",", "fade_distance 2.0 fade_power 1001 }",
                 "rgbf <1.0, 1.0, 1.0, 0.5>");
-        assertThat(pov.losses()).containsExactly("material pane: its objects cast no shadows",
+        assertThat(pov.losses()).containsExactly("material pane: its shadows are transparent in POV-Ray",
                 "material pane: a thin sheet has no Fresnel reflection",
                 "material pane: its surface color is not reduced by Fresnel reflection");
     }
