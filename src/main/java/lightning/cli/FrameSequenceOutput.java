@@ -6,8 +6,8 @@ import picocli.CommandLine.Option;
 /** Output options of commands that write an image for each frame of a shot. */
 final class FrameSequenceOutput extends PictureOutput {
     @Option(names = {"-o", "--output"}, paramLabel = "FOLDER", required = true,
-            description = "The folder of the images (.png), created if missing; or a file name to which each frame's number is added: "
-                    + "out/bird.exr for out/bird-0001.exr, in an existing folder.")
+            description = "Output folder for PNG images, created if missing. Or a file name in an existing folder, to which each "
+                    + "frame's number is added: out/bird.exr writes out/bird-0001.exr and so on.")
     private Path output;
 
     @Override

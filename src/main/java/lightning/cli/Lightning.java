@@ -88,6 +88,7 @@ public final class Lightning {
             commands.addSubcommand(COMMANDS.get(name).apply(console));
         }
         NumberConverters.register(commands);
+        separateSections(commands);
         return commands
                 .registerConverter(Path.class, Lightning::parsePath)
                 .setOut(writer(console.out()))
@@ -98,6 +99,13 @@ public final class Lightning {
                 .setExecutionExceptionHandler(
                         (e, command, _) -> ErrorReporter.report(console, e, option -> command.getCommandSpec().findOption(option) != null))
                 .setParameterExceptionHandler((e, args) -> badUsage(console, e, args));
+    }
+
+    /** Separates the sections of all help pages by blank lines. */
+    private static void separateSections(CommandLine command) {
+        command.getCommandSpec().usageMessage().synopsisHeading("%nUsage: ").descriptionHeading("%n").parameterListHeading("%n")
+                .optionListHeading("%n").footerHeading("%n");
+        command.getSubcommands().values().forEach(Lightning::separateSections);
     }
 
     private static Path parsePath(String text) {

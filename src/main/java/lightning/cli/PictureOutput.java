@@ -30,13 +30,13 @@ abstract sealed class PictureOutput permits SinglePictureOutput, FrameSequenceOu
     private CommandSpec command;
 
     @Option(names = "--bits", paramLabel = "N",
-            description = "Bits per channel: 8 or 16 for .png, 16 (half) or 32 (float) for .exr (default: 8 for .png, 16 for .exr).")
+            description = "Bits per channel: PNG 8 or 16, EXR 16 (half) or 32 (float) (default: the smaller number).")
     private Integer bits;
 
     private ViewTransform view = ViewTransform.DEFAULT;
 
     @Option(names = "--exposure", paramLabel = "STOPS",
-            description = "Exposure in stops for .png and .xpm (default: 0).")
+            description = "Exposure in stops, for PNG and XPM (default: 0).")
     private void setExposure(double stops) {
         try {
             view = view.withExposure(stops);
@@ -49,7 +49,7 @@ abstract sealed class PictureOutput permits SinglePictureOutput, FrameSequenceOu
     abstract Path file();
 
     @Option(names = "--view", paramLabel = "VIEW", converter = ViewConverter.class,
-            description = "View transform of .png and .xpm: srgb, 1998 (linear, no curve), filmic or aces (highlight roll-off), false "
+            description = "View transform, for PNG and XPM: srgb, 1998 (linear, no curve), filmic or aces (highlight roll-off), false "
                     + "(false color, one color per stop), a .cube LUT, or a transform with a LUT: filmic+look.cube (default: srgb).")
     private void setView(ViewTransform newView) {
         view = newView.withExposure(view.exposure());

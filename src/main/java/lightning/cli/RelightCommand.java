@@ -57,7 +57,7 @@ final class RelightCommand implements Callable<Integer> {
     private PictureOptions picture;
     @Mixin
     private ThreadsOption threads;
-    @ArgGroup(exclusive = true, multiplicity = "1..*", heading = "Edits:%n")
+    @ArgGroup(exclusive = true, multiplicity = "1..*", heading = "%nEdits:%n")
     private List<EditStep> steps;
     @Option(names = "--accuracy", paramLabel = "ACCURACY", defaultValue = "exact",
             description = "exact (bit-identical to a full trace) or ratio (fast, approximate 1998 method with an error bound) "
@@ -69,7 +69,7 @@ final class RelightCommand implements Callable<Integer> {
             description = "Keep reflections stale until the last edit, then update them in a separate step (1998 method).")
     private boolean updateReflections;
     private MirrorStorage storage = MirrorStorage.FULL_ROWS;
-    @Option(names = "--verify", description = "Check each picture against full traces.")
+    @Option(names = "--verify", description = "Verify each image against full traces.")
     private boolean verify;
     @Option(names = "--no-savings",
             description = "Skip measuring the time saved, which takes a second or more per group.")

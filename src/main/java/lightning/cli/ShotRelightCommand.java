@@ -71,7 +71,7 @@ final class ShotRelightCommand implements Callable<Integer> {
     private ThreadsOption threads;
     @Mixin
     private ClusterOption cluster;
-    @ArgGroup(exclusive = true, multiplicity = "1..*", heading = "Edits:%n")
+    @ArgGroup(exclusive = true, multiplicity = "1..*", heading = "%nEdits:%n")
     private List<EditStep> steps;
     @Mixin
     private FramesOption frames;

@@ -6,8 +6,8 @@ import picocli.CommandLine.Option;
 /** Output options of commands that write one image. */
 final class SinglePictureOutput extends PictureOutput {
     @Option(names = {"-o", "--output"}, paramLabel = "FILE", required = true,
-            description = "Output image: .png and .xpm with the view transform, .pfm linear 32-bit floats, .exr (OpenEXR) linear "
-                    + "floats or halves, .hdr (Radiance) 8 bits with a shared exponent.")
+            description = "Output image: .png or .xpm (with the view transform), .pfm (linear floats), .exr (linear halves or "
+                    + "floats) or .hdr (8 bits with a shared exponent).")
     private Path file;
 
     @Override

@@ -47,7 +47,8 @@ class BenchCommandTest {
     @Test
     void run_writesResultsTablesAndPictures() throws Exception {
         CliResult run = bench(scene, "--figure", 6, "--seed", 9).assertSuccess();
-        assertThat(run.out()).contains("1 scene; this will take about", "a at 24 x 16, depth 2, 3 objects, 3 lights", "color ", "intensity ",
+        assertThat(run.out()).contains("1 scene; this will take about", "a at 24 x 16, depth 2, 3 objects, 3 lights",
+                "color ", "intensity ",
                 "memory: ", "results.json");
         assertThat(results().scenes().getFirst().edits()).extracting(EditResult::edit).containsExactly("color", "intensity");
         assertThat(results().run().complete()).isTrue();

@@ -22,7 +22,7 @@ class HelpTextTest {
     @ValueSource(strings = {"render", "relight"})
     void shotOutput_isDescribedAsFolder(String command) {
         String help = CliResult.run("shot", command, "--help").assertSuccess().out();
-        assertThat(help).contains("--output=FOLDER", "The folder of the images").doesNotContain("Output image:");
+        assertThat(help).contains("--output=FOLDER", "Output folder").doesNotContain("Output image:");
         assertThat(CliResult.run(command, "--help").assertSuccess().out()).contains("--output=FILE", "Output image:");
     }
 

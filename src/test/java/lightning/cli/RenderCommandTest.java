@@ -174,7 +174,8 @@ class RenderCommandTest {
     @ParameterizedTest
     @ValueSource(strings = {"--threads=1", "--traditional"})
     void coldTime_isMarked(String option) {
-        assertThat(CliResult.run("render", scene, "-o", folder.resolve("a.png"), option).assertSuccess().out()).contains(" ms (cold start): ");
+        assertThat(CliResult.run("render", scene, "-o", folder.resolve("a.png"), option).assertSuccess().out())
+                .contains(" ms (cold start): ");
     }
 
     /** Scaled by 2⁻⁴⁰ every value is below white; by 2⁴⁰ every lit value is above it. */

@@ -74,7 +74,7 @@ class ShotRenderCommandTest {
         CliResult again = CliResult.run("shot", "render", scene, "-o", folder.resolve("out"), "--frames", "4", "--resume").assertSuccess();
         assertThat(again.out()).isEqualTo("1 frame already rendered\n");
         assertThat(CliResult.run("shot", "render", scene, "-o", folder.resolve("out"), "--frames", "4-5", "--resume").assertSuccess().out())
-                .endsWith("\n1 of 2 frames was there\n");
+                .endsWith("\n1 of 2 frames already rendered\n");
     }
 
     @Test
@@ -140,7 +140,8 @@ class ShotRenderCommandTest {
         Process probe = new ProcessBuilder("ffprobe", "-v", "error", "-count_frames", "-show_entries",
                 "stream=width,height,r_frame_rate,nb_read_frames", "-of", "csv=p=0", out.resolve("b.mp4").toString()).start();
         assertThat(new String(probe.getInputStream().readAllBytes(), StandardCharsets.UTF_8).strip()).isEqualTo("32,20,24/1,5");
-        CliResult.run("shot", "render", scene, "-o", out.resolve("b.mp4"), "--resume").assertRejected("--resume works only for numbered images");
+        CliResult.run("shot", "render", scene, "-o", out.resolve("b.mp4"), "--resume")
+                .assertRejected("--resume works only for numbered images");
     }
 
     static boolean canRunJobs() {

@@ -178,7 +178,8 @@ class PropertyEditTest {
         "rim point intensity=-1 on=5 | light 'rim': intensity must be ≥ 0, was -1; light 'rim': on: expected yes or no, found '5'",
         "key point | light 'key': the name is already taken",
         "sphere s { } | expected one light, such as 'fill point intensity=0.5', found 'sphere s { }'",
-        "light a point {} light b point {} | expected one light, such as 'fill point intensity=0.5', found 'light a point {} light b point {}'",
+        "light a point {} light b point {} | expected one light, such as 'fill point intensity=0.5', found 'light a point {} "
+                + "light b point {}'",
     })
     void invalidNewLight_isReported(String light, String message) {
         assertThatThrownBy(() -> PropertyEdit.add(scene, light)).isInstanceOf(IllegalArgumentException.class).hasMessage(message);

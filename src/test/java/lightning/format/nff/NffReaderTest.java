@@ -69,7 +69,8 @@ class NffReaderTest {
         NffFile file = read("tess 4\nf 0.3 0.3 0.3 1 1\ns 0 0 0 -5\nf 1 1 1 1 0 1 0 1 earth.png\nl 0 0 0 shadows\n");
         assertThat(file.solids()).containsExactly(new NffSolid.Sphere(0, Vec3.ZERO, 5));
         assertThat(notes.counts()).containsEntry("entities tess", 1).containsEntry("fills with fewer than eight numbers", 1)
-                .containsEntry("extra words after fills (another dialect)", 1).containsEntry("extra words after lights (another dialect)", 1)
+                .containsEntry("extra words after fills (another dialect)", 1)
+                .containsEntry("extra words after lights (another dialect)", 1)
                 .containsEntry("inside-out shapes, imported as two-sided", 1);
     }
 

@@ -140,10 +140,12 @@ class ObjReaderTest {
         assertRejected(CORNERS + "f 1 2 -5\n", "line 5: a corner must reference one of 4 preceding vertices, was '-5'");
         assertRejected(CORNERS + "f 1 2 99999999999999999999\n",
                 "line 5: a corner must reference one of 4 preceding vertices, was '99999999999999999999'");
-        assertRejected(CORNERS + "vt 0 0\nf 1/2 2 3\n", "line 6: a corner must reference one of 1 preceding texture coordinates, was '1/2'");
+        assertRejected(CORNERS + "vt 0 0\nf 1/2 2 3\n",
+                "line 6: a corner must reference one of 1 preceding texture coordinates, was '1/2'");
         assertRejected(CORNERS + "vn 0 0 1\nf 1//2 2 3\n", "line 6: a corner must reference one of 1 preceding normals, was '1//2'");
         assertRejected(CORNERS + "f 1/x 2 3\n", "line 5: a corner must reference one of 0 preceding texture coordinates, was '1/x'");
-        assertRejected(CORNERS + "vt 0 0\nvn 0 0 1\nf 1/1/1/1 2 3\n", "line 7: a corner must be written as 3, 3/1, 3//2 or 3/1/2, was '1/1/1/1'");
+        assertRejected(CORNERS + "vt 0 0\nvn 0 0 1\nf 1/1/1/1 2 3\n",
+                "line 7: a corner must be written as 3, 3/1, 3//2 or 3/1/2, was '1/1/1/1'");
         assertRejected(CORNERS + "s one\n", "line 5: a smoothing group must be a whole number from 0 to 1073741824, was 'one'");
         assertRejected(CORNERS, "must have faces");
     }
