@@ -154,7 +154,7 @@ class BenchCommandTest {
 
         Path elsewhere = folder.resolve("elsewhere");
         CliResult.run("bench", "--report", out.resolve("results.json"), "-o", elsewhere).assertSuccess();
-        assertThat(elsewhere.resolve("report.html")).as("with the pictures beside the results").hasContent(first);
+        assertThat(elsewhere.resolve("report.html")).as("with the images next to the results").hasContent(first);
     }
 
     @Test

@@ -92,7 +92,7 @@ class OtherCommandsTest {
     void compareInvalid_exitsWith2() throws Exception {
         Path a = picture("a.pfm", 0);
         CliResult.run("compare", a, folder.resolve("no.png")).assertRejected("no.png: no such file");
-        CliResult.run("compare", a, scene).assertRejected("a.jen: a picture's name must end in");
+        CliResult.run("compare", a, scene).assertRejected("a.jen: an image's name must end in");
         CliResult.run("compare", a).assertRejected("b.png");
         CliResult.run("compare", a, a, "-o", folder.resolve("d.txt")).assertRejected("d.txt");
         Path small = folder.resolve("small.pfm");

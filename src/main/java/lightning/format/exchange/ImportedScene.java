@@ -34,7 +34,7 @@ public record ImportedScene(Scene unscaledScene, Set<String> restored, Optional<
         List<AssetCopy> copies,
         Map<String, Integer> notes) {
     private static final String FORMAT_LINE = "jen 1\n";
-    private static final String EXPECTED_FILE = "a file to lie beside the scene";
+    private static final String EXPECTED_FILE = "a file to copy next to the scene";
 
     /**
      * File to place next to the scene.

@@ -19,7 +19,7 @@ final class TransmissionImport {
     }
 
     /**
-     * Returns a material of which a share is replaced by transmission tinted with {@code color}. The rest keeps the
+     * Returns a material with a share replaced by transmission tinted with {@code color}. The rest keeps the
      * material's own color; {@link Transmission} alone supports that only for colorless ones.
      *
      * @param transmission transmitted share, 0 … 1

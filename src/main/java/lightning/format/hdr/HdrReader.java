@@ -57,7 +57,7 @@ public final class HdrReader {
         int width = parseSide(size.group(2));
         long pixels = (long) width * height;
         if (pixels < 1 || pixels > MAX_PIXELS) {
-            throw problem("a picture must have from 1 to " + MAX_PIXELS + " pixels, has " + size.group(2) + "×" + size.group(1));
+            throw problem("an image must have from 1 to " + MAX_PIXELS + " pixels, has " + size.group(2) + "×" + size.group(1));
         }
         long minBytes = height * Math.min(4L * width, 4 + 8L * ((width + 126) / 127));
         if (bytes.length - next < minBytes) {
@@ -91,7 +91,7 @@ public final class HdrReader {
     private Matcher readHeader() throws MeshException {
         String first = readLine();
         if (!first.equals("#?RADIANCE") && !first.equals("#?RGBE")) {
-            throw problem("a Radiance picture must begin with #?RADIANCE or #?RGBE, was " + Quote.of(first));
+            throw problem("a Radiance HDR image must begin with #?RADIANCE or #?RGBE, was " + Quote.of(first));
         }
         boolean hasFormat = false;
         for (String s = readLine(); !s.isEmpty(); s = readLine()) {

@@ -146,7 +146,7 @@ public enum ImageFormat {
      * @throws IOException if the extension is unknown; the message is a sentence for the user
      */
     public static ImageFormat of(Path file) throws IOException {
-        return find(file).orElseThrow(() -> new IOException(Quote.path(file) + ": a picture's name must end in " + extensionList()));
+        return find(file).orElseThrow(() -> new IOException(Quote.path(file) + ": an image's name must end in " + extensionList()));
     }
 
     /** Returns the format for a file's extension; empty if it is unknown. */

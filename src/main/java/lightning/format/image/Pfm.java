@@ -49,7 +49,7 @@ final class Pfm {
      * @throws IOException if the file is not a color PFM, truncated or too large; the message does not contain its name
      */
     static Film read(Path file) throws IOException {
-        try (var in = new DataInputStream(new BufferedInputStream(RegularFile.open(file, "a PFM picture"), 1 << 16))) {
+        try (var in = new DataInputStream(new BufferedInputStream(RegularFile.open(file, "a PFM image"), 1 << 16))) {
             String magic = readToken(in);
             if (!magic.equals("PF")) {
                 throw new IOException("is not a color PFM image: expected PF at the start, found " + Quote.of(magic));

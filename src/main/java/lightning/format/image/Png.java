@@ -97,7 +97,7 @@ final class Png {
      */
     static Film read(Path file) throws IOException {
         ImageReader reader = ImageIO.getImageReadersByFormatName("png").next();
-        try (var stream = new MemoryCacheImageInputStream(RegularFile.open(file, "a PNG picture"))) {
+        try (var stream = new MemoryCacheImageInputStream(RegularFile.open(file, "a PNG image"))) {
             reader.setInput(stream, true, true);
             ImageLimits.check(reader.getWidth(0), reader.getHeight(0));
             return DisplayPixels.toFilm(reader.read(0));

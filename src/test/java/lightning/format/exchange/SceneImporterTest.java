@@ -314,7 +314,7 @@ class SceneImporterTest {
         Path file = Files.write(from.resolve("a.glb"), GltfFixtures.binary(SCENE, GltfFixtures.SQUARE));
         assertThat(new ProcessBuilder("mkfifo", to.resolveSibling("a.glb").toString()).start().waitFor()).isZero();
         assertThatExceptionOfType(IOException.class).isThrownBy(() -> read(file).write())
-                .withMessageEndingWith("a.glb: is no file but a pipe or a device, expected a file to lie beside the scene");
+                .withMessageEndingWith("a.glb: is no file but a pipe or a device, expected a file to copy next to the scene");
     }
 
     @Test

@@ -70,13 +70,13 @@ class HdrReaderTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {
-        "#?RADIANCE | #?RADIANTE | line 1: a Radiance picture must begin with #?RADIANCE or #?RGBE, was '#?RADIANTE'",
+        "#?RADIANCE | #?RADIANTE | line 1: a Radiance HDR image must begin with #?RADIANCE or #?RGBE, was '#?RADIANTE'",
         "rgbe | xyze | line 3: the format must be 32-bit_rle_rgbe, was '32-bit_rle_xyze'",
         "FORMAT= | FOR= | line 4: expected a line FORMAT=32-bit_rle_rgbe in the header, found none",
         "-Y 1 +X 2 | +X 2 -Y 1 | line 5: the size must be written as -Y HEIGHT +X WIDTH, was '+X 2 -Y 1'",
-        "-Y 1 +X 2 | -Y 0 +X 2 | line 5: a picture must have from 1 to 8388608 pixels, has 2×0",
-        "-Y 1 +X 2 | -Y 99999 +X 99999 | line 5: a picture must have from 1 to 8388608 pixels, has 99999×99999",
-        "-Y 1 +X 2 | -Y 2000000000 +X 2000000000 | line 5: a picture must have from 1 to 8388608 pixels, has 2000000000×2000000000",
+        "-Y 1 +X 2 | -Y 0 +X 2 | line 5: an image must have from 1 to 8388608 pixels, has 2×0",
+        "-Y 1 +X 2 | -Y 99999 +X 99999 | line 5: an image must have from 1 to 8388608 pixels, has 99999×99999",
+        "-Y 1 +X 2 | -Y 2000000000 +X 2000000000 | line 5: an image must have from 1 to 8388608 pixels, has 2000000000×2000000000",
         "-Y 1 +X 2 | -Y 2048 +X 4096 | line 5: 4096×2048 pixels take at least 548864 bytes, found 8",
         "-Y 1 +X 2 | -Y 1 +X 1 | expected nothing after the last of 1 lines, found 4 bytes",
         "# by hand | EXPOSURE=0 | line 2: an exposure must be a number from 1e-30 to 1e30, was '0'",

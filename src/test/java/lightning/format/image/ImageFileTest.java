@@ -161,7 +161,7 @@ class ImageFileTest {
         Path file = folder.resolve("picture.jpg");
 
         assertThatIOException().isThrownBy(() -> ImageFile.write(file, Film.black(1, 1), ViewTransform.DEFAULT))
-                .withMessage(file + ": a picture's name must end in .png, .xpm, .pfm, .exr or .hdr");
+                .withMessage(file + ": an image's name must end in .png, .xpm, .pfm, .exr or .hdr");
         assertThatIOException().isThrownBy(() -> ImageFormat.of(Path.of("/")));
         assertThat(folder).isEmptyDirectory();
     }

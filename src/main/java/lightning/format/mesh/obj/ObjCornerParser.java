@@ -71,7 +71,7 @@ final class ObjCornerParser {
             return index(from, to, count, label);
         }
         missing.add(label);
-        notes.add("indices of " + label + ", of which the file has none");
+        notes.add("indices of missing " + label);
         return fallback;
     }
 

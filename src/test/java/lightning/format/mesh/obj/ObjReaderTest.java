@@ -105,7 +105,7 @@ class ObjReaderTest {
         assertThat(onlyMesh(CORNERS + "s 1\nf 1//-1 2//2 3//9\n")).isEqualTo(onlyMesh(CORNERS + "s 1\nf 1 2 3\n"));
         assertThat(onlyMesh(CORNERS + "vn 0 0 1\nf 1/1/1 2/2/1 3/3/1\n")).isEqualTo(onlyMesh(CORNERS + "vn 0 0 1\nf 1//1 2//1 3//1\n"));
         assertThat(notes.counts()).containsExactlyInAnyOrderEntriesOf(
-                Map.of("indices of texture coordinates, of which the file has none", 6, "indices of normals, of which the file has none",
+                Map.of("indices of missing texture coordinates", 6, "indices of missing normals",
                         3));
     }
 
