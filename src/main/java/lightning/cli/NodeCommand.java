@@ -58,7 +58,7 @@ final class NodeCommand implements Callable<Integer> {
             description = "Memory for frames in GB (default: half of Java's memory). Further frames go to disk, then to other nodes.")
     private Double memory;
     @Option(names = "--folder", paramLabel = "FOLDER",
-            description = "Folder for received files and for frames that exceed the memory (default: the program's cache folder).")
+            description = "Folder for received files and for frames that exceed the memory (default: the program's data folder).")
     private Path folder;
     @Option(names = "--make-certificate", paramLabel = "FILE", description = "Create a key and certificate file, then exit.")
     private Path certificateOutput;
