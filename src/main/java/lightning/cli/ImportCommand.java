@@ -39,8 +39,7 @@ final class ImportCommand implements Callable<Integer> {
                     + "per square meter) or watts, as chosen in its exporter (default: candela).")
     private LightUnits units;
     @Option(names = "--light-pictures",
-            description = "Also write a small preview for each light unit next to the scene: scene.candela.png, scene.unitless.png, "
-                    + "scene.watts.png.")
+            description = "Also write a small preview for each light unit next to the scene, such as scene.candela.png.")
     private boolean writesUnitPictures;
 
     ImportCommand(Console console) {

@@ -34,8 +34,8 @@ import picocli.CommandLine.Option;
                 + "recomputed.",
             "",
             "-o frames writes frames/SCENE-0001.png and so on, -o out/bird.exr writes out/bird-0001.exr. Image files appear only when "
-                + "complete; finished ones remain if the command is canceled, and --resume continues after them. -o bird.mp4 (.mov, "
-                + ".mkv, .webm) writes a video at the shot's frame rate; this needs ffmpeg."},
+                + "complete; finished ones remain if the command is canceled, and --resume continues after them. -o bird.mp4 "
+                + "writes a video at the shot's frame rate (mp4, mov, mkv or webm; needs ffmpeg)."},
         footer = {
             "Examples:",
             "  lightning shot render scenes/dusk.jen -o frames",
