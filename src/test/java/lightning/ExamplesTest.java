@@ -31,7 +31,7 @@ import org.junit.jupiter.api.io.TempDir;
 @Slow
 class ExamplesTest {
     /** Messages for optional programs that are not installed. */
-    private static final Pattern MISSING_PROGRAM = Pattern.compile("no program povray|needs ffmpeg, which is not installed");
+    private static final Pattern MISSING_PROGRAM = Pattern.compile("program povray not found|needs ffmpeg, which is not installed");
     /** User files that examples read. */
     private static final List<String> PICTURES = List.of("before.png", "after.png", "before.pfm", "after.pfm");
 

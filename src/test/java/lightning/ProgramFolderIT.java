@@ -79,7 +79,7 @@ class ProgramFolderIT {
         Process check = launcher(folder, "check", Path.of("scenes/bird.jen").toAbsolutePath().toString())
                 .redirectOutput(new File("/dev/full")).redirectError(err.toFile()).start();
         assertThat(check.waitFor()).isEqualTo(2);
-        assertThat(Files.readString(err)).contains("lightning: the results could not be written to the standard output")
+        assertThat(Files.readString(err)).contains("lightning: cannot write to the standard output")
                 .doesNotContain("Exception");
     }
 

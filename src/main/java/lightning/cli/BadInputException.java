@@ -2,7 +2,7 @@ package lightning.cli;
 
 import lightning.base.text.UserFacingException;
 
-/** A command cannot do what it was asked; the message is a sentence for the user. */
+/** Bad input or an impossible request; the message is a sentence for the user. */
 final class BadInputException extends Exception implements UserFacingException {
     private static final long serialVersionUID = 1;
 

@@ -27,19 +27,22 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** Measures what re-rendering saves and what accuracy costs. */
-@Command(name = "bench", header = "Measure what re-rendering saves, and what accuracy costs in time.", abbreviateSynopsis = true,
+/** Benchmark of relighting: time saved and accuracy of each setting. */
+@Command(name = "bench", header = "Benchmark relighting: time saved and accuracy.", abbreviateSynopsis = true,
         description = {
-            "Makes the paper's edits, and a few more, on every scene, each with three values, at each grade of accuracy, from",
-            "half the resolution to the full trace, and measures time and error of each. Also measures the first pass, how times",
-            "grow with pixels, lights, shapes and mirror bounces, what editing costs with up to a million shapes, how fast",
-            "rays are traced against meshes beside Embree where it is installed, how errors drift over 10 000 edits, the bandwidth of",
-            "memory, and POV-Ray where it is installed, and whole processes that begin cold. Works are measured in turns; no picture is timed before it was compared.",
+            "Runs the paper's edits and a few more on every scene, each with three values and at every accuracy setting, from "
+                + "half resolution to the full trace. Measures the time and error of each edit.",
             "",
-            "Writes report.html (a page with charts and pictures, which needs no network), results.json (everything, with every",
-            "sample), results.csv (a row for each measurement) and pictures into the folder. A run that is canceled keeps what it",
-            "has. The exit code is 1 if a picture was not what its grade promises, or something became worse than the baseline; 2 if",
-            "a scene could not be read (the others are measured)."},
+            "Also measures the first pass; how times scale with pixels, lights, objects and reflection bounces; editing with up to "
+                + "a million objects; ray tracing of meshes (compared with Embree if installed); error drift over 10 000 edits; memory "
+                + "bandwidth; POV-Ray if installed; and cold starts of whole processes. Compared programs run alternately. Each image "
+                + "is checked before it is timed.",
+            "",
+            "Writes report.html (a self-contained page with charts and images), results.json (every sample), results.csv (one row "
+                + "per measurement) and images to the output folder. A canceled run keeps its results so far.",
+            "",
+            "Exit codes: 1 if an image is less accurate than its setting promises or a result is worse than the baseline, "
+                + "2 if a scene cannot be read (the other scenes are measured)."},
         footer = {
             "Examples:",
             "  lightning bench -o results --quick",
@@ -49,50 +52,47 @@ import picocli.CommandLine.Spec;
             "  lightning bench -o new --baseline old/results.json"})
 final class BenchCommand implements Callable<Integer> {
     private static final double MINUTE = 60;
-    /** Of the paper, with few shapes and with many, and with mirrors in mirrors. */
+    /** Scenes of the paper: one with few objects, one with many, and one with mutual reflections. */
     private static final List<String> QUICK_SCENES = List.of("bird", "balls", "house");
     private static final int MAX_PROCESSES = 1000;
 
     private final Console console;
-    /** What makes a page of the results. */
     private final ResultsReporter reporter = HtmlReport::write;
 
     @Spec
     private CommandSpec command;
-    @Parameters(arity = "0..*", paramLabel = "scene.jen", description = "The scenes; all in scenes/ where none is named.")
+    @Parameters(arity = "0..*", paramLabel = "scene.jen", description = "Scenes (default: all in scenes/).")
     private List<Path> scenes = List.of();
     @Option(names = {"-o", "--output"}, paramLabel = "DIR",
-            description = "The folder for the results, made if it is not there; with --report the one of the results without it.")
+            description = "Output folder, created if missing (default with --report: the results' folder).")
     private Path folder;
     @Option(names = "--report", paramLabel = "RESULTS.json",
-            description = "Makes the page of results that were kept, and measures nothing.")
+            description = "Write the report of existing results; measure nothing.")
     private Path storedResults;
-    @Option(names = "--edits", description = "Edits and curves alone: no effects, no processes that begin cold, no large scenes.")
+    @Option(names = "--edits", description = "Measure edits and scaling only: no effects, cold starts or large scenes.")
     private boolean editsOnly;
     @Option(names = "--quick",
-            description = "A small selection: three of the scenes where none is named, at 640x480, each edit with one value.")
+            description = "Measure a small selection: one value per edit at 640x480, three scenes.")
     private boolean quick;
-    @Option(names = "--effects", description = "What each effect of the scenes takes, and nothing else but the first pass.")
+    @Option(names = "--effects", description = "Measure only the first pass and the cost of each effect.")
     private boolean effects;
-    @Option(names = "--cold", description = {"Whole processes that begin cold, in turns with POV-Ray's where it is installed, and nothing",
-        "else but the first pass."})
+    @Option(names = "--cold",
+            description = "Measure only the first pass and cold starts of whole processes, alternating with POV-Ray if installed.")
     private boolean coldStart;
     @Option(names = "--editing",
-            description = {"What editing costs with up to a million shapes and a thousand lights, below the editor's window,",
-                "and nothing else."})
+            description = "Measure only editing, with up to a million objects and a thousand lights, without the editor's window.")
     private boolean editing;
     @Option(names = "--meshes",
-            description = {"How fast rays are traced against meshes of up to ten million triangles, in turns with Embree where it is",
-                "installed, and nothing else."})
+            description = "Measure only ray tracing of meshes of up to ten million triangles, alternating with Embree if installed.")
     private boolean meshes;
     @Option(names = "--size", paramLabel = "WxH", converter = PictureDimensions.Converter.class,
-            description = "Pixels, more than once for several sizes; 300x300 and 1920x1080 without it.")
+            description = "Image size in pixels; repeat for several sizes (default: 300x300 and 1920x1080).")
     private List<PictureDimensions> sizes = List.of();
     @Option(names = "--baseline", paramLabel = "OLD.json",
-            description = {"Prints what became slower (quartiles apart, and by more than 10 %%, also as a share of the full trace)",
-                "or less accurate than these results."})
+            description = "Compare with earlier results: print what is slower (disjoint quartiles and more than 10 %%, also relative to "
+                + "the full trace) or less accurate.")
     private Path baseline;
-    @Option(names = "--seed", paramLabel = "N", defaultValue = "1", description = "What everything random starts from; 1 without it.")
+    @Option(names = "--seed", paramLabel = "N", defaultValue = "1", description = "Random seed (default: 1).")
     private long seed;
     @Mixin
     private ThreadsOption threads;
@@ -102,7 +102,7 @@ final class BenchCommand implements Callable<Integer> {
     private Integer processes;
 
     @Option(names = "--processes", paramLabel = "N",
-            description = "How many processes that begin cold render each picture; 10 without it, 0 with --quick.")
+            description = "Cold starts per image (default: 10; 0 with --quick).")
     private void setProcesses(int value) {
         if (value < 0 || value > MAX_PROCESSES) {
             throw new ParameterException(command.commandLine(), "--processes must be from 0 to " + MAX_PROCESSES + ", was " + value);
@@ -111,14 +111,14 @@ final class BenchCommand implements Callable<Integer> {
     }
 
     @Option(names = "--figure", paramLabel = "N",
-            description = {"The edits of one of the paper's figures alone, on its scene where none is named; B1 to B4 are the examples",
-                "of its Appendix B (balls, spaceship, desk, house), B is all four."})
+            description = "Measure only the edits of one of the paper's figures (default scene: the figure's). B1 to B4 are the "
+                + "examples of its Appendix B (balls, spaceship, desk, house), B is all four.")
     private void setFigure(String value) {
         figure = PaperFigures.parse(value).orElseThrow(() -> new ParameterException(command.commandLine(),
-                "--figure must be one that shows measured edits (" + PaperFigures.measuredRange() + "), was " + Quote.of(value)));
+                "--figure must be a figure with measured edits (" + PaperFigures.measuredRange() + "), was " + Quote.of(value)));
     }
 
-    @Option(names = "--values", paramLabel = "N", description = "How many values each edit has; 3 without it, 1 with --quick.")
+    @Option(names = "--values", paramLabel = "N", description = "Values per edit (default: 3; 1 with --quick).")
     private void setValues(int value) {
         if (value < 1 || value > PaperCases.VALUES) {
             throw new ParameterException(command.commandLine(),
@@ -128,7 +128,7 @@ final class BenchCommand implements Callable<Integer> {
     }
 
     @Option(names = "--repetitions", paramLabel = "N",
-            description = "How many samples each work has; 5 without it, 3 with --quick. 1 is for a look: nothing is warmed up.")
+            description = "Repetitions (default: 5; 3 with --quick). 1: preview without warm-up, not a measurement.")
     private void setRepetitions(int value) {
         repetitions = RepetitionsOption.requireValid(command, value);
     }
@@ -149,18 +149,18 @@ final class BenchCommand implements Callable<Integer> {
         BenchScenes benchScenes = BenchScenes.read(scenes, figure != null ? figure.scenes() : quick ? QUICK_SCENES : List.of());
         benchScenes.problems().forEach(problem -> console.warn("%s", problem.what()));
         if (benchScenes.scenes().isEmpty()) {
-            throw new BadInputException("there is no scene to measure");
+            throw new BadInputException("no scene to measure");
         }
         Files.createDirectories(folder);
         BenchResults results = measure(benchScenes);
-        console.print("%s: report.html, results.json, results.csv and pictures", folder);
+        console.print("%s: report.html, results.json, results.csv and images", folder);
         return exitCode(results, baselineResults, !benchScenes.problems().isEmpty());
     }
 
-    /** Makes the page of kept results again. */
+    /** Writes the report of stored results again. */
     private int report() throws IOException {
         if (!scenes.isEmpty()) {
-            throw new ParameterException(command.commandLine(), "--report makes the page of " + storedResults + ", and measures no scene");
+            throw new ParameterException(command.commandLine(), "--report reads " + storedResults + " and measures no scene");
         }
         BenchResults results = ResultsFile.readJson(storedResults);
         Path resultsFolder = storedResults.toAbsolutePath().getParent();
@@ -223,7 +223,7 @@ final class BenchCommand implements Callable<Integer> {
                 return results;
             } catch (CancellationException | InterruptedException | IOException e) {
                 bar.erase();
-                files.writeUninterruptibly(harness.results(false), () -> console.warn("%s: holds what was measured until now", folder));
+                files.writeUninterruptibly(harness.results(false), () -> console.warn("%s: contains the results so far", folder));
                 throw e;
             }
         }
@@ -238,7 +238,7 @@ final class BenchCommand implements Callable<Integer> {
         if (baselineResults != null) {
             BaselineComparison compared = BaselineComparison.compare(baselineResults, results);
             if (compared.compared() == 0) {
-                throw new BadInputException(baseline + ": holds none of the edits that were measured now");
+                throw new BadInputException(baseline + ": contains none of the edits measured now");
             }
             compared.worse().forEach(line -> console.print("%s", line));
             console.print("baseline: %s compared, %d worse", Console.count(compared.compared(), "measurement"), compared.worse().size());

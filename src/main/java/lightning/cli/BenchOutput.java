@@ -6,9 +6,9 @@ import lightning.bench.BenchResults;
 import lightning.bench.ResultsFile;
 import lightning.bench.ResultsReporter;
 
-/** The folder that a benchmark writes to. */
+/** Output folder of a benchmark. */
 final class BenchOutput {
-    /** Writing in between may take this share of the time. */
+    /** Limits periodic writes to 1/20 of the run time. */
     private static final int WRITE_INTERVAL_FACTOR = 20;
 
     private final Path folder;
@@ -21,7 +21,7 @@ final class BenchOutput {
         this.reporter = reporter;
     }
 
-    /** Writes the tables between two parts, unless that was done just now: a killed process leaves what it measured. */
+    /** Writes the tables, at most 1/20 of the time, so that a killed process leaves its measurements. */
     void writePeriodically(BenchResults results) throws IOException {
         long start = System.nanoTime();
         if (start - lastWrite >= WRITE_INTERVAL_FACTOR * writeDurationNs) {
@@ -31,16 +31,17 @@ final class BenchOutput {
         }
     }
 
-    /** Writes all files. */
+    /** Writes all files, the report included. */
     void write(BenchResults results) throws IOException {
         writeTables(results);
         reporter.write(results, folder);
     }
 
     /**
-     * Writes all files even where this thread is interrupted, which would not let it write; it stays interrupted.
+     * Writes all files even if this thread is interrupted; restores the interrupt flag afterwards.
      *
-     * @param afterTables runs when everything but the page is written: an ended process may not be given the time for that
+     * @param afterTables called when everything but the report is written, because a terminating process may not have time
+     *     for the report
      */
     void writeUninterruptibly(BenchResults results, Runnable afterTables) throws IOException {
         boolean interrupted = Thread.interrupted();

@@ -18,16 +18,16 @@ import lightning.format.jen.JenFile;
 import lightning.format.jen.JenReader;
 
 /**
- * The scenes of a benchmark that could be read, and why others could not.
+ * Scenes of a benchmark, and the files that could not be read.
  *
- * @param problems one for each file that could not be read
+ * @param problems one entry for each unreadable file
  */
 record BenchScenes(List<NamedScene> scenes, List<MeasurementFailure> problems) {
     /**
      * Reads scenes.
      *
-     * @param files where none is named, all of the project's own scenes are read
-     * @param defaultScenes   the project's own scenes that are meant then; empty for all of them
+     * @param files scene files; if empty, the project's own scenes are read
+     * @param defaultScenes names of the project's own scenes to read if {@code files} is empty; empty for all
      */
     static BenchScenes read(List<Path> files, List<String> defaultScenes) throws IOException {
         List<NamedScene> scenes = new ArrayList<>();
@@ -59,7 +59,7 @@ record BenchScenes(List<NamedScene> scenes, List<MeasurementFailure> problems) {
         }
     }
 
-    /** The file's name without its ending, with a number where that was taken. */
+    /** Returns the file's name without its extension, with a number appended if that name is in use. */
     private static String name(Path file, Set<String> usedNames) {
         String stem = JenFile.stem(String.valueOf(file.getFileName()));
         String unique = stem;

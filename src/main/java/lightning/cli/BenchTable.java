@@ -19,23 +19,23 @@ import lightning.bench.SweepPointResult;
 import lightning.bench.SystemLoad;
 import lightning.bench.accuracy.AccuracySetting;
 
-/** The table of a benchmark, printed as it grows. */
+/** Table of a benchmark, printed while the benchmark runs. */
 final class BenchTable {
     private static final String COLUMNS = "%-15s %8s %7s %6s %6s | %8s %8s %8s %8s %8s %8s | %6s %6s";
 
-    /** The grades that have a column of milliseconds after that of the full trace. */
+    /** Accuracy settings with a column of milliseconds after the full trace's. */
     private static final Set<AccuracySetting> TIMED_SETTINGS =
             EnumSet.complementOf(EnumSet.of(AccuracySetting.FULL_TRACE, AccuracySetting.FEW_SAMPLES, AccuracySetting.NO_ANTIALIASING));
 
     private final Console console;
-    /** How many edits of each scene and size were printed. */
+    /** Number of edits already printed, by scene and size. */
     private final Map<String, Integer> printedEdits = new HashMap<>();
 
     BenchTable(Console console) {
         this.console = console;
     }
 
-    /** Prints what was not printed yet. */
+    /** Prints the rows that were not printed yet. */
     void printNew(BenchResults results) {
         for (SceneResult scene : results.scenes()) {
             String name = Console.text("%s at %d x %d", scene.scene(), scene.width(), scene.height());
@@ -50,7 +50,7 @@ final class BenchTable {
 
     private void printHeader(String name, SceneResult scene) {
         console.print("");
-        console.print("%s, depth %d, %s, %s%s", name, scene.depth(), Console.count(scene.shapes(), "shape"),
+        console.print("%s, depth %d, %s, %s%s", name, scene.depth(), Console.count(scene.shapes(), "object"),
                 Console.count(scene.lights(), "light"),
                 firstPass(scene.firstPass()));
         console.print(COLUMNS, "edit", "full ms", "saves %", "paper", "cap", "half", "fast", "ratio", "exact", "updated", "current",
@@ -74,7 +74,7 @@ final class BenchTable {
         return number(average(edit, rung -> rung.error().flip(), grade), 3);
     }
 
-    /** The average over all values of the medians. */
+    /** Returns the mean over all values of the median times, in milliseconds. */
     private static String ms(EditResult edit, AccuracySetting grade) {
         return number(average(edit, rung -> rung.time().median(), grade), 2);
     }
@@ -88,23 +88,23 @@ final class BenchTable {
         return Double.isNaN(value) ? "" : Console.text("%." + digits + "f", value);
     }
 
-    /** Says what all of it means, and what is not in the table. */
+    /** Prints the legend of the columns, and the results outside the table. */
     void printSummary(BenchResults results) {
         console.print("");
-        console.print("saves: grade " + AccuracySetting.DEFAULT.label()
-                + " (the default), of a full trace's time; paper: on its own scene and machine of 1998;");
-        console.print("cap: what ray counts and memory allow; then milliseconds of each grade, and the mean FLIP error (0 to 1) of the"
-                + " two roughest");
+        console.print("saves: at accuracy " + AccuracySetting.DEFAULT.label()
+                + " (default), share of a full trace's time; paper: on its own scene and machine of 1998;");
+        console.print("cap: upper bound by ray counts and memory; then milliseconds at each accuracy, and the mean FLIP error (0 to 1) of"
+                + " the two coarsest");
         for (SceneResult scene : results.scenes()) {
             if (scene.peer() != null) {
-                console.print("%s at %d x %d: %.1f times as fast as %s; %.2f %% of the pixels show the same shape", scene.scene(),
+                console.print("%s at %d x %d: %.1f times as fast as %s; %.2f %% of the pixels show the same object", scene.scene(),
                         scene.width(),
                         scene.height(), scene.peer().ratio(), scene.peer().program(), 100 * scene.peer().agreement());
             }
         }
         for (SceneResult scene : results.scenes()) {
             if (scene.cold() != null) {
-                console.print("%s at %d x %d, from cold: %.2f s%s", scene.scene(), scene.width(), scene.height(),
+                console.print("%s at %d x %d, cold start: %.2f s%s", scene.scene(), scene.width(), scene.height(),
                         scene.cold().process().median() / 1e3, scene.cold().rival() == null ? ""
                                 : Console.text(", %s %.2f s", scene.cold().rival().program(),
                                         scene.cold().rival().process().median() / 1e3));
@@ -117,23 +117,23 @@ final class BenchTable {
         results.problems().forEach(problem -> console.print("PROBLEM %s: %s", problem.where(), problem.what()));
         SystemLoad load = results.run().load();
         if (load.isBusy(results.run().machine().processors())) {
-            console.print("THIS MACHINE WAS BUSY: load average %.2f before, %.2f now; other work had %.0f %% of the processors' time",
+            console.print("THIS MACHINE WAS BUSY: load average %.2f before, %.2f now; other processes used %.0f %% of the processor time",
                     load.atStart(), load.atEnd(), 100 * load.others());
         }
-        console.print("memory: %.0f GB/s; took %.0f s, predicted were %.0f", results.run().triadGBs(), results.run().actualSeconds(),
+        console.print("memory: %.0f GB/s; took %.0f s, predicted %.0f s", results.run().triadGBs(), results.run().actualSeconds(),
                 results.run().predictedSeconds());
     }
 
     private static String editing(EditingCost e) {
-        return Console.text("%s, %s: load %.0f ms, tree %.0f ms, new scene %.3f ms, plan %.3f ms, first hover %.2f ms%s",
-                Console.count(e.shapes(), "shape"), Console.count(e.lights(), "light"), e.load().median(), e.tree().median(),
+        return Console.text("%s, %s: load %.0f ms, BVH %.0f ms, new scene %.3f ms, plan %.3f ms, first hover %.2f ms%s",
+                Console.count(e.shapes(), "object"), Console.count(e.lights(), "light"), e.load().median(), e.tree().median(),
                 e.newScene().median(), e.plan().median(),
                 e.hover().median(), Double.isNaN(e.documentBytes()) ? ""
-                        : Console.text("; %.0f + %.0f bytes a shape", e.documentBytes(), e.treeBytes()));
+                        : Console.text("; %.0f + %.0f bytes per object", e.documentBytes(), e.treeBytes()));
     }
 
     private static String mesh(MeshPoint m, RayThroughput rays) {
-        return Console.text("%s, %s rays: %.2f million a second%s; tree %.0f ms%s, %.1f bytes a triangle",
+        return Console.text("%s, %s rays: %.2f million per second%s; BVH %.0f ms%s, %.1f bytes per triangle",
                 Console.count(m.triangles(), "triangle"),
                 rays.rays(),
                 rays.millionsPerSecond(), rays.rival() == null ? "" : Console.text(", %.0f %% of Embree", rays.share()), m.tree().median(),
@@ -141,7 +141,7 @@ final class BenchTable {
     }
 
     private static String drift(DriftPoint point) {
-        return Console.text("after %s, grade %s: %s, by at most %.2g of %.2g allowed", Console.count(point.edits(), "edit"),
+        return Console.text("after %s, accuracy %s: %s, by at most %.2g (limit %.2g)", Console.count(point.edits(), "edit"),
                 point.accuracy().name().toLowerCase(Locale.ROOT),
                 (point.error().values() == 1 ? "1 value differs" : point.error().values() + " values differ"), point.error().maxAbsolute(),
                 point.bound());

@@ -13,11 +13,11 @@ import lightning.scene.Scene;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 
-/** Reads a scene and tells every problem. */
-@Command(name = "check", abbreviateSynopsis = true, header = "Find every problem of a scene file.",
+/** Reads a scene and reports every problem. */
+@Command(name = "check", abbreviateSynopsis = true, header = "Validate a scene.",
         description = {
-            "Reads the scene and its textures. Each problem is one line, FILE:LINE:COLUMN: what is wrong, what was expected and",
-            "what was found; the exit code is then 2. A scene without problems is described in one line."},
+            "Reads the scene and its textures. Prints one line per problem, FILE:LINE:COLUMN: what was expected and what was "
+                + "found; the exit code is then 2. Prints a one-line summary of a valid scene."},
         footer = {
             "Example:",
             "  lightning check scenes/bird.jen"})
@@ -35,7 +35,7 @@ final class CheckCommand implements Callable<Integer> {
     public Integer call() throws Exception {
         Scene scene = input.read().scene();
         List<String> parts = new ArrayList<>();
-        parts.add(describeCounts("shape", scene.placedShapes().stream().map(s -> s.shape().solid().typeName())));
+        parts.add(describeCounts("object", scene.placedShapes().stream().map(s -> s.shape().solid().typeName())));
         parts.add(describeCounts("light", scene.lights().stream().map(CheckCommand::typeName)));
         parts.add(Console.count(scene.materials().size(), "material"));
         parts.add(Console.count(scene.materials().stream().flatMap(m -> m.texture().stream()).map(t -> t.file()).distinct().count(),
@@ -49,7 +49,7 @@ final class CheckCommand implements Callable<Integer> {
         return ExitCode.OK;
     }
 
-    /** As in "3 lights (1 point, 2 spot)". */
+    /** Returns a count with its parts, such as "3 lights (1 point, 2 spot)". */
     private static String describeCounts(String noun, Stream<String> kinds) {
         Map<String, Long> counts = kinds.collect(Collectors.groupingBy(k -> k, TreeMap::new, Collectors.counting()));
         long total = counts.values().stream().mapToLong(n -> n).sum();

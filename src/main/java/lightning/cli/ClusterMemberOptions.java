@@ -12,27 +12,28 @@ import lightning.shot.cluster.JoinException;
 import lightning.shot.cluster.NodeConfig;
 import picocli.CommandLine.Option;
 
-/** How a process takes part in a cluster. */
+/** Options of a process that is a member of a cluster. */
 final class ClusterMemberOptions {
     @Option(names = "--certificate", paramLabel = "FILE",
-            description = "The file that all machines of the cluster have, as 'lightning node --make-certificate' makes it.")
+            description = "Certificate file shared by all machines of the cluster (created with 'lightning node --make-certificate').")
     private Path certificate;
     @Option(names = "--bind", paramLabel = "ADDRESS",
-            description = "The address of this machine where others reach it; none but this machine can without it.")
+            description = "Address of this machine at which others reach it (default: localhost only).")
     private String bind;
 
     /**
-     * Where the process takes part.
+     * Returns the configuration of this process as a member of the cluster.
      *
-     * @param option what names the others, for messages
-     * @param peers who is asked first
-     * @throws BadInputException      if nobody could be reached so
-     * @throws JoinException if a place or the certificate cannot be used
+     * @param option name of the option that names other members, for messages
+     * @param peers members to contact first
+     * @param ports number of ports to try
+     * @throws BadInputException if this configuration cannot be reached by any member
+     * @throws JoinException if an address or the certificate cannot be used
      */
     NodeConfig nodeConfig(String option, List<HostPort> peers, int port, int ports) throws BadInputException, JoinException {
         if (certificate == null) {
-            throw new BadInputException("--certificate FILE is missing: the file that all machines of the cluster have; "
-                    + "'lightning node --make-certificate FILE' makes one");
+            throw new BadInputException("--certificate FILE is missing: the file shared by all machines of the cluster; "
+                    + "'lightning node --make-certificate FILE' creates one");
         }
         InetAddress bindAddress = bind == null ? InetAddress.getLoopbackAddress() : HostPort.address(bind);
         if (bindAddress.isAnyLocalAddress()) {
@@ -45,8 +46,8 @@ final class ClusterMemberOptions {
         for (HostPort peer : peers) {
             InetSocketAddress address = peer.address();
             if (bindAddress.isLoopbackAddress() && !address.getAddress().isLoopbackAddress()) {
-                throw new BadInputException(option + " " + peer.host() + " is another machine, and this one can be reached by none: "
-                        + "state --bind ADDRESS, an address of this machine that others reach");
+                throw new BadInputException(option + " " + peer.host() + " is another machine, but this machine is not reachable from it: "
+                        + "add --bind ADDRESS, an address of this machine that others can reach");
             }
             join.add(address);
         }
@@ -57,7 +58,7 @@ final class ClusterMemberOptions {
         try {
             return address.isLoopbackAddress() || NetworkInterface.getByInetAddress(address) != null;
         } catch (SocketException e) {
-            // Binding to it tells.
+            // Binding a socket shows whether the address belongs to this machine.
             return true;
         }
     }

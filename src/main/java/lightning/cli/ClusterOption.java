@@ -8,15 +8,15 @@ import lightning.shot.cluster.NodeConfig;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
-/** The option {@code --cluster}, with what it takes. */
+/** Option {@code --cluster} with its own options. */
 final class ClusterOption {
     @Mixin
     private ClusterMemberOptions member;
     @Option(names = "--cluster", paramLabel = "HOST:PORT", converter = HostPortConverter.class,
-            description = "Lets the nodes of a cluster hold the frames; any of them is named. 'lightning node --help' tells more.")
+            description = "Use the nodes of a cluster; name any of them (see 'lightning node --help').")
     private HostPort cluster;
 
-    /** Where this process takes part; empty where all is done here. */
+    /** Returns the cluster configuration, or empty to render on this machine only. */
     Optional<NodeConfig> nodeConfig() throws BadInputException, JoinException {
         return cluster == null ? Optional.empty()
                 : Optional.of(member.nodeConfig("--cluster", List.of(cluster), NodeConfig.CLIENT_PORT, NodeConfig.CLIENT_PORTS));

@@ -23,23 +23,23 @@ import lightning.shot.cluster.NodeConfig;
 import lightning.shot.movie.FrameFiles;
 
 /**
- * Makes edits in all frames of a shot that nodes of a cluster hold, and writes their pictures.
+ * Applies edits to all frames of a shot on the nodes of a cluster, and writes their images.
  *
- * @param folder  the folder that holds the scene file
- * @param threads how many pictures are written at once
+ * @param folder folder of the scene file
+ * @param threads number of images written concurrently
  */
 record ClusterRelight(Console console, PictureOutput output, NodeConfig config, Path folder, int threads) {
-    /** How long the command waits for a first node: for two tries to find one. */
+    /** Timeout for a first node: enough for two attempts to find one. */
     private static final long FIRST_NODE_TIMEOUT_NANOSECONDS = 30_000_000_000L;
-    /** How long it waits for another one where all are gone: one may be started again. */
+    /** Timeout for another node after all were lost: one may be restarted. */
     private static final long NODE_TIMEOUT_NANOSECONDS = 60_000_000_000L;
     private static final long POLL_MILLISECONDS = 2;
-    /** More than nodes are lost while one film is on its way. */
+    /** Exceeds the number of nodes lost while one film is transferred. */
     private static final int MAX_ATTEMPTS = 100;
 
-    /** What is heard of frames. */
+    /** Receives the results of frames and counts them. */
     private static final class FrameCounts implements ShotListener {
-        /** Whether any node was there, as any of the waiting threads saw. */
+        /** Set when any waiting thread has seen a node. */
         private volatile boolean sawNode;
         private final Console console;
         private final AtomicInteger updated = new AtomicInteger();
@@ -68,10 +68,10 @@ record ClusterRelight(Console console, PictureOutput output, NodeConfig config, 
     }
 
     /**
-     * Makes the edits of each group.
+     * Applies the edits of each group.
      *
-     * @param groups where the pictures of each go
-     * @throws BadInputException if no node is there, or a frame cannot be made
+     * @param groups image files of each group
+     * @throws BadInputException if no node is available, or a frame cannot be rendered
      */
     void run(ShotRevision original, List<ShotRevision> edited, List<FrameFiles> groups, FrameRange range) throws Exception {
         var counts = new FrameCounts(console);
@@ -84,7 +84,7 @@ record ClusterRelight(Console console, PictureOutput output, NodeConfig config, 
                 double relighting = relightAll(shot, edited.get(group), counts, "relighting");
                 int traced = counts.traced.get();
                 write(shot, groups.get(group), range, counts);
-                console.print("%d. %s relit by %s in %.1f ms, %d of them traced again; %.1f ms with their pictures", group + 1,
+                console.print("%d. %s relit by %s in %.1f ms, %d of them retraced; %.1f ms including images", group + 1,
                         Console.count(range.count(), "frame"), nodes(shot), relighting, traced, (System.nanoTime() - start) / 1e6);
             }
         } catch (InterruptedException e) {
@@ -92,7 +92,7 @@ record ClusterRelight(Console console, PictureOutput output, NodeConfig config, 
         }
     }
 
-    /** Brings all frames to a take; returns how long that took, milliseconds. */
+    /** Updates all frames to a revision; returns the time in milliseconds. */
     private double relightAll(DistributedShot shot, ShotRevision revision, FrameCounts counts, String title) throws Exception {
         long start = System.nanoTime();
         counts.updated.set(0);
@@ -114,7 +114,7 @@ record ClusterRelight(Console console, PictureOutput output, NodeConfig config, 
                 counts.sawNode = true;
             } else if (System.nanoTime() - lastSeen > (counts.sawNode ? NODE_TIMEOUT_NANOSECONDS : FIRST_NODE_TIMEOUT_NANOSECONDS)) {
                 throw new BadInputException(
-                        "no node answers at " + config.firstJoinText() + ": none is there, or it has another certificate");
+                        "no node answers at " + config.firstJoinText() + ": not running, or another certificate");
             }
             bar.report(Math.min(counts.updated.get(), count), count);
             Thread.sleep(POLL_MILLISECONDS);
@@ -146,7 +146,7 @@ record ClusterRelight(Console console, PictureOutput output, NodeConfig config, 
         }
     }
 
-    /** The film of a frame; where the node that has it is lost meanwhile, another's. */
+    /** Returns the film of a frame; if its node is lost meanwhile, another node's film. */
     private Film film(DistributedShot shot, int frame, FrameCounts counts, ProgressBar bar) throws Exception {
         for (int attempt = 0; attempt < MAX_ATTEMPTS; attempt++) {
             awaitFrames(shot, counts, bar);
@@ -159,7 +159,7 @@ record ClusterRelight(Console console, PictureOutput output, NodeConfig config, 
                 throw new InterruptedException();
             }
         }
-        throw new BadInputException("frame " + frame + ": no node had room to keep it; start more of them, or give them more --memory");
+        throw new BadInputException("frame " + frame + ": no node has enough memory for it; start more nodes, or raise their --memory");
     }
 
     private static String nodes(DistributedShot shot) {

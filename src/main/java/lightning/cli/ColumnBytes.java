@@ -11,14 +11,14 @@ import lightning.render.shading.LightRows;
 import lightning.render.trace.HitRows;
 
 /**
- * The bytes of a cache by kind of column, the film and array headers left out.
+ * Bytes of a cache by kind of column, without the film and array headers.
  *
- * @param rowCount      hit rows of all levels
- * @param layerRowCount rows of all layers: a row counts once for each light
- * @param hitColumns      the columns of hit rows, by what they come and go with
- * @param layerColumns    the columns of the lights' layers by their titles, in their order: what is kept in several counts once
- * @param mirrorBytes  colors of mirror images, and the shapes that mirrored rays hit
- * @param total       everything, as the cache itself counts
+ * @param rowCount shading points of all levels
+ * @param layerRowCount rows of all layers: a shading point counts once for each light
+ * @param hitColumns columns of the shading points, by column group
+ * @param layerColumns columns of the light layers by title, in order; shared columns count once
+ * @param mirrorBytes colors of reflected images, and the shapes that mirrored rays hit
+ * @param total bytes of the whole cache, as counted by the cache
  */
 record ColumnBytes(long rowCount, long layerRowCount, Map<HitRows.ColumnGroup, Long> hitColumns, Map<String, Long> layerColumns,
         long mirrorBytes, long total) {

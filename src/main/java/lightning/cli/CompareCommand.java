@@ -15,13 +15,16 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-/** Tells how much two pictures differ. */
-@Command(name = "compare", abbreviateSynopsis = true, header = "Tell how much two pictures differ.",
+/** Compares two images. */
+@Command(name = "compare", abbreviateSynopsis = true, header = "Compare two images.",
         description = {
-            "Compares two pictures of the same size, of the formats .png, .pfm, .exr and .hdr in any combination. The exit code is",
-            "that of diff: 0 for equal pictures, 1 for different ones, 2 for trouble.",
-            "Only .pfm and an .exr of 32 bits hold all bits of a picture: a .png can tell equal displays, not equal pictures.",
-            "FLIP is how much of a difference a person sees who flips between the two: 0 none, 1 the worst; 67 pixels per degree."},
+            "Compares two images of the same size, in any combination of .png, .pfm, .exr and .hdr. Exit codes are those of diff: "
+                + "0 if the images are equal, 1 if they differ, 2 on error.",
+            "",
+            "Only .pfm and 32-bit .exr files store every bit of an image; equal .png files show only that images are displayed "
+                + "the same.",
+            "",
+            "FLIP is the perceived difference when flipping between the images, from 0 (none) to 1, at 67 pixels per degree."},
         footer = {
             "Examples:",
             "  lightning compare before.png after.png",
@@ -29,12 +32,12 @@ import picocli.CommandLine.Parameters;
 final class CompareCommand implements Callable<Integer> {
     private final Console console;
 
-    @Parameters(index = "0", paramLabel = "a.png", description = "One picture.")
+    @Parameters(index = "0", paramLabel = "a.png", description = "First image.")
     private Path first;
-    @Parameters(index = "1", paramLabel = "b.png", description = "The other.")
+    @Parameters(index = "1", paramLabel = "b.png", description = "Image to compare with.")
     private Path second;
     @Option(names = {"-o", "--output"}, paramLabel = "FILE",
-            description = "Writes where they differ: black where all bits agree, brighter the larger the difference.")
+            description = "Write a difference image: black where all bits agree, brighter for larger differences.")
     private Path output;
 
     CompareCommand(Console console) {
@@ -44,14 +47,14 @@ final class CompareCommand implements Callable<Integer> {
     @Override
     public Integer call() throws Exception {
         if (output != null) {
-            // Refuses another ending before the pictures are read.
+            // Reject an unsupported extension before the images are read.
             ImageFormat.of(output);
             PictureOutput.checkFile(output);
         }
         Film a = read(first);
         Film b = read(second);
         if (a.width() != b.width() || a.height() != b.height()) {
-            throw new BadInputException(Console.text("pictures to compare must have the same size, %s has %d x %d pixels, %s has %d x %d",
+            throw new BadInputException(Console.text("images to compare must have the same size: %s has %d x %d pixels, %s has %d x %d",
                     first, a.width(), a.height(), second, b.width(), b.height()));
         }
         Difference difference = Difference.of(a, b);
@@ -75,14 +78,19 @@ final class CompareCommand implements Callable<Integer> {
         return Film.ofScanlines(picture.width(), picture.height(), rgb);
     }
 
-    /** @param floats whether units in the last place mean something: the numbers between two 8-bit levels are none that a file could hold */
+    /**
+     * Prints the differences.
+     *
+     * @param floats true if units in the last place are meaningful; false for 8-bit levels, between which floats have many
+     *     values
+     */
     private void print(Difference d, long values, double flip, boolean floats) {
         if (d.isNone()) {
-            console.print("equal: all %s agree in every bit", Console.count(values, "value"));
+            console.print("equal: all %s are bit-identical", Console.count(values, "value"));
             return;
         }
         console.print("different: %d of %d pixels, %d of %d values", d.pixels(), values / 3, d.values(), values);
-        console.print("largest difference  %.6g linear at pixel %d,%d; %s at most anywhere", d.maxAbsolute(), d.x(), d.y(),
+        console.print("largest difference  %.6g linear at pixel %d,%d; at most %s", d.maxAbsolute(), d.x(), d.y(),
                 floats ? d.maxUlp() + " ulp" : d.maxLevels() + " of 255 levels");
         console.print("mean difference     %.6g linear", d.meanAbsolute());
         console.print("rmse                %.6g linear, PSNR %.2f dB", d.rmse(), d.linearPsnr());

@@ -10,52 +10,52 @@ import lightning.base.text.PrintableText;
 import lightning.base.text.Quote;
 
 /**
- * Where a command writes to.
+ * Output streams of a command.
  *
- * @param out      results
- * @param err      complaints and remarks
- * @param terminal whether a person watches {@code out}
+ * @param out results
+ * @param err errors and notes
+ * @param terminal true if {@code out} is a terminal
  */
 record Console(PrintStream out, PrintStream err, boolean terminal) {
 
-    /** Recognizes the terminal: only there is {@code out} the process's own output and that a terminal's. */
+    /** Returns a console; it is a terminal only if {@code out} is the process's own output and that is a terminal. */
     static Console of(PrintStream out, PrintStream err) {
         var console = System.console();
         return new Console(out, err, out == System.out && console != null && console.isTerminal());
     }
 
-    /** Prints one line of results, numbers as in every locale. */
+    /** Prints one line of results, with locale-independent numbers. */
     void print(String format, Object... values) {
         out.println(escapeLines(text(format, values)));
     }
 
-    /** Prints one line of remarks. */
+    /** Prints one note line to the error stream. */
     void warn(String format, Object... values) {
         err.println(escapeLines(text(format, values)));
     }
 
-    /** Prints what is not the same in a file and how often, a line for each kind in the order of their names. */
+    /** Prints conversion notes with their counts, one line for each kind, sorted by name. */
     void printNotes(Path file, String title, Map<String, Integer> counts) {
         counts.entrySet().stream().sorted(Map.Entry.comparingByKey())
                 .forEach(note -> warn("%s: %s: %s (%d)", file, title, note.getKey(), note.getValue()));
     }
 
-    /** Prints a complaint, one line whatever is quoted in it. */
+    /** Prints an error on one line, also if quoted text has line breaks. */
     void error(String message) {
         err.println(PrintableText.escape(message));
     }
 
-    /** The lines of a text without a character that would steer the terminal. */
+    /** Escapes control characters in each line of a text, so that quoted text cannot control the terminal. */
     private static String escapeLines(String text) {
         return text.lines().map(PrintableText::escape).collect(Collectors.joining("\n"));
     }
 
-    /** As in "3 lights"; of nouns that take an s. */
+    /** Returns a count with its noun, such as "3 lights"; the plural adds an s. */
     static String count(long number, String noun) {
         return number + " " + noun + (number == 1 ? "" : "s");
     }
 
-    /** Fills in a format; files stand in it as {@link Quote#path} shows them. */
+    /** Formats a text, locale-independent; paths are shown by {@link Quote#path}. */
     static String text(String format, Object... values) {
         Object[] shown = Stream.of(values).map(v -> v instanceof Path path ? Quote.path(path) : v).toArray();
         return values.length == 0 ? format : String.format(Locale.ROOT, format, shown);

@@ -10,9 +10,9 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** The editor by its name; the program opens it before it comes to commands where it is asked for a file that it opens. */
-@Command(name = "edit", header = "Open a scene in the editor, as lightning does without a command.", abbreviateSynopsis = true,
-        description = "A scene is made of a glTF, OBJ, PLY or NFF file, beside it, as where it is opened in the editor.",
+/** Command {@code edit}; the launcher opens files that the editor supports itself, so this command only reports others. */
+@Command(name = "edit", header = "Open a scene in the editor.", abbreviateSynopsis = true,
+        description = "Same as lightning without a command. A glTF, OBJ, PLY or NFF file is converted to a scene next to it.",
         footer = {
             "Examples:",
             "  lightning edit scenes/stage.jen",
@@ -20,13 +20,13 @@ import picocli.CommandLine.Spec;
 final class EditCommand implements Callable<Integer> {
     @Spec
     private CommandSpec command;
-    @Parameters(index = "0", arity = "0..1", paramLabel = "file", description = "The file; scenes/bird.jen without it.")
+    @Parameters(index = "0", arity = "0..1", paramLabel = "file", description = "Scene or model file (default: scenes/bird.jen).")
     private Path file;
 
     @Override
     public Integer call() throws BadInputException {
         if (file != null && !JenFile.isJenFileName(file.toString())) {
-            throw new BadInputException(Quote.path(file) + ": the editor opens files whose names end with " + JenFile.EXTENSION + ", "
+            throw new BadInputException(Quote.path(file) + ": the editor opens files that end in " + JenFile.EXTENSION + ", "
                     + String.join(", ", MeshFormat.allExtensions()));
         }
         return command.parent().commandLine().execute(file == null ? new String[0] : new String[] {file.toString()});

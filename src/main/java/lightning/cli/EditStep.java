@@ -10,30 +10,31 @@ import lightning.format.jen.PropertyEdit;
 import lightning.scene.Scene;
 import picocli.CommandLine.Option;
 
-/** One word of an edit on the command line; exactly one of the fields is set. */
+/** One edit option of the command line; exactly one of the fields is set. */
 final class EditStep {
     @Option(names = "--set", required = true, paramLabel = "NAME.PROPERTY=VALUE",
             description = {
-                "Sets a property as the file would: key.intensity=0.4, \"key.color=1 0 0\", key.type=spot, key.on=no, world.ambience=0.1, picture.depth=5;",
-                "a name that is no word in double quotes, '\"key light\".intensity=2';",
-                "of a material: \"material:gold.reflective=0.5 0.4 0.1\", material:gold.shininess=30, material:floor.texture=none."})
+                "Set a property with the syntax of the scene file: key.intensity=0.4, \"key.color=1 0 0\", key.type=spot, key.on=no, "
+                    + "world.ambience=0.1, picture.depth=5.",
+                "Quote names that are not a single word: '\"key light\".intensity=2'.",
+                "Materials: \"material:gold.reflective=0.5 0.4 0.1\", material:gold.shininess=30, material:floor.texture=none."})
     private String set;
 
     @Option(names = "--add", required = true, paramLabel = "LIGHT",
-            description = "Adds a light, as in \"fill point intensity=0.5 at=0 3 2\".")
+            description = "Add a light, such as \"fill point intensity=0.5 at=0 3 2\".")
     private String add;
 
-    @Option(names = "--delete", required = true, paramLabel = "LIGHT", description = "Deletes a light.")
+    @Option(names = "--delete", required = true, paramLabel = "LIGHT", description = "Delete a light.")
     private String delete;
 
     @Option(names = "--case", required = true, paramLabel = "NAME",
-            description = "Makes one of the paper's edits by its name in the tour, as color or angle-larger.")
+            description = "Apply one of the paper's edits by its name in 'lightning tour', such as color or angle-larger.")
     private String paperCase;
 
-    @Option(names = "--then", required = true, description = "Renders; what follows is the next edit.")
+    @Option(names = "--then", required = true, description = "Start a new group of edits.")
     private boolean then;
 
-    /** Splits steps at each {@code --then} into the groups of one edit each, at least one; a group may be empty. */
+    /** Splits steps at each {@code --then} into groups, at least one; a group may be empty. */
     static List<List<EditStep>> splitGroups(List<EditStep> steps) {
         List<List<EditStep>> groups = new ArrayList<>();
         groups.add(new ArrayList<>());
@@ -48,10 +49,10 @@ final class EditStep {
     }
 
     /**
-     * The scenes that this step leads to, one after the other; all but the last are rendered by themselves.
+     * Returns the scenes that this step produces, in order; all but the last are rendered separately.
      *
-     * @param folder where textures are looked for
-     * @throws BadInputException if the scene has no such thing, or not such a value
+     * @param folder folder of the textures
+     * @throws BadInputException if the scene has no such name or property, or the value is invalid
      */
     List<Scene> apply(Scene scene, Path folder) throws BadInputException {
         if (paperCase != null) {
@@ -68,10 +69,10 @@ final class EditStep {
     }
 
     /**
-     * Remarks on each property that was set and does nothing to the edited picture.
+     * Prints a note for each property of the group that has no effect on the edited image.
      *
-     * @param group the steps of the edit
-     * @param after the scene after the edit
+     * @param group steps of the edit
+     * @param after scene after the edit
      */
     static void warnUnused(List<EditStep> group, Scene after, Console console) {
         group.stream().filter(step -> step.set != null).flatMap(step -> PropertyEdit.ineffectiveReason(after, step.set).stream())
@@ -86,6 +87,6 @@ final class EditStep {
             }
         }
         throw new BadInputException("--case " + Quote.shorten(paperCase) + ": expected one of "
-                + String.join(", ", cases.stream().map(PaperCase::name).toList()) + ", which this scene allows");
+                + String.join(", ", cases.stream().map(PaperCase::name).toList()) + ", the cases of this scene");
     }
 }

@@ -18,16 +18,15 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
-/** Tells which effects a scene calls for and what they take. */
-@Command(name = "effects", header = "Tell what a scene calls for, with time and bytes.", abbreviateSynopsis = true,
+/** Measures which effects a scene uses and the cost of each. */
+@Command(name = "effects", header = "Measure the cost of each effect.", abbreviateSynopsis = true,
         description = {
-            "Derives from the scene alone which effects its picture needs, and measures what each takes: in milliseconds of the first",
-            "pass, in milliseconds of the update after an edit, in bytes and in rays of the first pass. An effect in use is measured",
-            "by rendering without it, one that is absent by forcing it on, where that leaves the picture as it is: these figures are",
-            "what its absence saves. Finer samples, which are never invisible, are forced at edges. All are medians of turns with",
-            "and without; a difference within the noise is marked with ~. Then come the bytes of each kind of column.",
+            "Determines from the scene which effects its image needs, and measures the cost of each: milliseconds of the first pass "
+                + "and of the update after an edit, bytes, and rays of the first pass. Then prints the bytes of each kind of column.",
             "",
-            "The edit is one of the tour's, 'position' (a light is moved; 'direction' where none has a place) unless --case names another."},
+            "Effects in use are measured by rendering without them. Unused effects are measured by forcing them on if that does not "
+                + "change the image; the figures show what their absence saves. Anti-aliasing is forced at edges only, since it always "
+                + "changes the image. All figures are medians of alternating runs; ~ marks a difference within the noise."},
         footer = {
             "Examples:",
             "  lightning effects scenes/bird.jen --size 1920x1080",
@@ -41,7 +40,8 @@ final class EffectsCommand implements Callable<Integer> {
     private PictureOptions picture;
     @Mixin
     private ThreadsOption threads;
-    @Option(names = "--case", paramLabel = "NAME", description = "The edit, by its name in the tour.")
+    @Option(names = "--case", paramLabel = "NAME",
+            description = "Edit to measure, by its name in 'lightning tour' (default: position, or direction if no light has a position).")
     private String caseName;
     @Mixin
     private RepetitionsOption repetitions;
@@ -65,7 +65,7 @@ final class EffectsCommand implements Callable<Integer> {
         return ExitCode.OK;
     }
 
-    /** The scene after the edit; the scene itself where none is named and it has no light to move. */
+    /** Returns the scene after the edit, or the unchanged scene if no edit is named and no light can be moved. */
     private Scene edited(Scene scene) throws BadInputException {
         if (caseName == null) {
             return PaperCases.moveCase(scene).map(PaperCase::after).orElse(scene);
@@ -77,17 +77,17 @@ final class EffectsCommand implements Callable<Integer> {
             }
         }
         throw new BadInputException("--case " + caseName + ": expected one of "
-                + String.join(", ", cases.stream().map(PaperCase::name).toList()) + ", which this scene allows");
+                + String.join(", ", cases.stream().map(PaperCase::name).toList()) + ", the cases of this scene");
     }
 
     private void print(SceneEffects effects, EffectCosts costs, PixelCache cache) {
         console.print("first pass %.1f ms, %s; update %.2f ms: %s", costs.first().median(), Console.count(costs.bytes(), "byte"),
                 costs.update().median(), costs.plan());
         console.print("");
-        console.print("%-20s %10s %10s %12s %12s  %s", "in use", "first ms", "update ms", "bytes", "rays", "called for by");
+        console.print("%-20s %10s %10s %12s %12s  %s", "in use", "first ms", "update ms", "bytes", "rays", "used by");
         costs.effects().stream().filter(EffectCost::inUse).forEach(c -> printCost(c, effects.reason(c.effect())));
         console.print("");
-        console.print("%-20s %10s %10s %12s %12s", "absent, saves", "first ms", "update ms", "bytes", "rays");
+        console.print("%-20s %10s %10s %12s %12s", "not used, saves", "first ms", "update ms", "bytes", "rays");
         costs.effects().stream().filter(c -> !c.inUse()).forEach(c -> printCost(c, ""));
         console.print("");
         printColumns(ColumnBytes.of(cache), cache);
@@ -106,26 +106,26 @@ final class EffectsCommand implements Callable<Integer> {
 
     private void printColumns(ColumnBytes bytes, PixelCache cache) {
         int depth = cache.allTiles().stream().mapToInt(tile -> tile.levels.length - 1).max().orElse(0);
-        console.print("%s; the deepest mirrored ray that any pixel needs is in mirror %d of %d", Console.count(bytes.rowCount(), "row"),
+        console.print("%s; deepest reflection that any pixel needs: bounce %d of %d", Console.count(bytes.rowCount(), "row"),
                 depth,
                 cache.scene().picture().depth());
         bytes.hitColumns().forEach((part, n) -> printColumn(title(part), n, bytes));
-        printColumn("mirror images", bytes.mirrorBytes(), bytes);
+        printColumn("reflected images", bytes.mirrorBytes(), bytes);
         bytes.layerColumns().forEach((title, n) -> printColumn(title, n, bytes));
-        printColumn("in all", bytes.total(), bytes);
+        printColumn("total", bytes.total(), bytes);
     }
 
     private static String title(HitRows.ColumnGroup part) {
         return switch (part) {
-            case HIT -> "point, normal, view, place";
+            case HIT -> "point, normal, view, position";
             case TEXEL -> "texture colors";
-            case CODE -> "what edges are told by";
-            case OWNER -> "whose rows they are";
-            case TRANSPARENT -> "what is behind clear surfaces";
+            case CODE -> "edge detection";
+            case OWNER -> "pixel of each row";
+            case TRANSPARENT -> "seen through transparent surfaces";
         };
     }
 
     private void printColumn(String title, long bytes, ColumnBytes columns) {
-        console.print("  %-28s %12d bytes %8.2f a row", title, bytes, (double) bytes / Math.max(columns.rowCount(), 1));
+        console.print("  %-28s %12d bytes %8.2f per row", title, bytes, (double) bytes / Math.max(columns.rowCount(), 1));
     }
 }

@@ -12,19 +12,19 @@ import lightning.base.text.UserFacingException;
 import lightning.format.jen.JenException;
 import lightning.render.relight.PictureTooLargeException;
 
-/** Turns whatever went wrong into sentences and an exit code; the only place that does. */
+/** Converts exceptions to error messages and exit codes; the only class that does. */
 final class ErrorReporter {
     private ErrorReporter() {}
 
-    /** Says what went wrong outside of any command; returns the exit code. */
+    /** Reports an error outside of any command; returns the exit code. */
     static int report(Console console, Throwable problem) {
         return report(console, problem, _ -> false);
     }
 
     /**
-     * Says what went wrong; returns the exit code.
+     * Reports an error; returns the exit code.
      *
-     * @param options which the command has, as in {@code --size}
+     * @param options tests whether the command has an option, such as {@code --size}
      */
     static int report(Console console, Throwable problem, Predicate<String> options) {
         return switch (problem) {
@@ -36,23 +36,23 @@ final class ErrorReporter {
                 yield ExitCode.BAD_INPUT;
             }
             case Throwable e when FileHandles.areExhausted(e) ->
-                    reportError(console, "there are not enough file handles; raise their limit, as "
-                            + "with 'ulimit -n 4096', and start again");
+                    reportError(console, "not enough file handles; raise the limit, for example "
+                            + "with 'ulimit -n 4096', and restart");
             case InvalidPathException e ->
-                    reportError(console, "the name " + Quote.of(e.getInput()) + " cannot be a file's here: " + e.getReason()
-                            + "; where it has letters beyond ASCII, start with a locale of UTF-8, as LC_ALL=C.UTF-8");
+                    reportError(console, "not a valid file name: " + Quote.of(e.getInput()) + ": " + e.getReason()
+                            + "; for non-ASCII names set a UTF-8 locale, such as LC_ALL=C.UTF-8");
             case UserFacingException told -> reportError(console, told.getMessage());
             case IOException e -> reportError(console, FileErrorMessage.of(e));
             case PictureTooLargeException e -> reportError(console, e.message(way -> suggestion(way, options)));
             case OutOfMemoryError _ ->
-                    reportError(console, "there is not enough memory; ask for a smaller --size where the picture is large, "
-                            + "or give Java more with JAVA_TOOL_OPTIONS=-Xmx8g");
-            default -> reportError(console, "an error of the program itself, not of your input: " + problem
+                    reportError(console, "not enough memory; use a smaller --size, "
+                            + "or give Java more memory with JAVA_TOOL_OPTIONS=-Xmx8g");
+            default -> reportError(console, "internal error, not caused by your input: " + problem
                     + sourceLocation(problem) + "; please report it with the command and the scene");
         };
     }
 
-    /** A way out with the option that takes it; empty where the scene cannot say it and the command has no option for it. */
+    /** Returns a remedy with its option; empty if neither the scene nor an option of the command can apply it. */
     private static Optional<String> suggestion(PictureTooLargeException.Suggestion remedy, Predicate<String> options) {
         String option = switch (remedy) {
             case PictureTooLargeException.Suggestion.Size _ -> "--size";
@@ -81,7 +81,7 @@ final class ErrorReporter {
         return ExitCode.BAD_INPUT;
     }
 
-    /** The one line of our own code where it happened. */
+    /** Returns the topmost stack frame in the program's own code, such as " (File.java, line 12)". */
     private static String sourceLocation(Throwable problem) {
         for (StackTraceElement element : problem.getStackTrace()) {
             if (element.getClassName().startsWith("lightning.")) {

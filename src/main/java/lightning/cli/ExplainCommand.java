@@ -24,21 +24,25 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Parameters;
 
-/** Tells why one pixel has its color. */
-@Command(name = "explain", header = "Tell why a pixel has its color.", abbreviateSynopsis = true,
+/** Explains the color of one pixel. */
+@Command(name = "explain", header = "Explain a pixel's color.", abbreviateSynopsis = true,
         description = {
-            "Traces one pixel: what the eye sees there, where and how it lies, and for each light whether it reaches the point",
-            "(facing away, outside the cone, shadowed by a shape, lit), its cosine, specular term and falloff, and what it adds",
-            "to the point's color, with its share in percent. Where bump and normal maps or a mesh's vertices make another normal than",
-            "the surface's own, each step to it is told, and which lights it faces though they are below the surface. Mirrored and refracted rays follow, indented; of those that clear",
-            "surfaces send on, those that bring more than 0.2 %% of the pixel. Colors are linear red, green, blue; the last line",
-            "is the pixel as the film and as the display have it, equal to render's in every bit."},
+            "Traces one pixel and prints the visible surface point and, for each light, whether it reaches the point (backfacing, "
+                + "outside the cone, shadowed by an object, lit), its cosine, specular term and falloff, and its contribution to the "
+                + "point's color with its share in percent.",
+            "",
+            "If bump maps, normal maps or vertex normals change the normal, prints each step from the geometric normal, and which "
+                + "lights are below the horizon. Reflected and refracted rays follow, indented; rays through transparent surfaces only "
+                + "if they contribute more than 0.2 %% of the pixel.",
+            "",
+            "Colors are linear red, green, blue. The last line is the pixel in the film and on the display, bit-identical to "
+                + "that of lightning render."},
         footer = {
             "Examples:",
             "  lightning explain scenes/bird.jen 150,230",
             "  lightning explain scenes/bird.jen 960,540 --size 1920x1080"})
 final class ExplainCommand implements Callable<Integer> {
-    /** Of a pixel's color; what brings less through clear surfaces is not told. */
+    /** Minimum share of a pixel's color for which rays through transparent surfaces are printed. */
     private static final double MIN_SHARE = 0.002;
 
     private final Console console;
@@ -46,7 +50,7 @@ final class ExplainCommand implements Callable<Integer> {
     @Mixin
     private SceneFile input;
     @Parameters(index = "1", paramLabel = "X,Y", converter = PixelPosition.Converter.class,
-            description = "The pixel, counted from 0 at the upper left.")
+            description = "Pixel, counted from 0 at the upper left.")
     private PixelPosition pixel;
     @Mixin
     private PictureOptions picture;
@@ -61,7 +65,7 @@ final class ExplainCommand implements Callable<Integer> {
         int width = scene.picture().width();
         int height = scene.picture().height();
         if (pixel.x() >= width || pixel.y() >= height) {
-            throw new BadInputException(Console.text("pixel %d,%d is outside the picture, expected 0,0 to %d,%d", pixel.x(), pixel.y(),
+            throw new BadInputException(Console.text("pixel %d,%d is outside the image, expected 0,0 to %d,%d", pixel.x(), pixel.y(),
                     width - 1, height - 1));
         }
         var explainer = new PixelExplainer(scene);
@@ -72,7 +76,10 @@ final class ExplainCommand implements Callable<Integer> {
         return ExitCode.OK;
     }
 
-    /** The pixel: with finer samples it is the mean of several rays where it is on an edge, of which the center's was told. */
+    /**
+     * Prints the pixel; with anti-aliasing, an edge pixel is the mean of several rays, of which only the center's was
+     * explained.
+     */
     private void printPixel(Scene scene, Geometry geometry, float[] center) {
         float[] c = center;
         if (scene.picture().sampling().isSupersampled()) {
@@ -87,7 +94,7 @@ final class ExplainCommand implements Callable<Integer> {
                 view.encode(c[2]));
     }
 
-    /** The pixel as the film has it. */
+    /** Returns the pixel's color in the film. */
     private float[] supersampled(Scene scene, Geometry geometry) {
         MemoryEstimate.checkFilm(scene.picture(), HeapBudget.availableBytes());
         int x = pixel.x();
@@ -101,10 +108,14 @@ final class ExplainCommand implements Callable<Integer> {
         }
     }
 
-    /** @param share which part of the pixel's color the point brings, about */
+    /**
+     * Prints a point and the rays from it.
+     *
+     * @param share approximate share of the pixel's color that the point contributes
+     */
     private void print(PixelExplainer explainer, PointReport report, String indent, double share) {
         if (!report.passedCutouts().isEmpty()) {
-            console.print("%sthrough holes of %s", indent, report.passedCutouts().stream().map(s -> explainer.geometry().shape(s).name())
+            console.print("%sthrough cutouts of %s", indent, report.passedCutouts().stream().map(s -> explainer.geometry().shape(s).name())
                     .collect(Collectors.joining(", ")));
         }
         if (report.isBackground()) {
@@ -130,8 +141,8 @@ final class ExplainCommand implements Callable<Integer> {
                     describeState(explainer, light));
         }
         if (at.backSide() != null) {
-            console.print("%s  the ray comes from %s; the surface mirrors %.1f %% of its light at this angle", indent,
-                    at.backSide().isInside() ? Console.text("inside, where its way was %.6g", at.backSide().insideDistance()) : "outside",
+            console.print("%s  the ray comes from %s; the surface reflects %.1f %% of its light at this angle", indent,
+                    at.backSide().isInside() ? Console.text("inside, path length %.6g", at.backSide().insideDistance()) : "outside",
                     100 * parts.surfaceShare().fresnel());
         }
         float[] mirrored = report.reflected() == null ? null : parts.reflectedPart(report.reflected().color());
@@ -139,31 +150,31 @@ final class ExplainCommand implements Callable<Integer> {
         printPart("mirror", mirrored, total, indent);
         printPart("behind", refracted, total, indent);
         console.print("%s  sum          is   %s", indent, formatRgb(report.color()));
-        // From clear surfaces rays go on in two ways, again and again: hundreds for a pixel.
+        // Transparent surfaces split rays in two, recursively: hundreds for a pixel.
         double minTotal = at.backSide() == null ? 0 : MIN_SHARE;
         if (mirrored != null && share * channelSum(mirrored) >= minTotal * total) {
-            console.print("%s  the mirrored ray meets", indent);
+            console.print("%s  reflected ray hits", indent);
             print(explainer, report.reflected(), indent + "    ", share * channelSum(mirrored) / Math.max(total, Float.MIN_NORMAL));
         }
         if (refracted != null && share * channelSum(refracted) >= minTotal * total) {
-            console.print("%s  the refracted ray meets", indent);
+            console.print("%s  refracted ray hits", indent);
             print(explainer, report.refracted(), indent + "    ", share * channelSum(refracted) / Math.max(total, Float.MIN_NORMAL));
         }
     }
 
     private void printNormals(NormalSteps steps, String indent) {
-        console.print("%s    the surface's own    %s", indent, formatNormal(steps.geometric()));
+        console.print("%s    geometric            %s", indent, formatNormal(steps.geometric()));
         if (steps.smooth() != null) {
-            console.print("%s    between vertices     %s", indent, formatNormal(steps.smooth()));
+            console.print("%s    interpolated         %s", indent, formatNormal(steps.smooth()));
         }
         if (steps.bumped() != null) {
-            console.print("%s    by bump, normal map  %s", indent, formatNormal(steps.bumped()));
+            console.print("%s    bump, normal map     %s", indent, formatNormal(steps.bumped()));
         }
         if (steps.isBent()) {
-            console.print("%s    bent towards the viewer, so that what is mirrored leaves the surface", indent);
+            console.print("%s    bent toward the viewer, so that reflected rays leave the surface", indent);
         }
         if (steps.lift() > 0) {
-            console.print("%s    shadows are asked from %.6g above the flat triangle", indent, steps.lift());
+            console.print("%s    shadow rays start %.6g above the flat triangle", indent, steps.lift());
         }
     }
 
@@ -180,7 +191,7 @@ final class ExplainCommand implements Callable<Integer> {
     private static String describeState(PixelExplainer explainer, LightReport light) {
         return switch (light.state()) {
             case DARK -> "off";
-            case AWAY -> Console.text("facing away, cosine %.6g", light.cosine());
+            case AWAY -> Console.text("backfacing, cosine %.6g", light.cosine());
             case OUTSIDE -> Console.text("outside the cone, cosine %.6g", light.cosine());
             case UNLINKED -> Console.text("not linked, cosine %.6g", light.cosine());
             case SHADOWED -> Console.text("shadowed by %s, cosine %.6g", explainer.geometry().shape(light.blocker()).name(),
@@ -191,20 +202,20 @@ final class ExplainCommand implements Callable<Integer> {
         };
     }
 
-    /** That a light which the normal faces is below the surface itself, which is then in between. */
+    /** Describes how many samples of a light are below the geometric surface although the shading normal faces them. */
     private static String describeBelow(LightReport light) {
-        return light.samplesBelowSurface() == 0 ? "" : light.samples() == 1 ? ", from below the surface"
-                : Console.text(", %d from below the surface", light.samplesBelowSurface());
+        return light.samplesBelowSurface() == 0 ? "" : light.samples() == 1 ? ", below the horizon"
+                : Console.text(", %d below the horizon", light.samplesBelowSurface());
     }
 
-    /** What passes of a light through clear shapes; nothing where there are none. */
+    /** Describes a light's attenuation by transparent shapes; empty if there are none. */
     private static String describeTint(float[] tint) {
-        return tint[0] == 1 && tint[1] == 1 && tint[2] == 1 ? "" : ", through clear shapes times " + formatRgb(tint);
+        return tint[0] == 1 && tint[1] == 1 && tint[2] == 1 ? "" : ", filtered by transparent objects: " + formatRgb(tint);
     }
 
     private static String describeSamples(PixelExplainer explainer, LightReport light) {
         String between = light.blocker() < 0 ? "" : " behind " + explainer.geometry().shape(light.blocker()).name();
-        return Console.text("sees %d of %s%s, cosine · falloff %.6g, specular · falloff %.6g", light.visibleSamples(),
+        return Console.text("%d of %s visible%s, cosine · falloff %.6g, specular · falloff %.6g", light.visibleSamples(),
                 Console.count(light.samples(), "sample"),
                 between,
                 light.cosine(), light.specular());

@@ -8,12 +8,10 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
-/** Writes a scene for POV-Ray. */
-@Command(name = "export", header = "Write a scene for POV-Ray 3.7.", abbreviateSynopsis = true,
-        description = {
-            "Writes camera, shapes, materials, textures (as PNG files beside it) and lights in the language of POV-Ray 3.7,",
-            "to compare pictures and times. What POV-Ray cannot say, or not exactly, is listed, and stands as comments in the",
-            "file's head."},
+/** Exports a scene to POV-Ray. */
+@Command(name = "export", header = "Export a scene to POV-Ray 3.7.", abbreviateSynopsis = true,
+        description = "Writes camera, objects, materials, textures (as PNG files next to the output) and lights, to compare images "
+            + "and times. Features that POV-Ray does not support exactly are listed, also as comments in the file's header.",
         footer = {
             "Example:",
             "  lightning export scenes/bird.jen -o bird.pov",
@@ -25,7 +23,7 @@ final class ExportCommand implements Callable<Integer> {
     private SceneFile input;
     @Mixin
     private PictureOptions picture;
-    @Option(names = {"-o", "--output"}, paramLabel = "x.pov", required = true, description = "The file to write.")
+    @Option(names = {"-o", "--output"}, paramLabel = "x.pov", required = true, description = "Output file.")
     private Path output;
 
     ExportCommand(Console console) {
@@ -36,14 +34,14 @@ final class ExportCommand implements Callable<Integer> {
     public Integer call() throws Exception {
         String name = output.getFileName() == null ? "" : output.getFileName().toString();
         if (!name.toLowerCase(Locale.ROOT).endsWith(".pov")) {
-            throw new BadInputException(output + ": an exported scene's name must end in .pov");
+            throw new BadInputException(output + ": the output name must end in .pov");
         }
         PictureOutput.checkFile(output);
         PovScene pov = PovScene.of(picture.apply(input.read().scene()), name.substring(0, name.length() - ".pov".length()));
         pov.write(output);
         pov.losses().forEach(loss -> console.warn("%s", loss));
-        console.print("%s: written; %s", output, pov.losses().isEmpty() ? "everything maps exactly"
-                : Console.text("not exactly the same: %d (see the remarks)", pov.losses().size()));
+        console.print("%s: written; %s", output, pov.losses().isEmpty() ? "exported exactly"
+                : Console.text("not exported exactly: %d (see the notes)", pov.losses().size()));
         return ExitCode.OK;
     }
 }

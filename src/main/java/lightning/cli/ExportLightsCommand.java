@@ -14,12 +14,14 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
-/** Takes a scene's lights to other programs. */
-@Command(name = "export-lights", header = "Write a scene's lights into a glTF file, or as plain JSON.", abbreviateSynopsis = true,
+/** Exports a scene's lights to glTF or JSON. */
+@Command(name = "export-lights", header = "Export a scene's lights to glTF or JSON.", abbreviateSynopsis = true,
         description = {
-            "With --into, writes a copy of a glTF file with the scene's lights in place of its own, and nothing else touched. What glTF",
-            "cannot say is listed and counted; it is written into the extras of the lights, from where lightning import restores it.",
-            "Without --into, writes all that the scene says of its lights and banks as JSON."},
+            "With --into, writes a copy of a glTF file in which the scene's lights replace the original ones; everything else stays "
+                + "unchanged. Properties that glTF does not support are listed and counted. They are stored in the extras of the "
+                + "lights; lightning import restores them.",
+            "",
+            "Without --into, writes all light and light group properties of the scene as JSON."},
         footer = {
             "Example:",
             "  lightning export-lights house.jen --into house.glb -o relit.glb"})
@@ -28,13 +30,13 @@ final class ExportLightsCommand implements Callable<Integer> {
 
     @Mixin
     private SceneFile input;
-    @Option(names = "--into", paramLabel = "FILE", description = "The .gltf or .glb file to copy, which is not changed.")
+    @Option(names = "--into", paramLabel = "FILE", description = "The .gltf or .glb file to copy.")
     private Path template;
-    @Option(names = {"-o", "--output"}, paramLabel = "FILE", required = true, description = "The file to write.")
+    @Option(names = {"-o", "--output"}, paramLabel = "FILE", required = true, description = "Output file.")
     private Path output;
     @Option(names = "--light-units", paramLabel = "UNITS",
-            description = "What the numbers of the glTF file's lights shall be: candela (and lux), unitless or watts. "
-                    + "Default: what was chosen at import, which the scene says; else candela.")
+            description = "Light units of the output: candela (and lux), unitless or watts (default: the units chosen at import, "
+                    + "else candela).")
     private LightUnits units;
 
     ExportLightsCommand(Console console) {
@@ -45,10 +47,10 @@ final class ExportLightsCommand implements Callable<Integer> {
     public Integer call() throws Exception {
         String ending = template == null ? ".json" : template.toString().toLowerCase(Locale.ROOT).endsWith(".glb") ? ".glb" : ".gltf";
         if (!output.toString().toLowerCase(Locale.ROOT).endsWith(ending)) {
-            throw new BadInputException(Console.text("%s: the file's name must end in %s", output, ending));
+            throw new BadInputException(Console.text("%s: the output name must end in %s", output, ending));
         }
         if (template != null && Files.exists(output) && Files.isSameFile(template, output)) {
-            throw new BadInputException(Console.text("%s: is the file to copy, which stays as it is; choose another name", output));
+            throw new BadInputException(Console.text("%s: is the file to copy; choose another output name", output));
         }
         PictureOutput.checkFile(output);
         JenDocument document = input.read();
@@ -56,7 +58,7 @@ final class ExportLightsCommand implements Callable<Integer> {
         LightUnits chosen = units != null ? units : LightUnits.findIn(document.text()).orElse(LightUnits.CANDELA);
         LightExport lights = template == null ? LightExport.toJson(scene) : LightExport.toGltf(template, scene, chosen, Progress.NONE);
         AtomicFile.write(output, out -> out.write(lights.bytes()));
-        console.printNotes(output, "not the same there", lights.notes());
+        console.printNotes(output, "not exported exactly", lights.notes());
         console.print("%s: written; %s%s", output, Console.count(scene.lights().size(), "light"),
                 template == null ? "" : ", in " + chosen.description());
         return ExitCode.OK;

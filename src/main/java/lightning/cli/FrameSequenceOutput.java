@@ -3,12 +3,11 @@ package lightning.cli;
 import java.nio.file.Path;
 import picocli.CommandLine.Option;
 
-/** The options of commands that write a picture for each frame of a shot. */
+/** Output options of commands that write an image for each frame of a shot. */
 final class FrameSequenceOutput extends PictureOutput {
     @Option(names = {"-o", "--output"}, paramLabel = "FOLDER", required = true,
-            description = {
-                "The folder of the pictures, which are .png; made if it is not there. Or a name with an ending, before which each",
-                "picture gets its number: out/bird.exr for out/bird-0001.exr, in a folder that is there."})
+            description = "Output folder for PNG images, created if missing. Or a file name in an existing folder, to which each "
+                    + "frame's number is added: out/bird.exr writes out/bird-0001.exr and so on.")
     private Path output;
 
     @Override

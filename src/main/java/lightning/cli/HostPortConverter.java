@@ -4,7 +4,7 @@ import lightning.shot.cluster.HostPort;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.TypeConversionException;
 
-/** Reads where a member of a cluster is heard. */
+/** Parses the address of a cluster member. */
 final class HostPortConverter implements ITypeConverter<HostPort> {
     @Override
     public HostPort convert(String text) {

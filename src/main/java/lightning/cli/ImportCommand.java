@@ -17,32 +17,29 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-/** Makes a scene of a file of another program. */
-@Command(name = "import", header = "Make a scene of a glTF, OBJ, PLY or NFF file.", abbreviateSynopsis = true,
-        description = {
-            "Writes a scene that shows the file's meshes, with its cameras, lights and materials where it has them. The file and its",
-            "pictures are copied beside the scene where they do not lie there already. What is left out, or is not the same here,",
-            "is listed and counted."},
+/** Converts a file of another program to a scene. */
+@Command(name = "import", header = "Convert glTF, OBJ, PLY or NFF to a .jen scene.", abbreviateSynopsis = true,
+        description = "Writes a scene with the file's meshes, cameras, lights and materials. Copies the file and its images next to "
+            + "the scene unless they are already there. Lists and counts the features that are left out or converted approximately.",
         footer = {
             "Example:",
             "  lightning import house.glb -o house.jen --light-units candela"})
 final class ImportCommand implements Callable<Integer> {
-    /** Pixels of the longer side. */
+    /** Longer side of a preview image, in pixels. */
     private static final int PICTURE_SIZE = 320;
 
     private final Console console;
 
     @Parameters(index = "0", paramLabel = "FILE", description = "A .glb, .gltf, .obj, .ply or .nff file.")
     private Path file;
-    @Option(names = {"-o", "--output"}, paramLabel = "scene.jen", required = true, description = "The scene to write.")
+    @Option(names = {"-o", "--output"}, paramLabel = "scene.jen", required = true, description = "Output scene.")
     private Path output;
     @Option(names = "--light-units", paramLabel = "UNITS",
-            description = "What the numbers of a glTF file's lights are: candela (and lux, as the format says), unitless (watts per steradian "
-                    + "and per square meter) or watts, as its exporter was told. Default: candela.")
+            description = "Units of a glTF file's lights: candela (and lux, as the format defines), unitless (watts per steradian and "
+                    + "per square meter) or watts, as chosen in its exporter (default: candela).")
     private LightUnits units;
     @Option(names = "--light-pictures",
-            description = "Also write a small picture of each choice beside the scene: scene.candela.png, scene.unitless.png, "
-                    + "scene.watts.png.")
+            description = "Also write a small preview for each light unit next to the scene, such as scene.candela.png.")
     private boolean writesUnitPictures;
 
     ImportCommand(Console console) {
@@ -53,7 +50,7 @@ final class ImportCommand implements Callable<Integer> {
     public Integer call() throws Exception {
         String name = output.getFileName() == null ? "" : output.getFileName().toString();
         if (!JenFile.isJenFileName(name.toLowerCase(Locale.ROOT))) {
-            throw new BadInputException(output + ": a scene's name must end in " + JenFile.EXTENSION);
+            throw new BadInputException(output + ": a scene's file name must end in " + JenFile.EXTENSION);
         }
         PictureOutput.checkFile(output);
         ImportedScene imported;
@@ -67,11 +64,11 @@ final class ImportCommand implements Callable<Integer> {
         if (units == null) {
             imported.units()
                     .ifPresent(
-                            usedUnits -> console.warn("%s: the numbers of its lights were taken as %s; --light-pictures shows each choice",
+                            usedUnits -> console.warn("%s: light units taken as %s; --light-pictures shows each choice",
                                     file, usedUnits.description()));
         }
-        console.printNotes(file, "left out or not the same", imported.notes());
-        console.print("%s: written; %s, %s, %s", output, Console.count(imported.scene().stage().shapeCount(), "shape"),
+        console.printNotes(file, "left out or approximated", imported.notes());
+        console.print("%s: written; %s, %s, %s", output, Console.count(imported.scene().stage().shapeCount(), "object"),
                 Console.count(imported.scene().materials().size(), "material"), Console.count(imported.scene().lights().size(), "light"));
         return ExitCode.OK;
     }
@@ -82,7 +79,7 @@ final class ImportCommand implements Callable<Integer> {
                 Path file =
                         output.resolveSibling(stem + "." + picture.getKey().name().toLowerCase(Locale.ROOT) + ImageFormat.PNG.extension());
                 ImageFile.write(file, picture.getValue(), ViewTransform.DEFAULT);
-                console.print("%s: written; numbers taken as %s", file, picture.getKey().description());
+                console.print("%s: written; light units taken as %s", file, picture.getKey().description());
             }
         }
     }

@@ -18,10 +18,10 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.TypeConversionException;
 import picocli.CommandLine.UnmatchedArgumentException;
 
-/** Runs the command that the arguments name. */
+/** Entry point of the command line; runs the command that the arguments name. */
 public final class Lightning {
-    private static final int HELP_WIDTH = 120;
-    /** What makes each, in the order in which the help lists them. */
+    private static final int HELP_WIDTH = 80;
+    /** Factories of the commands, in the order of the help. */
     private static final Map<String, Function<Console, Object>> COMMANDS = new LinkedHashMap<>();
 
     static {
@@ -44,12 +44,12 @@ public final class Lightning {
     private Lightning() {}
 
     /**
-     * Runs one command in this thread; interrupting it cancels the command.
+     * Runs one command in this thread; interrupting the thread cancels the command.
      *
-     * @param out  gets the results
-     * @param err  gets complaints and remarks
-     * @param args as {@code lightning --help} tells
-     * @return the exit code: 0 done, 1 the check failed, 2 bad usage or bad input, 130 canceled
+     * @param out receives the results
+     * @param err receives errors and notes
+     * @param args arguments as described by {@code lightning --help}
+     * @return exit code: 0 done, 1 check failed, 2 bad usage or bad input, 130 canceled
      */
     public static int run(PrintStream out, PrintStream err, String... args) {
         Console console = Console.of(out, err);
@@ -57,19 +57,22 @@ public final class Lightning {
             CommandLine commands = createCommands(console, args);
             int exit = isUnknown(commands, args) ? unknownCommand(console, commands, args[0]) : commands.execute(args);
             err.flush();
-            // PrintStream keeps its errors to itself; checkError flushes too.
+            // PrintStream swallows write errors; checkError flushes and returns them.
             if (out.checkError()) {
-                console.err().println("lightning: the results could not be written to the standard output; is its device full or closed?");
+                console.err().println("lightning: cannot write to the standard output; is the device full or closed?");
                 return exit == ExitCode.OK ? ExitCode.BAD_INPUT : exit;
             }
             return exit;
         } catch (Throwable e) {
-            // Whatever it is, a user gets a sentence.
+            // Report any exception as a message instead of a stack trace.
             return ErrorReporter.report(console, e);
         }
     }
 
-    /** The command that the first word names: to make all of them takes longer than a small picture. All, where it names none. */
+    /**
+     * Creates the command that the first argument names, or all commands if none: creating all takes longer than rendering a
+     * small image.
+     */
     static CommandLine createCommands(Console console, String... args) {
         return createCommands(console, args.length > 0 && COMMANDS.containsKey(args[0]) ? Set.of(args[0]) : COMMANDS.keySet());
     }
@@ -85,6 +88,7 @@ public final class Lightning {
             commands.addSubcommand(COMMANDS.get(name).apply(console));
         }
         NumberConverters.register(commands);
+        separateSections(commands);
         return commands
                 .registerConverter(Path.class, Lightning::parsePath)
                 .setOut(writer(console.out()))
@@ -97,23 +101,33 @@ public final class Lightning {
                 .setParameterExceptionHandler((e, args) -> badUsage(console, e, args));
     }
 
+    /** Separates the sections of all help pages by blank lines. */
+    private static void separateSections(CommandLine command) {
+        command.getCommandSpec().usageMessage().synopsisHeading("%nUsage: ").descriptionHeading("%n").parameterListHeading("%n")
+                .optionListHeading("%n").footerHeading("%n");
+        command.getSubcommands().values().forEach(Lightning::separateSections);
+    }
+
     private static Path parsePath(String text) {
         try {
             return Path.of(text);
         } catch (InvalidPathException e) {
-            throw new TypeConversionException(Quote.of(text) + " cannot be a file's name here: " + e.getReason()
-                    + "; where it has letters beyond ASCII, start with a locale of UTF-8, as LC_ALL=C.UTF-8");
+            throw new TypeConversionException("not a valid file name: " + Quote.of(text) + ": " + e.getReason()
+                    + "; for non-ASCII names set a UTF-8 locale, such as LC_ALL=C.UTF-8");
         }
     }
 
-    /** A word that is neither a command nor a scene; picocli would complain about what follows it. */
+    /**
+     * Returns true if the first argument is neither a command nor a scene; picocli would report the argument after it
+     * instead.
+     */
     private static boolean isUnknown(CommandLine commands, String... args) {
         return args.length > 0 && !args[0].startsWith("-") && !JenFile.isJenFileName(args[0])
                 && !commands.getSubcommands().containsKey(args[0]);
     }
 
     private static int unknownCommand(Console console, CommandLine commands, String word) {
-        console.error("lightning: there is no command " + Quote.of(word) + "; expected a scene.jen or one of "
+        console.error("lightning: unknown command " + Quote.of(word) + "; expected a scene.jen or one of "
                 + String.join(", ", commands.getSubcommands().keySet()) + ".");
         console.error("Try 'lightning --help'.");
         return ExitCode.BAD_INPUT;
@@ -121,7 +135,7 @@ public final class Lightning {
 
     private static int badUsage(Console console, ParameterException e, String... args) {
         String name = e.getCommandLine().getCommandSpec().qualifiedName();
-        // Picocli quotes words whole, those behind an equals sign by themselves too.
+        // Picocli quotes whole arguments, and also the part after an equals sign separately.
         List<String> words = Stream.of(args).flatMap(arg -> Stream.of(arg, arg.substring(arg.indexOf('=') + 1))).toList();
         console.error(name + ": " + Quote.shortenWords(e.getMessage(), words));
         UnmatchedArgumentException.printSuggestions(e, writer(console.err()));

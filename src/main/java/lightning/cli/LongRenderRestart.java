@@ -7,22 +7,22 @@ import lightning.render.warmup.LongRenderCheck;
 import lightning.scene.Scene;
 
 /**
- * Gives a long picture over to a Java that is slower to start and faster in the end, where the launcher began with one that is quick to
- * start: docs/decisions/0120-a-picture-by-a-lighter-java.md.
+ * Restarts a long render in a Java runtime that starts slower but renders faster, if the launcher began with the
+ * fast-starting one: docs/decisions/0120-a-picture-by-a-lighter-java.md.
  */
 final class LongRenderRestart {
-    /** Names the launcher's file where it began so. */
+    /** System property with the launcher's file, set only by the fast-starting launcher. */
     private static final String LAUNCHER_PROPERTY = "lightning.launcher";
-    /** Tells the launcher that the picture is long. */
+    /** Environment variable that tells the launcher to start the faster runtime. */
     private static final String LONG_RENDER_VARIABLE = "LIGHTNING_LONG=1";
 
     private LongRenderRestart() {}
 
     /**
-     * Starts the command anew in this process's place if it is worth that, before anything was written or printed.
+     * Replaces this process by a new run of the command if that saves time. Must be called before any output.
      *
-     * @param scene     as the view shows it
-     * @param arguments all of the command line, the command's name first
+     * @param scene scene with the view's settings
+     * @param arguments the whole command line, starting with the command's name
      */
     static void restartIfLong(Scene scene, List<String> arguments) {
         String launcher = System.getProperty(LAUNCHER_PROPERTY);

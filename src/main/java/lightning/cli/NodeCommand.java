@@ -21,18 +21,21 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
-/** Holds frames of shots for other machines. */
-@Command(name = "node", abbreviateSynopsis = true, header = "Hold frames of shots for other machines.",
+/** Runs a render node of a cluster. */
+@Command(name = "node", abbreviateSynopsis = true, header = "Run a render node of a cluster.",
         description = {
-            "Takes part in a cluster until it is ended, and holds frames for those who relight a shot with --cluster. Machines of a cluster",
-            "share a certificate, a file that --make-certificate makes once and that is brought to each of them: who has it may take",
-            "part, and nobody else. The first node of a cluster joins nobody, each other one any that is there. Nodes may come and go at",
-            "any time; frames of one that is gone are traced again by others. Without --bind a node is heard on its own machine alone."},
+            "Runs until stopped. Renders and caches frames for machines that relight a shot with --cluster. All machines of a cluster "
+                + "share one certificate file. Create it once with --make-certificate and copy it to each machine; anyone with it "
+                + "can join.",
+            "",
+            "Start the first node without --join and each further one with the address of any running node. Nodes can join and leave "
+                + "at any time; other nodes re-render the frames of a lost one. Without --bind a node is reachable only from its "
+                + "own machine."},
         footer = {
             "Examples:",
             "  lightning node --make-certificate cluster.p12",
             "  lightning node --certificate cluster.p12 --bind 10.0.0.7",
-            "  lightning node --certificate cluster.p12 --bind 10.0.0.8 --join 10.0.0.7:7800"})
+            "  lightning node --certificate cluster.p12 --bind 10.0.0.8 --join 10.0.0.7"})
 final class NodeCommand implements Callable<Integer> {
     private static final int MAX_PORT = 65_535;
     private static final double GB = 1e9;
@@ -46,18 +49,18 @@ final class NodeCommand implements Callable<Integer> {
     @Mixin
     private ThreadsOption threads;
     @Option(names = "--join", paramLabel = "HOST:PORT", converter = HostPortConverter.class,
-            description = "A node that is there, of port " + NodeConfig.NODE_PORT + " where none is said; several where one may be gone.")
+            description = "Address of a running node (default port: " + NodeConfig.NODE_PORT + "). Repeat to name alternatives.")
     private List<HostPort> join = List.of();
     @Option(names = "--port", paramLabel = "N", defaultValue = "" + NodeConfig.NODE_PORT,
-            description = "The port, ${DEFAULT-VALUE} without it.")
+            description = "Port (default: ${DEFAULT-VALUE}).")
     private int port;
     @Option(names = "--memory", paramLabel = "GB",
-            description = "How much memory frames may take, half of what Java has without it; more go to disk, and what has no room there to other nodes.")
+            description = "Memory for frames in GB (default: half of Java's memory). Further frames go to disk, then to other nodes.")
     private Double memory;
     @Option(names = "--folder", paramLabel = "FOLDER",
-            description = "Where the node makes a folder of its own for what comes from others and frames beyond memory; the program's own without it.")
+            description = "Folder for received files and for frames that exceed the memory (default: the program's data folder).")
     private Path folder;
-    @Option(names = "--make-certificate", paramLabel = "FILE", description = "Makes a key with its certificate, and nothing else.")
+    @Option(names = "--make-certificate", paramLabel = "FILE", description = "Create a key and certificate file, then exit.")
     private Path certificateOutput;
 
     NodeCommand(Console console) {
@@ -68,7 +71,7 @@ final class NodeCommand implements Callable<Integer> {
     public Integer call() throws Exception {
         if (certificateOutput != null) {
             SelfSignedCertificate.write(certificateOutput);
-            console.print("%s: a new key with its certificate; bring it to each machine of the cluster, and to nobody else",
+            console.print("%s: created; copy it to each machine of the cluster and keep it secret: anyone with it can join",
                     certificateOutput);
             return ExitCode.OK;
         }
@@ -93,14 +96,14 @@ final class NodeCommand implements Callable<Integer> {
                 sentence -> console.print("%s", sentence));
         try (var node = new RenderNode(new TlsNetwork(config), settings)) {
             node.start();
-            console.print("a node at %s; Ctrl-C ends it", config.addressText());
+            console.print("node running at %s; press Ctrl-C to stop it", config.addressText());
             Thread.sleep(Long.MAX_VALUE);
         } catch (InterruptedException e) {
             throw new CancellationException();
         }
     }
 
-    /** Named by the address too: machines may share a home folder. */
+    /** Returns the node's folder; its name contains the address because machines may share a home folder. */
     private Path nodeFolder(InetAddress bind) {
         String data = System.getProperty("lightning.data");
         Path parent = folder != null ? folder : data != null ? Path.of(data) : Path.of(System.getProperty("user.home"), ".lightning");

@@ -8,11 +8,14 @@ import picocli.CommandLine;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.TypeConversionException;
 
-/** Numbers on the command line are those of scene files; picocli's own reading takes {@code 0x10}, {@code 010} and {@code 1d} too. */
+/**
+ * Parses numbers of the command line as in scene files; picocli's own parser also accepts {@code 0x10}, {@code 010} and
+ * {@code 1d}.
+ */
 final class NumberConverters {
     private NumberConverters() {}
 
-    /** Makes all commands read numbers so; those that belong to commands already added, too. */
+    /** Registers the converters with all commands, including subcommands already added. */
     static void register(CommandLine commands) {
         ITypeConverter<Integer> intConverter = text -> parseInteger(text, BigDecimal::intValueExact);
         ITypeConverter<Long> longConverter = text -> parseInteger(text, BigDecimal::longValueExact);
@@ -27,7 +30,7 @@ final class NumberConverters {
             try {
                 return conversion.apply(new BigDecimal(text));
             } catch (ArithmeticException | NumberFormatException e) {
-                // A fraction, or too large: a sentence for both.
+                // A fraction and an overflow give the same message.
             }
         }
         throw new TypeConversionException("expected a whole number, found " + Quote.of(text));

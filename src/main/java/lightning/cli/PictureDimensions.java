@@ -7,7 +7,7 @@ import lightning.scene.SceneLimits;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.TypeConversionException;
 
-/** A picture's size in pixels, on the command line {@code 640x480}. */
+/** Image size in pixels, written {@code 640x480} on the command line. */
 record PictureDimensions(int width, int height) {
     private static final Pattern PATTERN = Pattern.compile("(\\d{1,9})[xX×](\\d{1,9})");
 
@@ -16,7 +16,7 @@ record PictureDimensions(int width, int height) {
         public PictureDimensions convert(String text) {
             Matcher form = PATTERN.matcher(text);
             if (!form.matches()) {
-                throw new TypeConversionException("expected WIDTHxHEIGHT in pixels as in 640x480, found " + Quote.of(text));
+                throw new TypeConversionException("expected WIDTHxHEIGHT in pixels such as 640x480, found " + Quote.of(text));
             }
             PictureDimensions size = new PictureDimensions(Integer.parseInt(form.group(1)), Integer.parseInt(form.group(2)));
             if (Math.min(size.width, size.height) < 1 || Math.max(size.width, size.height) > SceneLimits.MAX_SIZE) {

@@ -10,19 +10,19 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
-/** Options that ask for another picture than the scene's own. */
+/** Options that override the scene's image settings. */
 final class PictureOptions {
     @Spec(Spec.Target.MIXEE)
     private CommandSpec command;
 
     @Option(names = "--size", paramLabel = "WxH", converter = PictureDimensions.Converter.class,
-            description = "Pixels; the scene's own size without it.")
+            description = "Image size in pixels (default: the scene's).")
     private PictureDimensions size;
 
     private Integer depth;
 
     @Option(names = "--depth", paramLabel = "N",
-            description = "How many mirror bounces are followed, 0 to " + SceneLimits.MAX_DEPTH + "; the scene's own depth without it.")
+            description = "Maximum reflection depth, 0 to " + SceneLimits.MAX_DEPTH + " (default: the scene's).")
     private void setDepth(int value) {
         if (value < 0 || value > SceneLimits.MAX_DEPTH) {
             throw new ParameterException(command.commandLine(), "--depth must be from 0 to " + SceneLimits.MAX_DEPTH + ", was " + value);
@@ -30,16 +30,15 @@ final class PictureOptions {
         depth = value;
     }
 
-    @Option(names = "--antialias", paramLabel = "WHICH", description = {
-        "Which pixels are the mean of several samples: ${COMPLETION-CANDIDATES};",
-        "the scene's own choice without it."})
+    @Option(names = "--antialias", paramLabel = "MODE",
+            description = "Anti-aliasing: off, edges or every (default: the scene's).")
     private AntialiasMode antialias;
 
     private Integer samples;
 
     @Option(names = "--samples", paramLabel = "N",
-            description = "Samples along each side of such a pixel, " + SceneLimits.MIN_SAMPLES + " to " + SceneLimits.MAX_SAMPLES
-                    + "; the scene's own number without it.")
+            description = "Anti-aliasing samples per pixel side, " + SceneLimits.MIN_SAMPLES + " to " + SceneLimits.MAX_SAMPLES
+                    + " (default: the scene's).")
     private void setSamples(int value) {
         if (value < SceneLimits.MIN_SAMPLES || value > SceneLimits.MAX_SAMPLES) {
             throw new ParameterException(command.commandLine(), "--samples must be from " + SceneLimits.MIN_SAMPLES + " to "
@@ -48,7 +47,7 @@ final class PictureOptions {
         samples = value;
     }
 
-    /** The scene with the picture asked for. */
+    /** Returns the scene with these options applied. */
     Scene apply(Scene scene) {
         PictureSettings picture = scene.picture();
         if (size != null) {

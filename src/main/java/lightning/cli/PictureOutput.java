@@ -24,19 +24,19 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 import picocli.CommandLine.TypeConversionException;
 
-/** The options that say how pictures are written and how bright they are shown; where they go is said by each kind. */
+/** Options for the format and display transform of written images; subclasses add the output path. */
 abstract sealed class PictureOutput permits SinglePictureOutput, FrameSequenceOutput {
     @Spec(Spec.Target.MIXEE)
     private CommandSpec command;
 
     @Option(names = "--bits", paramLabel = "N",
-            description = "Of a number in the file: .png 8 or 16, .exr 16 (half) or 32 (float); the first without it.")
+            description = "Bits per channel: PNG 8 or 16, EXR 16 (half) or 32 (float) (default: the smaller number).")
     private Integer bits;
 
     private ViewTransform view = ViewTransform.DEFAULT;
 
     @Option(names = "--exposure", paramLabel = "STOPS",
-            description = "Brightens .png and .xpm: each stop doubles (-1 halves).")
+            description = "Exposure in stops, for PNG and XPM (default: 0).")
     private void setExposure(double stops) {
         try {
             view = view.withExposure(stops);
@@ -45,17 +45,17 @@ abstract sealed class PictureOutput permits SinglePictureOutput, FrameSequenceOu
         }
     }
 
-    /** What stands behind {@code -o}. */
+    /** Returns the output path of {@code -o}. */
     abstract Path file();
 
     @Option(names = "--view", paramLabel = "VIEW", converter = ViewConverter.class,
-            description = {"How .png and .xpm show light: srgb (the default), 1998 for the linear values as they are, filmic or aces for",
-                "highlights that roll off, false for a color for each stop; a .cube table, or one behind one of these: filmic+look.cube."})
+            description = "View transform, for PNG and XPM: srgb, 1998 (linear, no curve), filmic or aces (highlight roll-off), false "
+                    + "(false color, one color per stop), a .cube LUT, or a transform with a LUT: filmic+look.cube (default: srgb).")
     private void setView(ViewTransform newView) {
         view = newView.withExposure(view.exposure());
     }
 
-    /** The names that an artist types, and files. */
+    /** Parses names of display curves and paths of .cube files. */
     private static final class ViewConverter implements ITypeConverter<ViewTransform> {
         @Override
         public ViewTransform convert(String text) {
@@ -72,7 +72,7 @@ abstract sealed class PictureOutput permits SinglePictureOutput, FrameSequenceOu
             try {
                 return shown.withLut(Optional.of(CubeLutReader.read(Path.of(file))));
             } catch (InvalidPathException | IOException e) {
-                throw new TypeConversionException("expected a .cube table: " + e.getMessage());
+                throw new TypeConversionException("expected a .cube LUT: " + e.getMessage());
             }
         }
 
@@ -81,23 +81,23 @@ abstract sealed class PictureOutput permits SinglePictureOutput, FrameSequenceOu
         }
     }
 
-    /** How the picture is shown. */
+    /** Returns the view transform. */
     ViewTransform view() {
         return view;
     }
 
-    /** Finds out before a long computation whether its result could not be written. */
+    /** Checks that the output can be written, before a long computation. */
     void check() throws IOException {
         checkFormat(file());
         checkFile(file());
     }
 
-    /** The same of what the ending of a file's name says alone. */
+    /** Checks the options against the format of a file's extension. */
     void checkFormat(Path picture) throws IOException {
         ImageFormat.of(picture).requireBitDepth(picture, bits(picture));
     }
 
-    /** Of a number in the file. */
+    /** Returns the bits per channel of the output file. */
     int bits() throws IOException {
         return bits(file());
     }
@@ -110,25 +110,25 @@ abstract sealed class PictureOutput permits SinglePictureOutput, FrameSequenceOu
         AtomicFile.of(file).check();
     }
 
-    /** The bytes that a picture may take when its output needs some too. */
+    /** Returns the memory in bytes available for rendering, after subtracting what writing the image needs. */
     long availableMemory(Scene scene) throws IOException {
         return availableMemory(scene, file());
     }
 
-    /** The same where the picture goes to another file than was named. */
+    /** Returns the memory in bytes available for rendering if the image is written to another file than {@link #file}. */
     static long availableMemory(Scene scene, Path picture) throws IOException {
         return HeapBudget.availableBytes() - ImageFormat.of(picture).bytesToWrite(scene.picture().width(), scene.picture().height());
     }
 
-    /** Writes the picture to another file than was named. */
+    /** Writes the image to another file than {@link #file}. */
     void write(Film film, Path picture) throws IOException {
         ImageFile.write(picture, film, view, bits(picture));
     }
 
     /**
-     * Writes the picture, and says how much of it the file cannot show.
+     * Writes the image, and prints how many pixels the file clips.
      *
-     * @param threads how many make it
+     * @param threads number of threads that encode it
      */
     void write(Film film, int threads, Console console) throws IOException {
         try (WorkerPool workers = new WorkerPool(threads)) {
@@ -136,7 +136,7 @@ abstract sealed class PictureOutput permits SinglePictureOutput, FrameSequenceOu
         }
         Clipping clipping = Clipping.of(film, view);
         if (clipping.clippedPixels() > 0 && ImageFormat.of(file()).isDisplayReferred()) {
-            console.print("%s: %d of %d pixels (%.1f %%) are cut off at white, the brightest is %.3g times as bright", file(),
+            console.print("%s: %d of %d pixels (%.1f %%) are clipped, the peak is %.3g times white", file(),
                     clipping.clippedPixels(), clipping.totalPixels(), 100.0 * clipping.clippedPixels() / clipping.totalPixels(),
                     clipping.brightest());
         }

@@ -8,14 +8,14 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicReference;
 import lightning.base.work.DedicatedThread;
 
-/** Writes pictures beside the work on the next ones. What is begun is written to its end; the first failure is told at the end. */
+/** Writes images in the background. Started writes run to completion; {@link #finish} throws the first failure. */
 final class PictureWriteQueue implements AutoCloseable {
     private final ExecutorService threads;
-    /** Each picture that waits keeps its film. */
+    /** Limits the number of queued images, since each keeps its film. */
     private final Semaphore permits;
     private final AtomicReference<Exception> problem = new AtomicReference<>();
 
-    /** A picture on its way to its file. */
+    /** Write of one image. */
     @FunctionalInterface
     interface WriteTask {
         void write() throws IOException;
@@ -26,7 +26,7 @@ final class PictureWriteQueue implements AutoCloseable {
         permits = new Semaphore(2 * count);
     }
 
-    /** Writes a picture soon; waits while too many are waiting. */
+    /** Queues an image; blocks while the queue is full. */
     void write(WriteTask picture) {
         permits.acquireUninterruptibly();
         threads.execute(() -> {
@@ -46,7 +46,7 @@ final class PictureWriteQueue implements AutoCloseable {
         return problem.get() != null;
     }
 
-    /** Waits until all are written. */
+    /** Waits until all images are written. */
     void finish() throws Exception {
         close();
         if (hasFailed()) {

@@ -6,7 +6,7 @@ import lightning.base.text.Quote;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.TypeConversionException;
 
-/** A pixel, on the command line {@code 150,230}; both from 0, x to the right, y down. */
+/** Pixel coordinates, written {@code 150,230} on the command line; both from 0, x to the right, y down. */
 record PixelPosition(int x, int y) {
     private static final Pattern PATTERN = Pattern.compile("(\\d{1,9}),(\\d{1,9})");
 
@@ -15,7 +15,7 @@ record PixelPosition(int x, int y) {
         public PixelPosition convert(String text) {
             Matcher form = PATTERN.matcher(text);
             if (!form.matches()) {
-                throw new TypeConversionException("expected X,Y as in 150,230, found " + Quote.of(text));
+                throw new TypeConversionException("expected X,Y such as 150,230, found " + Quote.of(text));
             }
             return new PixelPosition(Integer.parseInt(form.group(1)), Integer.parseInt(form.group(2)));
         }

@@ -6,14 +6,17 @@ import lightning.render.shading.SurfaceWeights;
 import lightning.render.trace.SurfacePoint;
 import lightning.scene.Material;
 
-/** What each part of the equation adds to the color of a point, for people: sums of them are rounded once more. */
+/** Contributions of each term of the lighting equation to a point's color, for display: their sums are rounded once more. */
 record PointContributions(SurfacePoint at, float[] reflectivity, SurfaceWeights surfaceShare) {
 
     static PointContributions of(Material material, SurfacePoint point) {
         return new PointContributions(point, toFloats(material.reflective()), new SurfaceWeights(point));
     }
 
-    /** kd·Idiff·(1 − kr) + (ks·Ispec + Igraz) of one light, linear, {@code float[3]}; of a clear surface what it has of that. */
+    /**
+     * Returns kd·Idiff·(1 − kr) + (ks·Ispec + Igraz) of one light, linear, {@code float[3]}; scaled by the surface share of
+     * a transparent surface.
+     */
     float[] ofLight(LightReport light) {
         float[] added = new float[3];
         for (int c = 0; c < 3; c++) {
@@ -23,14 +26,14 @@ record PointContributions(SurfacePoint at, float[] reflectivity, SurfaceWeights 
         return added;
     }
 
-    /** What the mirrored ray adds, kr·Cr of an opaque surface, linear, {@code float[3]}. */
+    /** Returns the mirrored ray's contribution, kr·Cr for an opaque surface, linear, {@code float[3]}. */
     float[] reflectedPart(float[] color) {
         return new float[] {surfaceShare.mirrorWeight(reflectivity[0], 0) * color[0],
             surfaceShare.mirrorWeight(reflectivity[1], 1) * color[1],
             surfaceShare.mirrorWeight(reflectivity[2], 2) * color[2]};
     }
 
-    /** What the refracted ray adds, linear, {@code float[3]}. */
+    /** Returns the refracted ray's contribution, linear, {@code float[3]}. */
     float[] refractedPart(float[] color) {
         return new float[] {surfaceShare.refractionWeight(reflectivity[0], 0) * color[0],
             surfaceShare.refractionWeight(reflectivity[1], 1) * color[1],

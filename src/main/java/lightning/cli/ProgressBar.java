@@ -4,17 +4,16 @@ import java.util.function.LongSupplier;
 import lightning.base.work.Progress;
 
 /**
- * A line on the terminal that tells how far a work is and how long it will still take, once it has taken a second;
- * nothing where no terminal is. The work stops when the thread that made the bar is interrupted.
+ * Progress line on the terminal with the estimated remaining time, shown after one second; prints nothing without a
+ * terminal. Work is canceled when the thread that created the bar is interrupted.
  *
- * <p>Own code, because the known libraries for this bring a terminal library of a megabyte with them for what is one
- * line of text here.
+ * <p>Own code, because the known libraries add a terminal library of a megabyte for one line of text.
  */
 final class ProgressBar implements Progress, AutoCloseable {
     private static final int WIDTH = 30;
     private static final long SECOND = 1_000_000_000;
     private static final long UPDATE_INTERVAL = SECOND / 10;
-    /** Goes to the line's start and erases it. */
+    /** Moves to the start of the line and erases it. */
     private static final String ERASE = "\r\u001b[K";
 
     private final Console console;
@@ -29,7 +28,11 @@ final class ProgressBar implements Progress, AutoCloseable {
         this(console, title, System::nanoTime);
     }
 
-    /** @param clock nanoseconds from any origin */
+    /**
+     * Creates a bar with a given clock.
+     *
+     * @param clock nanoseconds from any origin
+     */
     ProgressBar(Console console, String title, LongSupplier clock) {
         this.console = console;
         this.title = title;
@@ -67,7 +70,7 @@ final class ProgressBar implements Progress, AutoCloseable {
         return owner.isInterrupted();
     }
 
-    /** Makes room for other output; the next step shows the bar again. */
+    /** Erases the bar to make room for other output; the next step shows it again. */
     synchronized void erase() {
         if (visible) {
             console.out().print(ERASE);

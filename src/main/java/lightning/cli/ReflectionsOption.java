@@ -3,22 +3,22 @@ package lightning.cli;
 import lightning.render.relight.plan.ReflectionMode;
 import picocli.CommandLine.Option;
 
-/** The option {@code --reflections}. */
+/** Option {@code --reflections}. */
 final class ReflectionsOption {
     @Option(names = "--reflections", paramLabel = "WHEN",
-            description = "current (the default: edits reach mirrors at once) or stale (as in 1998, mirrors on demand: they keep showing the "
-                    + "scene of their last update).")
+            description = "current (reflections follow each edit) or stale (1998 method: reflections are updated on request only) "
+                    + "(default: current).")
     private ReflectionMode reflections;
 
-    /** What was asked for, or else the default. */
+    /** Returns the requested mode, or the default. */
     ReflectionMode value() {
         return reflections == null ? ReflectionMode.CURRENT : reflections;
     }
 
-    /** Likewise, where mirrors are updated by a step of their own, which leaves nothing to choose. */
+    /** Returns the stale mode for a command that updates reflections in a separate step; rejects an explicit {@code current}. */
     ReflectionMode staleValue() throws BadInputException {
         if (reflections == ReflectionMode.CURRENT) {
-            throw new BadInputException("--update-reflections updates mirrors on demand; with --reflections current they need no update");
+            throw new BadInputException("--update-reflections updates stale reflections; with --reflections current they need no update");
         }
         return ReflectionMode.STALE;
     }

@@ -22,28 +22,29 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
-/** Traces a scene, edits its lights and renders only what each edit changed. */
-@Command(name = "relight", header = "Edit lights and materials and render only what the edits changed.", abbreviateSynopsis = true,
+/** Traces a scene, applies edits and re-renders only what each edit changed. */
+@Command(name = "relight", header = "Edit lights and materials and re-render only what changed.", abbreviateSynopsis = true,
         description = {
-            "Traces the scene once, then makes the edits in their order. Edits up to a --then (or the end) are made at once and",
-            "rendered as one. Each such group gets a line: its plan, the rows of light layers it touched, its shadow rays, its",
-            "time, and whether the picture is exact or how far a value may be off. Then it is made again, in turns with a full trace",
-            "of the same picture, until both run as fast as they can: that tells what it saves. --no-savings leaves this out, and so",
-            "does a line whose times do not come to rest.",
+            "Traces the scene once, then applies the edits in order. The edits up to a --then (or the end) form a group that is "
+                + "rendered as one. Prints a line for each group: its plan, the rows of light layers it changed, its shadow rays, its "
+                + "time, and whether the image is exact or its error bound.",
             "",
-            "--verify traces each edited scene in full and counts the pixels and values that differ. The exit code is 1 if a",
-            "picture is not what was promised: every bit at --accuracy exact, the stated bound at ratio. With --reflections stale",
-            "the promise holds for a full trace whose mirrors show the scene of their last update; a second count tells how many",
-            "pixels 'Update Reflections' would change."},
+            "Then repeats each group, alternating with full traces of the same image until both are warmed up, to measure the time "
+                + "saved. --no-savings skips this. The savings are left out if the timing is too noisy.",
+            "",
+            "--verify traces each edited scene in full and counts the pixels and values that differ. The exit code is 1 if an image "
+                + "is less accurate than promised: bit-identical with --accuracy exact, within the printed bound with ratio. With "
+                + "--reflections stale, images are compared with a full trace with outdated reflections; a second count shows how "
+                + "many pixels 'Update Reflections' would change."},
         footer = {
             "Examples:",
-            "  lightning relight scenes/bird.jen -o red.png --set \"sun.color=1 0 0\" --set sun.intensity=0.3 --verify",
-            "  lightning relight scenes/bird.jen -o two.png --set stage.angle=12 --then --delete sun",
-            "  lightning relight scenes/bird.jen -o feet.png --case position-feet --update-reflections --verify",
-            "  lightning relight scenes/balls.jen -o dull.png --set \"material:gold.reflective=0 0 0\" --set material:jade.shininess=20",
-            "  lightning relight scenes/bird.jen -o new.png --add \"fill point intensity=0.5 at=0 3 2\" --save new.jen"})
+            "  lightning relight scenes/bird.jen -o red.png --set \"sun.color=1 0 0\"",
+            "  lightning relight scenes/bird.jen -o b.png --case color --then --delete sun",
+            "  lightning relight scenes/bird.jen -o feet.png --case position-feet --verify",
+            "  lightning relight scenes/balls.jen -o b.png --set material:jade.shininess=5",
+            "  lightning relight scenes/bird.jen -o new.png --delete sun --save new.jen"})
 final class RelightCommand implements Callable<Integer> {
-    /** How long the times of one line may take to come to rest, milliseconds of own work. */
+    /** Limit for the warm-up of one group's timing, in milliseconds of own work. */
     static final double WARM_UP_MS = 5000;
 
     private final Console console;
@@ -56,31 +57,32 @@ final class RelightCommand implements Callable<Integer> {
     private PictureOptions picture;
     @Mixin
     private ThreadsOption threads;
-    @ArgGroup(exclusive = true, multiplicity = "1..*", heading = "Edits:%n")
+    @ArgGroup(exclusive = true, multiplicity = "1..*", heading = "%nEdits:%n")
     private List<EditStep> steps;
     @Option(names = "--accuracy", paramLabel = "ACCURACY", defaultValue = "exact",
-            description = "exact (equal to a full trace in every bit) or ratio (the paper's method, with an error bound).")
+            description = "exact (bit-identical to a full trace) or ratio (fast, approximate 1998 method with an error bound) "
+                    + "(default: exact).")
     private Accuracy accuracy;
     @Mixin
     private ReflectionsOption reflections;
     @Option(names = "--update-reflections",
-            description = "As in 1998: mirrors are stale until the last edit was made, and are then updated in a step of their own.")
+            description = "Keep reflections stale until the last edit, then update them in a separate step (1998 method).")
     private boolean updateReflections;
     private MirrorStorage storage = MirrorStorage.FULL_ROWS;
-    @Option(names = "--verify", description = "Check each picture against full traces.")
+    @Option(names = "--verify", description = "Verify each image against full traces.")
     private boolean verify;
     @Option(names = "--no-savings",
-            description = "Leaves out what each update saves of a full trace, which takes a second or more to measure.")
+            description = "Skip measuring the time saved, which takes a second or more per group.")
     private boolean skipsSavings;
     @Option(names = "--save", paramLabel = "edited.jen",
-            description = "Writes the edited scene; comments, order and numbers that were not edited keep their characters.")
+            description = "Write the edited scene; keeps comments, order and unedited text.")
     private Path saveFile;
 
-    /** The names of {@link MirrorStorage} on the command line. */
+    /** Command-line names of {@link MirrorStorage}. */
     enum Storage { ROWS, SHAPES }
 
     @Option(names = "--storage", paramLabel = "WHAT", defaultValue = "rows",
-            description = "What is kept of mirror images: rows (fast) or shapes (small).")
+            description = "Cache for reflections: rows (fast) or shapes (small) (default: rows).")
     private void setStorage(Storage value) {
         storage = switch (value) {
             case ROWS -> MirrorStorage.FULL_ROWS;
@@ -124,7 +126,7 @@ final class RelightCommand implements Callable<Integer> {
         return allKept ? ExitCode.OK : ExitCode.CHECK_FAILED;
     }
 
-    /** Makes an update and prints what it did, and whether its promise was kept where that is asked; returns false if it was not. */
+    /** Runs an update, prints its summary and verifies it if requested; returns false if it is less accurate than promised. */
     private boolean relight(String title, WarmSaving.UpdateStep step, Renderer renderer, WorkerPool workers, ProgressBar bar) {
         PixelCache start = renderer.cache();
         WarmSaving.UpdateStep stepWithView = (r, progress) -> {
@@ -144,7 +146,7 @@ final class RelightCommand implements Callable<Integer> {
         return verification.hasPassed();
     }
 
-    /** The scene after each group of edits. */
+    /** Returns the scene after each group of edits. */
     private List<Scene> editedScenes(Scene scene) throws BadInputException {
         List<Scene> scenes = new ArrayList<>();
         Scene current = scene;

@@ -20,10 +20,9 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
-/** Traces a scene and writes the picture. */
-@Command(name = "render", abbreviateSynopsis = true, header = "Trace a scene and write the picture.",
-        description = {
-            "Traces the scene from nothing and says how long it took and how many rays it cast."},
+/** Traces a scene and writes the image. */
+@Command(name = "render", abbreviateSynopsis = true, header = "Render a scene to an image file.",
+        description = "Traces the scene and prints the time and the number of rays.",
         footer = {
             "Examples:",
             "  lightning render scenes/bird.jen -o bird.png",
@@ -44,14 +43,13 @@ final class RenderCommand implements Callable<Integer> {
     @Mixin
     private ThreadsOption threads;
     @Option(names = "--traditional",
-            description = {"Trace without keeping anything for later edits. The picture is the same. Its time is that of code which Java",
-                "still compiles, and no yardstick: bench and relight warm up first."})
+            description = "Trace without a cache for later edits; the image is the same. Prints a cold timing, not a benchmark: "
+                    + "bench and relight warm up first.")
     private boolean traditional;
 
     @Option(names = "--layers",
-            description = {
-                "Writes an .exr with layers beside the picture: background, ambient, each light's diffuse and specular, reflections,",
-                "which add up to it, and normals, positions, depth, shapes and materials."})
+            description = "Also write layers to the .exr: background, ambient, each light's diffuse and specular, reflections "
+                    + "(which add up to the image), normals, positions, depth, objects and materials.")
     private boolean layers;
 
     RenderCommand(Console console) {
@@ -65,7 +63,7 @@ final class RenderCommand implements Callable<Integer> {
             throw new BadInputException(Console.text("%s: layers are written to .exr", output.file()));
         }
         if (layers && traditional) {
-            throw new BadInputException("a trace that keeps nothing has no layers; leave out --layers or --traditional");
+            throw new BadInputException("--layers and --traditional cannot be combined: a trace without a cache has no layers");
         }
         Scene scene = picture.apply(input.read().scene());
         LongRenderRestart.restartIfLong(scene, command.root().commandLine().getParseResult().originalArgs());
@@ -117,7 +115,7 @@ final class RenderCommand implements Callable<Integer> {
 
     private void printSummary(Scene scene, Film film, String title, double milliseconds, RayCounts rays) {
         console.print("%s: %s of %d x %d pixels, depth %d, in %.1f ms%s: %s, %d mirrored, %s", output.file(), title,
-                film.width(), film.height(), scene.picture().depth(), milliseconds, Engines.isFastestInUse() ? "" : " from cold",
+                film.width(), film.height(), scene.picture().depth(), milliseconds, Engines.isFastestInUse() ? "" : " (cold start)",
                 Console.count(rays.eye(), "eye ray"),
                 rays.mirrored(), Console.count(rays.shadow(), "shadow ray"));
     }

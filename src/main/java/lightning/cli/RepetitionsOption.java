@@ -5,7 +5,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
-/** The option {@code --repetitions}. */
+/** Option {@code --repetitions}. */
 final class RepetitionsOption {
     private static final int MAX_REPETITIONS = 1000;
 
@@ -14,12 +14,12 @@ final class RepetitionsOption {
 
     private int repetitions = 5;
 
-    @Option(names = "--repetitions", paramLabel = "N", description = "How often each is measured; 5 without it.")
+    @Option(names = "--repetitions", paramLabel = "N", description = "Repetitions of each measurement (default: 5).")
     private void setRepetitions(int value) {
         repetitions = requireValid(command, value);
     }
 
-    /** The number, if it is one that can be asked for. */
+    /** Returns the number, or throws if it is out of range. */
     static int requireValid(CommandSpec command, int value) {
         if (value < 1 || value > MAX_REPETITIONS) {
             throw new ParameterException(command.commandLine(), "--repetitions must be from 1 to " + MAX_REPETITIONS + ", was " + value);

@@ -11,27 +11,25 @@ import picocli.CommandLine.Parameters;
 import picocli.CommandLine.ScopeType;
 import picocli.CommandLine.Spec;
 
-/** The program without a command: the editor, or where no window can be opened the tour. */
+/** Program without a command: the editor, or the tour if no window can be opened. */
 @Command(name = "lightning", versionProvider = RootCommand.Version.class,
-        header = "Light ray-traced scenes: trace once, then relight exactly in a fraction of a full trace.",
-        description = {
-            "Without a command, opens the scene (scenes/bird.jen where none is named) in the editor, or makes one of a glTF, OBJ, PLY or",
-            "NFF file and opens it. Where no window can be opened, takes the tour of the scene instead: every kind of edit, with pictures",
-            "and times."},
+        header = "Light ray-traced scenes: trace once, then relight exactly in a fraction of the time.",
+        description = "Without a command, opens a scene (default: scenes/bird.jen) or a glTF, OBJ, PLY or NFF file in the editor. If no "
+            + "window can be opened, runs lightning tour, which demonstrates every kind of edit with images and timings.",
         commandListHeading = "%nCommands (each has a --help with examples):%n",
         footer = {
-            "Exit codes: 0 done, 1 the check failed (relight --verify, compare), 2 bad usage or bad input, 130 canceled.",
+            "Exit codes: 0 done, 1 check failed (relight --verify, compare), 2 bad usage or bad input, 130 canceled.",
             "",
-            "To begin with:",
+            "Examples:",
             "  lightning check scenes/bird.jen",
             "  lightning render scenes/bird.jen -o bird.png",
-            "  lightning relight scenes/bird.jen -o red.png --set \"sun.color=1 0 0\" --verify"})
+            "  lightning relight scenes/bird.jen -o red.png --set \"sun.color=1 0 0\""})
 final class RootCommand implements Callable<Integer> {
     private final Console console;
 
     @Spec
     private CommandSpec command;
-    @Parameters(index = "0", arity = "0..1", paramLabel = "scene.jen", description = "The scene.")
+    @Parameters(index = "0", arity = "0..1", paramLabel = "scene.jen", description = "Scene to open.")
     private Path scene;
     @Option(names = {"-h", "--help"}, usageHelp = true, scope = ScopeType.INHERIT, description = "Show this help.")
     private boolean help;
@@ -44,11 +42,11 @@ final class RootCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        console.warn("The editor was not asked for a window; here is the tour of the scene instead.");
+        console.warn("The editor cannot open a window here; running the tour of the scene instead.");
         return command.commandLine().execute(scene == null ? new String[] {"tour"} : new String[] {"tour", scene.toString()});
     }
 
-    /** The version of the program, and what it runs on. */
+    /** Version of the program and of its runtime. */
     static final class Version implements IVersionProvider {
         @Override
         public String[] getVersion() {

@@ -8,9 +8,9 @@ import lightning.format.jen.JenException;
 import lightning.format.jen.JenReader;
 import picocli.CommandLine.Parameters;
 
-/** The argument {@code scene.jen}. */
+/** Argument {@code scene.jen}. */
 final class SceneFile {
-    @Parameters(index = "0", paramLabel = "scene.jen", description = "The scene.")
+    @Parameters(index = "0", paramLabel = "scene.jen", description = "Scene file.")
     private Path path;
 
     Path path() {

@@ -6,9 +6,9 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
-/** What is done with the frames of a shot. */
-@Command(name = "shot", abbreviateSynopsis = true, header = "Render the frames of a shot, or relight them.",
-        description = {"A scene with a shot block has a picture for each frame."},
+/** Parent of the commands for the frames of a shot. */
+@Command(name = "shot", abbreviateSynopsis = true, header = "Render or relight the frames of a shot.",
+        description = "A scene with a shot block has one image per frame.",
         footer = {
             "Example:",
             "  lightning shot render scenes/dusk.jen -o frames"})
@@ -18,7 +18,7 @@ final class ShotCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        throw new ParameterException(command.commandLine(), "expected what to do with the shot, which can be: "
+        throw new ParameterException(command.commandLine(), "expected a subcommand of shot: "
                 + String.join(", ", command.subcommands().keySet()));
     }
 }

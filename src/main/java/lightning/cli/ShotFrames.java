@@ -6,16 +6,16 @@ import lightning.format.jen.JenDocument;
 import lightning.scene.Scene;
 import lightning.scene.shot.Shot;
 
-/** The frames that are asked for. */
+/** Selected frames of a shot. */
 record ShotFrames(Shot shot, FrameRange range) {
     /**
-     * The frames of a document.
+     * Returns the selected frames of a document.
      *
-     * @param requested null for all frames of the shot
+     * @param requested selected frames, or null for all frames of the shot
      */
     static ShotFrames of(JenDocument document, Path file, FrameRange requested) throws BadInputException {
         Shot shot = document.shot().orElseThrow(() -> new BadInputException(Console.text(
-                "%s: has no shot; docs/jen-format.md tells how a shot block says one", file)));
+                "%s: has no shot block (see docs/jen-format.md)", file)));
         FrameRange range = requested == null ? new FrameRange(shot.first(), shot.last()) : requested;
         if (range.count() > FrameRange.MAX_FRAMES) {
             throw new BadInputException(
@@ -24,7 +24,7 @@ record ShotFrames(Shot shot, FrameRange range) {
         return new ShotFrames(shot, range);
     }
 
-    /** Refuses a scene that is none in some frame, before the first picture is begun. */
+    /** Checks that every selected frame gives a valid scene, before the first image is rendered. */
     void check(Scene scene) throws BadInputException {
         for (int frame = range.first(); frame <= range.last(); frame++) {
             if (Thread.currentThread().isInterrupted()) {

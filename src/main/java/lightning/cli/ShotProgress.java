@@ -11,7 +11,7 @@ import lightning.shot.ShotListener;
 import lightning.shot.ShotRelighter;
 import lightning.shot.ShotRevision;
 
-/** Brings all frames to one take after the other, and hears how far that is. */
+/** Updates all frames of a shot to one revision after another, and reports the progress. */
 final class ShotProgress implements ShotListener {
     private final int count;
     private final AtomicInteger done = new AtomicInteger();
@@ -22,18 +22,22 @@ final class ShotProgress implements ShotListener {
     private volatile Consumer<FrameUpdate> frameConsumer;
     private volatile ProgressBar bar;
 
-    /** @param count the frames of the shot */
+    /**
+     * Creates the progress of a shot.
+     *
+     * @param count number of frames of the shot
+     */
     ShotProgress(int count) {
         this.count = count;
     }
 
     /**
-     * Brings all frames to a take; returns how long that took with all that {@code consumer} did, milliseconds.
+     * Updates all frames to a revision; returns the time in milliseconds, including the consumer's.
      *
-     * @param title  for the bar
-     * @param consumer of each frame, on the shot's threads; null for nobody
+     * @param title title of the progress bar
+     * @param consumer called with each frame on the shot's threads; null for none
      * @throws InterruptedException if the command is canceled
-     * @throws Exception            what a frame failed with
+     * @throws Exception the failure of a frame
      */
     double run(ShotRelighter shot, ShotRevision revision, Console console, String title, Consumer<FrameUpdate> consumer) throws Exception {
         long start = System.nanoTime();
@@ -57,7 +61,7 @@ final class ShotProgress implements ShotListener {
         return (System.nanoTime() - start) / 1e6;
     }
 
-    /** How many frames were traced for the last take, and the rays of all. */
+    /** Returns the number of frames traced for the last revision. */
     int tracedCount() {
         return traced.get();
     }
@@ -66,7 +70,7 @@ final class ShotProgress implements ShotListener {
         return rays.get();
     }
 
-    /** What the frames of the last take took, one after the other, milliseconds. */
+    /** Returns the sum of all frames' times for the last revision, in milliseconds. */
     double workMilliseconds() {
         return nanoseconds.get() / 1e6;
     }

@@ -36,26 +36,26 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
-/** Traces all frames of a shot, keeps what each was made of, and makes edits in all of them. */
+/** Traces all frames of a shot, caches them, and applies edits to all of them. */
 @Command(name = "relight", abbreviateSynopsis = true, header = "Edit lights and materials in all frames of a shot.",
         description = {
-            "Traces every frame once and keeps what that found, in memory and, where that is full, in files that are removed in the",
-            "end. Then the edits are made in all frames, and only what they change is computed anew; each picture is that of its",
-            "frame's scene in every bit. Edits up to a --then (or the end) are made at once. Without a --then pictures are named",
-            "as by 'shot render'; with some, those of the first group go into a folder 1 where these would be, of the second into",
-            "2, and so on: several lightings are tried in one go. --set refuses what has keys in the shot, and tells the keys. At",
-            "the end stands what the last group saves of tracing its frames in full, measured as by 'relight' with some of them;",
-            "--no-savings leaves that out. With --cluster, nodes on other machines hold the frames; --memory, --disk and",
-            "--no-savings are then not used.",
+            "Traces every frame once and caches it in memory or, if that is full, in temporary files. Then applies the edits to all "
+                + "frames and recomputes only what they change; each image is bit-identical to a full trace.",
             "",
-            "A picture appears whole or not at all; those that are finished stay when the command is canceled."},
+            "The edits up to a --then (or the end) form a group that is rendered as one. With --then, the images of the first group "
+                + "go to a subfolder 1, those of the second to 2, and so on, to compare several lightings. --set rejects properties "
+                + "that are animated in the shot, and lists their keyframes.",
+            "",
+            "At the end, measures the time saved by the last group on some frames, as relight does (--no-savings skips this). With "
+                + "--cluster, nodes on other machines cache the frames; --memory, --disk and --no-savings are then not used.",
+            "",
+            "Image files appear only when complete; finished ones remain if the command is canceled."},
         footer = {
             "Examples:",
-            "  lightning shot relight scenes/dusk.jen --frames 1-24 --set world.ambience=0.5 -o dim",
-            "  lightning shot relight scenes/dusk.jen --frames 1-24 --delete sky --then --set \"left light.attenuation=1 0 0\" -o tries"})
+            "  lightning shot relight scenes/dusk.jen -o dim --frames 1-24 --set sky.on=no"})
 final class ShotRelightCommand implements Callable<Integer> {
     private static final double GB = 1e9;
-    /** Frames that tell the saving, as many of them as are measured in so long. */
+    /** Number of frames of which the savings are measured. */
     private static final int MEASURED_FRAMES = 3;
     private static final long MAX_MEASURE_NANOSECONDS = 5_000_000_000L;
 
@@ -71,18 +71,18 @@ final class ShotRelightCommand implements Callable<Integer> {
     private ThreadsOption threads;
     @Mixin
     private ClusterOption cluster;
-    @ArgGroup(exclusive = true, multiplicity = "1..*", heading = "Edits:%n")
+    @ArgGroup(exclusive = true, multiplicity = "1..*", heading = "%nEdits:%n")
     private List<EditStep> steps;
     @Mixin
     private FramesOption frames;
     @Option(names = "--memory", paramLabel = "GB",
-            description = "How much memory frames may take while nobody works on them; as much as Java has without it.")
+            description = "Memory for cached frames in GB (default: all of Java's memory).")
     private Double memory;
     @Option(names = "--disk", paramLabel = "FOLDER",
-            description = "Where frames are kept that find no room in memory; the system's folder for temporary files without it.")
+            description = "Folder for frames that exceed the memory (default: the system's temporary folder).")
     private Path disk = Path.of(System.getProperty("java.io.tmpdir"));
     @Option(names = "--no-savings",
-            description = "Leaves out what relighting saves of a full trace, which takes a second or more to measure.")
+            description = "Skip measuring the time saved, which takes a second or more.")
     private boolean skipsSavings;
 
     ShotRelightCommand(Console console) {
@@ -105,7 +105,7 @@ final class ShotRelightCommand implements Callable<Integer> {
             new ShotFrames(revision.shot(), shot.range()).check(revision.scene());
         }
         Optional<NodeConfig> config = cluster.nodeConfig();
-        // Here there must be room before a folder is made; nodes have their own.
+        // Local caching needs disk space before an output folder is created; nodes check their own.
         Optional<FrameBudget> room = config.isPresent() ? Optional.empty() : Optional.of(frameBudget(original, shot.range(), files));
         List<FrameFiles> groups = groups(files, revisions.size());
         for (FrameFiles group : groups) {
@@ -123,9 +123,10 @@ final class ShotRelightCommand implements Callable<Integer> {
     }
 
     /**
-     * Where frames are kept.
+     * Limits for cached frames.
      *
-     * @param memoryBytes bytes for those that nobody works on; likewise {@code diskBytes}
+     * @param memoryBytes bytes for idle frames in memory
+     * @param diskBytes bytes for idle frames on disk
      */
     private record FrameBudget(RenderOptions options, ShotMemoryEstimate estimate, long memoryBytes, long diskBytes) {}
 
@@ -133,7 +134,7 @@ final class ShotRelightCommand implements Callable<Integer> {
         RenderOptions options = RenderOptions.DEFAULT.withThreads(threads.count())
                 .withMemory(PictureOutput.availableMemory(original.scene(), files.file(0)));
         if (!Files.isDirectory(disk)) {
-            throw new BadInputException(Console.text("--disk %s: is no folder", disk));
+            throw new BadInputException(Console.text("--disk %s: not a folder", disk));
         }
         ShotMemoryEstimate estimate = ShotMemoryEstimate.of(original, range.first(), range.last(), options);
         long maxMemory = estimate.frameBudget(options.memory());
@@ -142,12 +143,12 @@ final class ShotRelightCommand implements Callable<Integer> {
         try {
             estimate.check(room.memoryBytes, room.diskBytes);
         } catch (ShotTooLargeException e) {
-            throw new BadInputException(e.getMessage() + "; or give a folder on a larger disk with --disk FOLDER");
+            throw new BadInputException(e.getMessage() + "; or name a folder on a larger disk with --disk FOLDER");
         }
         return room;
     }
 
-    /** Where the pictures of each group go; their folders are made. */
+    /** Returns the image files of each group; creates their folders. */
     private static List<FrameFiles> groups(FrameFiles files, int count) throws IOException {
         files.createFolder();
         if (count == 1) {
@@ -165,7 +166,7 @@ final class ShotRelightCommand implements Callable<Integer> {
             throws Exception {
         ShotMemoryEstimate estimate = room.estimate;
         boolean fits = estimate.totalBytes() <= room.memoryBytes;
-        console.print("%s of about %s: %s in all, %s in memory, %s on disk", Console.count(estimate.frameCount(), "frame"),
+        console.print("%s of about %s: %s total, %s in memory, %s on disk", Console.count(estimate.frameCount(), "frame"),
                 ShotMemoryEstimate.formatBytes(estimate.bytesPerFrame()),
                 ShotMemoryEstimate.formatBytes(estimate.totalBytes()),
                 ShotMemoryEstimate.formatBytes(Math.min(room.memoryBytes, estimate.totalBytes())),
@@ -180,11 +181,11 @@ final class ShotRelightCommand implements Callable<Integer> {
             progress.run(shot, original, console, "tracing", null);
             console.print("%s traced in %.1f ms", Console.count(range.count(), "frame"), progress.workMilliseconds());
             usage = shot.usage();
-            console.print("kept: %s, %s, in memory, and %d, %s, on disk", Console.count(usage.memoryFrames(), "frame"),
+            console.print("cached: %s, %s, in memory, and %d, %s, on disk", Console.count(usage.memoryFrames(), "frame"),
                     ShotMemoryEstimate.formatBytes(usage.memoryBytes()),
                     usage.diskFrames(),
                     ShotMemoryEstimate.formatBytes(usage.diskBytes()));
-            host.problem().ifPresent(problem -> console.print("%s traced again for each edit: %s",
+            host.problem().ifPresent(problem -> console.print("%s retraced for each edit: %s",
                     Console.count(range.count() - usage.memoryFrames() - usage.diskFrames(), "frame"), problem));
             for (int group = 0; group < revisions.size(); group++) {
                 FrameFiles files = groups.get(group);
@@ -198,7 +199,7 @@ final class ShotRelightCommand implements Callable<Integer> {
                     });
                     writing.finish();
                 }
-                console.print("%d. %s: %s relit in %.1f ms, %d of them traced again, %s; %.1f ms with their pictures", group + 1,
+                console.print("%d. %s: %s relit in %.1f ms, %d of them retraced, %s; %.1f ms including images", group + 1,
                         files.folder(), Console.count(range.count(), "frame"), progress.workMilliseconds(), progress.tracedCount(),
                         Console.count(progress.rayCount(), "ray"), totalMilliseconds);
             }
@@ -208,12 +209,12 @@ final class ShotRelightCommand implements Callable<Integer> {
         }
     }
 
-    /** What a take saves of tracing its frames, each as for a single picture: some of them, where one does not take long. */
+    /** Prints the time that a revision saves compared with tracing its frames in full, measured on some frames in memory. */
     private void printSaving(ShotRevision before, ShotRevision after, FrameRange range, FrameBudget room, CacheUsage usage) {
         List<WarmSaving> savings = new ArrayList<>();
         int count = Math.min(MEASURED_FRAMES, range.count());
         try (WorkerPool workers = new WorkerPool(threads.count());
-                ProgressBar bar = new ProgressBar(console, "measuring what that saves")) {
+                ProgressBar bar = new ProgressBar(console, "measuring savings")) {
             long start = System.nanoTime();
             for (int i = 0; i < count && (i == 0 || System.nanoTime() - start < MAX_MEASURE_NANOSECONDS); i++) {
                 int frame = count == 1 ? range.first() : range.first() + (int) ((long) (range.count() - 1) * i / (count - 1));
@@ -224,9 +225,9 @@ final class ShotRelightCommand implements Callable<Integer> {
         double update = savings.stream().mapToDouble(s -> s.update().median()).sum();
         double full = savings.stream().mapToDouble(s -> s.full().median()).sum();
         if (!savings.isEmpty()) {
-            console.print("once Java is warm, a frame takes %.1f ms of a full trace's %.1f (saves %.1f %%)%s", update / savings.size(),
+            console.print("warmed up, a frame takes %.1f ms instead of a full trace's %.1f ms (saves %.1f %%)%s", update / savings.size(),
                     full / savings.size(), 100 * (1 - update / full),
-                    usage.diskFrames() == 0 ? "" : ", and those on disk are read besides");
+                    usage.diskFrames() == 0 ? "" : ", plus reading frames from disk");
         }
     }
 
@@ -240,7 +241,7 @@ final class ShotRelightCommand implements Callable<Integer> {
         }
     }
 
-    /** The take after each group of edits. */
+    /** Returns the revision after each group of edits. */
     private List<ShotRevision> revisions(Scene scene, Shot keys) throws BadInputException {
         List<ShotRevision> revisions = new ArrayList<>();
         Scene current = scene;
@@ -263,7 +264,7 @@ final class ShotRelightCommand implements Callable<Integer> {
         return revisions;
     }
 
-    /** Keys would hide what is set. */
+    /** Rejects edits of animated attributes, whose keyframes would override the edit. */
     private static void rejectKeyed(Shot shot, Scene before, Scene after) throws BadInputException {
         for (Track track : shot.tracks()) {
             TrackTarget target = track.target();
@@ -271,9 +272,9 @@ final class ShotRelightCommand implements Callable<Integer> {
             if (inBoth && !target.value(after, track.attribute()).equals(target.value(before, track.attribute()))) {
                 List<Integer> keys = track.keys().stream().map(Keyframe::frame).toList();
                 throw new BadInputException(Console.text(
-                        "%s: %s has keys at frame%s %s, which say what it is; edit these in the shot block, or set what has no keys%s",
+                        "%s: %s is animated (keyframes at frame%s %s); edit its keyframes in the shot block, or set another property%s",
                         target, track.attribute(), keys.size() == 1 ? "" : "s", formatFrames(keys),
-                        track.attribute().equals("intensity") ? ", as the intensity of a bank" : ""));
+                        track.attribute().equals("intensity") ? ", such as the intensity of a bank" : ""));
             }
         }
     }

@@ -27,18 +27,19 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
-/** Renders the frames of a shot, one after the other. */
-@Command(name = "render", abbreviateSynopsis = true, header = "Render the frames of a shot as numbered pictures or as a film.",
+/** Renders the frames of a shot in order. */
+@Command(name = "render", abbreviateSynopsis = true, header = "Render the frames of a shot to numbered images or a video.",
         description = {
-            "Each picture is that of its frame's scene in every bit, whichever frame was rendered before it: where only lights changed",
-            "since then, only they are computed anew. -o frames makes frames/SCENE-0001.png and so on, -o out/bird.exr makes",
-            "out/bird-0001.exr. A picture appears whole or not at all; those that are finished stay when the command is canceled, and",
-            "--resume goes on behind them. -o bird.mp4 (.mov, .mkv, .webm) makes a film of the shot's frames per second, where the program",
-            "ffmpeg is installed."},
+            "Each image is bit-identical to a full trace of its frame. If only lights changed since the previous frame, only they are "
+                + "recomputed.",
+            "",
+            "-o frames writes frames/SCENE-0001.png and so on, -o out/bird.exr writes out/bird-0001.exr. Image files appear only when "
+                + "complete; finished ones remain if the command is canceled, and --resume continues after them. -o bird.mp4 "
+                + "writes a video at the shot's frame rate (mp4, mov, mkv or webm; needs ffmpeg)."},
         footer = {
             "Examples:",
             "  lightning shot render scenes/dusk.jen -o frames",
-            "  lightning shot render scenes/dusk.jen --frames 1-24 -o frames --size 150x100 --resume",
+            "  lightning shot render scenes/dusk.jen --frames 1-24 -o frames --resume",
             "  lightning shot render scenes/dusk.jen -o dusk.mp4 --view filmic"})
 final class ShotRenderCommand implements Callable<Integer> {
     private final Console console;
@@ -53,7 +54,7 @@ final class ShotRenderCommand implements Callable<Integer> {
     private ThreadsOption threads;
     @Mixin
     private FramesOption frames;
-    @Option(names = "--resume", description = "Leaves out frames whose picture is there.")
+    @Option(names = "--resume", description = "Skip frames whose image exists.")
     private boolean resume;
 
     ShotRenderCommand(Console console) {
@@ -67,7 +68,7 @@ final class ShotRenderCommand implements Callable<Integer> {
         if (movie.isEmpty()) {
             output.checkFormat(files.file(0));
         } else if (resume) {
-            throw new BadInputException("a film is made whole: --resume is for numbered pictures");
+            throw new BadInputException("--resume works only for numbered images, not for a video");
         } else {
             Ffmpeg.require();
         }
@@ -94,9 +95,8 @@ final class ShotRenderCommand implements Callable<Integer> {
         }
         if (missing.size() < range.count()) {
             int existing = range.count() - missing.size();
-            console.print("%s %s there",
-                    missing.isEmpty() ? Console.count(existing, "frame") : existing + " of " + Console.count(range.count(), "frame"),
-                    existing == 1 ? "was" : "were");
+            console.print("%s already rendered",
+                    missing.isEmpty() ? Console.count(existing, "frame") : existing + " of " + Console.count(range.count(), "frame"));
         }
         return ExitCode.OK;
     }
@@ -109,7 +109,7 @@ final class ShotRenderCommand implements Callable<Integer> {
         });
     }
 
-    /** All frames as a film, which appears whole or not at all. */
+    /** Renders all frames to a video, which appears only when complete. */
     private void writeMovie(ShotFrames shot, Scene scene, FrameRange range, MovieFormat kind) throws Exception {
         Ffmpeg ffmpeg = Ffmpeg.require();
         PictureOutput.checkFile(output.file());
@@ -124,13 +124,13 @@ final class ShotRenderCommand implements Callable<Integer> {
                 movie.finish();
             }
         });
-        console.print("%s: %s, %s a second", output.file(), Console.count(frames.size(), "frame"),
+        console.print("%s: %s, %s fps", output.file(), Console.count(frames.size(), "frame"),
                 DecimalNumber.format(shot.shot().rate()));
     }
 
-    /** What is done with a frame. */
+    /** Receives rendered frames. */
     private interface FrameSink {
-        /** Takes a picture, which is written over afterwards; returns what it is called. */
+        /** Receives an image, which is overwritten afterwards; returns its display name. */
         String write(int frame, Film film) throws IOException;
     }
 

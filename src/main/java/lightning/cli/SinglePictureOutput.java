@@ -3,11 +3,11 @@ package lightning.cli;
 import java.nio.file.Path;
 import picocli.CommandLine.Option;
 
-/** The options of commands that write one picture. */
+/** Output options of commands that write one image. */
 final class SinglePictureOutput extends PictureOutput {
     @Option(names = {"-o", "--output"}, paramLabel = "FILE", required = true,
-            description = {"The picture: .png and .xpm as it is displayed, .pfm every linear value in full (32-bit floats),",
-                ".exr (OpenEXR) likewise or as halves, .hdr (Radiance) with 8 bits and an exponent."})
+            description = "Output image: .png or .xpm (with the view transform), .pfm (linear floats), .exr (linear halves or "
+                    + "floats) or .hdr (8 bits with a shared exponent).")
     private Path file;
 
     @Override

@@ -6,7 +6,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
-/** The option {@code --threads}. */
+/** Option {@code --threads}. */
 final class ThreadsOption {
     private static final int MAX_THREADS = 1024;
 
@@ -16,7 +16,7 @@ final class ThreadsOption {
     private int threads = WorkerPool.processorCount();
 
     @Option(names = "--threads", paramLabel = "N",
-            description = "How many threads work, as many as there are processors without it. The picture is the same for any number.")
+            description = "Number of threads (default: all processors). The image is the same for any number.")
     private void setThreads(int value) {
         if (value < 1 || value > MAX_THREADS) {
             throw new ParameterException(command.commandLine(), "--threads must be from 1 to " + MAX_THREADS + ", was " + value);

@@ -29,41 +29,41 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-/** Makes every kind of edit on a scene, with pictures and times. */
-@Command(name = "tour", header = "Make every kind of edit on a scene, with pictures and times.", abbreviateSynopsis = true,
+/** Demonstrates every kind of edit on a scene. */
+@Command(name = "tour", header = "Demonstrate every kind of edit, with images and timings.", abbreviateSynopsis = true,
         description = {
-            "Traces the scene, makes the paper's edits on it one by one, each from the scene as it is, writes the pictures, and",
-            "prints a line for each edit: its plan, the rows of light layers it touched, its shadow rays, its time and a full",
-            "trace's (medians of repetitions in turns), what it saves, what the paper saved on its own scene and machine, the",
-            "cap, and whether the picture equals a full trace in every bit. Edits reach mirrors at once; --reflections stale leaves",
-            "mirrors as they were, which is what the paper measured, and the full trace compared for equality shows the same in its",
-            "mirrors.",
+            "Traces the scene, applies the paper's edits one by one, each to the original scene, and writes the images. Prints a line "
+                + "for each edit: its plan, the rows of light layers it changed, its shadow rays, its time and that of a full trace "
+                + "(medians of alternating runs), the time saved, the saving reported in the paper (other scene, machine of 1998), the "
+                + "cap, and whether the image is bit-identical to a full trace.",
             "",
-            "The cap is what the edit could save at most if it cast its rays as fast as the full trace casts its own, and moved",
-            "its bytes as fast as memory does: a fast full trace and few lights leave less to save.",
+            "The cap is the largest possible saving: the edit would cast rays as fast as the full trace and move bytes at full memory "
+                + "bandwidth. A fast full trace and few lights leave less to save.",
             "",
-            "With stale reflections the line '- its mirrors' then brings the edit of the position to the mirrors, as the button",
-            "Update Reflections does.",
-            "The exit code is 1 if a picture is not equal."},
+            "Reflections follow each edit. With --reflections stale they stay outdated, as measured in the paper, and images are "
+                + "compared with a full trace with outdated reflections; the line '- its mirrors' then measures Update Reflections "
+                + "after the position edit.",
+            "",
+            "The exit code is 1 if an image differs from the full trace."},
         footer = {
             "Examples:",
             "  lightning tour",
-            "  lightning tour scenes/balls.jen -o balls-tour --size 640x480 --repetitions 3",
+            "  lightning tour scenes/balls.jen -o balls-tour --size 640x480",
             "  lightning tour scenes/bird.jen --reflections stale",
             "  lightning tour scenes/house.jen --povray"})
 final class TourCommand implements Callable<Integer> {
     private static final Path DEFAULT_SCENE = ShippedFile.SCENES.resolve("bird.jen");
     private final Console console;
 
-    @Parameters(index = "0", arity = "0..1", paramLabel = "scene.jen", description = "The scene; scenes/bird.jen without it.")
+    @Parameters(index = "0", arity = "0..1", paramLabel = "scene.jen", description = "Scene file (default: scenes/bird.jen).")
     private Path scene;
     @Option(names = {"-o", "--output"}, paramLabel = "DIR", defaultValue = "lightning-tour",
-            description = "The folder for the pictures, made if it is not there; lightning-tour without it.")
+            description = "Output folder, created if missing (default: lightning-tour).")
     private Path folder;
     @Option(names = "--size", paramLabel = "WxH", converter = PictureDimensions.Converter.class, defaultValue = "1920x1080",
-            description = "Pixels; 1920x1080 without it.")
+            description = "Image size in pixels (default: 1920x1080).")
     private PictureDimensions size;
-    @Option(names = "--povray", description = "Also measure the full trace beside the installed POV-Ray's of the same scene.")
+    @Option(names = "--povray", description = "Also compare the full trace with the installed POV-Ray.")
     private boolean povray;
     @Mixin
     private ReflectionsOption reflections;
@@ -84,10 +84,10 @@ final class TourCommand implements Callable<Integer> {
         MemoryEstimate.check(sized, RenderOptions.DEFAULT.withThreads(threads.count()));
         Optional<PovRayRunner> pov = povray ? PovRayRunner.find() : Optional.empty();
         if (povray && pov.isEmpty()) {
-            throw new BadInputException("--povray: there is no program povray on the PATH; install POV-Ray 3.7 (Debian package povray)");
+            throw new BadInputException("--povray: program povray not found on the PATH; install POV-Ray 3.7 (Debian package povray)");
         }
         Files.createDirectories(folder);
-        console.print("%s at %d x %d pixels, depth %d, %s; pictures go to %s", file, size.width(), size.height(),
+        console.print("%s at %d x %d pixels, depth %d, %s; writing images to %s", file, size.width(), size.height(),
                 read.picture().depth(), Console.count(threads.count(), "thread"), folder);
         List<PaperCase> cases = PaperCases.of(sized);
         try (UpdateSavingMeter meter = new UpdateSavingMeter(options(), repetitions.count());
@@ -134,7 +134,7 @@ final class TourCommand implements Callable<Integer> {
         return allEqual;
     }
 
-    /** Brings the first edit that moves a light to the mirrors: the button Update Reflections. */
+    /** Updates the reflections after the first edit that moves a light, as the button Update Reflections does. */
     private boolean updateMirrors(List<PaperCase> cases, TourTable table, UpdateSavingMeter meter, ProgressBar bar) throws IOException {
         Optional<PaperCase> edit = cases.stream().filter(c -> c.name().equals("position")).findFirst();
         if (edit.isEmpty() || reflections.value() == ReflectionMode.CURRENT) {

@@ -5,7 +5,7 @@ import lightning.bench.accuracy.PreviewCost;
 import lightning.bench.accuracy.RivalTiming;
 import lightning.bench.accuracy.UpdateSaving;
 
-/** The tour's table, one line at a time. */
+/** Table of the tour, printed line by line. */
 final class TourTable {
     private static final String COLUMNS = "%-15s %-40s %9s %11s %8s %8s %7s %6s %6s  %s";
 
@@ -20,12 +20,12 @@ final class TourTable {
 
     void printFirstPass(FirstPassCost cost, double bytesPerMs) {
         console.print(
-                "first pass %.1f ms, full trace %.1f ms: keeping all costs %.1f %%%s (the paper: 19; writing it to memory at %.0f GB/s"
+                "first pass %.1f ms, full trace %.1f ms: caching costs %.1f %%%s (the paper: 19; writing it to memory at %.0f GB/s"
                         + " alone: %.1f)",
                 cost.first().median(), cost.full().median(), cost.percentSlower(),
                 cost.isWarm() ? "" : " (" + NOT_WARM + ")", bytesPerMs / 1e6,
                 cost.percentAtMemoryLimit());
-        console.print("kept: %s, %.1f bytes a row", Console.count(cost.rows(), "row"), cost.bytesPerRow());
+        console.print("cached: %s, %.1f bytes per row", Console.count(cost.rows(), "row"), cost.bytesPerRow());
         console.print("");
     }
 
@@ -37,7 +37,7 @@ final class TourTable {
     }
 
     void printPreview(PreviewCost cost) {
-        console.print("preview of 600 x 600 pixels: a moved light %.1f ms, a moved camera %.1f ms", cost.lightMs(), cost.cameraMs());
+        console.print("preview at 600 x 600 pixels: a moved light %.1f ms, a moved camera %.1f ms", cost.lightMs(), cost.cameraMs());
         console.print("");
     }
 
@@ -45,7 +45,11 @@ final class TourTable {
         console.print(COLUMNS, "edit", "plan", "rows", "shadow rays", "ms", "full ms", "saves %", "paper", "cap", "equal");
     }
 
-    /** @param paper percent that the paper saved, NaN where it says nothing */
+    /**
+     * Prints one edit.
+     *
+     * @param paper percent saved in the paper, NaN if not reported
+     */
     void printRow(String name, double paper, UpdateSaving saving) {
         console.print(COLUMNS, name, saving.update().plan().description(), saving.update().rowsTouched(),
                 saving.update().rays().shadow(), formatNumber(saving.time().median(), 2), formatNumber(saving.full().median(), 1),
@@ -57,9 +61,10 @@ final class TourTable {
 
     void printFooter() {
         console.print("");
-        console.print("saves: of a full trace's time; paper: on its own scene and machine of 1998; cap: what ray counts and memory allow");
+        console.print("saves: share of a full trace's time; paper: on its own scene and machine of 1998;"
+                + " cap: upper bound by ray counts and memory");
         if (hasColdTimes) {
-            console.print("not warm: Java still compiled what was timed; these times, and what they save, say little");
+            console.print("not warm: Java was still compiling; these times and savings are not reliable");
         }
     }
 

@@ -1,13 +1,12 @@
 /**
- * The command line: each command is a class, {@link lightning.cli.Lightning} runs them.
+ * Command line: each command is a class, {@link lightning.cli.Lightning} runs them.
  *
  * <pre>{@code
  * int exit = Lightning.run(System.out, System.err, "render", "scenes/bird.jen", "-o", "bird.png");
  * }</pre>
  *
- * <p>Rules of all commands: results go to the output, complaints to the errors; the exit code is 0 when the work is
- * done, 1 when a check failed, 2 for bad usage or bad input, 130 when canceled. No stack trace reaches a user, numbers
- * look the same in every locale, and files appear whole or not at all. Interrupting the thread that runs a command
- * cancels it.
+ * <p>All commands print results to the output and errors to the error stream. The exit code is 0 when done, 1 when a check
+ * failed, 2 for bad usage or bad input, 130 when canceled. Users see no stack trace, numbers are locale-independent, and
+ * files appear complete or not at all. Interrupting the thread that runs a command cancels it.
  */
 package lightning.cli;

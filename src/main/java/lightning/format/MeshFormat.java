@@ -18,7 +18,10 @@ import lightning.format.mesh.ply.PlyReader;
 import lightning.format.nff.NffFile;
 import lightning.format.nff.NffReader;
 
-/** The formats of meshes and of other programs' scenes. The content of a file says its format, or its name where the content has no mark. */
+/**
+ * File format of meshes and of other programs' scenes, detected by the file's content, or by its name if the content has no
+ * signature.
+ */
 public enum MeshFormat {
     PLY("PLY", PlyReader::isPly, ".ply") {
         @Override
@@ -51,14 +54,14 @@ public enum MeshFormat {
         }
     };
 
-    /** The name of the one mesh in a file that names none. */
+    /** Name of the single mesh in a file without mesh names. */
     public static final String SINGLE_PART_NAME = "mesh";
 
     private static final byte[] UTF_16 = {(byte) 0xFE, (byte) 0xFF};
     private static final byte[] UTF_16_SWAPPED = {(byte) 0xFF, (byte) 0xFE};
 
     private final String title;
-    /** Recognizes the first bytes of a file; null where they can be any. */
+    /** Tests the first bytes of a file; null if the format has no signature. */
     private final SignatureTest signature;
     private final List<String> extensions;
 
@@ -74,17 +77,17 @@ public enum MeshFormat {
 
     abstract List<NamedMesh> meshes(ByteSource source, Progress progress) throws IOException, MeshException;
 
-    /** The format's name, the same in every language. */
+    /** Returns the format's name, language-independent. */
     public String title() {
         return title;
     }
 
-    /** The ends of file names of all formats, in lower case. */
+    /** Returns the file extensions of all formats, in lower case. */
     public static List<String> allExtensions() {
         return Arrays.stream(values()).flatMap(format -> format.extensions.stream()).toList();
     }
 
-    /** Whether a file has one of the formats by its name. */
+    /** Returns true if the file's name has the extension of a format. */
     public static boolean isMeshFileName(String file) {
         return Arrays.stream(values()).anyMatch(format -> format.matchesName(file));
     }
@@ -94,10 +97,10 @@ public enum MeshFormat {
     }
 
     /**
-     * The format of a file.
+     * Returns the format of a file.
      *
-     * @throws MeshException if it is none of them
-     * @throws IOException   if it cannot be read, or is a folder, a pipe or a device
+     * @throws MeshException if the file has none of these formats
+     * @throws IOException if it cannot be read, or is a folder, a pipe or a device
      */
     public static MeshFormat detect(Path file) throws IOException, MeshException {
         try (ByteSource source = ByteSource.open(file, Progress.NONE)) {
@@ -105,7 +108,7 @@ public enum MeshFormat {
         }
     }
 
-    /** The format of an open file of which nothing was read yet, and nothing is. */
+    /** Returns the format of an open file, without consuming any bytes. */
     private static MeshFormat detect(Path file, ByteSource source) throws IOException, MeshException {
         for (MeshFormat format : values()) {
             if (format.signature != null && format.signature.matches(source)) {
@@ -120,17 +123,17 @@ public enum MeshFormat {
                 return format;
             }
         }
-        throw source.problem("", "must be a PLY, OBJ, NFF or glTF file, found another kind");
+        throw source.problem("", "must be a PLY, OBJ, NFF or glTF file, found an unsupported format");
     }
 
     /**
-     * Reads all meshes of a file. No memory is taken for what a file says to hold and does not.
+     * Reads all meshes of a file. Allocates no memory for data that the file declares but does not contain.
      *
-     * @param progress hears how many KiB are read
-     * @return at least one, in the order of the file
-     * @throws MeshException         if its content is wrong; the message says where
-     * @throws IOException           if it cannot be read, or is a folder, a pipe or a device
-     * @throws CancellationException if {@code progress} asked to stop
+     * @param progress receives the number of KiB read
+     * @return at least one mesh, in file order
+     * @throws MeshException if the content is invalid; the message contains the position
+     * @throws IOException if it cannot be read, or is a folder, a pipe or a device
+     * @throws CancellationException if {@code progress} requested cancellation
      */
     public static List<NamedMesh> meshes(Path file, Progress progress) throws IOException, MeshException {
         try (ByteSource source = ByteSource.open(file, progress)) {

@@ -1,5 +1,5 @@
 /**
- * All files of meshes, whatever their format.
+ * Mesh files of all formats.
  *
  * <pre>{@code
  * List<NamedMesh> parts = MeshFormat.meshes(Path.of("statue.ply"), Progress.NONE);

@@ -33,7 +33,7 @@ class BenchCommandTest {
         out = folder.resolve("new/results");
     }
 
-    /** A quick run of few samples. */
+    /** Runs a quick benchmark with few samples. */
     private CliResult bench(Object... more) {
         List<Object> words = new ArrayList<>(List.of("bench", "-o", out, "--quick", "--repetitions", 1, "--size", "24x16", "--threads", 2));
         words.addAll(Arrays.asList(more));
@@ -47,7 +47,8 @@ class BenchCommandTest {
     @Test
     void run_writesResultsTablesAndPictures() throws Exception {
         CliResult run = bench(scene, "--figure", 6, "--seed", 9).assertSuccess();
-        assertThat(run.out()).contains("1 scene; this will take about", "a at 24 x 16, depth 2, 3 shapes, 3 lights", "color ", "intensity ",
+        assertThat(run.out()).contains("1 scene; this will take about", "a at 24 x 16, depth 2, 3 objects, 3 lights",
+                "color ", "intensity ",
                 "memory: ", "results.json");
         assertThat(results().scenes().getFirst().edits()).extracting(EditResult::edit).containsExactly("color", "intensity");
         assertThat(results().run().complete()).isTrue();
@@ -58,7 +59,7 @@ class BenchCommandTest {
         assertThat(out.resolve("report.html")).content().contains("<svg", "data:image/");
     }
 
-    /** It takes long, so it is once for both: Egypt's digits are the ones that can be told from plain ones. */
+    /** Covers the quick run and the locale in one slow test; Egypt's digits differ from ASCII digits. */
     @Test
     void quickRun_inArabicLocale_printsAsciiDigits() throws Exception {
         CliResult run = DefaultLocale.during(Locale.of("ar", "EG"), () -> bench(scene).assertSuccess());
@@ -105,7 +106,7 @@ class BenchCommandTest {
     void baselineWithOtherErrors_exitsWith1() throws Exception {
         bench(scene, "--figure", 21).assertSuccess();
         Path old = out.resolve("results.json");
-        // As if half resolution had shown every value right.
+        // As if half resolution had had no error.
         Files.writeString(old, Files.readString(old).replaceFirst("\"values\" : \\d+", "\"values\" : 0"));
         Path stored = Files.copy(old, folder.resolve("old.json"));
         CliResult run = bench(scene, "--figure", 21, "--baseline", stored);
@@ -120,19 +121,19 @@ class BenchCommandTest {
         Path stored = Files.copy(out.resolve("results.json"), folder.resolve("old.json"));
         CliResult run = bench(scene, "--figure", 13, "--baseline", stored);
         assertThat(run.exit()).isEqualTo(2);
-        assertThat(run.err()).contains("old.json: holds none of the edits that were measured now");
+        assertThat(run.err()).contains("old.json: contains none of the edits measured now");
     }
 
     @Test
     void invalidArguments_areRejected() throws Exception {
         CliResult.run("bench", scene).assertRejected("--output");
         bench(scene, "--figure", 12).assertRejected(
-                "--figure must be one that shows measured edits (6 to 11, 13 to 26, B1 to B4 or B for Appendix B), was '12'");
+                "--figure must be a figure with measured edits (6 to 11, 13 to 26, B1 to B4 or B for Appendix B), was '12'");
         bench(scene, "--repetitions", 0).assertRejected("repetitions");
         bench(scene, "--size", "0x5").assertRejected("width and height must be from 1");
         bench(scene, "--baseline", folder.resolve("no.json")).assertRejected("no.json: file not found");
         bench(scene, "--baseline", scene).assertRejected("expected a results file of 'lightning bench'");
-        bench(folder.resolve("no.jen")).assertRejected("no.jen: file not found", "there is no scene to measure");
+        bench(folder.resolve("no.jen")).assertRejected("no.jen: file not found", "no scene to measure");
     }
 
     @Test
@@ -153,7 +154,7 @@ class BenchCommandTest {
 
         Path elsewhere = folder.resolve("elsewhere");
         CliResult.run("bench", "--report", out.resolve("results.json"), "-o", elsewhere).assertSuccess();
-        assertThat(elsewhere.resolve("report.html")).as("with the pictures beside the results").hasContent(first);
+        assertThat(elsewhere.resolve("report.html")).as("with the images next to the results").hasContent(first);
     }
 
     @Test

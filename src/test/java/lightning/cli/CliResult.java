@@ -10,12 +10,12 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 
 /**
- * What a command did.
+ * Result of a command.
  *
- * @param exit its exit code
+ * @param exit exit code
  */
 record CliResult(int exit, String out, String err) {
-    /** A small scene with every type of light, a mirror and a shadow. */
+    /** Small scene with every type of light, a reflection and a shadow. */
     static final String SCENE = """
             jen 1
             picture { size 48 32  depth 2 }
@@ -48,11 +48,11 @@ record CliResult(int exit, String out, String err) {
         return Files.writeString(folder.resolve("a.jen"), SCENE);
     }
 
-    /** Bad input: exit code 2, nothing printed but sentences with the given words in them. */
+    /** Asserts bad input: exit code 2, and only messages that contain the given words. */
     void assertRejected(String... words) {
         assertThat(exit).as(err).isEqualTo(2);
         assertThat(out).isEmpty();
-        assertThat(err).contains(words).doesNotContain("Exception", "\tat ", "error of the program");
+        assertThat(err).contains(words).doesNotContain("Exception", "\tat ", "internal error");
     }
 
     CliResult assertSuccess() {

@@ -10,7 +10,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
-/** Help that people read names every format: its words are constants, which the formats cannot make. */
+/** Help texts list every file format; their words are constants that are not derived from the formats. */
 class FormatTextsTest {
 
     @ParameterizedTest

@@ -15,7 +15,7 @@ import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Processes that the system grants too few file handles. */
+/** Processes with too few file handles. */
 @EnabledOnOs({OS.LINUX, OS.MAC})
 @Slow
 final class HandleLimitTest {
@@ -43,7 +43,7 @@ final class HandleLimitTest {
         } finally {
             process.destroyForcibly();
         }
-        assertThat(Files.readString(output)).contains("file handles", "ulimit -n").doesNotContain("\tat ", "error of the program itself");
+        assertThat(Files.readString(output)).contains("file handles", "ulimit -n").doesNotContain("\tat ", "internal error");
         assertThat(process.exitValue()).isEqualTo(ExitCode.BAD_INPUT);
     }
 

@@ -5,19 +5,19 @@ import java.util.List;
 import picocli.CommandLine;
 import picocli.CommandLine.Model.CommandSpec;
 
-/** The help of every command. */
+/** Help pages of all commands. */
 public final class HelpPages {
     private HelpPages() {}
 
     /**
-     * The help of one command.
+     * Help page of one command.
      *
-     * @param name as it is typed, from {@code lightning} on
-     * @param text with line ends
+     * @param name full command name, starting with {@code lightning}
+     * @param text text with line ends
      */
     public record Page(String name, String text) {}
 
-    /** Returns those of the program, its commands and theirs. */
+    /** Returns the pages of the program and all its commands. */
     public static List<Page> all() {
         List<Page> pages = new ArrayList<>();
         add(commands(), pages);
@@ -30,7 +30,7 @@ public final class HelpPages {
     }
 
     /**
-     * Returns whether the command that the arguments name has an option.
+     * Returns true if the command that the arguments name has an option.
      *
      * @param arguments without {@code lightning}
      */
@@ -45,7 +45,7 @@ public final class HelpPages {
         return spec.findOption(option) != null;
     }
 
-    /** Reads arguments and runs nothing; throws picocli's exceptions where they are wrong. */
+    /** Parses arguments without running a command; throws picocli's exceptions if they are invalid. */
     public static void parse(List<String> arguments) {
         commands().parseArgs(arguments.toArray(String[]::new));
     }

@@ -13,17 +13,17 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Words of the help and of results. */
+/** Wording of help and results. */
 class HelpTextTest {
-    /** A number before a plural; of parts and sizes, as in "1 of 2 pixels", the number may be any. */
+    /** Number before a plural; excludes parts and sizes, as in "1 of 2 pixels", where any number is correct. */
     private static final Pattern UNCOUNTED = Pattern.compile("(?<!of |x |to )%d (?!is\\b)(?:shadow |eye )?[a-z]+s\\b");
 
     @ParameterizedTest
     @ValueSource(strings = {"render", "relight"})
     void shotOutput_isDescribedAsFolder(String command) {
         String help = CliResult.run("shot", command, "--help").assertSuccess().out();
-        assertThat(help).contains("--output=FOLDER", "The folder of the pictures").doesNotContain("The picture:");
-        assertThat(CliResult.run(command, "--help").assertSuccess().out()).contains("--output=FILE", "The picture:");
+        assertThat(help).contains("--output=FOLDER", "Output folder").doesNotContain("Output image:");
+        assertThat(CliResult.run(command, "--help").assertSuccess().out()).contains("--output=FILE", "Output image:");
     }
 
     @Test

@@ -14,7 +14,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** Whatever names a file or is quoted in a complaint: nothing of it steers the terminal. */
+/** Control characters in file names and quoted input never reach the terminal. */
 class HostileInputTest {
     private static final String HOSTILE = "\u001B[31mred\u202E\r\u0007\u009B2J";
 

@@ -9,7 +9,7 @@ import lightning.format.gltf.GltfFixtures;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** import and export-lights, as their users see them. */
+/** Commands import and export-lights. */
 class ImportCommandTest {
     private static final String TRIANGLE = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nl 1 2\n";
     @TempDir
@@ -19,8 +19,8 @@ class ImportCommandTest {
     void importedFile_passesCheck() throws Exception {
         CliResult done = CliResult.run("import", Files.writeString(folder.resolve("a.obj"), TRIANGLE), "-o", folder.resolve("a.jen"))
                 .assertSuccess();
-        assertThat(done.out()).contains("a.jen: written; 1 shape, 0 materials, 1 light");
-        assertThat(done.err()).contains("left out or not the same: lines (1)");
+        assertThat(done.out()).contains("a.jen: written; 1 object, 0 materials, 1 light");
+        assertThat(done.err()).contains("left out or approximated: lines (1)");
         CliResult.run("check", folder.resolve("a.jen")).assertSuccess();
     }
 
@@ -30,19 +30,19 @@ class ImportCommandTest {
         Path gltf = Files.write(folder.resolve("a.gltf"), GltfFixtures.text(GltfFixtures.SQUARE_JSON, GltfFixtures.SQUARE));
         CliResult done = CliResult.run("export-lights", scene, "--into", gltf, "-o", folder.resolve("b.gltf")).assertSuccess();
         assertThat(done.out()).contains("b.gltf: written; 3 lights");
-        assertThat(done.err()).contains("not the same there: lights that do not fall off with the square of the distance");
+        assertThat(done.err()).contains("not exported exactly: lights without inverse-square falloff");
         assertThat(Files.readString(folder.resolve("b.gltf"))).contains("KHR_lights_punctual", "\"lamp\"", "\"sun\"", "\"stage\"");
-        CliResult.run("export-lights", scene, "--into", gltf, "-o", gltf).assertRejected("is the file to copy, which stays as it is");
+        CliResult.run("export-lights", scene, "--into", gltf, "-o", gltf).assertRejected("is the file to copy; choose another");
         CliResult.run("export-lights", scene, "--into", scene, "-o", folder.resolve("c.gltf")).assertRejected("a.jen: line 1, column");
-        CliResult.run("export-lights", scene, "-o", folder.resolve("c.gltf")).assertRejected("the file's name must end in .json");
+        CliResult.run("export-lights", scene, "-o", folder.resolve("c.gltf")).assertRejected("the output name must end in .json");
     }
 
     @Test
     void lightUnits_arePicturedStoredAndExported() throws Exception {
         Path gltf = Files.write(folder.resolve("lit.gltf"), GltfFixtures.text(GltfFixtures.LIT_JSON, GltfFixtures.SQUARE));
         CliResult done = CliResult.run("import", gltf, "-o", folder.resolve("a.jen"), "--light-pictures").assertSuccess();
-        assertThat(done.out()).contains("a.candela.png: written; numbers taken as candela and lux", "a.unitless.png", "a.watts.png");
-        assertThat(done.err()).contains("the numbers of its lights were taken as candela and lux; --light-pictures shows each choice");
+        assertThat(done.out()).contains("a.candela.png: written; light units taken as candela and lux", "a.unitless.png", "a.watts.png");
+        assertThat(done.err()).contains("light units taken as candela and lux; --light-pictures shows each choice");
         assertThat(ImageIO.read(folder.resolve("a.watts.png").toFile())).satisfies(picture -> {
             assertThat(picture.getWidth()).isEqualTo(320);
             assertThat(picture.getHeight()).isEqualTo(240);
@@ -57,10 +57,10 @@ class ImportCommandTest {
     @Test
     void invalidInput_isRejected() throws Exception {
         Path wrong = Files.writeString(folder.resolve("a.obj"), TRIANGLE.replace("1 2 3", "1 2 4"));
-        CliResult.run("import", wrong, "-o", folder.resolve("a.jen")).assertRejected("a.obj: line 4: a corner must name one of 3 vertices");
+        CliResult.run("import", wrong, "-o", folder.resolve("a.jen")).assertRejected("a.obj: line 4: a corner must reference one of 3");
         CliResult.run("import", folder.resolve("b.obj"), "-o", folder.resolve("a.jen")).assertRejected("b.obj: file not found");
         CliResult.run("import", folder, "-o", folder.resolve("a.jen")).assertRejected("is a folder");
-        CliResult.run("import", wrong, "-o", folder.resolve("a.png")).assertRejected("a scene's name must end in .jen");
+        CliResult.run("import", wrong, "-o", folder.resolve("a.png")).assertRejected("a scene's file name must end in .jen");
         CliResult.run("import", wrong, "-o", folder.resolve("a.jen"), "--light-units", "lumen").assertRejected("--light-units");
         assertThat(folder.resolve("a.jen")).doesNotExist();
     }

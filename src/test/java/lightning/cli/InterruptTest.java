@@ -22,7 +22,7 @@ import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
-/** The process as a whole, ended from outside as by Ctrl-C. */
+/** Termination of the whole process from outside, as by Ctrl-C. */
 @DisabledOnOs(OS.WINDOWS)
 @Slow
 class InterruptTest {
@@ -42,9 +42,9 @@ class InterruptTest {
         }
         Process process = new ProcessBuilder(line).redirectErrorStream(true).start();
         try (var out = new BufferedReader(new InputStreamReader(process.getInputStream(), StandardCharsets.UTF_8))) {
-            // The first pass is done; so many edits keep it at work for long.
+            // The first pass is done; the many edits keep the process busy.
             assertThat(out.lines().anyMatch(text -> text.startsWith("first pass"))).isTrue();
-            // Process.destroy would close the streams too.
+            // Process.destroy would also close the streams.
             process.toHandle().destroy();
             assertThat(out.lines().toList()).contains("lightning: canceled");
         }

@@ -17,7 +17,7 @@ import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Outputs that cannot be written, and inputs that are no ordinary files. */
+/** Outputs that cannot be written, and inputs that are not regular files. */
 @DisabledOnOs(OS.WINDOWS)
 @Slow
 class IrregularFilesTest {
@@ -37,7 +37,7 @@ class IrregularFilesTest {
         var err = new ByteArrayOutputStream();
         int exit = Lightning.run(full, new PrintStream(err, true, StandardCharsets.UTF_8), "check", CliResult.scene(folder).toString());
         assertThat(exit).isEqualTo(2);
-        assertThat(err.toString(StandardCharsets.UTF_8)).hasLineCount(1).contains("could not be written to the standard output");
+        assertThat(err.toString(StandardCharsets.UTF_8)).hasLineCount(1).contains("cannot write to the standard output");
     }
 
     @Test
@@ -74,14 +74,14 @@ class IrregularFilesTest {
     void pipeAsPicture_isRejected() throws Exception {
         for (String ending : List.of("png", "xpm", "pfm")) {
             Path pipe = pipe("p." + ending);
-            CliResult.run("compare", pipe, pipe).assertRejected("p." + ending + ": is no file");
+            CliResult.run("compare", pipe, pipe).assertRejected("p." + ending + ": is not a regular file");
         }
     }
 
     @Test
     void deviceLinkAsPicture_isRejected() throws IOException {
         Path link = Files.createSymbolicLink(folder.resolve("zero.pfm"), Path.of("/dev/zero"));
-        CliResult.run("compare", link, link).assertRejected("zero.pfm: is no file");
+        CliResult.run("compare", link, link).assertRejected("zero.pfm: is not a regular file");
     }
 
     @Test
@@ -123,7 +123,7 @@ class IrregularFilesTest {
 
     @Test
     void invalidFileName_isRejected() {
-        CliResult.run("check", "a\0b.jen").assertRejected("cannot be a file's name here", "LC_ALL=C.UTF-8");
+        CliResult.run("check", "a\0b.jen").assertRejected("not a valid file name", "LC_ALL=C.UTF-8");
     }
 
     @Test
@@ -141,7 +141,7 @@ class IrregularFilesTest {
         }
     }
 
-    /** No file may grow beyond a block of the shell, 512 or 1024 bytes. */
+    /** Limits files to one block of the shell, 512 or 1024 bytes. */
     @Test
     void growingFile_isRejectedByName() throws Exception {
         Path scene = CliResult.scene(folder);

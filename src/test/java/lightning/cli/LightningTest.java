@@ -49,7 +49,7 @@ class LightningTest {
 
     @Test
     void unknownCommand_isRejectedWithList() {
-        CliResult.run("rendr", "a.jen", "-o", "b.png").assertRejected("there is no command 'rendr'", "render, relight");
+        CliResult.run("rendr", "a.jen", "-o", "b.png").assertRejected("unknown command 'rendr'", "render, relight");
     }
 
     @ParameterizedTest
@@ -72,7 +72,7 @@ class LightningTest {
     void sceneWithoutCommand_runsTour() throws Exception {
         CliResult tour = CliResult.run(Files.writeString(folder.resolve("bad.jen"), "jen 2"));
         assertThat(tour.exit()).isEqualTo(2);
-        assertThat(tour.err()).startsWith("The editor was not asked for a window").contains("bad.jen:1:5");
+        assertThat(tour.err()).startsWith("The editor cannot open a window here").contains("bad.jen:1:5");
     }
 
     @Test
@@ -85,7 +85,7 @@ class LightningTest {
         };
         var err = new ByteArrayOutputStream();
         assertThat(Lightning.run(throwing, new PrintStream(err, true, StandardCharsets.UTF_8), "check", "scenes/bird.jen")).isEqualTo(2);
-        assertThat(err.toString(StandardCharsets.UTF_8)).hasLineCount(1).contains("an error of the program itself", "wrong",
+        assertThat(err.toString(StandardCharsets.UTF_8)).hasLineCount(1).contains("internal error", "wrong",
                 "please report it");
     }
 }

@@ -16,7 +16,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** All commands under locales whose digits (Egypt), upper and lower case (Turkey) or decimal point (Germany) are not those of English. */
+/** All commands in locales with other digits (Egypt), case rules (Turkey) or decimal points (Germany) than English. */
 @Slow
 class LocaleTest {
     @TempDir
@@ -40,7 +40,7 @@ class LocaleTest {
         }
     }
 
-    /** What commands say that measure nothing; folders and times taken out. */
+    /** Returns the output of commands without measurements; folders and times are replaced. */
     private static List<String> exactCommands(Path scene, Path to) {
         List<String> output = new ArrayList<>();
         run(output, to, "check", scene);
@@ -66,7 +66,7 @@ class LocaleTest {
                 + (done.out() + done.err()).replace(folder.toString(), "FOLDER").replaceAll("-?\\d+\\.\\d+|-?\\d+(?= (ms|%))", "TIME"));
     }
 
-    /** Egypt's digits are the ones that can be told from plain ones; {@link BenchCommandTest} asks the same of what takes longest. */
+    /** Egypt's digits differ from ASCII digits; {@link BenchCommandTest} covers the slowest command. */
     @Test
     void measurements_useAsciiDigits() throws Exception {
         Path scene = CliResult.scene(folder);

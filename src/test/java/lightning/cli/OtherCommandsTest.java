@@ -15,7 +15,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** check, compare, explain, export, effects and tour, as their users see them. */
+/** Commands check, compare, explain, export, effects and tour. */
 @Slow
 class OtherCommandsTest {
     @TempDir
@@ -37,7 +37,7 @@ class OtherCommandsTest {
 
     @Test
     void check_validScene_isDescribed() {
-        assertThat(CliResult.run("check", scene).assertSuccess().out()).contains("no problems", "3 shapes (1 cone, 1 plane, 1 sphere)",
+        assertThat(CliResult.run("check", scene).assertSuccess().out()).contains("no problems", "3 objects (1 cone, 1 plane, 1 sphere)",
                 "3 lights (1 directional, 1 point, 1 spot)", "2 materials, 0 textures", "48 x 32 pixels, depth 2");
     }
 
@@ -51,7 +51,7 @@ class OtherCommandsTest {
     @Test
     void compareEqual_exitsWith0() throws Exception {
         assertThat(CliResult.run("compare", picture("a.pfm", 0.5f), picture("b.pfm", 0.5f)).assertSuccess().out())
-                .isEqualTo("equal: all 36 values agree in every bit\n");
+                .isEqualTo("equal: all 36 values are bit-identical\n");
     }
 
     @Test
@@ -75,7 +75,7 @@ class OtherCommandsTest {
     @Test
     void compareDisplays_countsLevels() throws Exception {
         String dark = CliResult.run("compare", picture("a.png", 0), picture("b.png", 1)).out();
-        assertThat(dark).contains("255 of 255 levels at most anywhere").doesNotContain("ulp");
+        assertThat(dark).contains("at most 255 of 255 levels").doesNotContain("ulp");
         assertThat(CliResult.run("compare", picture("a.pfm", 0), picture("b.png", 1)).out()).contains("255 of 255 levels")
                 .doesNotContain("ulp");
         assertThat(CliResult.run("compare", picture("a.exr", 0), picture("b.exr", 1)).out()).contains("255 of 255 levels")
@@ -85,14 +85,14 @@ class OtherCommandsTest {
     @Test
     void compareFloats_countsUlps() throws Exception {
         assertThat(CliResult.run("compare", picture("a.pfm", 0.5f), picture("b.pfm", Math.nextUp(0.5f))).out())
-                .contains("; 1 ulp at most anywhere").doesNotContain("levels");
+                .contains("; at most 1 ulp").doesNotContain("levels");
     }
 
     @Test
     void compareInvalid_exitsWith2() throws Exception {
         Path a = picture("a.pfm", 0);
         CliResult.run("compare", a, folder.resolve("no.png")).assertRejected("no.png: no such file");
-        CliResult.run("compare", a, scene).assertRejected("a.jen: a picture's name must end in");
+        CliResult.run("compare", a, scene).assertRejected("a.jen: an image's name must end in");
         CliResult.run("compare", a).assertRejected("b.png");
         CliResult.run("compare", a, a, "-o", folder.resolve("d.txt")).assertRejected("d.txt");
         Path small = folder.resolve("small.pfm");
@@ -105,7 +105,7 @@ class OtherCommandsTest {
     @Test
     void explain_listsShapeLightsAndMirror() {
         String out = CliResult.run("explain", scene, "24,26").assertSuccess().out();
-        assertThat(out).contains("ground of material floor", "at ", "normal ", "lamp", "sun", "stage", "the mirrored ray meets", "%");
+        assertThat(out).contains("ground of material floor", "at ", "normal ", "lamp", "sun", "stage", "reflected ray hits", "%");
     }
 
     @Test
@@ -134,12 +134,12 @@ class OtherCommandsTest {
         for (int x = 0; x < 48; x++) {
             all.append(CliResult.run("explain", scene, x + ",20").assertSuccess().out());
         }
-        assertThat(all.toString()).contains("    the surface's own    0.00000 1.00000 0.00000\n", "    by bump, normal map  ",
+        assertThat(all.toString()).contains("    geometric            0.00000 1.00000 0.00000\n", "    bump, normal map     ",
                 "shadowed by floor, cosine ",
-                ", from below the surface\n");
+                ", below the horizon\n");
     }
 
-    /** Pixels on edges are means of several rays; the one that is explained is the center's. */
+    /** Edge pixels are means of several rays; the center's ray is explained. */
     @Test
     void explainedEdge_showsCenterAndRenderedColor() throws Exception {
         Path picture = folder.resolve("a.pfm");
@@ -162,8 +162,8 @@ class OtherCommandsTest {
 
     @Test
     void explainOutside_isRejected() {
-        CliResult.run("explain", scene, "48,0").assertRejected("pixel 48,0 is outside the picture, expected 0,0 to 47,31");
-        CliResult.run("explain", scene, "5").assertRejected("expected X,Y as in 150,230, found '5'");
+        CliResult.run("explain", scene, "48,0").assertRejected("pixel 48,0 is outside the image, expected 0,0 to 47,31");
+        CliResult.run("explain", scene, "5").assertRejected("expected X,Y such as 150,230, found '5'");
         CliResult.run("explain", scene).assertRejected("X,Y");
     }
 
@@ -172,7 +172,7 @@ class OtherCommandsTest {
         Path pov = folder.resolve("a.pov");
         CliResult exported = CliResult.run("export", scene, "-o", pov).assertSuccess();
         assertThat(exported.err()).contains("light lamp: attenuation", "without the limit 1");
-        assertThat(Files.readString(pov)).contains("// Not as in the scene: light lamp: attenuation", "max_trace_level 3", "sphere {");
+        assertThat(Files.readString(pov)).contains("// Not exported exactly: light lamp: attenuation", "max_trace_level 3", "sphere {");
     }
 
     @Test
@@ -189,7 +189,7 @@ class OtherCommandsTest {
                 .anyMatch(line -> line.matches("reflections( ~?-?[0-9.]+){4} up to 2 bounces: floor"))
                 .anyMatch(line -> line.matches("textures( ~?-?[0-9.]+){4} ?"))
                 .contains("cylinders - - - -")
-                .anyMatch(line -> line.startsWith(" in all "));
+                .anyMatch(line -> line.startsWith(" total "));
     }
 
     @Test

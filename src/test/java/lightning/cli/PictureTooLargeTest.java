@@ -23,7 +23,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** A picture of 16384 × 16384 pixels with 64 samples each, which no memory holds: every command refuses it before it works. */
+/** Image of 16384 × 16384 pixels with 64 samples each: every command rejects it before it starts to work. */
 class PictureTooLargeTest {
     private static final String SENTENCE = "lightning: the picture needs about ";
 
@@ -72,7 +72,7 @@ class PictureTooLargeTest {
         assertThat(errorText(refusal, option -> option.equals("--size"))).contains("(--size ").doesNotContain("shapes");
     }
 
-    /** Of a picture that would fit if its mirrors were kept as shapes. */
+    /** Returns the rejection of an image that would fit if reflections were cached as shapes. */
     private static PictureTooLargeException refusal() {
         try {
             Scene scene = JenReader.read(CliResult.SCENE.replace("48 32  depth 2", "320 200  depth 10")

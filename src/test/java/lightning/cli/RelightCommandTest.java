@@ -102,7 +102,7 @@ class RelightCommandTest {
         assertThat(run.out().lines().skip(1)).hasSize(2);
     }
 
-    /** The type is that after the whole edit; a material and the world have no light's properties. */
+    /** Uses the light's type after the whole edit; a material and the world have no light properties. */
     @Test
     void usedProperty_isNotWarnedAbout() {
         CliResult run = CliResult
@@ -144,7 +144,7 @@ class RelightCommandTest {
     @Test
     void updateReflections_withCurrentMirrors_isRejected() {
         CliResult.run("relight", path, "-o", picture, "--set", "lamp.intensity=3", "--reflections", "current", "--update-reflections")
-                .assertRejected("--update-reflections updates mirrors on demand; with --reflections current they need no update");
+                .assertRejected("--update-reflections updates stale reflections; with --reflections current they need no update");
         assertThat(picture).doesNotExist();
     }
 

@@ -85,7 +85,7 @@ class RenderCommandTest {
     void layersInUnsupportedFormat_areRejected() {
         CliResult.run("render", scene, "-o", folder.resolve("a.png"), "--layers").assertRejected("layers are written to .exr");
         CliResult.run("render", scene, "-o", folder.resolve("a.exr"), "--layers", "--traditional")
-                .assertRejected("keeps nothing has no layers");
+                .assertRejected("a trace without a cache has no layers");
         CliResult.run("render", scene, "-o", folder.resolve("a.png"), "--bits", "12").assertRejected("8 or 16 bits, not 12");
     }
 
@@ -144,7 +144,7 @@ class RenderCommandTest {
     @Test
     @DisabledOnOs(OS.WINDOWS)
     void linkToIrregularFile_isRejectedBeforeTracing() throws Exception {
-        // A socket stands for devices: a real one would be lost if this ever failed for an administrator.
+        // A socket stands in for a device: a real device would be lost if this failed for an administrator.
         Path socket = folder.resolve("s");
         Path link = Files.createSymbolicLink(folder.resolve("a.png"), socket);
         String sentence = link + ": expected a file, found a device, a pipe or a socket";
@@ -174,14 +174,15 @@ class RenderCommandTest {
     @ParameterizedTest
     @ValueSource(strings = {"--threads=1", "--traditional"})
     void coldTime_isMarked(String option) {
-        assertThat(CliResult.run("render", scene, "-o", folder.resolve("a.png"), option).assertSuccess().out()).contains(" ms from cold: ");
+        assertThat(CliResult.run("render", scene, "-o", folder.resolve("a.png"), option).assertSuccess().out())
+                .contains(" ms (cold start): ");
     }
 
-    /** 2⁻⁴⁰ of it is below white everywhere, 2⁴⁰ of it above wherever there is any light. */
+    /** Scaled by 2⁻⁴⁰ every value is below white; by 2⁴⁰ every lit value is above it. */
     @Test
     void report_showsClippedPixels() {
         assertThat(CliResult.run("render", scene, "-o", folder.resolve("a.png"), "--exposure", "40").assertSuccess().out())
-                .containsPattern("a.png: \\d+ of 1536 pixels \\([\\d.]+ %\\) are cut off at white, the brightest is .+ times as bright");
+                .containsPattern("a.png: \\d+ of 1536 pixels \\([\\d.]+ %\\) are clipped, the peak is .+ times white");
         assertThat(CliResult.run("render", scene, "-o", folder.resolve("a.png"), "--exposure", "-40").assertSuccess().out())
                 .doesNotContain("cut off");
         assertThat(CliResult.run("render", scene, "-o", folder.resolve("a.pfm"), "--exposure", "40").assertSuccess().out())

@@ -21,7 +21,7 @@ import org.junit.jupiter.api.io.TempDir;
 /** Edits in all frames of a shot. */
 @Slow
 class ShotRelightCommandTest {
-    /** Lights alone change at first, then the camera, then a shape. */
+    /** First only lights change, then the camera, then a shape. */
     private static final String SHOT = """
             shot {
               frames 3 7
@@ -62,7 +62,7 @@ class ShotRelightCommandTest {
             assertThat(ImageFile.read(folder.resolve("out/b-000" + frame + ".pfm")).hasSameBits(reference(frame, "sun.intensity=0.7")))
                     .as("frame " + frame).isTrue();
         }
-        assertThat(done.out()).contains("5 frames traced in", "5 frames relit in", "0 of them traced again, 0 rays", "saves");
+        assertThat(done.out()).contains("5 frames traced in", "5 frames relit in", "0 of them retraced, 0 rays", "saves");
     }
 
     @Test
@@ -81,7 +81,7 @@ class ShotRelightCommandTest {
         CliResult done =
                 CliResult.run("shot", "relight", scene, "--memory", "0", "--disk", disk, "--no-savings", "--set", "sun.intensity=0.7", "-o",
                         folder.resolve("out/b.pfm")).assertSuccess();
-        assertThat(done.out()).contains("kept: 0 frames", "and 5,", "0 of them traced again, 0 rays").doesNotContain("saves");
+        assertThat(done.out()).contains("cached: 0 frames", "and 5,", "0 of them retraced, 0 rays").doesNotContain("saves");
         assertThat(ImageFile.read(folder.resolve("out/b-0007.pfm")).hasSameBits(reference(7, "sun.intensity=0.7"))).isTrue();
         assertThat(files("disk")).isEmpty();
     }
@@ -98,7 +98,7 @@ class ShotRelightCommandTest {
     @Test
     void keyedAttribute_isRejected() {
         CliResult.run("shot", "relight", scene, "--set", "lamp.intensity=3", "-o", folder.resolve("x"))
-                .assertRejected("light 'lamp': intensity has keys at frames 3, 5");
+                .assertRejected("light 'lamp': intensity is animated (keyframes at frames 3, 5)");
         assertThat(folder.resolve("x")).doesNotExist();
     }
 
@@ -122,7 +122,7 @@ class ShotRelightCommandTest {
     @Test
     void diskThatIsNoFolder_isRejected() {
         CliResult.run("shot", "relight", scene, "--set", "sun.intensity=3", "-o", folder.resolve("x"), "--disk", folder.resolve("none"))
-                .assertRejected("--disk", "is no folder");
+                .assertRejected("--disk", "not a folder");
     }
 
     @Test

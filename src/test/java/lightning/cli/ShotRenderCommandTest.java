@@ -23,9 +23,9 @@ import org.junit.jupiter.params.provider.CsvSource;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
-/** A shot as numbered pictures. */
+/** Shot rendered to numbered images. */
 class ShotRenderCommandTest {
-    /** Lights alone change at first, then the camera, then a shape. */
+    /** First only lights change, then the camera, then a shape. */
     private static final String SHOT = """
             shot {
               frames 3 7
@@ -63,7 +63,7 @@ class ShotRenderCommandTest {
                     .as("frame " + frame)
                     .isTrue();
         }
-        // The first frame and the one whose camera moved.
+        // The first frame, and the one in which the camera moved.
         assertThat(done.out()).contains("2 frames traced in", "3 relit in");
     }
 
@@ -72,9 +72,9 @@ class ShotRenderCommandTest {
         CliResult done = CliResult.run("shot", "render", scene, "-o", folder.resolve("out"), "--frames", "4").assertSuccess();
         assertThat(done.out()).contains("\n1 frame traced in ");
         CliResult again = CliResult.run("shot", "render", scene, "-o", folder.resolve("out"), "--frames", "4", "--resume").assertSuccess();
-        assertThat(again.out()).isEqualTo("1 frame was there\n");
+        assertThat(again.out()).isEqualTo("1 frame already rendered\n");
         assertThat(CliResult.run("shot", "render", scene, "-o", folder.resolve("out"), "--frames", "4-5", "--resume").assertSuccess().out())
-                .endsWith("\n1 of 2 frames was there\n");
+                .endsWith("\n1 of 2 frames already rendered\n");
     }
 
     @Test
@@ -90,7 +90,7 @@ class ShotRenderCommandTest {
         CliResult done = CliResult.run("shot", "render", scene, "--resume", "--frames", "3-5", "-o", out, "--size", "8x8").assertSuccess();
         assertThat(Files.readString(out.resolve("a-0004.png"))).isEqualTo("mine");
         assertThat(files("frames")).containsExactly("a-0003.png", "a-0004.png", "a-0005.png");
-        assertThat(done.out()).contains("1 of 3 frames was there");
+        assertThat(done.out()).contains("1 of 3 frames already rendered");
         CliResult.run("shot", "render", scene, "--frames", "4", "-o", out, "--size", "8x8").assertSuccess();
         assertThat(ImageFile.read(out.resolve("a-0004.png")).width()).isEqualTo(8);
     }
@@ -117,7 +117,7 @@ class ShotRenderCommandTest {
 
     @Test
     void shotWithoutSubcommand_listsSubcommands() {
-        CliResult.run("shot").assertRejected("expected what to do with the shot", "render");
+        CliResult.run("shot").assertRejected("expected a subcommand of shot", "render");
     }
 
     @Test
@@ -135,12 +135,13 @@ class ShotRenderCommandTest {
         Path out = Files.createDirectory(folder.resolve("out"));
         CliResult done =
                 CliResult.run("shot", "render", scene, "-o", out.resolve("b.mp4"), "--size", "31x20", "--view", "filmic").assertSuccess();
-        assertThat(done.out()).contains("frame 7: ", "b.mp4: 5 frames, 24 a second");
+        assertThat(done.out()).contains("frame 7: ", "b.mp4: 5 frames, 24 fps");
         assertThat(files("out")).containsExactly("b.mp4");
         Process probe = new ProcessBuilder("ffprobe", "-v", "error", "-count_frames", "-show_entries",
                 "stream=width,height,r_frame_rate,nb_read_frames", "-of", "csv=p=0", out.resolve("b.mp4").toString()).start();
         assertThat(new String(probe.getInputStream().readAllBytes(), StandardCharsets.UTF_8).strip()).isEqualTo("32,20,24/1,5");
-        CliResult.run("shot", "render", scene, "-o", out.resolve("b.mp4"), "--resume").assertRejected("a film is made whole");
+        CliResult.run("shot", "render", scene, "-o", out.resolve("b.mp4"), "--resume")
+                .assertRejected("--resume works only for numbered images");
     }
 
     static boolean canRunJobs() {

@@ -31,7 +31,7 @@ class TourTableTest {
 
     @Test
     void coldTime_isMarked() {
-        assertThat(first(false)).contains("keeping all costs 50.0 % (not warm)");
-        assertThat(first(true)).contains("keeping all costs 50.0 % (the paper").doesNotContain("warm");
+        assertThat(first(false)).contains("caching costs 50.0 % (not warm)");
+        assertThat(first(true)).contains("caching costs 50.0 % (the paper").doesNotContain("warm");
     }
 }

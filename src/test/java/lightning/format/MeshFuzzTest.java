@@ -23,8 +23,8 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * Files of meshes with a few mistakes: whatever comes, the reader answers with meshes or with its own error, in one line, soon;
- * {@link ByteFuzzer} tells the options.
+ * Mesh files with a few errors: the reader returns meshes or throws its own exception, with a one-line message, in bounded
+ * time; {@link ByteFuzzer} documents the options.
  */
 @Slow
 class MeshFuzzTest {

@@ -22,18 +22,19 @@ import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.ObjectNode;
 
 /**
- * Attributes of lights and light groups as JSON: each by its name in a {@code .jen} file. A value of one number is a number, one of several an
- * array; a choice is its word, or true or false; a file is its name, links are {@code {"only": …, "names": […]}}.
+ * JSON form of the attributes of lights and light groups, by their {@code .jen} names. A single number is a number, several
+ * numbers are an array, a choice is its word or a boolean, a file is its name, and links are {@code {"only": …, "names":
+ * […]}}.
  */
 final class AttributeJson {
     private AttributeJson() {}
 
-    /** Says whether the scene finds a file that a light names. */
+    /** Tests whether the scene can find a file that a light references. */
     interface FileLookup {
         boolean contains(FileKind kind, String name);
     }
 
-    /** Writes every attribute of a table; a file that a record does not have is left out. */
+    /** Writes all attributes of a table; omits absent files. */
     static <T> void write(ObjectNode out, T record, List<? extends SceneAttribute<T, ?>> attributes) {
         attributes.forEach(attribute -> write(out, record, attribute));
     }
@@ -67,9 +68,9 @@ final class AttributeJson {
     }
 
     /**
-     * The record with every attribute that the JSON has and it may have.
+     * Returns the record with every attribute that is present in the JSON and applicable.
      *
-     * @param onError takes a sentence about each value that cannot be used, which leaves the attribute as it was
+     * @param onError receives a message for each invalid value; the attribute then keeps its value
      */
     static <T> T read(JsonNode in, T record, List<? extends SceneAttribute<T, ?>> attributes, FileLookup files,
             Consumer<String> onError) {
@@ -146,7 +147,7 @@ final class AttributeJson {
         return in.asString();
     }
 
-    /** What the file holds is read with the scene. */
+    /** Returns a placeholder for a file; its content is read with the scene. */
     private static String file(FileKind kind, JsonNode in, FileLookup files) {
         String name = text(in);
         if (!files.contains(kind, name)) {

@@ -4,9 +4,9 @@ import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
 import lightning.scene.Mesh;
 
-/** The box around what was placed so far. */
+/** Bounding box of all added geometry. */
 final class Bounds {
-    /** No canonical solid is larger than its box from −1 to 1. */
+    /** Bounds of every canonical solid: from −1 to 1. */
     static final Bounds UNIT_CUBE = new Bounds(1);
 
     private final double[] min = {Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY};
@@ -19,7 +19,7 @@ final class Bounds {
         add(new Vec3(-size, -size, -size));
     }
 
-    /** A mesh in its own space. */
+    /** Returns the bounds of a mesh in its own space. */
     static Bounds of(Mesh mesh) {
         var bounds = new Bounds();
         float[] p = mesh.positions();
@@ -29,7 +29,7 @@ final class Bounds {
         return bounds;
     }
 
-    /** A box that a map brings here. */
+    /** Adds a transformed box. */
     void add(Bounds other, Transform transform) {
         if (!other.isEmpty()) {
             for (int corner = 0; corner < 8; corner++) {
@@ -56,7 +56,7 @@ final class Bounds {
         return isEmpty() ? Vec3.ZERO : new Vec3((min[0] + max[0]) / 2, (min[1] + max[1]) / 2, (min[2] + max[2]) / 2);
     }
 
-    /** Half the diagonal; 1 where there is none. */
+    /** Returns half the diagonal, or 1 if the box is empty. */
     double radius() {
         double radius = isEmpty() ? 0 : new Vec3(max[0] - min[0], max[1] - min[1], max[2] - min[2]).length() / 2;
         return radius > 0 ? radius : 1;

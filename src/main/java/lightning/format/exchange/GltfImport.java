@@ -29,7 +29,10 @@ import lightning.scene.Placement;
 import lightning.scene.SceneLimits;
 import lightning.scene.SceneNode;
 
-/** Makes a scene of a glTF file: nodes become groups and shapes, cameras and punctual lights their nearest here. */
+/**
+ * Converter from glTF to a scene: nodes become groups and shapes; cameras and punctual lights become their closest
+ * equivalents.
+ */
 final class GltfImport {
     private final SceneAssembler assembler;
     private final LightUnits units;
@@ -78,7 +81,7 @@ final class GltfImport {
         return assembler.build();
     }
 
-    /** The node with all that is in it; nothing where it shows nothing. */
+    /** Converts a node with its descendants; empty if it shows nothing. */
     private List<SceneNode> importNode(GltfNode node, Transform parentTransform) throws MeshException {
         Transform world = parentTransform.times(node.local());
         if (node.camera() >= 0) {
@@ -91,10 +94,10 @@ final class GltfImport {
         List<Placement> placements = TransformDecomposition.decompose(node.local());
         List<GltfPart> nodeParts = node.mesh() < 0 ? List.of() : parts.getOrDefault(node.mesh(), List.of());
         if (placements.isEmpty()) {
-            assembler.notes.add("nodes that are flat, too small or too large, with their shapes", nodeParts.isEmpty() ? 0 : 1);
-            // Cameras and lights inside it are looked for all the same.
+            assembler.notes.add("nodes that are flat, too small or too large, with their objects", nodeParts.isEmpty() ? 0 : 1);
+            // Cameras and lights inside the node are imported anyway.
             for (GltfNode child : node.children()) {
-                assembler.notes.add("shapes inside nodes that are flat, too small or too large", importNode(child, world).size());
+                assembler.notes.add("objects inside nodes that are flat, too small or too large", importNode(child, world).size());
             }
             return List.of();
         }
@@ -113,7 +116,7 @@ final class GltfImport {
         return children.isEmpty() ? List.of() : wrapInGroups(node, placements, children);
     }
 
-    /** A group for each of the placements, the outermost first. */
+    /** Wraps nodes in one group for each placement, outermost first. */
     private List<SceneNode> wrapInGroups(GltfNode node, List<Placement> placements, List<SceneNode> children) {
         List<SceneNode> nodes = children;
         for (Placement placement : placements.reversed()) {
@@ -123,7 +126,7 @@ final class GltfImport {
     }
 
     private SceneNode createShape(String nodeName, GltfPart part, Placement placement, Transform outer) {
-        assembler.notes.add("shapes without a material, gray here", part.material() < 0 ? 1 : 0);
+        assembler.notes.add("objects without a material, imported as gray", part.material() < 0 ? 1 : 0);
         String material = part.material() < 0 ? Material.DEFAULT.name() : materials.get(part.material());
         return assembler.createShape(nodeName.isEmpty() ? part.name() : nodeName, meshFile, part.name(), part.triangles(), material,
                 placement, outer);
@@ -135,11 +138,11 @@ final class GltfImport {
         Vec3 up = world.transformVector(Vec3.Y);
         GltfCamera gltfCamera = file.camera(index);
         if (assembler.camera.isPresent()) {
-            assembler.notes.add("other cameras");
+            assembler.notes.add("additional cameras");
             return;
         }
         if (gltfCamera.fieldOfView().isEmpty()) {
-            assembler.notes.add("cameras without perspective, shown with it");
+            assembler.notes.add("orthographic cameras, imported as perspective");
         }
         double fov =
                 Math.clamp(Math.toDegrees(gltfCamera.fieldOfView().orElse(Math.toRadians(Camera.DEFAULT.fov()))), SceneLimits.MIN_FOV,
@@ -175,7 +178,7 @@ final class GltfImport {
             }
             if (type.hasCone()) {
                 result = result.withAngle(Math.toDegrees(light.outerAngle())).withDropoff(dropoff(light));
-                assembler.notes.add("edges of spots, which fade otherwise here", light.innerAngle() < light.outerAngle() ? 1 : 0);
+                assembler.notes.add("edges of spots, falloff approximated", light.innerAngle() < light.outerAngle() ? 1 : 0);
             }
             assembler.lights.add(settings.restore(result, light));
             boolean isClamped =
@@ -187,8 +190,8 @@ final class GltfImport {
     }
 
     /**
-     * The exponent with which a spot fades as the file's does where that is half as bright: in the file by the square of
-     * (cos a − cos outer) / (cos inner − cos outer), here by a power of cos a.
+     * Returns the exponent of the spot's falloff that matches the file's half-intensity angle. The file uses the square of
+     * (cos a − cos outer) / (cos inner − cos outer), the scene a power of cos a.
      */
     private static double dropoff(GltfLight light) {
         double inner = Math.cos(light.innerAngle());

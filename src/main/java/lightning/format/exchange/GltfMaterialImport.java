@@ -17,9 +17,12 @@ import lightning.scene.SceneLimits;
 import lightning.scene.ShadingModel;
 import lightning.scene.TextureMap;
 
-/** Makes metallic materials of a glTF file's, and tells what they cannot say. */
+/** Converter from glTF materials to metallic materials; notes unsupported properties. */
 final class GltfMaterialImport {
-    /** The image in a rougher surface is blurred by more than 3° to each side: there its highlight has half its height (GGX). */
+    /**
+     * Roughness above which a reflection is blurred by more than 3° to each side, where the GGX highlight has half its
+     * height.
+     */
     private static final double MAX_MIRROR_ROUGHNESS = 0.2;
 
     private final SceneAssembler assembler;
@@ -29,7 +32,11 @@ final class GltfMaterialImport {
     private final Map<Integer, TextureMeans> textureMeans = new HashMap<>();
     private final Map<Integer, Optional<Rgb>> emissionMeans = new HashMap<>();
 
-    /** @param meshFile the name of the glTF file beside the scene */
+    /**
+     * Creates a converter.
+     *
+     * @param meshFile name of the glTF file next to the scene
+     */
     GltfMaterialImport(SceneAssembler assembler, GltfScene file, String meshFile) {
         this.assembler = assembler;
         this.file = file;
@@ -51,37 +58,38 @@ final class GltfMaterialImport {
         return withCutout(withNormalMap(withTransmission(withReflection(withHighlights(material, m)), m), m), m);
     }
 
-    /** With what a surface mirrors of lights where it is no metal: a gray share here, and all of it where it is grazed. */
+    /** Adds the specular highlight of a dielectric: a gray share here, with full reflection at grazing angles. */
     private Material withHighlights(Material material, GltfMaterial m) {
         Rgb f0 = assembler.clampColor(m.f0(), 1, "highlights of materials");
         boolean isGray = f0.min() == f0.max();
         if (material.metalness() < 1) {
-            assembler.notes.add("colored highlights of materials that are no metals, gray here", isGray ? 0 : 1);
-            assembler.notes.add("highlights of materials weakened where they are grazed, not weakened here", m.f90() == 1 ? 0 : 1);
+            assembler.notes.add("colored highlights of dielectric materials, imported as gray", isGray ? 0 : 1);
+            assembler.notes.add("grazing-angle specular below 1 (specularFactor), imported as 1", m.f90() == 1 ? 0 : 1);
         }
         return material.withF0(isGray ? f0.r() : Math.min(f0.luminance(), 1));
     }
 
     /**
-     * With mirrored shapes where it is a metal all over and so smooth that they are sharp. Each pixel of such a surface costs as many rays as
-     * the picture is deep, and {@code reflective} knows no picture, and weakens what the surface emits; so all other metals show lights alone.
+     * Adds reflections to a metal that is fully metallic and smooth enough for sharp ones. Each pixel of such a surface
+     * casts up to one ray per reflection bounce, and {@code reflective} supports no texture and weakens emission, so all
+     * other metals reflect lights only.
      */
     private Material withReflection(Material material) {
         boolean isMirror = material.metalness() == 1 && material.roughness() <= MAX_MIRROR_ROUGHNESS && material.texture().isEmpty()
                 && material.ambient().isBlack();
-        assembler.notes.add("metals that mirror lights alone here, being rough, in part no metal, textured or shining",
+        assembler.notes.add("metals that reflect only lights (rough, partly metallic, textured or emissive)",
                 material.metalness() > 0 && !isMirror ? 1 : 0);
         return isMirror ? material.withReflective(material.base()) : material;
     }
 
-    /** With what is seen through it, which the base color tints once at each surface. */
+    /** Adds transmission; the base color tints the light once at each surface. */
     private Material withTransmission(Material material, GltfMaterial m) {
         var transmission = new TransmissionImport(assembler);
         GltfMaterial.Transmission glass = m.transmission();
         if (!(glass.factor() > 0)) {
             return transmission.withOpacity(material, SceneAssembler.clamp(m.opacity(), 1));
         }
-        assembler.notes.add("materials that blur what is seen through them, sharp here",
+        assembler.notes.add("rough transmission of materials, imported as sharp",
                 material.roughness() > MAX_MIRROR_ROUGHNESS ? 1 : 0);
         Material transmissive = transmission.withTransmission(material, SceneAssembler.clamp(glass.factor(), 1), material.base(),
                 glass.ior(), glass.isThin(), material.metalness());
@@ -92,7 +100,10 @@ final class GltfMaterialImport {
                                 .withTintDistance(Math.max(distance, SceneLimits.MIN_TINT_DISTANCE)));
     }
 
-    /** The mean of what the emission's picture says: a factor alone would make all of the surface glow. Black where it cannot be read. */
+    /**
+     * Returns the mean of the emission texture, since the factor alone would make the whole surface emit; black if it cannot
+     * be read.
+     */
     private Rgb emissionTextureMean(GltfMaterial m) throws IOException, MeshException {
         if (m.emissionImage().isEmpty()) {
             return Rgb.WHITE;
@@ -102,11 +113,15 @@ final class GltfMaterialImport {
             emissionMeans.put(image, image < 0 ? Optional.empty() : TextureMeans.meanColor(file.imageBytes(image)));
         }
         Optional<Rgb> mean = emissionMeans.get(image);
-        assembler.notes.add(mean.isEmpty() ? "emissiveTexture of materials" : "emissiveTexture of materials, of which the mean is taken");
+        assembler.notes.add(mean.isEmpty() ? "emissiveTexture of materials" : "emissiveTexture of materials, averaged");
         return mean.orElse(Rgb.BLACK);
     }
 
-    /** @param image of roughness and metalness */
+    /**
+     * Returns the mean roughness and metalness.
+     *
+     * @param image index of the metallic-roughness image
+     */
     private TextureMeans metallicRoughnessMeans(int image) throws IOException, MeshException {
         TextureMeans cached = textureMeans.get(image);
         if (cached == null) {
@@ -114,7 +129,7 @@ final class GltfMaterialImport {
             textureMeans.put(image, cached);
         }
         assembler.notes.add(cached == TextureMeans.NONE ? "metallicRoughnessTexture of materials"
-                : "metallicRoughnessTexture of materials, of which the mean is taken");
+                : "metallicRoughnessTexture of materials, averaged");
         return cached;
     }
 
@@ -131,17 +146,17 @@ final class GltfMaterialImport {
                 .withStrength(Math.clamp(m.normalScale(), -SceneLimits.MAX_STRENGTH, SceneLimits.MAX_STRENGTH)));
     }
 
-    /** Without what the picture's alpha says is not there. */
+    /** Adds an opacity map from the texture's alpha. */
     private Material withCutout(Material material, GltfMaterial m) throws IOException, MeshException {
         if (!(m.cutoff() > 0) || material.texture().isEmpty() || !TextureDecoder.hasAlpha(file.imageBytes(m.baseImage()))) {
-            assembler.notes.add("materials that are not there by their cut-off, shown here", m.cutoff() > m.alphaFactor() ? 1 : 0);
+            assembler.notes.add("materials invisible by their alpha cutoff, imported as visible", m.cutoff() > m.alphaFactor() ? 1 : 0);
             return material;
         }
-        assembler.notes.add("pictures that fade out, cut out here where half of them is there", m.isBlended() ? 1 : 0);
+        assembler.notes.add("alpha-blended textures, imported as cutouts at half opacity", m.isBlended() ? 1 : 0);
         return material.withCutout(new AlphaCutout(material.texture(), Math.min(m.cutoff() / m.alphaFactor(), 1)));
     }
 
-    /** The name of an image's file; empty where it is none that can be shown. */
+    /** Returns the file name of an image; empty if its format is not supported. */
     private Optional<String> importImage(int image) throws IOException, MeshException {
         Optional<Path> path = file.imageFile(image);
         if (path.isPresent()) {
@@ -156,7 +171,7 @@ final class GltfMaterialImport {
                 return Optional.of(assembler.addFile(stem + (bytes[1] == 'P' ? ".png" : ".jpg"), bytes));
             }
         }
-        assembler.notes.add("textures that are no PNG or JPEG");
+        assembler.notes.add("textures that are not PNG or JPEG");
         return Optional.empty();
     }
 }

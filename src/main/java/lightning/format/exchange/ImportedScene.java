@@ -19,28 +19,28 @@ import lightning.format.jen.JenWriter;
 import lightning.scene.Scene;
 
 /**
- * A scene that was read from a file of another program, not written yet.
+ * Scene converted from another program's file, not written yet.
  *
- * @param unscaledScene  the scene; where the file does not say what the numbers of its lights are, their intensities are these numbers. Black
- *                pixels stand for the pictures of its textures
- * @param restored the lights whose intensities are none of these numbers
- * @param units   what these numbers are taken as; empty where they are intensities already
- * @param comments lines of comment that the scene's file begins with
- * @param sceneFile      where it goes
- * @param copies  the files that must lie beside it
- * @param notes   what was left out or is not the same, each with its number
+ * @param unscaledScene the scene; if the file does not define the units of its lights, their intensities are the raw
+ *     numbers. Its textures are black placeholder pixels
+ * @param restored names of lights whose intensities are not raw numbers
+ * @param units assumed units of the raw numbers; empty if the intensities are final
+ * @param comments comment lines at the start of the scene file
+ * @param sceneFile output file
+ * @param copies files to copy next to it
+ * @param notes omitted or approximated features with their counts
  */
 public record ImportedScene(Scene unscaledScene, Set<String> restored, Optional<LightUnits> units, List<String> comments, Path sceneFile,
         List<AssetCopy> copies,
         Map<String, Integer> notes) {
     private static final String FORMAT_LINE = "jen 1\n";
-    private static final String EXPECTED_FILE = "a file to lie beside the scene";
+    private static final String EXPECTED_FILE = "a file to copy next to the scene";
 
     /**
-     * A file that goes beside the scene.
+     * File to place next to the scene.
      *
-     * @param source  the file that it is; null where its bytes are given
-     * @param bytes what it holds; null where it is a file
+     * @param source file to copy; null if {@code bytes} is given
+     * @param bytes content; null if {@code source} is given
      */
     public record AssetCopy(Path target, Path source, byte[] bytes) {
         private boolean isAlreadyWritten() throws IOException {
@@ -52,7 +52,7 @@ public record ImportedScene(Scene unscaledScene, Set<String> restored, Optional<
                             && Arrays.equals(RegularFile.readBytes(target, EXPECTED_FILE, bytes.length), bytes)) {
                 return true;
             }
-            throw new IOException(Quote.path(target) + ": is there already and holds something else; import into another folder");
+            throw new IOException(Quote.path(target) + ": already exists with other content; import into another folder");
         }
 
         private void write() throws IOException {
@@ -71,13 +71,13 @@ public record ImportedScene(Scene unscaledScene, Set<String> restored, Optional<
         }
     }
 
-    /** The same with the lights' numbers taken as others; itself where the file says what they are. */
+    /** Returns this scene with other light units, or this object if the file defines its units. */
     public ImportedScene inUnits(LightUnits newUnits) {
         return units.isEmpty() ? this
                 : new ImportedScene(unscaledScene, restored, Optional.of(newUnits), comments, sceneFile, copies, notes);
     }
 
-    /** What the {@code .jen} file says. */
+    /** Returns the scene as the {@code .jen} file contains it. */
     public Scene scene() {
         return units.isEmpty() ? unscaledScene : unscaledScene.withLights(unscaledScene.lights().stream()
                 .map(light -> restored.contains(light.name()) ? light
@@ -85,7 +85,7 @@ public record ImportedScene(Scene unscaledScene, Set<String> restored, Optional<
                 .toList());
     }
 
-    /** The file itself. */
+    /** Returns the text of the {@code .jen} file. */
     public String text() {
         var header = new StringBuilder(FORMAT_LINE);
         comments.forEach(line -> header.append("# ").append(line).append('\n'));
@@ -94,10 +94,10 @@ public record ImportedScene(Scene unscaledScene, Set<String> restored, Optional<
     }
 
     /**
-     * Puts the files beside the scene, then the scene. Nothing that is there and differs is replaced but the scene itself.
+     * Copies the assets, then writes the scene. Replaces no different existing file except the scene itself.
      *
-     * @throws IOException  if a file is in the way or cannot be written
-     * @throws JenException if the scene could not be read again: a picture of a kind that it cannot show, or beyond its limits
+     * @throws IOException if a different file exists or writing fails
+     * @throws JenException if the scene could not be read back: an unsupported image format, or a limit exceeded
      */
     public void write() throws IOException, JenException {
         String text = text();

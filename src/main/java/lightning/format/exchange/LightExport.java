@@ -18,21 +18,21 @@ import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.ObjectNode;
 
 /**
- * The lights of a scene for other programs: in a copy of the glTF file that they light, or as a plain JSON of all that they are.
+ * Lights of a scene for other programs: in a copy of the glTF file that they light, or as JSON.
  *
- * @param bytes what the file holds
- * @param notes what the format cannot say, each with its number
+ * @param bytes content of the output file
+ * @param notes properties that the format does not support, with their counts
  */
 public record LightExport(byte[] bytes, Map<String, Integer> notes) {
     private static final JsonMapper JSON = JsonMapper.builder().build();
 
     /**
-     * A copy of a glTF file with these lights in place of its own. What glTF has no word for is in their extras, from where an import
-     * restores it.
+     * Returns a copy of a glTF file in which these lights replace its own. Properties that glTF does not support are stored
+     * in their extras, from which an import restores them.
      *
-     * @param units what the numbers of its lights shall be
-     * @throws MeshException if it is no glTF file that can be read
-     * @throws IOException   if it cannot be read
+     * @param units light units of the output
+     * @throws MeshException if the file is not a valid glTF file
+     * @throws IOException if it cannot be read
      */
     public static LightExport toGltf(Path gltf, Scene scene, LightUnits units, Progress progress) throws IOException, MeshException {
         var notes = new ConversionNotes();
@@ -40,9 +40,9 @@ public record LightExport(byte[] bytes, Map<String, Integer> notes) {
         List<Light> effectiveLights = scene.rig().effectiveLights();
         for (int i = 0; i < effectiveLights.size(); i++) {
             Light effectiveLight = effectiveLights.get(i);
-            // Those of the environment come last, and are lights of no block.
+            // Environment lights come last; they have no block in the scene file.
             Light light = i < scene.lights().size() ? scene.lights().get(i) : effectiveLight;
-            notes.add("lights that are dark, which shine there", scene.isActive(effectiveLight) ? 0 : 1);
+            notes.add("lights that are off, exported as on", scene.isActive(effectiveLight) ? 0 : 1);
             lights.add(new GltfLightWriter.PlacedLight(
                     PunctualLightExport.convert(effectiveLight, units, LightSettings.toJson(light, scene.rig(), units), notes),
                     effectiveLight.position(), effectiveLight.direction().normalized()));
@@ -50,7 +50,7 @@ public record LightExport(byte[] bytes, Map<String, Integer> notes) {
         return new LightExport(GltfLightWriter.replaceLights(gltf, lights, progress), Map.copyOf(notes.counts()));
     }
 
-    /** A list of all lights and banks with all that a scene says of them. */
+    /** Returns JSON with all lights and light groups of a scene and all their attributes. */
     public static LightExport toJson(Scene scene) {
         ObjectNode root = JSON.createObjectNode();
         ArrayNode lights = root.putArray("lights");

@@ -19,28 +19,32 @@ import tools.jackson.databind.json.JsonMapper;
 import tools.jackson.databind.node.ObjectNode;
 
 /**
- * All that a scene says of a light, in the {@code extras} of the light that glTF has in its place. What glTF has too counts as glTF says it
- * where another program changed it since.
+ * Complete settings of a light in the {@code extras} of its glTF light. If another program changed a glTF property since,
+ * the glTF value takes precedence.
  */
 final class LightSettings {
     private static final JsonMapper JSON = JsonMapper.builder().build();
     private static final String UNITS_KEY = "light_units";
     private static final String LIGHT_GROUP_KEY = "bank_settings";
-    /** Files hold floats. */
+    /** Tolerance for comparisons, since glTF files contain floats. */
     private static final double TOLERANCE = 1e-5;
 
     private final SceneAssembler assembler;
     private final Map<String, LightGroup> lightGroups = new HashMap<>();
 
-    /** @param assembler gets the light groups, and the notes of what cannot be restored */
+    /**
+     * Creates a reader.
+     *
+     * @param assembler receives the light groups, and notes on settings that cannot be restored
+     */
     LightSettings(SceneAssembler assembler) {
         this.assembler = assembler;
     }
 
     /**
-     * What goes into the extras.
+     * Returns the content of the extras.
      *
-     * @param units what the numbers of glTF are
+     * @param units light units of the glTF file
      */
     static ObjectNode toJson(Light light, LightRig rig, LightUnits units) {
         ObjectNode out = JSON.createObjectNode().put(UNITS_KEY, units.name().toLowerCase(Locale.ROOT));
@@ -51,11 +55,11 @@ final class LightSettings {
     }
 
     /**
-     * The light that was written, where glTF's still is what was written of it.
+     * Returns the original light, with glTF properties that changed since the export.
      *
-     * @param imported  as glTF says it
-     * @param gltfLight what glTF says
-     * @return {@code imported} itself where this program did not write it
+     * @param imported light converted from glTF alone
+     * @param gltfLight the glTF light with its settings
+     * @return the restored light; {@code imported} itself if this program did not write it
      */
     Light restore(Light imported, GltfLight gltfLight) {
         JsonNode settings = gltfLight.settings();
@@ -88,7 +92,7 @@ final class LightSettings {
     }
 
     private void noteUnusable() {
-        assembler.notes.add("settings of lights that cannot be used here");
+        assembler.notes.add("light settings that cannot be restored");
     }
 
     private Optional<LightGroup> lightGroup(Light stored, JsonNode settings) {
@@ -97,7 +101,7 @@ final class LightSettings {
                         _ -> noteUnusable()));
     }
 
-    /** The name of the scene's bank; the first of a name stands for the others. */
+    /** Adds a light group and returns its name in the scene; the first group of a name represents all. */
     private String addLightGroup(LightGroup group) {
         return lightGroups.computeIfAbsent(group.name(), name -> {
             LightGroup unique = group.withName(assembler.names.unique(name, "bank"));

@@ -18,19 +18,19 @@ import lightning.scene.PictureSettings;
 import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
 
-/** What a scene looks like with its lights' numbers taken as each of what they may be. */
+/** Preview renderer for each possible unit of an imported file's lights. */
 public final class LightUnitPreviews {
-    /** Small pictures show their pixels most. */
+    /** Anti-aliasing for small images, where aliasing is most visible. */
     private static final SamplingSettings EDGES = new SamplingSettings(AntialiasMode.EDGES, 4);
 
     private LightUnitPreviews() {}
 
     /**
-     * A picture for each choice, without textures, which are not read before the scene is written; none where the file says what the
-     * numbers are.
+     * Renders an image for each light unit, without textures, since these are not read before the scene is written. Empty if
+     * the file defines its units.
      *
-     * @param size pixels of the longer side, at least 1
-     * @throws CancellationException if {@code progress} asked to stop
+     * @param size longer side in pixels, at least 1
+     * @throws CancellationException if {@code progress} requested cancellation
      */
     public static Map<LightUnits, Film> render(ImportedScene imported, int size, WorkerPool workers, Progress progress) {
         Map<LightUnits, Film> films = new EnumMap<>(LightUnits.class);

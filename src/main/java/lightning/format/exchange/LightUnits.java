@@ -5,17 +5,17 @@ import java.util.stream.Stream;
 import lightning.scene.LightType;
 
 /**
- * What the numbers of a file's lights mean. The format says candela and lux; exporters differ, and may ask which to write.
+ * Unit of the light intensities in a glTF file. The format defines candela and lux, but exporters differ and offer a choice.
  *
- * <p>A light of intensity 1 here makes a white surface that faces it at distance 1 as bright as 1. A lamp of E watts per square
- * meter makes it E / π. A watt of light is 683 lumen where the eye is best, which is what exporters reckon with whatever the color.
+ * <p>In Lightning, a light of intensity 1 gives a white surface that faces it at distance 1 the brightness 1. A lamp of E
+ * watts per square meter gives E / π. Exporters assume 683 lumens per watt for every color.
  */
 public enum LightUnits {
-    /** As glTF says: candela of points and spots, lux of directional lights. */
+    /** The glTF specification: candela for points and spots, lux for directional lights. */
     CANDELA("candela and lux"),
-    /** Watts per steradian of points and spots, watts per square meter of directional lights; exporters say unitless. */
+    /** Watts per steradian for points and spots, watts per square meter for directional lights; exporters call this unitless. */
     UNITLESS("watts per steradian and per square meter"),
-    /** Watts in all directions together of points and spots, watts per square meter of directional lights. */
+    /** Total watts for points and spots, watts per square meter for directional lights. */
     WATTS("watts, and watts per square meter");
 
     private static final double LUMENS_PER_WATT = 683;
@@ -26,7 +26,7 @@ public enum LightUnits {
         this.description = description;
     }
 
-    /** How a light of 1 in the file shines here. */
+    /** Returns the intensity in Lightning of a light with intensity 1 in the file. */
     public double intensityOfOneUnit(LightType type) {
         double watts = switch (this) {
             case CANDELA -> 1 / LUMENS_PER_WATT;
@@ -36,17 +36,17 @@ public enum LightUnits {
         return watts / Math.PI;
     }
 
-    /** What the numbers are, in words. */
+    /** Returns the units in words. */
     public String description() {
         return description;
     }
 
-    /** The line of a scene's file that keeps what was chosen. */
+    /** Returns the comment line that records the units in a scene file. */
     String comment() {
         return "# light units: the file's numbers were taken as " + description;
     }
 
-    /** What was chosen when the scene of this text was imported; empty where it was not, or nothing was to be chosen. */
+    /** Returns the units recorded in a scene file's text; empty if none were chosen at import. */
     public static Optional<LightUnits> findIn(String text) {
         return Stream.of(values()).filter(units -> text.lines().anyMatch(units.comment()::equals)).findFirst();
     }

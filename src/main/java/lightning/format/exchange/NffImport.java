@@ -24,7 +24,10 @@ import lightning.scene.SceneNode;
 import lightning.scene.Shape;
 import lightning.scene.Solid;
 
-/** Makes a scene of an NFF file: balls and tubes become solids, polygons and patches are shown from the file itself. */
+/**
+ * Converter from NFF to a scene: spheres and cones become solids; polygons and patches remain in the source file and become
+ * meshes.
+ */
 final class NffImport {
     private final SceneAssembler assembler;
     private final NffFile file;
@@ -52,7 +55,7 @@ final class NffImport {
         }
         for (NffSolid solid : file.solids()) {
             importSolid(solid).ifPresentOrElse(assembler.nodes::add,
-                    () -> assembler.notes.add("shapes that are flat, too small or too large"));
+                    () -> assembler.notes.add("objects that are flat, too small or too large"));
         }
         for (NffFile.Surface surface : file.meshes()) {
             assembler.nodes
@@ -79,7 +82,10 @@ final class NffImport {
         return fill < 0 ? Material.DEFAULT.name() : materialNames.get(fill);
     }
 
-    /** The format mirrors by Ks and adds all; here what is mirrored, and what goes through, takes its share from the diffuse light, which is given back first as far as a surface can have it. */
+    /**
+     * Converts a fill. NFF reflects by Ks and adds all terms; here reflection and transmission reduce the diffuse term,
+     * which is scaled up to compensate as far as its range allows.
+     */
     private Material convertFill(NffFile.Fill fill) {
         double specular = SceneAssembler.clamp(fill.specular(), 1);
         double transmittance = SceneAssembler.clamp(fill.transmittance(), 1);
@@ -107,7 +113,7 @@ final class NffImport {
         }
     }
 
-    /** The wider end is the base here. */
+    /** Converts a cone; the wider end becomes the base. */
     private Optional<SceneNode> importCone(NffSolid.Cone tube, String material) {
         boolean isFlipped = tube.apexRadius() > tube.baseRadius();
         Vec3 base = isFlipped ? tube.apex() : tube.base();
@@ -116,7 +122,7 @@ final class NffImport {
         Solid solid = top == 1 ? new Solid.Cylinder(false) : top > 0 ? new Solid.Frustum(top, false) : new Solid.Cone(false);
         Vec3 y = (isFlipped ? tube.base() : tube.apex()).minus(base);
         Vec3 axis = y.normalized();
-        // Any direction across will do; the one along which the axis has least is farthest from it.
+        // Any perpendicular direction works; the coordinate axis with the smallest component is the most stable choice.
         boolean alongX = Math.abs(axis.x()) <= Math.min(Math.abs(axis.y()), Math.abs(axis.z()));
         Vec3 z = (alongX ? new Vec3(1, 0, 0) : Math.abs(axis.y()) <= Math.abs(axis.z()) ? Vec3.Y : new Vec3(0, 0, 1)).cross(axis)
                 .normalized();
@@ -135,8 +141,8 @@ final class NffImport {
     }
 
     /**
-     * The format says neither how lights fall off nor how strong one is that has no color: as its own generators write them, n
-     * lights are white at 1 / √n each.
+     * Adds a light. NFF defines neither falloff nor the intensity of a light without color; its own generators write n
+     * lights as white at 1 / √n each.
      */
     private void importLight(NffFile.Light light) {
         Rgb color = light.color().orElse(Rgb.WHITE);

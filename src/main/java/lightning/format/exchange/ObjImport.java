@@ -25,7 +25,7 @@ import lightning.scene.Placement;
 import lightning.scene.SceneLimits;
 import lightning.scene.TextureMap;
 
-/** Makes scenes of files that hold meshes alone: OBJ with the materials beside it, and PLY. */
+/** Converter for mesh-only files: OBJ with its material files, and PLY. */
 final class ObjImport {
     private final SceneAssembler assembler;
     private final Path source;
@@ -74,7 +74,7 @@ final class ObjImport {
     private void readLibrary(String name) throws IOException, MeshException {
         Optional<Path> file = siblingFile(name);
         if (file.isEmpty()) {
-            assembler.notes.add("files of materials that are not there");
+            assembler.notes.add("missing material files");
             return;
         }
         try (ByteSource bytes = ByteSource.open(file.get(), progress)) {
@@ -82,7 +82,7 @@ final class ObjImport {
         }
     }
 
-    /** A file in the folder of this one, or in one inside it. */
+    /** Returns a file in this file's folder or below it. */
     private Optional<Path> siblingFile(String name) throws IOException {
         try {
             Path folder = source.toRealPath().getParent();
@@ -100,7 +100,7 @@ final class ObjImport {
         String cached = materialNames.get(name);
         if (cached == null) {
             MtlMaterial m = mtlMaterials.get(name);
-            assembler.notes.add("materials that are not there", m == null ? 1 : 0);
+            assembler.notes.add("missing materials", m == null ? 1 : 0);
             cached = assembler.addMaterial(name, m == null ? Material.DEFAULT : convert(m));
             materialNames.put(name, cached);
         }
@@ -117,17 +117,17 @@ final class ObjImport {
                     highlightMaterial(m).withDiffuse(diffuse).withAmbient(emission).withTexture(textureMap(m.texture()));
         };
         Optional<TextureMap> cutout = textureMap(m.cutout());
-        assembler.notes.add("pictures of what is there (map_d), cut out here where half of it is", cutout.isPresent() ? 1 : 0);
+        assembler.notes.add("opacity maps (map_d), imported as cutouts at half opacity", cutout.isPresent() ? 1 : 0);
         return withTransmission(m, opaque).withCutout(AlphaCutout.NONE.withMap(cutout));
     }
 
-    /** A surface of one color, whatever lights it. */
+    /** Returns a surface of constant color, independent of lighting. */
     private Material constant(MtlMaterial m, Rgb color) {
         assembler.notes.add("textures of unlit materials", m.texture().isPresent() ? 1 : 0);
         return Material.of("material").withAmbient(color).withDiffuse(Rgb.BLACK);
     }
 
-    /** With the highlights and the mirrored rays of its model alone. */
+    /** Returns a material with only the highlights and reflections of its illumination model. */
     private Material highlightMaterial(MtlMaterial m) {
         Rgb specular = assembler.clampColor(m.specular(), 1, "specular colors of materials");
         Material result = Material.of("material").withReflective(m.illumination().isReflective() ? specular : Rgb.BLACK);
@@ -144,11 +144,11 @@ final class ObjImport {
         if (path.isPresent() && SceneAssembler.isPngOrJpeg(path.get())) {
             return SceneAssembler.placeholderTexture(assembler.addFile(path.get()));
         }
-        assembler.notes.add("textures that are not there, or no PNG or JPEG", file.isPresent() ? 1 : 0);
+        assembler.notes.add("textures that are missing, or not PNG or JPEG", file.isPresent() ? 1 : 0);
         return Optional.empty();
     }
 
-    /** What bends no light by its model is a veil of its filter's color. */
+    /** Adds transmission; a model without refraction becomes a veil of its filter color. */
     private Material withTransmission(MtlMaterial m, Material opaque) {
         return new TransmissionImport(assembler).withTransmission(opaque, 1 - SceneAssembler.clamp(m.opacity(), 1),
                 assembler.clampColor(m.filter(), 1, "filters of materials"),

@@ -8,19 +8,19 @@ import lightning.scene.LightAttribute;
 import lightning.scene.LightType;
 import tools.jackson.databind.JsonNode;
 
-/** A light as KHR_lights_punctual has it. */
+/** Converter from a light to KHR_lights_punctual. */
 final class PunctualLightExport {
-    /** glTF wants the inner angle below the outer one. */
+    /** Largest ratio of the inner to the outer angle, which glTF requires to be larger. */
     private static final double MAX_INNER_RATIO = 1 - 1e-6;
 
     private PunctualLightExport() {}
 
     /**
-     * The nearest light that glTF has.
+     * Returns the closest glTF light.
      *
-     * @param light in no bank
-     * @param settings   what this program alone reads of it
-     * @param notes hears what is not the same
+     * @param light effective light, without a light group
+     * @param settings settings to store in the extras, read by this program only
+     * @param notes receives properties that are not exported exactly
      */
     static GltfLight convert(Light light, LightUnits units, JsonNode settings, ConversionNotes notes) {
         LightType type = light.type();
@@ -28,14 +28,14 @@ final class PunctualLightExport {
         Rgb color = light.color().times(1 / scale);
         double intensity = scale * light.intensity() * attenuationFactor(light, notes) / units.intensityOfOneUnit(type);
         double outer = Math.toRadians(type.isSurface() ? 90 : Math.min(light.angle(), 90));
-        notes.add("lights that are larger than a point, which are one there", light.isArea() ? 1 : 0);
+        notes.add("area lights, exported as points", light.isArea() ? 1 : 0);
         notes.add("spots wider than 90 degrees", type.hasCone() && light.angle() > 90 ? 1 : 0);
-        notes.add("edges of spots, which fade otherwise there", type.hasCone() && light.dropoff() > 0 || type.isSurface() ? 1 : 0);
+        notes.add("edges of spots, falloff approximated", type.hasCone() && light.dropoff() > 0 || type.isSurface() ? 1 : 0);
         double dropoff = type.isSurface() ? 1 : light.dropoff();
         notes.add("barn doors", LightAttribute.DOORS.appliesTo(type) && !light.doors().isOpen() ? 1 : 0);
         notes.add("gobos", type.hasCone() && light.gobo().isPresent() ? 1 : 0);
         notes.add("profiles", LightAttribute.PROFILE.appliesTo(type) && light.profile().isPresent() ? 1 : 0);
-        notes.add("lights linked to shapes, which shine on all there", light.isLinked() ? 1 : 0);
+        notes.add("light linking, exported as illuminating everything", light.isLinked() ? 1 : 0);
         GltfLight.Type gltfType = switch (type) {
             case DIRECTIONAL -> GltfLight.Type.DIRECTIONAL;
             case POINT -> GltfLight.Type.POINT;
@@ -44,19 +44,19 @@ final class PunctualLightExport {
         return new GltfLight(0, light.name(), gltfType, color, intensity, innerAngle(dropoff, outer), outer, false, settings);
     }
 
-    /** What of it is left at distance 1: there the light falls with the square of the distance, whatever it does here. */
+    /** Returns the light's intensity factor at distance 1, because glTF lights fall off with the square of the distance. */
     private static double attenuationFactor(Light light, ConversionNotes notes) {
         if (!light.type().hasPosition()) {
             return 1;
         }
         var a = light.attenuation();
-        notes.add("lights that do not fall off with the square of the distance; theirs is right at distance 1", a.constant() == 0
+        notes.add("lights without inverse-square falloff, exact only at distance 1", a.constant() == 0
                 && a.linear() == 0 && a.quadratic() > 0 ? 0 : 1);
         double sum = a.constant() + a.linear() + a.quadratic();
         return a.constant() == 0 && a.linear() == 0 && sum > 0 ? 1 / sum : Math.min(1 / sum, 1);
     }
 
-    /** The inner angle with which a spot is half as bright where it is here; see {@code GltfImport}. */
+    /** Returns the inner angle at which a spot has half intensity at the same angle as here; see {@code GltfImport}. */
     private static double innerAngle(double dropoff, double outer) {
         double cosHalf = dropoff == 0 ? Math.cos(outer) : Math.pow(0.5, 1 / dropoff);
         double cosOuter = Math.cos(outer);

@@ -41,11 +41,11 @@ import lightning.scene.Texture;
 import lightning.scene.TextureMap;
 import lightning.scene.World;
 
-/** The pieces of a scene in the making: materials, shapes, lights, and the files that go with it. */
+/** Mutable builder of an imported scene: materials, shapes, lights, and the files to copy. */
 final class SceneAssembler {
     private static final Pattern DISALLOWED = Pattern.compile("[^\\p{L}\\p{N} _.,()+-]");
     private static final int MAX_FILE_NAME_LENGTH = 100;
-    /** How far a light must be from a surface not to be cut, as a share of the scene's size. */
+    /** Minimum distance from a light to a surface without clamping, as a fraction of the scene's size. */
     private static final double MIN_LIGHT_DISTANCE = 0.05;
 
     final ConversionNotes notes = new ConversionNotes();
@@ -54,13 +54,13 @@ final class SceneAssembler {
     final List<Material> materials = new ArrayList<>();
     final List<Light> lights = new ArrayList<>();
     final List<LightGroup> lightGroups = new ArrayList<>();
-    /** Lights whose intensities are not numbers of the file. */
+    /** Names of lights whose intensities are not raw numbers of the file. */
     final Set<String> restoredLights = new HashSet<>();
     final Bounds bounds = new Bounds();
     Optional<Camera> camera = Optional.empty();
     PictureSettings picture = new PictureSettings(800, 600, PictureSettings.DEPTH.initial());
     World world = World.DEFAULT;
-    /** What the numbers of the lights are, where the file does not say it. */
+    /** Assumed units of the lights' numbers, if the file does not define them. */
     Optional<LightUnits> units = Optional.empty();
     private final Path source;
     private final Path sceneFile;
@@ -76,7 +76,7 @@ final class SceneAssembler {
         comments.add("imported from " + PrintableText.escape(String.valueOf(source.getFileName())));
     }
 
-    /** A line that the scene's file begins with. */
+    /** Adds a comment line at the start of the scene file. */
     void addComment(String line) {
         comments.add(line);
     }
@@ -85,7 +85,7 @@ final class SceneAssembler {
         return sceneFile.toAbsolutePath().getParent();
     }
 
-    /** The name by which the scene can name a file of the source's folder, which is copied where it does not lie beside the scene. */
+    /** Adds a file of the source's folder, copied if it is not next to the scene; returns the name for the scene. */
     String addFile(Path file) {
         Path folder = source.toAbsolutePath().normalize().getParent();
         Path absolute = file.toAbsolutePath().normalize();
@@ -97,7 +97,7 @@ final class SceneAssembler {
         return name;
     }
 
-    /** The name of a file that is not yet one. */
+    /** Adds a file from memory; returns its name. */
     String addFile(String requested, byte[] bytes) {
         String name = sanitize(requested);
         for (int i = 2; copies.containsKey(folder().resolve(name)); i++) {
@@ -107,7 +107,7 @@ final class SceneAssembler {
         return name;
     }
 
-    /** Puts a file beside the scene under the name that the file beside it names it by. */
+    /** Adds a file next to the scene under the relative path by which another file references it. */
     void addFileAsNamed(Path file) throws IOException {
         Path folder = source.toRealPath().getParent();
         Path target = folder().resolve(folder.relativize(file));
@@ -126,25 +126,25 @@ final class SceneAssembler {
         return shortened.equals(".") || shortened.equals("..") || shortened.isEmpty() ? "_" : shortened;
     }
 
-    /** Adds a material, under a name that is free; returns that name. */
+    /** Adds a material under a unique name; returns that name. */
     String addMaterial(String requested, Material material) {
         String name = materialNames.unique(requested, "material");
         materials.add(material.withName(name));
         return name;
     }
 
-    /** A picture, by the name of its file: what it holds is read with the scene. */
+    /** Returns a placeholder texture for a file, whose content is read with the scene. */
     static Optional<TextureMap> placeholderTexture(String file) {
         return Optional.of(new TextureMap(file, 1, 1, new Texture(1, 1, new float[3])));
     }
 
-    /** A shape that shows a mesh; it counts for the scene's size. */
+    /** Creates a shape that shows a mesh, and extends the scene's bounds by it. */
     Shape createShape(String requested, String file, String part, Mesh mesh, String material, Placement placement, Transform outer) {
         bounds.add(meshBounds.computeIfAbsent(mesh, Bounds::of), outer.times(placement.transform()));
         return new Shape(new Solid.TriangleMesh(file, part, mesh), names.unique(requested, "mesh"), material, placement);
     }
 
-    /** A color within 0 and {@code max}; told where it was not. */
+    /** Clamps a color to 0 … {@code max}; notes if it was outside. */
     Rgb clampColor(Rgb c, double max, String label) {
         if (!(c.min() >= 0 && c.max() <= max)) {
             notes.add(label + " beyond 0 to " + DecimalNumber.format(max));
@@ -157,8 +157,8 @@ final class SceneAssembler {
     }
 
     /**
-     * The factor of a light's attenuation with the square of the distance: a power of 100, so that its light is not cut at 1 except
-     * nearer to it than a twentieth of the scene's size. Its intensity is that much larger.
+     * Returns the quadratic attenuation factor of a light: a power of 100, so that the light is clamped at 1 only nearer
+     * than 1/20 of the scene's size. Its intensity is multiplied by the same factor.
      */
     double quadraticAttenuation() {
         double quadratic = 1;
@@ -168,7 +168,7 @@ final class SceneAssembler {
         return quadratic;
     }
 
-    /** Gives the picture the shape of {@code aspectRatio}, width / height, above 0; its longer side stays. */
+    /** Sets the image's aspect ratio, width / height, above 0; the longer side stays. */
     void setAspectRatio(double aspectRatio) {
         int longer = Math.max(picture.width(), picture.height());
         picture = picture.withSize(imageSide(longer * aspectRatio, longer), imageSide(longer / aspectRatio, longer));
@@ -178,13 +178,13 @@ final class SceneAssembler {
         return (int) Math.rint(Math.clamp(pixels, 1, longest));
     }
 
-    /** The scene, with a camera that sees all and a light, where it has none. */
+    /** Returns the scene; adds a camera that frames everything and a light if the file has none. */
     ImportedScene build() throws MeshException {
         try {
             Camera view = camera.orElseGet(this::defaultCamera);
             if (lights.isEmpty()) {
-                addComment("it has no light: this one is made up");
-                notes.add("lights made up, as the file has none");
+                addComment("no light in the file; this one was added");
+                notes.add("no lights in the file; added one");
                 lights.add(defaultLight(view));
             }
             Stage stage = new Stage(List.copyOf(materials), List.copyOf(nodes));
@@ -198,7 +198,7 @@ final class SceneAssembler {
         }
     }
 
-    /** A key light on the camera's side: from above and from its right. */
+    /** Returns a key light from above and to the right of the camera. */
     private Light defaultLight(Camera shownCamera) {
         Vec3 view = shownCamera.to().minus(shownCamera.from()).normalized();
         Vec3 right = view.cross(shownCamera.up()).normalized();
@@ -207,15 +207,15 @@ final class SceneAssembler {
                 .withDirection(new Vec3(round(direction.x(), 2), round(direction.y(), 2), round(direction.z(), 2)));
     }
 
-    /** Without links to what the scene does not have. */
+    /** Removes links to shapes that the scene does not contain. */
     private Light withValidLinks(Light light, Stage stage) {
         Light valid = light.withIlluminates(light.illuminates().retain(stage::hasNode))
                 .withShadowedBy(light.shadowedBy().retain(stage::hasNode));
-        notes.add("lights linked to shapes that are not there", valid.equals(light) ? 0 : 1);
+        notes.add("light links to missing objects", valid.equals(light) ? 0 : 1);
         return valid;
     }
 
-    /** Whether the scene finds a file of a name where it will lie. */
+    /** Returns true if the scene can find a file of this name. */
     boolean hasFile(FileKind kind, String name) {
         try {
             return kind.find(folder(), name).isPresent();
@@ -225,13 +225,13 @@ final class SceneAssembler {
     }
 
     private Camera defaultCamera() {
-        notes.add("cameras made up, as the file has none");
+        notes.add("no cameras in the file; added one");
         double distance = bounds.radius() / Math.sin(Math.toRadians(20)) * 1.05;
         Vec3 middle = bounds.center();
         return new Camera(round(middle.plus(new Vec3(0.5, 0.4, 0.9).normalized().times(distance))), round(middle), Vec3.Y, 40);
     }
 
-    /** To the decimal place below a hundredth of the radius, as somebody would write it. */
+    /** Rounds to the decimal place below a hundredth of the scene's radius, for readable numbers. */
     private Vec3 round(Vec3 v) {
         int decimals = 2 - (int) Math.floor(Math.log10(bounds.radius()));
         return new Vec3(round(v.x(), decimals), round(v.y(), decimals), round(v.z(), decimals));
@@ -241,7 +241,7 @@ final class SceneAssembler {
         return BigDecimal.valueOf(v).setScale(decimals, RoundingMode.HALF_EVEN).doubleValue();
     }
 
-    /** Whether the bytes of a picture are of a kind that a scene can show. */
+    /** Returns true if an image starts with the signature of a supported format. */
     static boolean isPngOrJpeg(byte[] start) {
         return start.length > 3 && ((start[0] & 0xFF) == 0x89 && start[1] == 'P' || (start[0] & 0xFF) == 0xFF && (start[1] & 0xFF) == 0xD8);
     }

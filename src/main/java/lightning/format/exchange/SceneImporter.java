@@ -7,19 +7,19 @@ import lightning.base.work.Progress;
 import lightning.format.MeshFormat;
 import lightning.format.mesh.MeshException;
 
-/** Makes scenes of the files of other programs: glTF, OBJ, PLY and NFF. */
+/** Importer of other programs' files: glTF, OBJ, PLY and NFF. */
 public final class SceneImporter {
     private SceneImporter() {}
 
     /**
-     * Reads a file and all that belongs to it; writes nothing.
+     * Reads a file and the files it references; writes nothing.
      *
-     * @param sceneFile       where the scene will lie, and beside it what it needs
-     * @param units    what the numbers of the file's lights are, where it has lights
-     * @param progress hears how many KiB of a file are read
-     * @throws MeshException         if anything is wrong with it
-     * @throws IOException           if it cannot be read
-     * @throws CancellationException if {@code progress} asked to stop
+     * @param sceneFile path of the future scene; assets are placed next to it
+     * @param units units of the file's lights, if it has any
+     * @param progress receives the number of KiB read
+     * @throws MeshException if the content is invalid
+     * @throws IOException if it cannot be read
+     * @throws CancellationException if {@code progress} requested cancellation
      */
     public static ImportedScene read(Path file, Path sceneFile, LightUnits units, Progress progress) throws IOException, MeshException {
         return switch (MeshFormat.detect(file)) {

@@ -7,19 +7,23 @@ import lightning.format.jen.UnusableFileException;
 import lightning.scene.Texture;
 
 /**
- * What glTF's picture of a surface says in the mean: a material here has one roughness and one metalness.
+ * Means of a glTF metallic-roughness texture, since materials here have one roughness and one metalness.
  *
- * @param roughness 0 … 1, its green
- * @param metalness 0 … 1, its blue
+ * @param roughness 0 … 1, green channel
+ * @param metalness 0 … 1, blue channel
  */
 record TextureMeans(double roughness, double metalness) {
-    /** Of no picture. */
+    /** Means if there is no texture. */
     static final TextureMeans NONE = new TextureMeans(1, 1);
 
     private static final int GREEN = 1;
     private static final int BLUE = 2;
 
-    /** @return empty where the bytes are no picture that a scene can show */
+    /**
+     * Computes the means of an image.
+     *
+     * @return empty if the image format is not supported
+     */
     static Optional<TextureMeans> of(byte[] file) {
         try {
             Texture texture = TextureDecoder.decodeNumbers("surface", file);
@@ -29,7 +33,7 @@ record TextureMeans(double roughness, double metalness) {
         }
     }
 
-    /** The mean of a picture of colors, linear; empty where the bytes are no picture that a scene can show. */
+    /** Returns the mean linear color of an image; empty if the image format is not supported. */
     static Optional<Rgb> meanColor(byte[] file) {
         try {
             Texture texture = TextureDecoder.decodeColors("emission", file);

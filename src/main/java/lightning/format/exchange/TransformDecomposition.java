@@ -5,18 +5,24 @@ import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
 import lightning.scene.Placement;
 
-/** Takes maps apart into what placements can say: scaled, then turned about x, y and z, then moved. */
+/** Decomposition of affine transforms into placements: scale, then rotate about x, y and z, then translate. */
 final class TransformDecomposition {
-    /** The cosine of the angle between two axes from which on a map is taken to shear; rounding to float leaves less than 1e-6. */
+    /**
+     * Cosine of the angle between two axes above which a transform counts as sheared; rounding to float leaves less than
+     * 1e-6.
+     */
     private static final double MAX_SHEAR_COSINE = 1e-5;
-    /** More than enough, since what is left is squared by each; a map that still shears is none that can be placed. */
+    /**
+     * Number of Jacobi sweeps. Each squares the residual, so this is ample; a transform that still shears cannot be
+     * decomposed.
+     */
     private static final int JACOBI_SWEEPS = 10;
 
     private TransformDecomposition() {}
 
     /**
-     * The placements that are the map, the outermost first: one, or two where it shears, since every map is a turn, then a scaling,
-     * then another turn. None where it is flat in any direction or beyond a scene's limits.
+     * Returns placements whose product is the transform, outermost first: one, or two if it shears, since every linear map
+     * is a rotation, a scaling and another rotation. Empty if it is flat in any direction or exceeds a scene's limits.
      */
     static List<Placement> decompose(Transform m) {
         try {
@@ -47,8 +53,8 @@ final class TransformDecomposition {
     }
 
     /**
-     * A turn after which the map has axes at right angles: pair by pair they are turned in their plane until they are (Hestenes 1958,
-     * Inversion of matrices by biorthogonalization).
+     * Returns a rotation after which the transform's axes are orthogonal, by rotating pairs of axes in their plane (Hestenes
+     * 1958, Inversion of matrices by biorthogonalization).
      */
     private static Transform orthogonalizingRotation(Transform m) {
         Transform rotation = Transform.IDENTITY;
@@ -58,10 +64,10 @@ final class TransformDecomposition {
                 Transform rotated = m.times(rotation);
                 Vec3 a = column(rotated, p);
                 Vec3 b = column(rotated, q);
-                // The smaller of the two turns that do: the larger would exchange them, sweep after sweep.
+                // Use the smaller of the two possible rotations: the larger one would swap the axes in every sweep.
                 double difference = a.dot(a) - b.dot(b);
                 double angle = Math.toDegrees(Math.atan2(difference < 0 ? -2 * a.dot(b) : 2 * a.dot(b), Math.abs(difference)) / 2);
-                // About the third axis, from p towards q.
+                // About the third axis, from p toward q.
                 rotation = rotation.times(Transform.rotation(new Vec3(p == 1 ? angle : 0, p == 2 ? angle : 0, p == 0 ? angle : 0)));
             }
         }
@@ -75,13 +81,14 @@ final class TransformDecomposition {
         double sx = x.length();
         double sy = y.length();
         double sz = z.length();
-        // A map that mirrors does so along x.
+        // Treat a reflection as a negative scale along x.
         double mirror = x.cross(y).dot(z) < 0 ? -1 : 1;
         Vec3 a = x.times(mirror / sx);
         Vec3 b = y.times(1 / sy);
         Vec3 c = z.times(1 / sz);
-        // Turned about x, then y, then z: the first column is cos y · cos z, cos y · sin z, −sin y. Where it is along z, any angle about
-        // z will do, and that about x follows from it. No angle is taken from a sine or cosine near 1, which hardly tells it.
+        // Rotation about x, then y, then z: the first column is cos y · cos z, cos y · sin z, −sin y. If it points along z,
+        // the angle about z is arbitrary and determines that about x. Angles are never computed from a sine or cosine near
+        // 1, which would be ill-conditioned.
         double aroundY = Math.atan2(-a.z(), Math.hypot(a.x(), a.y()));
         double aroundZ = Math.atan2(a.y(), a.x());
         double sin = Math.sin(aroundZ);
@@ -95,7 +102,7 @@ final class TransformDecomposition {
         return round(Math.toDegrees(radians));
     }
 
-    /** To some nine digits: files hold floats, which have seven. */
+    /** Rounds to about nine digits; floats in files have seven. */
     private static double round(double v) {
         double nearest = Math.rint(v * 1e9) / 1e9;
         return Math.abs(v) >= 1e-3 && Math.abs(v) < 1e6 ? nearest : Math.abs(v) < 1e-9 ? 0 : v;

@@ -7,9 +7,9 @@ import lightning.scene.SceneLimits;
 import lightning.scene.ShadowCasting;
 import lightning.scene.Transmission;
 
-/** Makes materials clear by what other programs say of them. */
+/** Converter of other programs' transparency to transmissive materials. */
 final class TransmissionImport {
-    /** Glass needs this many bounces at least: in, through, out, and what mirrors on the way. */
+    /** Minimum reflection depth for glass: in, through, out, and one reflection. */
     private static final int MIN_DEPTH = 6;
 
     private final SceneAssembler assembler;
@@ -19,14 +19,14 @@ final class TransmissionImport {
     }
 
     /**
-     * The material with a share of itself gone, through which {@code color} of what is behind is seen. What is left of its own color is that
-     * share, which {@link Transmission} by itself gives only a colorless one.
+     * Returns a material with a share replaced by transmission tinted with {@code color}. The rest keeps the
+     * material's own color; {@link Transmission} alone supports that only for colorless ones.
      *
-     * @param transmission    0 … 1, how much passes
-     * @param color    0 … 1, what that is multiplied by
-     * @param ior      the index of refraction; brought into its range
-     * @param isThin     whether it is a pane
-     * @param metallic how much of it is a metal, which nothing passes
+     * @param transmission transmitted share, 0 … 1
+     * @param color transmission tint, 0 … 1
+     * @param ior index of refraction, clamped to its range
+     * @param isThin true for a thin sheet
+     * @param metallic metallic share, which transmits nothing
      */
     Material withTransmission(Material opaque, double transmission, Rgb color, double ior, boolean isThin, double metallic) {
         Rgb transmitted = color.times(transmission * (1 - metallic));
@@ -34,7 +34,7 @@ final class TransmissionImport {
             return opaque;
         }
         assembler.picture = assembler.picture.withDepth(Math.max(assembler.picture.depth(), MIN_DEPTH));
-        assembler.notes.add("emission of materials that light goes through, weakened here", opaque.ambient().isBlack() ? 0 : 1);
+        assembler.notes.add("emission of transparent materials, weakened", opaque.ambient().isBlack() ? 0 : 1);
         double remaining = transmitted.max() < 1 ? (1 - transmission) / (1 - transmitted.max()) : 0;
         Material body = metallic > 0 ? opaque : opaque.withAlbedo(opaque.albedo().times(Math.min(remaining, 1)));
         return body.withTransmission(new Transmission(transmitted, ior >= 1 ? Math.min(ior, SceneLimits.MAX_IOR) : 1, isThin,
@@ -42,7 +42,7 @@ final class TransmissionImport {
                 ShadowCasting.TINTED));
     }
 
-    /** The share {@code 1 − alpha} gone as if it were a veil: what is behind is seen straight, and nothing is mirrored. */
+    /** Replaces the share {@code 1 − alpha} by a veil: the background is visible without refraction or reflection. */
     Material withOpacity(Material opaque, double alpha) {
         return withTransmission(opaque, 1 - alpha, Rgb.WHITE, 1, true, 0);
     }

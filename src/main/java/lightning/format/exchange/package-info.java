@@ -1,5 +1,5 @@
 /**
- * Scenes of other programs: brought in as {@code .jen} files, and their lights taken back.
+ * Exchange with other programs: imports scenes to {@code .jen} files, and exports lights.
  *
  * <pre>{@code
  * ImportedScene scene = SceneImporter.read(Path.of("house.glb"), Path.of("house.jen"), LightUnits.CANDELA, Progress.NONE);

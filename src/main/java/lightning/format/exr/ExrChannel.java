@@ -1,18 +1,18 @@
 package lightning.format.exr;
 
 /**
- * A column of numbers, one for each pixel.
+ * Channel of an OpenEXR image, with one number per pixel.
  *
- * @param name as in {@code key.diffuse.R}: what stands before the last dot is the layer
+ * @param name full name, such as {@code key.diffuse.R}; the part before the last dot is the layer
  */
 public record ExrChannel(String name, ExrType type) {
-    /** The longest name that a file may have. */
+    /** Maximum length of a channel name. */
     public static final int MAX_NAME_LENGTH = 255;
 
     /** @throws IllegalArgumentException if the name is empty, longer than {@link #MAX_NAME_LENGTH}, or not of printable ASCII */
     public ExrChannel {
         if (name.isEmpty() || name.length() > MAX_NAME_LENGTH || !name.chars().allMatch(c -> c > ' ' && c < 127)) {
-            throw new IllegalArgumentException("a channel's name must have 1 to " + MAX_NAME_LENGTH + " characters of ASCII, was " + name);
+            throw new IllegalArgumentException("a channel's name must have 1 to " + MAX_NAME_LENGTH + " ASCII characters, was " + name);
         }
     }
 }

@@ -7,9 +7,9 @@ import java.util.zip.DataFormatException;
 import java.util.zip.Deflater;
 import java.util.zip.Inflater;
 
-/** The numbers of up to 16 lines, as they are before they are compressed. */
+/** Uncompressed pixel data of up to 16 scan lines. */
 public final class ExrChunk {
-    /** What most writers of this format take: on noise of floats more effort gains a hundredth. */
+    /** Compression level that most writers of this format use; on noisy floats more effort gains 1 %. */
     private static final int COMPRESSION_LEVEL = 4;
 
     private final ExrHeader header;
@@ -24,16 +24,20 @@ public final class ExrChunk {
         this.buffer = ByteBuffer.wrap(numbers).order(ByteOrder.LITTLE_ENDIAN);
     }
 
-    /** A chunk of zeros; {@code index} from 0 to before {@link ExrHeader#chunkCount}. */
+    /**
+     * Creates a chunk of zeros.
+     *
+     * @param index 0 to {@link ExrHeader#chunkCount} − 1
+     */
     public ExrChunk(ExrHeader header, int index) {
         this(header, header.channelOffsets(), new byte[Math.toIntExact(header.bytesPerLine() * header.lineCount(index))]);
     }
 
     /**
-     * Puts a number.
+     * Sets a value.
      *
-     * @param channel its place in the header
-     * @param y       from the chunk's first line
+     * @param channel index of the channel in the header
+     * @param y line within the chunk
      */
     public void put(int channel, int x, int y, float v) {
         ExrType type = header.channels().get(channel).type();
@@ -46,8 +50,8 @@ public final class ExrChunk {
     }
 
     /**
-     * The chunk as a file has it: all bytes of even places before those of odd ones, each as its difference from the one before, by
-     * zlib; as it is where that is no shorter.
+     * Returns the chunk's bytes in the file: even bytes before odd bytes, delta-encoded, compressed by zlib; uncompressed if
+     * that is not shorter.
      */
     public byte[] compress() {
         byte[] raw = buffer.array();
@@ -69,9 +73,9 @@ public final class ExrChunk {
     }
 
     /**
-     * The reverse of {@link #compress}.
+     * Decompresses a chunk; inverse of {@link #compress}.
      *
-     * @throws DataFormatException if it does not give exactly so many bytes
+     * @throws DataFormatException if the result has another length
      */
     static byte[] decompress(byte[] compressed, int length) throws DataFormatException {
         if (compressed.length == length) {

@@ -9,42 +9,42 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * What stands before the numbers of a file: one part, lines from the top, compressed by ZIP in chunks of 16 lines (OpenEXR File
- * Layout, openexr.com). All is little-endian.
+ * Header of an OpenEXR file with one part, scan lines in increasing order, and ZIP compression in chunks of 16 lines
+ * (OpenEXR File Layout, openexr.com). All numbers are little-endian.
  *
- * @param channels sorted by name, as a file must have them
- * @param attributes    more that is told of the picture, by name
+ * @param channels sorted by name, as the format requires
+ * @param attributes additional string attributes by name
  */
 public record ExrHeader(int width, int height, List<ExrChannel> channels, Map<String, String> attributes) {
     static final int MAGIC = 20000630;
     static final int VERSION = 2;
-    /** The version's bit that allows names of more than 31 bytes. */
+    /** Version flag that allows names longer than 31 bytes. */
     static final int LONG_NAMES_FLAG = 0x400;
     private static final int MAX_SHORT_NAME = 31;
     static final byte ZIP = 3;
-    /** Lines of a chunk. */
+    /** Scan lines per chunk. */
     public static final int LINES_PER_CHUNK = 16;
 
     public ExrHeader {
         channels = channels.stream().sorted(Comparator.comparing(ExrChannel::name)).toList();
     }
 
-    /** How many chunks there are. */
+    /** Returns the number of chunks. */
     public int chunkCount() {
         return Math.ceilDiv(height, LINES_PER_CHUNK);
     }
 
-    /** How many lines a chunk has. */
+    /** Returns the number of lines of a chunk. */
     public int lineCount(int chunk) {
         return Math.min(LINES_PER_CHUNK, height - chunk * LINES_PER_CHUNK);
     }
 
-    /** The bytes of a line, not compressed: first all numbers of the first channel, then of the next. */
+    /** Returns the uncompressed bytes per line: all values of the first channel, then those of the next. */
     public long bytesPerLine() {
         return channels.stream().mapToLong(c -> (long) c.type().bytes() * width).sum();
     }
 
-    /** Where each channel's numbers begin in a line. */
+    /** Returns the byte offset of each channel within a line. */
     int[] channelOffsets() {
         int[] starts = new int[channels.size()];
         for (int c = 1; c < starts.length; c++) {
@@ -53,7 +53,7 @@ public record ExrHeader(int width, int height, List<ExrChannel> channels, Map<St
         return starts;
     }
 
-    /** The header as a file has it. */
+    /** Returns the header's bytes in the file. */
     byte[] encode() {
         var out = new ByteArrayOutputStream();
         boolean longNames = channels.stream().anyMatch(c -> c.name().length() > MAX_SHORT_NAME);
@@ -75,7 +75,7 @@ public record ExrHeader(int width, int height, List<ExrChannel> channels, Map<St
         var out = new ByteArrayOutputStream();
         for (ExrChannel channel : channels) {
             writeText(out, channel.name());
-            // Its type, then whether it is to be seen as it is, then one number for each pixel across and down.
+            // The type, the perceptually-linear flag, then the sampling in x and y.
             out.writeBytes(encodeInts(channel.type().ordinal(), 0, 1, 1));
         }
         out.write(0);

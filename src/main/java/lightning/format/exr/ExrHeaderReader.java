@@ -10,7 +10,7 @@ import java.util.List;
 import java.util.Map;
 import lightning.base.text.Quote;
 
-/** Reads the header of a file of one part with lines. */
+/** Reader for the header of a single-part scan-line file. */
 final class ExrHeaderReader {
     private static final int MAX_CHANNELS = 4096;
     private static final List<String> COMPRESSIONS = List.of("none", "RLE", "ZIPS", "ZIP", "PIZ", "PXR24", "B44", "B44A", "DWAA", "DWAB");
@@ -21,28 +21,32 @@ final class ExrHeaderReader {
     private List<ExrChannel> channels;
     private final Map<String, String> attributes = new LinkedHashMap<>();
 
-    /** @param in little-endian, the beginning of a file */
+    /**
+     * Creates a reader.
+     *
+     * @param in little-endian start of a file
+     */
     ExrHeaderReader(ByteBuffer in) {
         this.in = in;
     }
 
-    /** What was read. */
+    /** Parsed header with the values needed to read the pixels. */
     record Result(ExrHeader header, int compression, int top, int headerBytes) {}
 
     /**
-     * Reads it.
+     * Reads the header.
      *
-     * @throws EOFException if it does not end here
-     * @throws IOException  if it is none, or that of a file of another kind
+     * @throws EOFException if the buffer ends within the header
+     * @throws IOException if it is not an OpenEXR header, or of an unsupported kind
      */
     Result read() throws IOException {
         require(8);
         if (in.getInt() != ExrHeader.MAGIC) {
-            throw new IOException("is no OpenEXR picture: its first four bytes are others");
+            throw new IOException("is not an OpenEXR file: wrong first four bytes");
         }
         int version = in.getInt();
         if ((version & ~ExrHeader.LONG_NAMES_FLAG) != ExrHeader.VERSION) {
-            throw new IOException("is an OpenEXR picture of tiles, parts or deep samples; expected one part with lines");
+            throw new IOException("is a tiled, multi-part or deep OpenEXR file; expected a single part with scan lines");
         }
         for (String name = readText(); !name.isEmpty(); name = readText()) {
             readAttribute(name, readText());
@@ -89,7 +93,7 @@ final class ExrHeaderReader {
     private int readCompression(int size) throws IOException {
         int code = size == 1 ? in.get() : -1;
         if (code != 0 && code != 2 && code != 3) {
-            throw new IOException("is compressed as " + (code >= 0 && code < COMPRESSIONS.size() ? COMPRESSIONS.get(code) : "nobody knows")
+            throw new IOException("has compression " + (code >= 0 && code < COMPRESSIONS.size() ? COMPRESSIONS.get(code) : "unknown")
                     + "; expected none, ZIPS or ZIP");
         }
         return code;
@@ -104,13 +108,13 @@ final class ExrHeaderReader {
             int xSampling = in.getInt();
             int ySampling = in.getInt();
             if (type < 0 || type >= ExrType.values().length || xSampling != 1 || ySampling != 1 || result.size() == MAX_CHANNELS) {
-                throw new IOException("has a channel " + Quote.of(name) + " that is not read: expected at most " + MAX_CHANNELS
-                        + " channels of whole numbers, half or float, one for each pixel");
+                throw new IOException("has a channel " + Quote.of(name) + ", which is not supported: expected at most " + MAX_CHANNELS
+                        + " channels of type uint, half or float without subsampling");
             }
             result.add(channel(name, ExrType.values()[type]));
         }
         if (in.position() != end || result.stream().map(ExrChannel::name).distinct().count() != result.size()) {
-            throw new IOException("has a damaged OpenEXR header: its list of channels");
+            throw new IOException("has a damaged OpenEXR header: its channel list");
         }
         return result;
     }
@@ -119,7 +123,7 @@ final class ExrHeaderReader {
         try {
             return new ExrChannel(name, type);
         } catch (IllegalArgumentException e) {
-            throw new IOException("has a channel " + Quote.of(name) + "; expected a name of ASCII", e);
+            throw new IOException("has a channel " + Quote.of(name) + "; expected an ASCII name", e);
         }
     }
 
@@ -139,7 +143,7 @@ final class ExrHeaderReader {
 
     private void require(int bytes) throws IOException {
         if (in.remaining() < bytes) {
-            throw new EOFException("is cut short: its OpenEXR header has no end");
+            throw new EOFException("is truncated: its OpenEXR header does not end");
         }
     }
 }

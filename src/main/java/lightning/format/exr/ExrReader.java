@@ -11,23 +11,23 @@ import java.util.zip.DataFormatException;
 import lightning.base.text.Quote;
 
 /**
- * Reads files of one part with lines, not compressed or by ZIP, as most programs write them: what {@link ExrWriter} writes, and more.
+ * Reader for single-part scan-line OpenEXR files, uncompressed or ZIP: the output of {@link ExrWriter} and of most programs.
  * Messages do not repeat the file's name.
  */
 public final class ExrReader implements AutoCloseable {
-    /** A header is not longer, with the names of a million shapes in it. */
+    /** Maximum header size in bytes, with the names of a million shapes. */
     private static final int MAX_HEADER_BYTES = 1 << 26;
     private static final int INITIAL_HEADER_BYTES = 1 << 16;
-    /** The bytes of a chunk at most, when decompressed: so few of a damaged file can ask for no more. */
+    /** Maximum uncompressed bytes of a chunk, so that a small damaged file cannot request more. */
     private static final long MAX_CHUNK_BYTES = 1L << 28;
 
     private final FileChannel file;
     private final ExrHeaderReader.Result header;
 
     /**
-     * Reads the header.
+     * Opens a file and reads its header.
      *
-     * @throws IOException if it is no such file, or one of another kind; the message says which
+     * @throws IOException if it is not an OpenEXR file, or of an unsupported kind; the message says which
      */
     public ExrReader(Path path) throws IOException {
         file = FileChannel.open(path);
@@ -51,23 +51,23 @@ public final class ExrReader implements AutoCloseable {
         }
     }
 
-    /** What the file says of itself. The picture's size is not checked. */
+    /** Returns the header. The image size is not validated. */
     public ExrHeader header() {
         return header.header();
     }
 
-    /** Gets the numbers of pixels. */
+    /** Receives pixel values. */
     public interface PixelConsumer {
-        /** The numbers of a pixel, one for each channel that was asked for, in that order; the array is used again. */
+        /** Receives the values of a pixel, one for each requested channel, in that order; the array is reused. */
         void accept(int x, int y, float[] values);
     }
 
     /**
-     * Reads the numbers.
+     * Reads the pixels.
      *
-     * @param names of the channels wanted
-     * @param sink    gets every pixel once
-     * @throws IOException if a channel is not there, or the file is cut short or damaged
+     * @param names requested channels
+     * @param sink receives every pixel once
+     * @throws IOException if a channel is missing, or the file is truncated or damaged
      */
     public void read(List<String> names, PixelConsumer sink) throws IOException {
         ExrHeader exrHeader = header.header();
@@ -96,7 +96,7 @@ public final class ExrReader implements AutoCloseable {
             long y = (long) chunkHeader.getInt() - header.top();
             int size = chunkHeader.getInt();
             if (y < 0 || y >= exrHeader.height() || y % lines != 0 || seenLines[(int) y]) {
-                throw new IOException("has a damaged table of chunks: one begins at line " + y);
+                throw new IOException("has a damaged chunk table: a chunk begins at line " + y);
             }
             seenLines[(int) y] = true;
             int count = (int) Math.min(lines, exrHeader.height() - y);
@@ -132,14 +132,14 @@ public final class ExrReader implements AutoCloseable {
 
     private ByteBuffer readBytes(long offset, int count) throws IOException {
         if (offset < 0 || offset > file.size() - count) {
-            throw new EOFException("is cut short: it has fewer pixels than its header says");
+            throw new EOFException("is truncated: it has fewer pixels than its header says");
         }
         ByteBuffer buffer = ByteBuffer.allocate(count).order(ByteOrder.LITTLE_ENDIAN);
         while (buffer.hasRemaining() && file.read(buffer, offset + buffer.position()) >= 0) {
-            // Until all is there.
+            // Read until the buffer is full.
         }
         if (buffer.hasRemaining()) {
-            throw new EOFException("is cut short: it has fewer pixels than its header says");
+            throw new EOFException("is truncated: it has fewer pixels than its header says");
         }
         return buffer.flip();
     }

@@ -2,16 +2,16 @@ package lightning.format.exr;
 
 import java.nio.ByteBuffer;
 
-/** What the numbers of a channel are; the order is that of their codes in a file. */
+/** Data type of a channel; the order is that of the codes in a file. */
 public enum ExrType {
-    /** Whole numbers of 32 bits, 0 and up. */
+    /** Unsigned 32-bit integer. */
     UINT(4),
-    /** Floats of 16 bits. */
+    /** 16-bit float. */
     HALF(2),
-    /** Floats of 32 bits. */
+    /** 32-bit float. */
     FLOAT(4);
 
-    /** The largest number of 16 bits. */
+    /** Largest finite half. */
     public static final float MAX_HALF = 65504;
 
     private final int bytes;
@@ -20,20 +20,20 @@ public enum ExrType {
         this.bytes = bytes;
     }
 
-    /** The bytes of a number. */
+    /** Returns the size of a value in bytes. */
     public int bytes() {
         return bytes;
     }
 
     /**
-     * Puts a number. HALF is the nearest, of two the even one; what is larger than any is {@link #MAX_HALF}, so that no finite
-     * number becomes infinite.
+     * Writes a value. HALF rounds to nearest even; larger values become {@link #MAX_HALF}, so that no finite value becomes
+     * infinite.
      */
     void put(ByteBuffer buffer, int offset, float v) {
         switch (this) {
             case UINT -> buffer.putInt(offset, (int) (long) v);
             case HALF -> buffer.putShort(offset, Float.floatToFloat16(Float.isFinite(v) ? Math.clamp(v, -MAX_HALF, MAX_HALF) : v));
-            // As raw bits, because a float register may change the payload of a NaN.
+            // Copy raw bits: a float register may change the payload of a NaN.
             case FLOAT -> buffer.putInt(offset, Float.floatToRawIntBits(v));
         }
     }

@@ -8,8 +8,8 @@ import java.util.Map;
 import java.util.TreeMap;
 
 /**
- * Writes a file chunk by chunk, so that a picture of many layers needs never be in memory as a whole. Chunks may come from several
- * threads and in any order; the file has them from the top.
+ * Writer that stores a file chunk by chunk, so that an image with many layers is never in memory as a whole. Chunks may
+ * arrive from several threads in any order; the file contains them from top to bottom.
  */
 public final class ExrWriter {
     private final SeekableByteChannel file;
@@ -22,7 +22,7 @@ public final class ExrWriter {
     /**
      * Writes the header.
      *
-     * @param file empty
+     * @param file empty output file
      */
     public ExrWriter(SeekableByteChannel file, ExrHeader header) throws IOException {
         this.file = file;
@@ -34,7 +34,7 @@ public final class ExrWriter {
         file.position(tableOffset + (long) Long.BYTES * chunkOffsets.length);
     }
 
-    /** Writes a chunk, or keeps it until those before it have come. */
+    /** Writes a chunk, or buffers it until its predecessors have arrived. */
     public synchronized void writeChunk(int index, byte[] compressed) throws IOException {
         pending.put(index, compressed);
         for (byte[] chunk = pending.remove(next); chunk != null; chunk = pending.remove(next)) {
@@ -47,13 +47,13 @@ public final class ExrWriter {
     }
 
     /**
-     * Writes where the chunks stand.
+     * Writes the chunk offset table.
      *
-     * @throws IllegalStateException if any has not come
+     * @throws IllegalStateException if a chunk is missing
      */
     public synchronized void finish() throws IOException {
         if (next < header.chunkCount()) {
-            throw new IllegalStateException(next + " of " + header.chunkCount() + " chunks have come");
+            throw new IllegalStateException(next + " of " + header.chunkCount() + " chunks were written");
         }
         ByteBuffer buffer = ByteBuffer.allocate(Long.BYTES * chunkOffsets.length).order(ByteOrder.LITTLE_ENDIAN);
         for (long offset : chunkOffsets) {

@@ -1,2 +1,2 @@
-/** Files of OpenEXR: a picture as columns of numbers, each with a name. */
+/** OpenEXR files: images as named channels of numbers. */
 package lightning.format.exr;

@@ -8,7 +8,7 @@ import lightning.base.text.Quote;
 import lightning.format.mesh.MeshException;
 import lightning.format.mesh.MeshLimits;
 
-/** The numbers that a glTF file names, held against the bytes behind them before an array is made. */
+/** Reader for accessor data, validated against the buffer's size before an array is allocated. */
 final class AccessorReader {
     private static final int BYTE = 5120;
     private static final int UNSIGNED_BYTE = 5121;
@@ -22,7 +22,7 @@ final class AccessorReader {
     private final GltfFile file;
     private final BufferReader buffers;
 
-    /** Numbers of one type in a buffer. */
+    /** View of elements of one type in a buffer. */
     private record ElementView(ByteBuffer bytes, int offset, int stride, int type, boolean normalized) {
         double number(int element, int component) {
             int position = offset + element * stride + component * componentBytes(type);
@@ -36,7 +36,7 @@ final class AccessorReader {
             };
         }
 
-        /** glTF 2.0, §3.6.2.2. */
+        /** Decodes a normalized integer: glTF 2.0, §3.6.2.2. */
         private double decode(int v, int max) {
             return normalized ? Math.max((double) v / max, -1) : v;
         }
@@ -51,12 +51,12 @@ final class AccessorReader {
         return index.resolve(file.array("accessors")).get("count").integer(1, MeshLimits.VERTICES);
     }
 
-    /** {@code float[each * count]}. */
+    /** Reads an accessor as floats, {@code float[components * count]}. */
     float[] floats(JsonValue index, int components) throws IOException, MeshException {
         JsonValue accessor = index.resolve(file.array("accessors"));
         int count = accessor.get("count").integer(1, MeshLimits.VERTICES);
         int available = componentCount(accessor);
-        // Colors may have a fourth number.
+        // Colors may have a fourth component.
         if (available != components && !(components == 3 && available == 4)) {
             throw accessor.get("type").problem("must have " + components + " numbers each, has " + available);
         }
@@ -76,13 +76,13 @@ final class AccessorReader {
         return values;
     }
 
-    /** Whole numbers from 0 to below {@code vertexCount}. */
+    /** Reads indices, each from 0 to {@code vertexCount} − 1. */
     int[] indices(JsonValue index, int vertexCount) throws IOException, MeshException {
         JsonValue accessor = index.resolve(file.array("accessors"));
         int count = accessor.get("count").integer(1, 3 * MeshLimits.TRIANGLES);
         int type = accessor.get("componentType").integer(0, Integer.MAX_VALUE);
         if (componentCount(accessor) != 1 || type != UNSIGNED_BYTE && type != UNSIGNED_SHORT && type != UNSIGNED_INT) {
-            throw accessor.problem("indices must be single numbers without sign");
+            throw accessor.problem("indices must be unsigned scalars");
         }
         ElementView view = elementView(accessor, count, 1);
         Sparse sparse = sparse(accessor, count, 1);
@@ -113,12 +113,12 @@ final class AccessorReader {
         return components;
     }
 
-    /** The numbers of an accessor; null where all are 0. */
+    /** Returns the view of an accessor's data; null if all values are 0. */
     private ElementView elementView(JsonValue accessor, int count, int components) throws IOException, MeshException {
         JsonValue view = accessor.get("bufferView");
         if (!view.isPresent()) {
             if (count > Files.size(file.path())) {
-                throw accessor.get("count").problem("must be at most the bytes of the file where there is no bufferView, was " + count);
+                throw accessor.get("count").problem("must be at most the file's size if there is no bufferView, was " + count);
             }
             return null;
         }
@@ -156,12 +156,12 @@ final class AccessorReader {
         };
     }
 
-    /** Numbers that stand for those of the rest at some places. */
+    /** Sparse values that replace some elements of an accessor. */
     private record Sparse(JsonValue path, int count, int elementCount, ElementView indices, ElementView values) {
         int index(int i) throws MeshException {
             double index = indices.number(i, 0);
             if (!(index >= 0 && index < elementCount && index == Math.rint(index))) {
-                throw path.problem("place " + i + " must be from 0 to " + (elementCount - 1) + ", was " + index);
+                throw path.problem("index " + i + " must be from 0 to " + (elementCount - 1) + ", was " + index);
             }
             return (int) index;
         }

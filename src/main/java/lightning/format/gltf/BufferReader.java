@@ -18,7 +18,7 @@ import lightning.base.text.Quote;
 import lightning.format.mesh.ByteSource;
 import lightning.format.mesh.MeshException;
 
-/** The bytes that a glTF file names: embedded, beside its JSON, or in files of its folder. Each is read once. */
+/** Reader for the buffers of a glTF file: embedded, in the binary chunk, or in files of its folder. Each is read once. */
 final class BufferReader {
     private final GltfFile file;
     private final Map<Integer, byte[]> buffersByIndex = new HashMap<>();
@@ -29,9 +29,9 @@ final class BufferReader {
     }
 
     /**
-     * The bytes of a view.
+     * Returns the bytes of a buffer view.
      *
-     * @return from the first to the last byte of it, in the order of glTF, the smallest first
+     * @return little-endian, exactly the view's range
      */
     ByteBuffer view(JsonValue index) throws IOException, MeshException {
         JsonValue view = index.resolve(file.array("bufferViews"));
@@ -54,17 +54,17 @@ final class BufferReader {
         } else if (index == 0 && file.binaryChunk() != null) {
             bytes = file.binaryChunk();
         } else {
-            throw buffer.problem("must have a uri: there are no data beside the JSON for it");
+            throw buffer.problem("must have a uri: the file has no binary chunk for it");
         }
         int length = buffer.get("byteLength").integer(0, Integer.MAX_VALUE);
         if (length > bytes.length) {
-            throw buffer.get("byteLength").problem("must be at most the bytes that are there, " + bytes.length + ", was " + length);
+            throw buffer.get("byteLength").problem("must be at most the available bytes, " + bytes.length + ", was " + length);
         }
         buffersByIndex.put(index, bytes);
         return bytes;
     }
 
-    /** The files of this folder that hold buffers, each once. */
+    /** Returns the files of this folder that contain buffers, each once. */
     Set<Path> files() throws IOException, MeshException {
         Set<Path> files = new LinkedHashSet<>();
         JsonValue buffers = file.array("buffers");
@@ -77,7 +77,7 @@ final class BufferReader {
         return files;
     }
 
-    /** The same, read once however many buffers name it. */
+    /** Returns the bytes of a URI, read once for all buffers that reference it. */
     private byte[] cachedBytes(JsonValue uri) throws IOException, MeshException {
         String text = uri.text().orElse("");
         byte[] cached = buffersByUri.get(text);
@@ -88,18 +88,18 @@ final class BufferReader {
         return cached;
     }
 
-    /** What a URI names: data in it, or a file of this folder. */
+    /** Returns the bytes of a URI: embedded data, or a file of this folder. */
     byte[] bytes(JsonValue uri) throws IOException, MeshException {
         String text = uri.text().orElse("");
         if (text.startsWith("data:")) {
             int comma = text.indexOf(',');
             if (comma < 0 || !text.substring(0, comma).endsWith(";base64")) {
-                throw uri.problem("must hold its data as base64");
+                throw uri.problem("must contain its data as base64");
             }
             try {
                 return Base64.getDecoder().decode(text.substring(comma + 1));
             } catch (IllegalArgumentException e) {
-                throw uri.problem("must hold its data as base64: " + e.getMessage());
+                throw uri.problem("must contain its data as base64: " + e.getMessage());
             }
         }
         Path path = siblingFile(uri);
@@ -110,12 +110,12 @@ final class BufferReader {
         }
     }
 
-    /** The file of this folder, or of one inside it, that a URI names. */
+    /** Returns the file in this folder or below it that a URI references. */
     Path siblingFile(JsonValue uri) throws IOException, MeshException {
         String text = uri.text().orElse("");
         Path folder = file.path().toAbsolutePath().getParent().toRealPath();
         try {
-            // A plus is a plus in paths.
+            // A plus sign is literal in paths.
             Path path = folder.resolve(URLDecoder.decode(text.replace("+", "%2B"), StandardCharsets.UTF_8)).normalize();
             if (text.isEmpty() || text.contains(":") || !path.startsWith(folder)) {
                 throw uri.problem("must be data or a file in the folder of this one, was " + Quote.of(text));
@@ -128,7 +128,7 @@ final class BufferReader {
                 throw uri.problem("must be a file in the folder of this one, was " + Quote.of(text) + ", which is " + otherKind.get());
             }
             if (!path.toRealPath().startsWith(folder)) {
-                throw uri.problem("must be in the folder of this file, found a link that leads out of it, " + Quote.of(text));
+                throw uri.problem("must be in the folder of this file, found a link to another folder, " + Quote.of(text));
             }
             return path;
         } catch (IllegalArgumentException e) {

@@ -8,24 +8,27 @@ import lightning.format.mesh.MeshException;
 import lightning.format.mesh.MeshLimits;
 
 /**
- * How much a glTF file may become in memory, by its bytes and those of its buffers. Nodes show every primitive of their mesh, and primitives
- * share vertices, so a few bytes can stand for very much.
+ * Limit for the memory that a glTF file may expand to, by the size of the file and its buffers. Nodes show every primitive
+ * of their mesh and primitives share vertices, so a few bytes can expand to very much.
  */
 final class ExpansionLimit {
-    /** One for so many bytes, where there are more than {@link MeshLimits#PARTS}: a node that is placed takes some 60 bytes. */
+    /** File bytes required per shape above {@link MeshLimits#PARTS} shapes; a placed node takes about 60 bytes. */
     private static final int BYTES_PER_SHAPE = 4;
-    /** Bytes in memory that any file may take. */
+    /** Memory in bytes that any file may take. */
     private static final long BASE_BYTES = 64L << 20;
-    /** An index of one byte becomes an int, and its vertex at most 16 floats; twice that for what is shared on purpose. */
+    /**
+     * Maximum memory per file byte: a one-byte index becomes an int and its vertex at most 16 floats; doubled for
+     * intentional sharing.
+     */
     private static final long MAX_EXPANSION_FACTOR = 128;
 
     private final long fileBytes;
 
     /**
-     * Sums the bytes up.
+     * Computes the size of the file and its buffers.
      *
-     * @throws MeshException if a buffer is no file in the folder of this one
-     * @throws IOException   if their sizes cannot be read
+     * @throws MeshException if a buffer is not a file in the file's folder
+     * @throws IOException if a size cannot be read
      */
     ExpansionLimit(GltfFile file) throws IOException, MeshException {
         long sum = Files.size(file.path());
@@ -36,9 +39,9 @@ final class ExpansionLimit {
     }
 
     /**
-     * Refuses nodes that show too many shapes, before any is made.
+     * Rejects node trees that show too many shapes, before any is created.
      *
-     * @param limit how many there may be whatever the file's size
+     * @param limit number of shapes allowed for any file size
      */
     static void checkShapes(GltfFile file, List<GltfNode> nodes, long limit) throws IOException, MeshException {
         long shapes = countShapes(nodes, countPrimitives(file));
@@ -46,7 +49,7 @@ final class ExpansionLimit {
         long max = Math.min(limit, Math.max(MeshLimits.PARTS, expansion.fileBytes / BYTES_PER_SHAPE));
         if (shapes > max) {
             throw file.array("nodes")
-                    .problem("must show at most " + max + " shapes where the file and its buffers have " + expansion.fileBytes
+                    .problem("must show at most " + max + " shapes for a file and buffers of " + expansion.fileBytes
                             + " bytes, found " + shapes + "; each node shows every primitive of its mesh");
         }
     }
@@ -59,7 +62,7 @@ final class ExpansionLimit {
         return sum;
     }
 
-    /** How many primitives of each mesh can be a shape. */
+    /** Counts the primitives of each mesh that can become a shape. */
     private static int[] countPrimitives(GltfFile file) throws MeshException {
         JsonValue meshes = file.array("meshes");
         int[] counts = new int[meshes.size()];
@@ -72,11 +75,11 @@ final class ExpansionLimit {
         return counts;
     }
 
-    /** Refuses meshes that take too many bytes in memory. */
+    /** Rejects meshes that take too much memory. */
     void checkBytes(long usedBytes, JsonValue json) throws MeshException {
         long max = BASE_BYTES + MAX_EXPANSION_FACTOR * fileBytes;
         if (usedBytes > max) {
-            throw json.problem("the meshes up to here must take at most " + (max >> 20) + " MiB where the file and its buffers have "
+            throw json.problem("the meshes up to here must take at most " + (max >> 20) + " MiB for a file and buffers of "
                     + fileBytes + " bytes, found " + (usedBytes >> 20) + " MiB");
         }
     }

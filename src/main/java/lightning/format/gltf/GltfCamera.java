@@ -3,9 +3,9 @@ package lightning.format.gltf;
 import java.util.Optional;
 
 /**
- * A camera of a glTF file.
+ * Camera of a glTF file.
  *
- * @param fieldOfView the vertical opening angle, radians; empty where the camera has no perspective
- * @param aspectRatio width / height of its picture, above 0; empty where any will do
+ * @param fieldOfView vertical field of view in radians; empty for an orthographic camera
+ * @param aspectRatio width / height of the image, above 0; empty for any
  */
 public record GltfCamera(Optional<Double> fieldOfView, Optional<Double> aspectRatio) {}

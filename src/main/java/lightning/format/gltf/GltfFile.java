@@ -20,18 +20,18 @@ import tools.jackson.core.json.JsonFactory;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
-/** A glTF file in memory: its JSON and the binary data that stand beside it in a {@code .glb}. */
+/** glTF file in memory: its JSON and the binary chunk of a {@code .glb}. */
 public final class GltfFile {
     static final byte[] MAGIC = "glTF".getBytes(StandardCharsets.US_ASCII);
     static final int JSON_CHUNK = 0x4E4F534A;
     static final int BINARY_CHUNK = 0x004E4942;
-    /** Values, names and brackets: an object for each is some hundred bytes. */
+    /** Maximum number of JSON values, names and brackets; an object for each takes some hundred bytes. */
     private static final long MAX_TOKENS = 5_000_000;
     private static final int MAX_NESTING = 200;
     static final JsonMapper JSON = JsonMapper.builder(JsonFactory.builder().streamReadConstraints(StreamReadConstraints.builder()
             .maxStringLength(MeshLimits.FILE_BYTES).maxDocumentLength(MeshLimits.FILE_BYTES).maxTokenCount(MAX_TOKENS)
             .maxNestingDepth(MAX_NESTING).build()).build()).build();
-    /** Extensions that change nothing of the form and are understood, or cost no more than looks. */
+    /** Extensions that leave geometry unchanged and are supported, or affect only appearance. */
     private static final Set<String> SUPPORTED_EXTENSIONS =
             Set.of("KHR_lights_punctual", "KHR_mesh_quantization", "KHR_texture_transform", "KHR_materials_unlit",
                     "KHR_materials_emissive_strength", "KHR_materials_specular", "KHR_materials_ior", "KHR_materials_transmission",
@@ -51,7 +51,7 @@ public final class GltfFile {
         this.progress = progress;
     }
 
-    /** Whether a file begins as glTF files do, in either form. */
+    /** Returns true if a file starts like a glTF file, in either form. */
     public static boolean isGltf(ByteSource source) throws IOException {
         if (source.startsWith(MAGIC)) {
             return true;
@@ -61,10 +61,11 @@ public final class GltfFile {
     }
 
     /**
-     * Reads a file, without the buffers beside it.
+     * Reads a file, without its external buffers.
      *
-     * @throws MeshException if it is no glTF 2.0 (of glTF 1.0 the message says how to get there), or needs an extension without which its form is not known
-     * @throws IOException   if it cannot be read
+     * @throws MeshException if it is not glTF 2.0 (for glTF 1.0 the message names the remedy), or requires an extension
+     *     without which its geometry is unknown
+     * @throws IOException if it cannot be read
      */
     public static GltfFile read(Path path, Progress progress) throws IOException, MeshException {
         try (ByteSource source = ByteSource.open(path, progress)) {
@@ -88,7 +89,7 @@ public final class GltfFile {
         }
     }
 
-    /** Reads a file with another reader of JSON, as one that keeps all digits. */
+    /** Reads a file with another JSON parser, such as one that keeps all digits. */
     static GltfFile readExactly(Path path, Progress progress, JsonMapper json) throws IOException, MeshException {
         try (ByteSource source = ByteSource.open(path, progress)) {
             return read(source, progress, json);
@@ -117,7 +118,7 @@ public final class GltfFile {
             throw source.problem("chunk " + name, "must come next, found one of another type");
         }
         if (length > source.remaining()) {
-            throw source.problem("chunk " + name, "has " + length + " bytes by its head, but only " + source.remaining() + " follow");
+            throw source.problem("chunk " + name, "has " + length + " bytes by its header, but only " + source.remaining() + " follow");
         }
         return source.bytes((int) length);
     }
@@ -126,22 +127,22 @@ public final class GltfFile {
         try (JsonParser parser = mapper.createParser(json)) {
             JsonNode root = readTree(parser, source);
             if (!root.isObject()) {
-                throw source.problem("", "must be an object of JSON");
+                throw source.problem("", "must be a JSON object");
             }
             return root;
         } catch (JacksonException e) {
             var location = e.getLocation();
             throw source.problem(location == null ? "" : "line " + location.getLineNr() + ", column " + location.getColumnNr(),
-                    "is no JSON that can be read: " + e.getOriginalMessage());
+                    "is not valid JSON: " + e.getOriginalMessage());
         }
     }
 
-    /** The whole text; one that keeps all digits cannot keep every number. */
+    /** Parses the whole text; a parser that keeps all digits rejects huge exponents. */
     private static JsonNode readTree(JsonParser parser, ByteSource source) throws MeshException {
         try {
             JsonNode root = parser.readValueAsTree();
             if (root == null || parser.nextToken() != null) {
-                throw source.problem("", "must be one object of JSON");
+                throw source.problem("", "must be a single JSON object");
             }
             return root;
         } catch (NumberFormatException e) {
@@ -163,12 +164,12 @@ public final class GltfFile {
         for (int i = 0; i < required.size(); i++) {
             String name = required.element(i).text().orElse("");
             if (!SUPPORTED_EXTENSIONS.contains(name) && !name.startsWith("KHR_materials_")) {
-                throw required.element(i).problem("needs " + name + ", which Lightning cannot read; export it without");
+                throw required.element(i).problem("requires " + name + ", which Lightning does not support; export without it");
             }
         }
     }
 
-    /** Files of glTF 1.0 may leave their version out, or write it as a number; they name their meshes where those of 2.0 number them. */
+    /** Returns true for glTF 1.0, whose version may be missing or a number, and whose meshes have names instead of indices. */
     private boolean isVersionOne(JsonValue version) {
         String text = version.node().asString("");
         return version.isPresent() ? text.equals("1") || text.startsWith("1.") : root.node().path("meshes").isObject();
@@ -178,7 +179,7 @@ public final class GltfFile {
         return new MeshException(path, "", "is glTF 1.0; export it as glTF 2.0");
     }
 
-    /** Tells the extensions in use that are not known. */
+    /** Notes the used extensions that are not supported. */
     public void noteExtensions(ConversionNotes notes) throws MeshException {
         JsonValue used = root.get("extensionsUsed");
         for (int i = 0; i < used.size(); i++) {
@@ -205,17 +206,17 @@ public final class GltfFile {
         return progress;
     }
 
-    /** Whether it is a {@code .glb}. */
+    /** Returns true for a {@code .glb} file. */
     boolean isBinary() {
         return isBinary;
     }
 
-    /** The binary data beside the JSON, or null. */
+    /** Returns the binary chunk, or null. */
     byte[] binaryChunk() {
         return binaryChunk;
     }
 
-    /** The bytes that this file names. */
+    /** Returns the reader of this file's buffers. */
     BufferReader buffers() {
         return new BufferReader(this);
     }

@@ -20,13 +20,13 @@ import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.ObjectNode;
 
 /**
- * Puts lights into a copy of a glTF file: its {@code KHR_lights_punctual} is replaced, and all else stays as it is, numbers to
- * their last digit. A light whose node the file has already, by its name, stays there, and where it moved, the node does, if
- * nothing else hangs on it; others get nodes of their own at the root.
+ * Writer of lights into a copy of a glTF file: replaces {@code KHR_lights_punctual} and keeps everything else, including all
+ * digits of numbers. A light whose node exists by name stays there; if it moved, its node moves too, unless other objects
+ * depend on the node. Other lights get new root nodes.
  */
 public final class GltfLightWriter {
     private static final String EXTENSION = "KHR_lights_punctual";
-    /** Files hold floats. */
+    /** Tolerance for comparisons, since glTF files contain floats. */
     private static final double TOLERANCE = 1e-5;
     private static final JsonMapper EXACT_JSON = GltfFile.JSON.rebuild().enable(DeserializationFeature.USE_BIG_DECIMAL_FOR_FLOATS).build();
 
@@ -36,9 +36,9 @@ public final class GltfLightWriter {
     private final Map<Integer, Transform> nodeTransforms = new HashMap<>();
 
     /**
-     * A light where it stands.
+     * Light with its placement.
      *
-     * @param direction where it shines to, of length 1; of no meaning for a point
+     * @param direction direction of emission, of length 1; ignored for a point
      */
     public record PlacedLight(GltfLight light, Vec3 position, Vec3 direction) {}
 
@@ -48,10 +48,10 @@ public final class GltfLightWriter {
     }
 
     /**
-     * The bytes of a copy with these lights.
+     * Returns the bytes of a copy with these lights.
      *
-     * @throws MeshException if the file is no glTF, or its nodes are wrong
-     * @throws IOException   if it cannot be read
+     * @throws MeshException if the file is not glTF, or its nodes are invalid
+     * @throws IOException if it cannot be read
      */
     public static byte[] replaceLights(Path path, List<PlacedLight> lights, Progress progress) throws IOException, MeshException {
         GltfFile file = GltfFile.readExactly(path, progress, EXACT_JSON);
@@ -95,7 +95,7 @@ public final class GltfLightWriter {
         node.children().forEach(child -> collectLightNodes(child, world, oldLights));
     }
 
-    /** Takes all lights from the nodes; tells which of those stand at the root and carry nothing else. */
+    /** Removes all lights from the nodes; returns their nodes, true for root nodes without other content. */
     private Map<Integer, Boolean> removeLights(ArrayNode nodes) {
         Map<Integer, Boolean> removable = new HashMap<>();
         for (JsonNode scene : root.path("scenes")) {
@@ -129,7 +129,7 @@ public final class GltfLightWriter {
         Vec3 p = placed.position();
         node.set("translation", EXACT_JSON.createArrayNode().add(p.x()).add(p.y()).add(p.z()));
         if (placed.light().type() != GltfLight.Type.POINT) {
-            // The shortest turn from −z: its axis is their cross product, and half its angle lies between them.
+            // The shortest rotation from −z: the axis is their cross product, and the half vector gives half the angle.
             Vec3 d = placed.direction();
             double w = 1 - d.z();
             double length = Math.sqrt(d.x() * d.x() + d.y() * d.y() + w * w);
@@ -154,7 +154,7 @@ public final class GltfLightWriter {
         return json;
     }
 
-    /** Puts the list where it belongs, and the extension among those in use. */
+    /** Inserts the list of lights, and adds the extension to those in use. */
     private void addExtension(ArrayNode list) {
         ArrayNode used = childArray(root, "extensionsUsed");
         boolean isListed = false;

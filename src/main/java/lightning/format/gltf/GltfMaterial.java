@@ -4,38 +4,38 @@ import java.util.OptionalInt;
 import lightning.base.math.Rgb;
 
 /**
- * A material of a glTF file.
+ * Material of a glTF file.
  *
- * @param base       linear color, times the picture where there is one
- * @param metallic   0 … 1, times the blue of the picture of surfaces where there is one
- * @param roughness  0 … 1, times its green
- * @param f0 the share of light that it mirrors when seen head on, where it is no metal
- * @param f90    the same where it is seen from its side
- * @param emission   linear, strength included, times the picture where there is one
- * @param emissionImage       the number of the image of its emission, −1 where it cannot be read; empty for none
- * @param isUnlit      whether it shows its base color, whatever light there is
- * @param baseImage      the number of the base color's image; −1 for none
- * @param metallicRoughnessImage    the number of the image of metalness and roughness; −1 for none
- * @param normalImage    the number of the image of its normal map; −1 for none
- * @param normalScale       a factor on how far these normals lean
- * @param opacity    0 … 1, how much of it is there; less than 1 where it is a veil
- * @param transmission      what passes through it
- * @param cutoff     where the alpha of its base color, times that of the picture, is less, nothing is there; 0 for nowhere
- * @param alphaFactor      that of its base color, where it cuts
- * @param isBlended      whether the file lets such a picture fade, instead
+ * @param base linear color, multiplied by the base color image
+ * @param metallic 0 … 1, multiplied by blue of the metallic-roughness image
+ * @param roughness 0 … 1, multiplied by green of the metallic-roughness image
+ * @param f0 specular reflectance at normal incidence, for the dielectric part
+ * @param f90 specular reflectance at grazing incidence
+ * @param emission linear, including strength, multiplied by the emission image
+ * @param emissionImage index of the emission image, −1 if its format is not supported; empty for none
+ * @param isUnlit true if it shows its base color regardless of lights
+ * @param baseImage index of the base color image; −1 for none
+ * @param metallicRoughnessImage index of the metallic-roughness image; −1 for none
+ * @param normalImage index of the normal map; −1 for none
+ * @param normalScale strength of the normal map
+ * @param opacity 0 … 1; below 1 for a veil
+ * @param transmission transmission through the surface
+ * @param cutoff threshold for the alpha of base color and image below which the surface is cut out; 0 for none
+ * @param alphaFactor alpha of the base color, if it is used for cutouts
+ * @param isBlended true if the file blends by alpha instead of cutting out
  */
 public record GltfMaterial(String name, Rgb base, double metallic, double roughness, Rgb f0, double f90, Rgb emission,
         OptionalInt emissionImage, boolean isUnlit, int baseImage, int metallicRoughnessImage, int normalImage, double normalScale,
         double opacity, Transmission transmission, double cutoff,
         double alphaFactor, boolean isBlended) {
     /**
-     * What passes through a surface, and through the body behind it.
+     * Transmission through a surface and the volume behind it.
      *
-     * @param factor    0 … 1, of the light that is not mirrored
-     * @param ior      the index of refraction
-     * @param isThin     whether there is no body behind it
-     * @param tint     what is left of white after {@code tintDistance}
-     * @param tintDistance meters; infinite where nothing is lost
+     * @param factor transmitted share of the light that is not reflected, 0 … 1
+     * @param ior index of refraction
+     * @param isThin true if there is no volume
+     * @param tint color of white light after {@code tintDistance}
+     * @param tintDistance meters; infinite for no absorption
      */
     public record Transmission(double factor, double ior, boolean isThin, Rgb tint, double tintDistance) {}
 }

@@ -18,8 +18,8 @@ import lightning.format.mesh.VertexNormals;
 import lightning.scene.Mesh;
 
 /**
- * The meshes of a glTF file, a part for each primitive: triangles, strips and fans. A part keeps the vertices that its triangles
- * name: many parts of one pool of vertices are common, and no vertex is kept twice for them.
+ * Reader for the meshes of a glTF file, one part for each primitive: triangles, strips and fans. A part contains only the
+ * vertices that its triangles use, because many parts often share one vertex pool.
  */
 public final class GltfMeshReader {
     private static final int TRIANGLES_MODE = 4;
@@ -31,9 +31,9 @@ public final class GltfMeshReader {
     private final ExpansionLimit expansionLimit;
     private final UniqueNames names = new UniqueNames();
     private final List<GltfPart> parts = new ArrayList<>();
-    /** The numbers of accessors that were read, by accessor and what they are read as. */
+    /** Values of accessors already read, by accessor and requested form. */
     private final Map<String, float[]> cachedValues = new HashMap<>();
-    /** The new number of each vertex of a pool; −1 between two parts. */
+    /** Compacted index of each vertex of a pool; all −1 between two parts. */
     private int[] vertexMap = {};
     private long bytes;
 
@@ -47,9 +47,9 @@ public final class GltfMeshReader {
     /**
      * Reads all meshes.
      *
-     * @param notes hears what is left out
-     * @throws MeshException if anything of them is wrong, or there are none
-     * @throws IOException   if a file beside it cannot be read
+     * @param notes receives omitted features
+     * @throws MeshException if the meshes are invalid, or there are none
+     * @throws IOException if an external file cannot be read
      */
     public static List<GltfPart> read(GltfFile file, ConversionNotes notes) throws IOException, MeshException {
         return new GltfMeshReader(file, notes).read();
@@ -71,7 +71,7 @@ public final class GltfMeshReader {
             }
         }
         if (parts.isEmpty()) {
-            throw file.root().get("meshes").problem("must have triangles: without them there is nothing to light");
+            throw file.root().get("meshes").problem("must have triangles");
         }
         return List.copyOf(parts);
     }
@@ -80,7 +80,7 @@ public final class GltfMeshReader {
         return primitive.get("mode").integer(0, 6, TRIANGLES_MODE);
     }
 
-    /** Whether a primitive is one of triangles with positions, as far as its own words say. */
+    /** Returns true if a primitive declares triangles with positions. */
     static boolean isDrawable(JsonValue primitive) throws MeshException {
         return mode(primitive) >= TRIANGLES_MODE && primitive.get("attributes").get("POSITION").isPresent();
     }
@@ -93,10 +93,10 @@ public final class GltfMeshReader {
         }
         JsonValue position = primitive.get("attributes").get("POSITION");
         if (!position.isPresent()) {
-            notes.add("primitives without positions, or in a compressed form");
+            notes.add("primitives without positions, or compressed");
             return;
         }
-        // Read first: from here on there are as many vertices as it says.
+        // Read positions first: they define the number of vertices.
         int vertices = readValues(position, 3).length / 3;
         JsonValue indices = primitive.get("indices");
         int[] triangles = triangles(mode, indices.isPresent() ? accessors.indices(indices, vertices) : null, vertices);
@@ -166,12 +166,12 @@ public final class GltfMeshReader {
         }
     }
 
-    /** Reckons with so many numbers more. */
+    /** Adds to the memory estimate, and rejects the file if it is too large. */
     private void reserveBytes(long count, JsonValue primitive) throws MeshException {
         bytes += 4 * count;
         expansionLimit.checkBytes(bytes, primitive);
         if (bytes > HeapBudget.availableBytes() / 2) {
-            throw primitive.problem("the meshes up to here take " + (bytes >> 20) + " MiB, more than half of the memory that there is");
+            throw primitive.problem("the meshes up to here take " + (bytes >> 20) + " MiB, more than half of the available memory");
         }
     }
 
@@ -188,12 +188,12 @@ public final class GltfMeshReader {
         }
     }
 
-    /** Tangents without normals must be ignored: glTF 2.0, §3.7.2.1. */
+    /** Returns true if tangents apply; those without normals must be ignored: glTF 2.0, §3.7.2.1. */
     private static boolean hasTangents(JsonValue attributes) throws MeshException {
         return attributes.get("TANGENT").isPresent() && attributes.get("NORMAL").isPresent();
     }
 
-    /** Renumbers the vertices that are named, and tells which they were. */
+    /** Renumbers the used vertices in place, and returns their original indices. */
     private int[] compact(int[] triangles, int vertices) {
         if (vertexMap.length < vertices) {
             vertexMap = new int[vertices];
@@ -215,13 +215,13 @@ public final class GltfMeshReader {
         return Arrays.copyOf(used, count);
     }
 
-    /** The numbers of the named vertices; null where there are none. */
+    /** Returns the values of the used vertices; null if the accessor is absent. */
     private float[] gather(JsonValue accessor, int components, int vertices, int[] used) throws IOException, MeshException {
         if (!accessor.isPresent()) {
             return null;
         }
         if (accessors.count(accessor) != vertices) {
-            throw accessor.problem("must have as many as there are positions, " + vertices + ", has " + accessors.count(accessor));
+            throw accessor.problem("must have one value per position, " + vertices + ", has " + accessors.count(accessor));
         }
         float[] values = readValues(accessor, components);
         float[] result = new float[components * used.length];
@@ -231,7 +231,7 @@ public final class GltfMeshReader {
         return result;
     }
 
-    /** All numbers of an accessor, read once. */
+    /** Returns all values of an accessor, read once. */
     private float[] readValues(JsonValue accessor, int components) throws IOException, MeshException {
         String key = accessor.index(file.array("accessors")) + " " + components;
         float[] values = cachedValues.get(key);

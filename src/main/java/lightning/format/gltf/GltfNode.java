@@ -4,13 +4,13 @@ import java.util.List;
 import lightning.base.math.Transform;
 
 /**
- * A node of a glTF file's scene.
+ * Node of a glTF scene.
  *
- * @param index  its number in the file
- * @param name   as the file says; empty where it says none
- * @param local  from its own space to that of its parent
- * @param mesh   which of the file's meshes stands there; −1 for none, likewise the other two
- * @param camera which of its cameras
- * @param light  which of its lights (KHR_lights_punctual)
+ * @param index index in the file
+ * @param name name in the file; empty if absent
+ * @param local transform from its own space to its parent's
+ * @param mesh index of its mesh; −1 for none
+ * @param camera index of its camera; −1 for none
+ * @param light index of its light (KHR_lights_punctual); −1 for none
  */
 public record GltfNode(int index, String name, Transform local, int mesh, int camera, int light, List<GltfNode> children) {}

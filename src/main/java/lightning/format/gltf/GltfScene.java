@@ -16,9 +16,9 @@ import lightning.base.text.Quote;
 import lightning.format.mesh.ConversionNotes;
 import lightning.format.mesh.MeshException;
 
-/** What a glTF file says beside its meshes: nodes, cameras, lights, materials, images. */
+/** Content of a glTF file except meshes: nodes, cameras, lights, materials, images. */
 public final class GltfScene {
-    /** Nodes inside nodes. */
+    /** Maximum nesting depth of nodes. */
     public static final int MAX_NESTING = 30;
     private static final String LIGHTS = "KHR_lights_punctual";
 
@@ -26,7 +26,11 @@ public final class GltfScene {
     private final ConversionNotes notes;
     private final boolean[] visited;
 
-    /** @param notes hears what is left out */
+    /**
+     * Creates a reader.
+     *
+     * @param notes receives omitted features
+     */
     public GltfScene(GltfFile file, ConversionNotes notes) throws MeshException {
         this.file = file;
         this.notes = notes;
@@ -38,11 +42,11 @@ public final class GltfScene {
     }
 
     /**
-     * The nodes of the scene that the file shows first, if they show no more shapes than its bytes justify.
+     * Returns the nodes of the default scene, limited by the file's size.
      *
-     * @param limit how many shapes there may be whatever the file's size
-     * @throws MeshException if there are more, or the nodes are wrong
-     * @throws IOException   if the size of a buffer cannot be read
+     * @param limit number of shapes allowed for any file size
+     * @throws MeshException if there are more, or the nodes are invalid
+     * @throws IOException if the size of a buffer cannot be read
      */
     public List<GltfNode> nodes(long limit) throws IOException, MeshException {
         List<GltfNode> nodes = nodes();
@@ -50,13 +54,13 @@ public final class GltfScene {
         return nodes;
     }
 
-    /** The nodes of the scene that the file shows first. */
+    /** Returns the nodes of the default scene. */
     List<GltfNode> nodes() throws MeshException {
         JsonValue scenes = file.array("scenes");
         if (scenes.size() == 0) {
             throw file.root().get("scenes").problem("must have a scene");
         }
-        notes.add("other scenes", scenes.size() - 1);
+        notes.add("additional scenes", scenes.size() - 1);
         JsonValue scene = scenes.element(file.root().get("scene").integer(0, scenes.size() - 1, 0));
         return readNodes(scene.get("nodes"), 1);
     }
@@ -75,7 +79,7 @@ public final class GltfScene {
         }
         int index = reference.index(file.array("nodes"));
         if (visited[index]) {
-            throw reference.problem("must be a node that stands nowhere else, was " + index);
+            throw reference.problem("must be a node with a single parent, was " + index);
         }
         visited[index] = true;
         JsonValue node = file.array("nodes").element(index);
@@ -90,7 +94,7 @@ public final class GltfScene {
 
     private static Transform localTransform(JsonValue node) throws MeshException {
         if (node.get("matrix").isPresent()) {
-            // Column by column.
+            // Column-major.
             double[] m = node.get("matrix").numbers(new double[16]);
             return new Transform(m[0], m[4], m[8], m[12], m[1], m[5], m[9], m[13], m[2], m[6], m[10], m[14]);
         }
@@ -115,7 +119,7 @@ public final class GltfScene {
         return file.root().get("extensions").get(LIGHTS).get("lights");
     }
 
-    /** All lights, by their numbers. */
+    /** Returns all lights, in index order. */
     public List<GltfLight> lights() throws MeshException {
         List<GltfLight> lights = new ArrayList<>();
         JsonValue array = lightArray();
@@ -135,7 +139,7 @@ public final class GltfScene {
         return List.copyOf(lights);
     }
 
-    /** A camera by its number. Its other numbers are told. */
+    /** Returns a camera; notes its unsupported values. */
     public GltfCamera camera(int camera) throws MeshException {
         JsonValue json = file.array("cameras").element(camera);
         JsonValue perspective = json.get("perspective");
@@ -158,7 +162,7 @@ public final class GltfScene {
         return v;
     }
 
-    /** All materials, by their numbers. */
+    /** Returns all materials, in index order. */
     public List<GltfMaterial> materials() throws MeshException {
         var reader = new MaterialReader(file, notes);
         List<GltfMaterial> materials = new ArrayList<>();
@@ -169,19 +173,19 @@ public final class GltfScene {
         return List.copyOf(materials);
     }
 
-    /** The name of an image, as the file says; empty where it says none. */
+    /** Returns the name of an image in the file; empty if absent. */
     public String imageName(int image) throws MeshException {
         return file.array("images").element(image).get("name").text().orElse("");
     }
 
-    /** The file that an image is, in the folder of this one; empty where it is embedded. */
+    /** Returns the file of an image, in this file's folder; empty if it is embedded. */
     public Optional<Path> imageFile(int image) throws IOException, MeshException {
         JsonValue uri = file.array("images").element(image).get("uri");
         return !uri.isPresent() || uri.text().orElse("").startsWith("data:") ? Optional.empty()
                 : Optional.of(file.buffers().siblingFile(uri));
     }
 
-    /** The bytes of an image, be it embedded or a file. */
+    /** Returns the bytes of an image, embedded or external. */
     public byte[] imageBytes(int image) throws IOException, MeshException {
         JsonValue json = file.array("images").element(image);
         if (json.get("uri").isPresent()) {
@@ -193,7 +197,7 @@ public final class GltfScene {
         return bytes;
     }
 
-    /** The files beside this one that hold its buffers. */
+    /** Returns the external buffer files. */
     public Set<Path> bufferFiles() throws IOException, MeshException {
         return file.buffers().files();
     }

@@ -8,9 +8,9 @@ import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.node.MissingNode;
 
 /**
- * A value in a file of JSON, which knows its place: every problem names it, as in {@code accessors[3].count}.
+ * JSON value with its path, which every problem contains, such as {@code accessors[3].count}.
  *
- * @param path from the root; empty at the root
+ * @param path path from the root; empty at the root
  */
 record JsonValue(Path file, String path, JsonNode node) {
     MeshException problem(String message) {
@@ -21,7 +21,7 @@ record JsonValue(Path file, String path, JsonNode node) {
         return !node.isMissingNode();
     }
 
-    /** A property, which need not be there. */
+    /** Returns a property, possibly absent. */
     JsonValue get(String name) throws MeshException {
         if (isPresent() && !node.isObject()) {
             throw problem("must be an object, was " + describe());
@@ -30,7 +30,7 @@ record JsonValue(Path file, String path, JsonNode node) {
         return new JsonValue(file, path.isEmpty() ? name : path + "." + name, value == null ? MissingNode.getInstance() : value);
     }
 
-    /** How many values an array has; 0 where there is none. */
+    /** Returns the length of an array; 0 if absent. */
     int size() throws MeshException {
         if (isPresent() && !node.isArray()) {
             throw problem("must be an array, was " + describe());
@@ -38,7 +38,7 @@ record JsonValue(Path file, String path, JsonNode node) {
         return node.size();
     }
 
-    /** A value of an array, which must be there. */
+    /** Returns an element of an array; throws if it is absent. */
     JsonValue element(int index) throws MeshException {
         if (index < 0 || index >= size()) {
             throw problem("must have a value " + index + ", has " + size());
@@ -46,15 +46,15 @@ record JsonValue(Path file, String path, JsonNode node) {
         return new JsonValue(file, path + "[" + index + "]", node.get(index));
     }
 
-    /** The value of {@code array} that this whole number names. */
+    /** Returns the element of {@code array} at the index that this value contains. */
     JsonValue resolve(JsonValue array) throws MeshException {
         return array.element(index(array));
     }
 
-    /** This whole number, which names a value of {@code array}. */
+    /** Returns this value as an index into {@code array}. */
     int index(JsonValue array) throws MeshException {
         if (array.size() == 0) {
-            throw problem("there are no " + array.path);
+            throw problem("missing " + array.path);
         }
         return integer(0, array.size() - 1);
     }
@@ -82,7 +82,7 @@ record JsonValue(Path file, String path, JsonNode node) {
         return value;
     }
 
-    /** The nearest double, which is infinite beyond the range of doubles; NaN where this is no number. */
+    /** Returns the nearest double, infinite if out of range; NaN if this is not a number. */
     private double numericValue() {
         return node.isNumber() ? node.numberValue().doubleValue() : Double.NaN;
     }
@@ -105,7 +105,7 @@ record JsonValue(Path file, String path, JsonNode node) {
         return isPresent() ? Optional.of(node.asString()) : Optional.empty();
     }
 
-    /** So many numbers, or those given where there are none. */
+    /** Returns an array of numbers of the fallback's length, or the fallback if absent. */
     double[] numbers(double... fallback) throws MeshException {
         if (!isPresent()) {
             return fallback;

@@ -6,7 +6,7 @@ import lightning.base.math.Rgb;
 import lightning.format.mesh.ConversionNotes;
 import lightning.format.mesh.MeshException;
 
-/** Reads what a glTF file says of its materials. */
+/** Reader for the materials of a glTF file. */
 final class MaterialReader {
     private static final int REPEAT = 10497;
     private static final int NEAREST = 9728;
@@ -15,7 +15,11 @@ final class MaterialReader {
     private final GltfFile file;
     private final ConversionNotes notes;
 
-    /** @param notes hears what is left out */
+    /**
+     * Creates a reader.
+     *
+     * @param notes receives omitted features
+     */
     MaterialReader(GltfFile file, ConversionNotes notes) {
         this.file = file;
         this.notes = notes;
@@ -35,7 +39,7 @@ final class MaterialReader {
         JsonValue normals = material.get("normalTexture");
         JsonValue base = pbr.get("baseColorTexture");
         boolean isPlacedApart = base.isPresent() && normals.isPresent() && !TextureTransform.areSame(base, normals);
-        notes.add("normalTexture of materials placed otherwise than their baseColorTexture, as that here", isPlacedApart ? 1 : 0);
+        notes.add("normalTexture of materials with another placement than baseColorTexture, placed like it", isPlacedApart ? 1 : 0);
         JsonValue glossy = extensions.get("KHR_materials_pbrSpecularGlossiness");
         Surface surface = glossy.isPresent() && !pbr.isPresent() ? glossySurface(glossy) : metallicSurface(pbr, extensions);
         return new GltfMaterial(material.get("name").text().orElse(""), surface.base, surface.metallic, surface.roughness,
@@ -49,12 +53,12 @@ final class MaterialReader {
         return texture.isPresent() ? OptionalInt.of(imageIndex(texture)) : OptionalInt.empty();
     }
 
-    /** KHR_materials_ior. */
+    /** Returns the index of refraction of KHR_materials_ior. */
     private static double ior(JsonValue extensions) throws MeshException {
         return extensions.get("KHR_materials_ior").get("ior").number(1.5);
     }
 
-    /** KHR_materials_transmission with KHR_materials_ior and KHR_materials_volume. */
+    /** Reads KHR_materials_transmission with KHR_materials_ior and KHR_materials_volume. */
     private GltfMaterial.Transmission readTransmission(JsonValue extensions) throws MeshException {
         JsonValue transmission = extensions.get("KHR_materials_transmission");
         JsonValue volume = extensions.get("KHR_materials_volume");
@@ -66,10 +70,13 @@ final class MaterialReader {
                 new Rgb(tint[0], tint[1], tint[2]), volume.get("attenuationDistance").number(Double.POSITIVE_INFINITY));
     }
 
-    /** How a material answers light, as {@link GltfMaterial} has it. */
+    /** Reflection properties of a material, as in {@link GltfMaterial}. */
     private record Surface(Rgb base, int baseImage, double metallic, double roughness, int metallicRoughnessImage, Rgb f0, double f90) {}
 
-    /** Appendix B of glTF 2.0; KHR_materials_ior; KHR_materials_specular, which caps what is tinted and then weakens all of it. */
+    /**
+     * Reads the metallic-roughness model: appendix B of glTF 2.0; KHR_materials_ior; KHR_materials_specular, which clamps
+     * the tinted F0 before scaling.
+     */
     private Surface metallicSurface(JsonValue pbr, JsonValue extensions) throws MeshException {
         double[] base = pbr.get("baseColorFactor").numbers(1, 1, 1, 1);
         double ior = ior(extensions);
@@ -87,13 +94,13 @@ final class MaterialReader {
                 weight);
     }
 
-    /** The model of files before the metallic one, of which nothing is a metal; that it was used is told as an extension. */
+    /** Reads the older specular-glossiness model, in which nothing is metallic; its use is noted as an extension. */
     private Surface glossySurface(JsonValue glossiness) throws MeshException {
         double[] diffuse = glossiness.get("diffuseFactor").numbers(1, 1, 1, 1);
         double[] specular = glossiness.get("specularFactor").numbers(1, 1, 1);
         boolean hasTexture = glossiness.get("specularGlossinessTexture").isPresent();
         notes.add("specularGlossinessTexture of materials", hasTexture ? 1 : 0);
-        // What such a picture multiplies tells nothing by itself: most say 1.
+        // The factor multiplied by such an image is not meaningful alone: most files use 1.
         return new Surface(new Rgb(diffuse[0], diffuse[1], diffuse[2]), textureImage(glossiness.get("diffuseTexture")), 0,
                 hasTexture ? 0.5 : 1 - glossiness.get("glossinessFactor").number(1), -1,
                 hasTexture ? Rgb.gray(0.04) : new Rgb(specular[0], specular[1], specular[2]), 1);
@@ -106,7 +113,7 @@ final class MaterialReader {
         return imageIndex(texture);
     }
 
-    /** The number of a texture's image; −1 for none. */
+    /** Returns the index of a texture's image; −1 for none. */
     private int imageIndex(JsonValue texture) throws MeshException {
         if (!texture.isPresent()) {
             return -1;
@@ -119,7 +126,7 @@ final class MaterialReader {
         return source.index(file.array("images"));
     }
 
-    /** A texture here repeats and is smooth between its pixels. */
+    /** Notes sampler settings that are not supported: textures always repeat and are filtered. */
     private void noteSampler(JsonValue index) throws MeshException {
         if (index.isPresent()) {
             JsonValue sampler = index.resolve(file.array("samplers"));
@@ -127,8 +134,8 @@ final class MaterialReader {
             for (String wrap : List.of("wrapS", "wrapT")) {
                 isRepeating &= sampler.get(wrap).integer(0, Integer.MAX_VALUE, REPEAT) == REPEAT;
             }
-            notes.add("textures that end or turn back at their edges, repeated here", isRepeating ? 0 : 1);
-            notes.add("textures with hard pixels, smooth here",
+            notes.add("clamped or mirrored textures, imported as repeating", isRepeating ? 0 : 1);
+            notes.add("unfiltered textures, imported as filtered",
                     sampler.get("magFilter").integer(0, Integer.MAX_VALUE, 0) == NEAREST ? 1 : 0);
         }
     }

@@ -4,9 +4,10 @@ import java.util.Arrays;
 import lightning.format.mesh.MeshException;
 
 /**
- * Which texture coordinates the base color of a material has, or its normals where that has no picture, and how they are moved (KHR_texture_transform).
+ * Texture coordinate set and transform (KHR_texture_transform) of a material's base color image, or of its normal map if
+ * there is none.
  *
- * @param set which of a primitive's coordinates
+ * @param set index of the primitive's texture coordinates
  * @param matrix u′ = map₀·u + map₁·v + map₂, v′ = map₃·u + map₄·v + map₅
  */
 record TextureTransform(int set, double[] matrix) {
@@ -27,18 +28,18 @@ record TextureTransform(int set, double[] matrix) {
         double angle = transform.get("rotation").number(0);
         double c = Math.cos(angle);
         double s = Math.sin(angle);
-        // Moved · turned · scaled; the extension turns as v points downwards.
+        // Translation · rotation · scale; the extension rotates with v pointing down.
         return new TextureTransform(set, new double[] {c * scale[0], s * scale[1], offset[0], -s * scale[0], c * scale[1], offset[1]});
     }
 
-    /** Whether two textures of a material lie on it alike. */
+    /** Returns true if two textures of a material have the same placement. */
     static boolean areSame(JsonValue texture, JsonValue other) throws MeshException {
         TextureTransform one = of(texture);
         TextureTransform two = of(other);
         return one.set == two.set && Arrays.equals(one.matrix, two.matrix);
     }
 
-    /** Moves coordinates of glTF, v downwards, and lets v point upwards. */
+    /** Transforms glTF coordinates, whose v points down, to coordinates whose v points up. */
     void apply(float[] coordinates) {
         for (int i = 0; i < coordinates.length; i += 2) {
             double u = coordinates[i];

@@ -1,5 +1,5 @@
 /**
- * Files of glTF 2.0 (Khronos Group, glTF 2.0 Specification, 2021), as text and as binary: what they say, held to what they have.
+ * glTF 2.0 files (Khronos Group, glTF 2.0 Specification, 2021), text and binary, with their content validated.
  *
  * <pre>{@code
  * GltfFile file = GltfFile.read(Path.of("house.glb"), Progress.NONE);

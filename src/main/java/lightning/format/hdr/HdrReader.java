@@ -13,13 +13,13 @@ import lightning.scene.EnvironmentMap;
 import lightning.scene.SceneLimits;
 
 /**
- * Reads Radiance's pictures, {@code .hdr}: shared exponents of 8 bits (Ward, Real Pixels, Graphics Gems II, 1991), plain or with runs in each of
- * the four columns of a line. Lines go from the top, pixels from the left; an exposure that was multiplied into them is taken out.
+ * Reader for Radiance {@code .hdr} images: RGB with a shared 8-bit exponent (Ward, Real Pixels, Graphics Gems II, 1991),
+ * flat or run-length encoded. Lines run from top to bottom, pixels from left to right; the header's exposure is divided out.
  */
 public final class HdrReader {
-    /** Bytes of a file: 64 MiB. */
+    /** Maximum file size in bytes: 64 MiB. */
     public static final int MAX_BYTES = 64 << 20;
-    /** Pixels of a picture: 8 Mi, which are 96 MiB when decoded. */
+    /** Maximum number of pixels: 8 Mi, 96 MiB when decoded. */
     public static final int MAX_PIXELS = 8 << 20;
 
     private static final int MAX_HEADER_BYTES = 1 << 16;
@@ -38,10 +38,10 @@ public final class HdrReader {
     }
 
     /**
-     * The radiances of a file, at most {@link SceneLimits#MAX_EMISSION} each.
+     * Reads a file; radiances are clamped to {@link SceneLimits#MAX_EMISSION}.
      *
-     * @throws MeshException if it is no such picture, is too large, or ends before its last pixel; the message says where
-     * @throws IOException   if it cannot be read
+     * @throws MeshException if it is not a Radiance image, too large, or truncated; the message contains the position
+     * @throws IOException if it cannot be read
      */
     public static EnvironmentMap read(Path file) throws IOException, MeshException {
         long size = Files.size(file);
@@ -57,7 +57,7 @@ public final class HdrReader {
         int width = parseSide(size.group(2));
         long pixels = (long) width * height;
         if (pixels < 1 || pixels > MAX_PIXELS) {
-            throw problem("a picture must have from 1 to " + MAX_PIXELS + " pixels, has " + size.group(2) + "×" + size.group(1));
+            throw problem("an image must have from 1 to " + MAX_PIXELS + " pixels, has " + size.group(2) + "×" + size.group(1));
         }
         long minBytes = height * Math.min(4L * width, 4 + 8L * ((width + 126) / 127));
         if (bytes.length - next < minBytes) {
@@ -77,21 +77,21 @@ public final class HdrReader {
         }
         if (next != bytes.length) {
             throw new MeshException(file, "",
-                    "expected nothing behind the last of " + height + " lines, found " + (bytes.length - next) + " bytes");
+                    "expected nothing after the last of " + height + " lines, found " + (bytes.length - next) + " bytes");
         }
         return new EnvironmentMap(width, height, rgb);
     }
 
-    /** A number of pixels along a side, cut at more than there may be in all. */
+    /** Parses a side length in pixels, clamped to just above the maximum number of pixels. */
     private static int parseSide(String digits) {
         return (int) Math.min(Long.parseLong(digits), MAX_PIXELS + 1);
     }
 
-    /** Reads to behind the line that tells the size. */
+    /** Reads the header up to and including the resolution line. */
     private Matcher readHeader() throws MeshException {
         String first = readLine();
         if (!first.equals("#?RADIANCE") && !first.equals("#?RGBE")) {
-            throw problem("a Radiance picture must begin with #?RADIANCE or #?RGBE, was " + Quote.of(first));
+            throw problem("a Radiance HDR image must begin with #?RADIANCE or #?RGBE, was " + Quote.of(first));
         }
         boolean hasFormat = false;
         for (String s = readLine(); !s.isEmpty(); s = readLine()) {
@@ -140,7 +140,7 @@ public final class HdrReader {
         return new String(bytes, start, next++ - start, StandardCharsets.ISO_8859_1);
     }
 
-    /** Reads a line into four columns, one behind the other. */
+    /** Reads a scan line into four consecutive columns. */
     private void readScanline(int width, int y, byte[] out) throws MeshException {
         requireBytes(4, y);
         boolean isRunLength = width >= 8 && width < 1 << 15 && bytes[next] == 2 && bytes[next + 1] == 2 && bytes[next + 2] >= 0;
@@ -151,7 +151,7 @@ public final class HdrReader {
                     out[c * width + x] = bytes[next++];
                 }
                 if (out[x] == 1 && out[width + x] == 1 && out[2 * width + x] == 1) {
-                    throw rowProblem(y, "runs of pixels that are the same are not read");
+                    throw rowProblem(y, "old-style runs of equal pixels are not supported");
                 }
             }
             return;

@@ -1,2 +1,2 @@
-/** Pictures of high dynamic range in Radiance's format, held to what they have. */
+/** Radiance HDR images, with their content validated. */
 package lightning.format.hdr;

@@ -9,11 +9,11 @@ import lightning.format.mesh.MeshException;
 import lightning.scene.Photometry;
 
 /**
- * Reads files of luminous intensities: ANSI/IES LM-63 of 1986, 1991, 1995, 2002 and 2019. Labels, keywords and a table of tilts are passed over; a
- * file of tilts is not read.
+ * Reader for IES photometric files: ANSI/IES LM-63 of 1986, 1991, 1995, 2002 and 2019. Labels, keywords and an included tilt
+ * table are skipped; an external tilt file is not read.
  */
 public final class IesReader {
-    /** Bytes of a file: 1 MiB, room for every degree of a sphere. */
+    /** Maximum file size in bytes: 1 MiB, enough for every degree of a sphere. */
     public static final int MAX_BYTES = 1 << 20;
 
     private static final int MAX_TILTS = 1000;
@@ -25,15 +25,17 @@ public final class IesReader {
     }
 
     /**
-     * What a file holds; its multiplier and all factors of ballast and lamps make no difference to shares of the largest intensity.
+     * Reads a file. The multiplier and the ballast and lamp factors are ignored, since intensities are relative to the
+     * largest.
      *
-     * @throws MeshException if it is no such file, has more than {@link #MAX_BYTES} bytes, or holds what is out of its range; the message says the line
-     * @throws IOException   if it cannot be read
+     * @throws MeshException if the file is invalid, larger than {@link #MAX_BYTES}, or a value is out of range; the message
+     *     contains the line
+     * @throws IOException if it cannot be read
      */
     public static Photometry read(Path file) throws IOException, MeshException {
         long size = Files.size(file);
         if (size > MAX_BYTES) {
-            throw new MeshException(file, "", "a file of intensities must have at most " + MAX_BYTES + " bytes, has " + size);
+            throw new MeshException(file, "", "an IES file must have at most " + MAX_BYTES + " bytes, has " + size);
         }
         return new IesReader(new IesTokens(file, RegularFile.readBytes(file, "an IES file", MAX_BYTES))).photometry();
     }
@@ -88,7 +90,7 @@ public final class IesReader {
         for (int i = 0; i < count; i++) {
             angles[i] = tokens.number(label, min, max);
             if (i > 0 && !(angles[i] > angles[i - 1])) {
-                throw tokens.problem(label + "s must increase, found " + angles[i] + " behind " + angles[i - 1]);
+                throw tokens.problem(label + "s must increase, found " + angles[i] + " after " + angles[i - 1]);
             }
         }
         return angles;

@@ -10,10 +10,10 @@ import lightning.base.text.DecimalNumber;
 import lightning.base.text.Quote;
 import lightning.format.mesh.MeshException;
 
-/** The words behind the line {@code TILT=} of a file, between spaces, commas and ends of lines, with the line of each. */
+/** Tokens after the {@code TILT=} line of a file, separated by spaces, commas and line ends, with their line numbers. */
 final class IesTokens {
     private static final String TILT = "TILT=";
-    /** Some programs end a file with it. */
+    /** End-of-file character that some programs append. */
     private static final String END_OF_FILE = "\u001a";
 
     private final Path file;
@@ -30,7 +30,7 @@ final class IesTokens {
             start++;
         }
         if (start == fileLines.length) {
-            throw new MeshException(file, "", "a file of intensities must have a line that begins with " + TILT + ", found none");
+            throw new MeshException(file, "", "an IES file must have a line that begins with " + TILT + ", found none");
         }
         tilt = fileLines[start].strip().substring(TILT.length()).strip();
         for (int i = start + 1; i < fileLines.length; i++) {
@@ -43,19 +43,27 @@ final class IesTokens {
         }
     }
 
-    /** What stands behind {@code TILT=}. */
+    /** Returns the value of {@code TILT=}. */
     String tilt() {
         return tilt;
     }
 
-    /** @throws MeshException if another number of words is left */
+    /**
+     * Requires an exact number of remaining tokens.
+     *
+     * @throws MeshException if another number remains
+     */
     void requireRemaining(long count) throws MeshException {
         if (tokens.size() - next != count) {
             throw problem("expected " + count + " angles and intensities, found " + (tokens.size() - next));
         }
     }
 
-    /** @throws MeshException if the next word is no whole number in the range */
+    /**
+     * Reads an integer.
+     *
+     * @throws MeshException if the next token is not an integer in the range
+     */
     int integer(String label, int min, int max) throws MeshException {
         double v = number(label, min, max);
         if (v != Math.rint(v)) {
@@ -64,7 +72,11 @@ final class IesTokens {
         return (int) v;
     }
 
-    /** @throws MeshException if the next word is no number in the range */
+    /**
+     * Reads a number.
+     *
+     * @throws MeshException if the next token is not a number in the range
+     */
     double number(String label, double min, double max) throws MeshException {
         if (next == tokens.size()) {
             throw problem("expected the " + label + ", found the end of the file");
@@ -78,7 +90,7 @@ final class IesTokens {
         return v.getAsDouble();
     }
 
-    /** A problem with the line of the word that was read last. */
+    /** Returns a problem at the line of the last token read. */
     MeshException problem(String message) {
         return new MeshException(file, next == 0 ? "" : "line " + lineNumbers.get(next - 1), message);
     }

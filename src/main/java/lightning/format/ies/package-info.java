@@ -1,2 +1,2 @@
-/** Files of luminous intensities by direction, ANSI/IES LM-63, held to what they have. */
+/** IES photometric profiles (ANSI/IES LM-63), with their content validated. */
 package lightning.format.ies;

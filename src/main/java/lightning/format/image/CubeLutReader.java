@@ -12,17 +12,17 @@ import lightning.base.text.Quote;
 import lightning.render.image.CubeLut;
 
 /**
- * Reads {@code .cube} files (Cube LUT Specification 1.0, Adobe, 2013): {@code TITLE}, {@code LUT_1D_SIZE} or {@code LUT_3D_SIZE},
- * {@code DOMAIN_MIN}, {@code DOMAIN_MAX}, then three numbers a line, red fastest. {@code LUT_1D_INPUT_RANGE} and {@code LUT_3D_INPUT_RANGE} of
- * other programs are a domain with the same ends for all channels.
+ * Reader for {@code .cube} LUTs (Cube LUT Specification 1.0, Adobe, 2013): {@code TITLE}, {@code LUT_1D_SIZE} or {@code
+ * LUT_3D_SIZE}, {@code DOMAIN_MIN}, {@code DOMAIN_MAX}, then three numbers per line, red fastest. {@code LUT_1D_INPUT_RANGE}
+ * and {@code LUT_3D_INPUT_RANGE} of other programs set the same domain for all channels.
  */
 public final class CubeLutReader {
-    /** Bytes of a file: 64 MiB. */
+    /** Maximum file size in bytes: 64 MiB. */
     public static final int MAX_BYTES = 1 << 26;
 
     private static final List<String> KEYWORDS =
             List.of("TITLE", "LUT_1D_SIZE", "LUT_3D_SIZE", "DOMAIN_MIN", "DOMAIN_MAX", "LUT_1D_INPUT_RANGE", "LUT_3D_INPUT_RANGE");
-    /** What the names of such files end in. */
+    /** File extension of LUTs. */
     public static final String EXTENSION = ".cube";
     private static final double MAX_VALUE = 1e9;
     private static final int MAX_QUOTED_LENGTH = 40;
@@ -41,14 +41,14 @@ public final class CubeLutReader {
     }
 
     /**
-     * The table of a file.
+     * Reads a LUT.
      *
-     * @throws IOException if it cannot be read, has more than {@link #MAX_BYTES} bytes, or is no such table; the message is a sentence that
-     *                     names the file and the line, what was expected and what was found
+     * @throws IOException if the file cannot be read, has more than {@link #MAX_BYTES} bytes, or is not a valid LUT; the
+     *     message is a sentence with file, line, expected and found content
      */
     public static CubeLut read(Path file) throws IOException {
         return new CubeLutReader(file)
-                .readTable(new String(RegularFile.readBytes(file, "a .cube table", MAX_BYTES), StandardCharsets.UTF_8));
+                .readTable(new String(RegularFile.readBytes(file, "a .cube LUT", MAX_BYTES), StandardCharsets.UTF_8));
     }
 
     private CubeLut readTable(String text) throws IOException {
@@ -100,7 +100,7 @@ public final class CubeLutReader {
         }
         float[] count = readNumbers(words, 1, 1);
         if (!(count[0] >= 2 && count[0] <= maxSize) || count[0] != Math.rint(count[0])) {
-            throw problem("a whole number from 2 to " + maxSize + " behind " + words[0], Quote.of(words[1]));
+            throw problem("a whole number from 2 to " + maxSize + " after " + words[0], Quote.of(words[1]));
         }
         is3d = isCubic;
         size = (int) count[0];
@@ -109,7 +109,7 @@ public final class CubeLutReader {
 
     private float[] readDomain(String[] words) throws IOException {
         if (filledCount > 0) {
-            throw problem(words[0] + " before the table", "it behind " + filledCount / 3 + " lines of numbers");
+            throw problem(words[0] + " before the table", "it after " + filledCount / 3 + " lines of numbers");
         }
         return readNumbers(words, 1, 3);
     }
@@ -140,7 +140,7 @@ public final class CubeLutReader {
         }
         if (!isValid) {
             String expected = (count == 1 ? "a number" : count == 2 ? "two numbers" : "three numbers") + " from -10⁹ to 10⁹";
-            throw problem(start == 0 ? expected : expected + " behind " + words[0], quoted(String.join(" ", words)));
+            throw problem(start == 0 ? expected : expected + " after " + words[0], quoted(String.join(" ", words)));
         }
         return numbers;
     }

@@ -13,7 +13,7 @@ import lightning.format.exr.ExrType;
 import lightning.format.exr.ExrWriter;
 import lightning.render.image.Film;
 
-/** OpenEXR: the linear film as channels R, G and B. */
+/** OpenEXR format: the linear film as channels R, G and B. */
 final class Exr {
     private static final List<String> COLORS = List.of("R", "G", "B");
 
@@ -39,7 +39,12 @@ final class Exr {
         writer.finish();
     }
 
-    /** @throws IOException if the file has no channels R, G and B, is of a kind that is not read, damaged or too large; without its name */
+    /**
+     * Reads channels R, G and B.
+     *
+     * @throws IOException if a channel is missing, or the file is unsupported, damaged or too large; the message does not
+     *     contain its name
+     */
     static Film read(Path file) throws IOException {
         try (ExrReader reader = new ExrReader(file)) {
             ImageLimits.check(reader.header().width(), reader.header().height());
@@ -55,7 +60,7 @@ final class Exr {
         }
     }
 
-    /** Whether the header says that a color has more bits than a half. */
+    /** Returns true if the color channels have more bits than a half. */
     static boolean hasFullFloats(Path file) throws IOException {
         try (ExrReader reader = new ExrReader(file)) {
             return reader.header().channels().stream().anyMatch(c -> COLORS.contains(c.name()) && c.type() != ExrType.HALF);

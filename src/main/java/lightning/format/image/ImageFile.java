@@ -8,15 +8,15 @@ import lightning.base.work.WorkerPool;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
 
-/** Writes and reads picture files of the format that their name asks for: {@link ImageFormat}. */
+/** Writes and reads image files in the format of their extension: {@link ImageFormat}. */
 public final class ImageFile {
 
     private ImageFile() {}
 
     /**
-     * Writes a film with the bits that are usual; {@code file} holds the whole new picture or what it held before, at every moment.
+     * Writes a film with the format's default bit depth. The file is replaced atomically.
      *
-     * @param view what formats that are displayed show; the others keep the linear values and ignore it
+     * @param view view transform of display-referred formats; the others store linear values and ignore it
      * @throws IOException if the extension is unknown or the file cannot be written
      */
     public static void write(Path file, Film film, ViewTransform view) throws IOException {
@@ -26,7 +26,7 @@ public final class ImageFile {
     /**
      * Writes a film.
      *
-     * @param bits of a number, one of {@link ImageFormat#bitDepths}
+     * @param bits bits per channel, one of {@link ImageFormat#bitDepths}
      * @throws IOException as {@link #write(Path, Film, ViewTransform)}, and as {@link ImageFormat#requireBitDepth}
      */
     public static void write(Path file, Film film, ViewTransform view, int bits) throws IOException {
@@ -36,9 +36,9 @@ public final class ImageFile {
     }
 
     /**
-     * Writes a film, of a PNG with the help of workers; the file is the same for any number of them.
+     * Writes a film; workers compress PNG files in parallel. The file does not depend on their number.
      *
-     * @param bits of a number, one of {@link ImageFormat#bitDepths}
+     * @param bits bits per channel, one of {@link ImageFormat#bitDepths}
      * @throws IOException as {@link #write(Path, Film, ViewTransform)}, and as {@link ImageFormat#requireBitDepth}
      */
     public static void write(Path file, Film film, ViewTransform view, int bits, WorkerPool workers) throws IOException {
@@ -48,18 +48,18 @@ public final class ImageFile {
     }
 
     /**
-     * Reads a picture as a film: the very floats of a PFM or OpenEXR, the linear values 0…1 of the sRGB codes of a PNG (which
-     * {@link ViewTransform#DEFAULT} turns back into the same codes). Transparency is ignored. Radiance's pictures are read elsewhere, XPM
-     * nowhere.
+     * Reads an image as a film: the exact floats of PFM or OpenEXR, the linear values 0…1 of the sRGB codes of PNG (which
+     * {@link ViewTransform#DEFAULT} converts back to the same codes). Transparency is ignored. Radiance HDR and XPM are not
+     * supported.
      *
-     * @throws IOException if the extension is unknown, the file is missing, unreadable, damaged, wider or higher than
-     *                     16384 pixels or of more than 2²⁶ pixels (which the header tells, before anything is decoded);
-     *                     the message is a sentence for the user that begins with the file's name
+     * @throws IOException if the extension is unknown, the file is missing, unreadable, damaged, wider or higher than 16384
+     *     pixels or of more than 2²⁶ pixels (checked before decoding); the message is a sentence for the user that begins
+     *     with the file's name
      */
     public static Film read(Path file) throws IOException {
         ImageFormat format = ImageFormat.of(file);
         if (!Files.isRegularFile(file)) {
-            throw new IOException(Quote.path(file) + ": " + (Files.exists(file) ? "is no file" : "no such file"));
+            throw new IOException(Quote.path(file) + ": " + (Files.exists(file) ? "is not a regular file" : "no such file"));
         }
         try {
             return format.read(file);

@@ -15,9 +15,9 @@ import lightning.format.exr.ExrType;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
 
-/** The formats in which pictures are written; the ending of a file's name says which. */
+/** File format of written images, chosen by the file's extension. */
 public enum ImageFormat {
-    /** sRGB, as the picture is displayed. */
+    /** Display-referred sRGB. */
     PNG("PNG", true, 8, 16) {
         @Override
         void write(Path file, Film film, ViewTransform view, int bits, WorkerPool workers) throws IOException {
@@ -34,7 +34,7 @@ public enum ImageFormat {
             return Png.bytesToWrite(width);
         }
     },
-    /** sRGB as text, as the picture is displayed. Written only. */
+    /** Display-referred sRGB as C source text. Write-only. */
     XPM("XPM, as in 1998", true, 8) {
         @Override
         void write(Path file, Film film, ViewTransform view, int bits, WorkerPool workers) throws IOException {
@@ -43,16 +43,19 @@ public enum ImageFormat {
 
         @Override
         Film read(Path file) throws IOException {
-            throw new IOException("is an XPM picture, which can be written but not read");
+            throw new IOException("is an XPM image, which can be written but not read");
         }
 
-        /** The display pixels four times, as they are sorted for the palette: streams of whole numbers collect them in buffers that double. */
+        /**
+         * Returns four times the display pixels, for the sorted palette: streams of integers collect them in doubling
+         * buffers.
+         */
         @Override
         public long bytesToWrite(int width, int height) {
             return 4L * Integer.BYTES * width * height;
         }
     },
-    /** The linear film, every bit. */
+    /** Linear film, all bits. */
     PFM("PFM, linear floats", false, 32) {
         @Override
         void write(Path file, Film film, ViewTransform view, int bits, WorkerPool workers) throws IOException {
@@ -69,7 +72,7 @@ public enum ImageFormat {
             return true;
         }
     },
-    /** The linear film, as halves or every bit; with layers if wanted. */
+    /** Linear film as halves or floats, optionally with layers. */
     EXR("OpenEXR", false, 16, 32) {
         @Override
         void write(Path file, Film film, ViewTransform view, int bits, WorkerPool workers) throws IOException {
@@ -81,7 +84,7 @@ public enum ImageFormat {
             return Exr.read(file);
         }
 
-        /** A chunk, its bytes apart, packed, and as they are written. */
+        /** Returns the bytes of a chunk, its shuffled bytes, and its compressed and written form. */
         @Override
         public long bytesToWrite(int width, int height) {
             return 4L * 3 * Float.BYTES * width * ExrHeader.LINES_PER_CHUNK;
@@ -92,7 +95,7 @@ public enum ImageFormat {
             return Exr.hasFullFloats(file);
         }
     },
-    /** The linear film, 8 bits and a shared exponent. Pictures of this format are read as environments. */
+    /** Linear film with 8-bit mantissas and a shared exponent. Environments are read by another class. */
     HDR("Radiance HDR", false, 8) {
         @Override
         void write(Path file, Film film, ViewTransform view, int bits, WorkerPool workers) throws IOException {
@@ -101,7 +104,7 @@ public enum ImageFormat {
 
         @Override
         Film read(Path file) throws IOException {
-            throw new IOException("is a Radiance picture, which is not read here");
+            throw new IOException("is a Radiance HDR image, which cannot be read here");
         }
     };
 
@@ -115,31 +118,38 @@ public enum ImageFormat {
         this.bitDepths = List.of(bitDepths);
     }
 
-    /** @param bits one of {@link #bitDepths} */
+    /**
+     * Writes a film.
+     *
+     * @param bits one of {@link #bitDepths}
+     */
     abstract void write(Path file, Film film, ViewTransform view, int bits, WorkerPool workers) throws IOException;
 
     abstract Film read(Path file) throws IOException;
 
-    /** The bytes that writing takes in addition to the film: those of a row where rows are written one by one. */
+    /** Returns the memory in bytes that writing takes in addition to the film: one row for formats written row by row. */
     public long bytesToWrite(int width, int height) {
         return 3L * Float.BYTES * width;
     }
 
-    /** Whether a file of this format holds every bit of a float; its header says so where the format has several kinds of numbers. */
+    /**
+     * Returns true if a file of this format stores all bits of a float; reads the header if the format has several number
+     * types.
+     */
     public boolean hasFullFloats(Path file) throws IOException {
         return false;
     }
 
     /**
-     * The format that a file's name asks for.
+     * Returns the format for a file's extension.
      *
-     * @throws IOException if it is none of these; the message is a sentence for the user
+     * @throws IOException if the extension is unknown; the message is a sentence for the user
      */
     public static ImageFormat of(Path file) throws IOException {
-        return find(file).orElseThrow(() -> new IOException(Quote.path(file) + ": a picture's name must end in " + extensionList()));
+        return find(file).orElseThrow(() -> new IOException(Quote.path(file) + ": an image's name must end in " + extensionList()));
     }
 
-    /** The format that a file's name asks for; empty where it is that of no picture. */
+    /** Returns the format for a file's extension; empty if it is unknown. */
     public static Optional<ImageFormat> find(Path file) {
         Path name = file.getFileName();
         String lower = name == null ? "" : name.toString().toLowerCase(Locale.ROOT);
@@ -152,39 +162,39 @@ public enum ImageFormat {
         return extensions.substring(0, last) + " or " + extensions.substring(last + 2);
     }
 
-    /** For people, the same in every language. */
+    /** Returns the display name, language-independent. */
     public String title() {
         return title;
     }
 
-    /** What the names of its files end in, with its point. */
+    /** Returns the file extension, with its dot. */
     public String extension() {
         return "." + name().toLowerCase(Locale.ROOT);
     }
 
-    /** Whether a file holds what is displayed, clamped, rather than the film itself. */
+    /** Returns true if a file stores clamped display values instead of the linear film. */
     public boolean isDisplayReferred() {
         return isDisplayReferred;
     }
 
-    /** Whether a file can hold layers. */
+    /** Returns true if the format supports layers. */
     public boolean canHaveLayers() {
         return this == EXR;
     }
 
-    /** The bits that a number of a file can have, first those that are usual. */
+    /** Returns the supported bits per channel, default first. */
     public List<Integer> bitDepths() {
         return bitDepths;
     }
 
     /**
-     * Checks bits before a long computation.
+     * Checks a bit depth, before a long computation.
      *
-     * @throws IOException if a file of this format cannot have them; the message is a sentence for the user
+     * @throws IOException if the format does not support it; the message is a sentence for the user
      */
     public void requireBitDepth(Path file, int requested) throws IOException {
         if (!bitDepths.contains(requested)) {
-            throw new IOException(Quote.path(file) + ": such a picture has "
+            throw new IOException(Quote.path(file) + ": this format has "
                     + bitDepths.stream().map(String::valueOf).collect(Collectors.joining(" or ")) + " bits, not " + requested);
         }
     }

@@ -15,15 +15,15 @@ import lightning.base.text.Quote;
 import lightning.render.image.Film;
 
 /**
- * Portable float map: the linear film itself, every bit of every float.
+ * Portable float map: the linear film, every bit of every float.
  *
- * <p>Three lines of text — {@code PF}, width and height, and a number whose sign is negative for little-endian — then
- * the interleaved RGB floats, the <em>bottom</em> row first. The number's magnitude is a unit of brightness that no
- * common program applies; it is ignored here too.
+ * <p>Three lines of text — {@code PF}, width and height, and a scale whose sign is negative for little-endian — then the
+ * interleaved RGB floats, the <em>bottom</em> row first. The scale's magnitude is a brightness unit that no common program
+ * applies; it is ignored here too.
  */
 final class Pfm {
 
-    /** No header token is longer: a side has at most 5 digits, a scale perhaps 25 characters. */
+    /** Maximum token length: a side has at most 5 digits, a scale about 25 characters. */
     private static final int MAX_TOKEN_LENGTH = 32;
 
     private Pfm() {}
@@ -34,7 +34,7 @@ final class Pfm {
         for (int y = film.height() - 1; y >= 0; y--) {
             row.clear();
             for (int x = 0; x < film.width(); x++) {
-                // As raw bits, because a float register may change the payload of a NaN.
+                // Copy raw bits: a float register may change the payload of a NaN.
                 row.putInt(Float.floatToRawIntBits(film.red(x, y)));
                 row.putInt(Float.floatToRawIntBits(film.green(x, y)));
                 row.putInt(Float.floatToRawIntBits(film.blue(x, y)));
@@ -43,12 +43,16 @@ final class Pfm {
         }
     }
 
-    /** @throws IOException if the file is no color PFM, is cut short or is too large; without its name */
+    /**
+     * Reads an image.
+     *
+     * @throws IOException if the file is not a color PFM, truncated or too large; the message does not contain its name
+     */
     static Film read(Path file) throws IOException {
-        try (var in = new DataInputStream(new BufferedInputStream(RegularFile.open(file, "a PFM picture"), 1 << 16))) {
+        try (var in = new DataInputStream(new BufferedInputStream(RegularFile.open(file, "a PFM image"), 1 << 16))) {
             String magic = readToken(in);
             if (!magic.equals("PF")) {
-                throw new IOException("is no color PFM picture: expected PF at the start, found " + Quote.of(magic));
+                throw new IOException("is not a color PFM image: expected PF at the start, found " + Quote.of(magic));
             }
             int width = parseSide(readToken(in));
             int height = parseSide(readToken(in));
@@ -59,7 +63,7 @@ final class Pfm {
             }
             return readPixels(in, width, height, order);
         } catch (EOFException e) {
-            throw new IOException("is cut short: it has fewer pixels than its header says", e);
+            throw new IOException("is truncated: it has fewer pixels than its header says", e);
         }
     }
 
@@ -80,13 +84,13 @@ final class Pfm {
         return film;
     }
 
-    /** The next word and the one white space after it. */
+    /** Reads a token and the one white space after it. */
     private static String readToken(DataInputStream in) throws IOException {
         var token = new StringBuilder();
         for (int c = in.readUnsignedByte(); !Character.isWhitespace(c); c = in.readUnsignedByte()) {
             token.append(c > ' ' && c < 127 ? (char) c : '?');
             if (token.length() > MAX_TOKEN_LENGTH) {
-                throw new IOException("is no PFM picture: its header has no words");
+                throw new IOException("is not a PFM image: its header has no tokens");
             }
         }
         return token.toString();
@@ -107,7 +111,7 @@ final class Pfm {
                 return scale < 0 ? ByteOrder.LITTLE_ENDIAN : ByteOrder.BIG_ENDIAN;
             }
         } catch (NumberFormatException e) {
-            // The same sentence serves below.
+            // Fall through to the exception below.
         }
         throw new IOException("has a damaged PFM header: expected a scale such as -1.0, found " + Quote.of(token));
     }

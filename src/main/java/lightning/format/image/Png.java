@@ -16,26 +16,26 @@ import lightning.render.image.DisplayPixels;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
 
-/** PNG: what is displayed, 8 or 16 bits a channel, without loss. */
+/** PNG format: display values, 8 or 16 bits per channel, lossless. */
 final class Png {
 
     private static final byte[] SIGNATURE = {(byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
-    /** Three channels of color and no alpha. */
+    /** Color type: RGB without alpha. */
     private static final byte RGB = 2;
-    /** Deflated, with a window of 32 kB. */
+    /** zlib header: deflate with a 32 kB window. */
     private static final byte[] ZLIB = {0x78, 0x01};
-    /** An empty block that ends all others. */
+    /** Empty final deflate block. */
     private static final byte[] LAST_BLOCK = {3, 0};
     private static final long ADLER_BASE = 65521;
-    /** So many bands are packed before they are written. */
+    /** Number of bands compressed before they are written. */
     private static final int BANDS_PER_BATCH = 16;
 
     private Png() {}
 
     /**
-     * Writes a film, lines of it packed by all workers at the same time. How many these are makes no difference to the file.
+     * Writes a film; all workers compress bands of lines in parallel. The file does not depend on their number.
      *
-     * @param bits of a channel, 8 or 16
+     * @param bits bits per channel, 8 or 16
      */
     static void write(OutputStream out, Film film, ViewTransform view, int bits, WorkerPool workers) throws IOException {
         out.write(SIGNATURE);
@@ -72,38 +72,38 @@ final class Png {
     }
 
     /**
-     * Adler-32 (RFC 1950) of bytes and others behind them: its lower half is 1 and the sum of all bytes, its upper half the sum of what
-     * the lower half was after each of them, both modulo {@link #ADLER_BASE}.
+     * Combines the Adler-32 checksums (RFC 1950) of two consecutive byte sequences. The lower half is 1 plus the sum of all
+     * bytes, the upper half the sum of all intermediate lower halves, both modulo {@link #ADLER_BASE}.
      *
-     * @param length how many the others are
+     * @param length length of the second sequence
      */
     private static long combineAdler(long adler, long next, long length) {
         long low = adler & 0xFFFF;
-        // Each of the others had begun with 1 in place of the lower half so far.
+        // The second sequence started at 1 instead of the first one's lower half.
         long sum = (low + (next & 0xFFFF) + ADLER_BASE - 1) % ADLER_BASE;
         long sums = ((adler >> 16) + (next >> 16) + length % ADLER_BASE * (low + ADLER_BASE - 1)) % ADLER_BASE;
         return sums << 16 | sum;
     }
 
-    /** The most bytes that writing takes beside the film: codes, filtered lines and what is packed of a group of bands. */
+    /** Returns the maximum memory in bytes for writing: codes, filtered lines and the compressed bands of a batch. */
     static long bytesToWrite(int width) {
         return BANDS_PER_BATCH * 4L * 6 * Film.TILE_SIZE * width;
     }
 
     /**
-     * Display pixels as a film whose values are the linear ones of the codes. Transparency is ignored.
+     * Reads display pixels as a film of their linear values. Transparency is ignored.
      *
-     * @throws IOException if the file is no PNG, is damaged or is too large; the message does not repeat its name
+     * @throws IOException if the file is not a PNG, damaged or too large; the message does not contain its name
      */
     static Film read(Path file) throws IOException {
         ImageReader reader = ImageIO.getImageReadersByFormatName("png").next();
-        try (var stream = new MemoryCacheImageInputStream(RegularFile.open(file, "a PNG picture"))) {
+        try (var stream = new MemoryCacheImageInputStream(RegularFile.open(file, "a PNG image"))) {
             reader.setInput(stream, true, true);
             ImageLimits.check(reader.getWidth(0), reader.getHeight(0));
             return DisplayPixels.toFilm(reader.read(0));
         } catch (RuntimeException e) {
-            // The reader answers some damaged files with unchecked exceptions.
-            throw new IOException("is no undamaged PNG picture", e);
+            // The reader throws unchecked exceptions for some damaged files.
+            throw new IOException("is not a valid PNG image", e);
         } finally {
             reader.dispose();
         }

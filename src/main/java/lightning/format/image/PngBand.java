@@ -10,21 +10,28 @@ import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
 
 /**
- * A row of a film's tiles as PNG has its lines: filtered and packed by themselves, so that bands are made side by side and written
- * one after the other. A filter takes each byte's difference from the same channel of the pixel before it, or of the one above it.
+ * Compressed lines of one row of tiles in a PNG. Bands are filtered and deflated independently, in parallel, and written in
+ * order. A filter subtracts from each byte the same channel of the pixel to the left or above.
  *
- * @param compressed deflated, up to a whole byte and not ended
- * @param length bytes before that
- * @param adler  their checksum
+ * @param compressed deflated data, flushed to a byte boundary, without a final block
+ * @param length number of uncompressed bytes
+ * @param adler Adler-32 of the uncompressed bytes
  */
 record PngBand(byte[] compressed, int length, long adler) {
-    /** On pictures of light half as much effort makes them a sixth longer, and twice as much a thirtieth shorter in twice the time. */
+    /**
+     * Compression level. Half the effort makes rendered images 1/6 longer; twice the effort makes them 1/30 shorter in twice
+     * the time.
+     */
     private static final int COMPRESSION_LEVEL = 4;
 
     private static final byte SUB_FILTER = 1;
     private static final byte UP_FILTER = 2;
 
-    /** @param bits of a channel, 8 or 16 */
+    /**
+     * Encodes a row of tiles.
+     *
+     * @param bits bits per channel, 8 or 16
+     */
     static PngBand of(Film film, ViewTransform view, int bits, int row) {
         byte[] lines = applyFilters(bits == Byte.SIZE ? encode8Bit(film, view, row) : encode16Bit(film, view, row), 3 * bits / Byte.SIZE,
                 film.width());
@@ -37,7 +44,7 @@ record PngBand(byte[] compressed, int length, long adler) {
         return Math.min(Film.TILE_SIZE, film.height() - row * Film.TILE_SIZE);
     }
 
-    /** 8 bits: {@code byte[lines * width * 3]}. */
+    /** Encodes 8-bit samples: {@code byte[lines * width * 3]}. */
     private static byte[] encode8Bit(Film film, ViewTransform view, int row) {
         int[] pixels = new int[lineCount(film, row) * film.width()];
         for (int i = 0; i < film.tilesX(); i++) {
@@ -53,7 +60,7 @@ record PngBand(byte[] compressed, int length, long adler) {
         return codes;
     }
 
-    /** 16 bits, the higher byte first: {@code byte[lines * width * 6]}. */
+    /** Encodes 16-bit samples, big-endian: {@code byte[lines * width * 6]}. */
     private static byte[] encode16Bit(Film film, ViewTransform view, int row) {
         byte[] codes = new byte[6 * lineCount(film, row) * film.width()];
         short[] pixel = new short[3];
@@ -69,7 +76,7 @@ record PngBand(byte[] compressed, int length, long adler) {
         return codes;
     }
 
-    /** Each line behind the number of its filter. The first knows no line above it, as that is in another band. */
+    /** Filters each line and prepends its filter type. The first line of a band cannot reference the line above it. */
     private static byte[] applyFilters(byte[] codes, int bytesPerPixel, int width) {
         int lineBytes = bytesPerPixel * width;
         byte[] filtered = new byte[codes.length + codes.length / lineBytes];
@@ -86,7 +93,7 @@ record PngBand(byte[] compressed, int length, long adler) {
         return filtered;
     }
 
-    /** Whose differences have the least sum, as the standard advises. */
+    /** Chooses the filter with the smallest sum of absolute differences, as the standard recommends. */
     private static byte chooseFilter(byte[] codes, int from, int lineBytes, int bytesPerPixel) {
         int subCost = 0;
         int upCost = 0;

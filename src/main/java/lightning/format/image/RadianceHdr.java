@@ -6,17 +6,17 @@ import java.nio.charset.StandardCharsets;
 import lightning.render.image.Film;
 
 /**
- * Radiance's picture, {@code .hdr}: for each pixel three mantissas of 8 bits that share an exponent (Ward, Real Pixels, Graphics Gems
- * II, 1991), rounded to the nearest, with runs in each of the four columns of a line. What is below 0 or no number is 0.
+ * Radiance {@code .hdr} format: three 8-bit mantissas per pixel with a shared exponent (Ward, Real Pixels, Graphics Gems II,
+ * 1991), rounded to nearest, with run-length encoding of the four columns of a line. Negative values and NaN become 0.
  */
 final class RadianceHdr {
-    /** Lines of other widths have no runs. */
+    /** Minimum width for run-length encoding. */
     private static final int MIN_RLE_WIDTH = 8;
     private static final int MAX_RLE_WIDTH = 0x7FFF;
     private static final int MAX_RUN = 127;
     private static final int MAX_LITERAL = 128;
     private static final int MIN_RUN = 4;
-    /** An exponent of 0 is that of a mantissa in 1/256 of 2⁰. */
+    /** Exponent bias: a stored exponent of 0 scales mantissas by 1/256. */
     private static final int BIAS = 128;
 
     private RadianceHdr() {}
@@ -46,11 +46,11 @@ final class RadianceHdr {
         }
     }
 
-    /** Writes red, green, blue and exponent of a pixel. */
+    /** Encodes red, green, blue and exponent of a pixel. */
     static void encode(float red, float green, float blue, byte[] out, int offset) {
         double max = Math.max(Math.max(clampToRange(red), clampToRange(green)), clampToRange(blue));
         int exponent = max == 0 ? -BIAS : Math.getExponent(max) + 1;
-        // Where the largest mantissa would round to 256, the next exponent serves.
+        // If the largest mantissa would round to 256, use the next exponent.
         if (Math.rint(Math.scalb(max, 8 - exponent)) > 255) {
             exponent++;
         }
@@ -65,7 +65,7 @@ final class RadianceHdr {
         return (byte) Math.rint(Math.scalb(clampToRange(v), 8 - exponent));
     }
 
-    /** What can be stored: up to 255/256 of 2¹²⁷. */
+    /** Clamps to the storable range, up to 255/256 of 2¹²⁷. */
     private static double clampToRange(float v) {
         return v > 0 ? Math.min(v, Math.scalb(255.0, 127 - 8)) : 0;
     }

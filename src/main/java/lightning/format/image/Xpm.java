@@ -7,12 +7,12 @@ import java.util.Arrays;
 import java.util.Locale;
 
 /**
- * XPM, the picture as C source text: display pixels, 8 bits a channel, without loss. Every color stays what it is and the palette is
- * sorted, so that saving twice gives the same file.
+ * XPM format: an image as C source text, display pixels with 8 bits per channel, lossless. The palette contains every color
+ * and is sorted, so that writing is deterministic.
  */
 final class Xpm {
 
-    /** 64 characters that need no escape in C; four of them name all 2²⁴ colors. */
+    /** 64 characters without escapes in C; four of them encode all 2²⁴ colors. */
     private static final byte[] DIGITS =
             "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+-".getBytes(StandardCharsets.US_ASCII);
 

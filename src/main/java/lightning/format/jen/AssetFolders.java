@@ -2,9 +2,13 @@ package lightning.format.jen;
 
 import java.nio.file.Path;
 
-/** The files of a folder that scenes name; what was read once is kept. */
+/** Asset loaders of a folder; each caches the files it has read. */
 record AssetFolders(TextureFolder textures, ProfileFolder profiles, EnvironmentFolder environments, MeshFolder meshes) {
-    /** @param folder where they are looked for, as if the scene were in it */
+    /**
+     * Returns the loaders of a folder.
+     *
+     * @param folder folder of the scene file, which files are resolved against
+     */
     static AssetFolders of(Path folder) {
         return new AssetFolders(new TextureFolder(folder), new ProfileFolder(folder), new EnvironmentFolder(folder),
                 new MeshFolder(folder));

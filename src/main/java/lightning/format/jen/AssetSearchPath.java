@@ -14,8 +14,8 @@ import lightning.base.text.Quote;
 import lightning.format.mesh.MeshException;
 
 /**
- * Where the files that a scene names may be: beside the scene's own file, in a folder of a certain name there, or in the folder of
- * that name in the nearest of the three folders above that has one. No other place is ever looked at.
+ * Search path for the files that a scene references: the scene file's folder, a subfolder with a certain name, or the folder
+ * of that name in the nearest of three parent folders. No other folder is searched.
  */
 final class AssetSearchPath {
     private static final int MAX_PARENTS = 3;
@@ -25,9 +25,11 @@ final class AssetSearchPath {
     private final String name;
 
     /**
-     * @param scene the folder that holds the scene file
-     * @param noun  what messages call such a file
-     * @param name  the folder's name
+     * Creates a search path.
+     *
+     * @param scene folder of the scene file
+     * @param noun name of such a file in messages
+     * @param name name of the subfolder
      */
     AssetSearchPath(Path scene, String noun, String name) {
         this.scene = scene;
@@ -36,10 +38,10 @@ final class AssetSearchPath {
     }
 
     /**
-     * The file of a name that is allowed.
+     * Returns the file for a valid name.
      *
-     * @throws UnusableFileException if there is none, or a link leads out of the folders
-     * @throws IOException           if the folders cannot be read
+     * @throws UnusableFileException if it does not exist, or a link leads out of the folders
+     * @throws IOException if the folders cannot be read
      */
     Path find(String file) throws UnusableFileException, IOException {
         FileName.check(noun, file, name);
@@ -50,7 +52,7 @@ final class AssetSearchPath {
                 Path real = path.toRealPath();
                 if (!real.startsWith(folder)) {
                     throw new UnusableFileException(noun + " " + Quote.of(file) + " must be inside " + describe(folder)
-                            + ", found a link that leads out of it");
+                            + ", found a link to another folder");
                 }
                 return real;
             }
@@ -59,15 +61,16 @@ final class AssetSearchPath {
                 + String.join(" or ", folders.stream().map(AssetSearchPath::describe).toList()));
     }
 
-    /** What is read from a file. */
+    /** Reads the content of a file. */
     interface AssetReader<T> {
         T read(Path path) throws IOException, UnusableFileException, MeshException;
     }
 
     /**
-     * What a file of a name that is allowed holds.
+     * Returns the content of the file for a valid name.
      *
-     * @throws UnusableFileException if there is none, if a link leads out of the folders, or if it cannot be read; the message says why
+     * @throws UnusableFileException if it does not exist, a link leads out of the folders, or it cannot be read; the message
+     *     contains the cause
      */
     <T> T read(String file, AssetReader<T> reader) throws UnusableFileException {
         try {
@@ -79,7 +82,7 @@ final class AssetSearchPath {
         }
     }
 
-    /** The folders, without links on the way; the named one itself may be one, which then leads out. */
+    /** Returns the folders with resolved parent links; the named folder itself may be a link, which then leads out. */
     List<Path> folders() throws IOException {
         List<Path> folders = new ArrayList<>();
         Path folder = scene.toRealPath();
@@ -94,7 +97,7 @@ final class AssetSearchPath {
         return folders;
     }
 
-    /** The plain files of all folders whose names match and may be written, in alphabetical order; none of unreadable folders. */
+    /** Returns the valid names of regular files in all folders that match, in alphabetical order; skips unreadable folders. */
     List<String> fileNames(Pattern pattern) {
         var names = new TreeSet<String>(String.CASE_INSENSITIVE_ORDER);
         try {

@@ -6,23 +6,35 @@ import lightning.scene.Photometry;
 import lightning.scene.Texture;
 import lightning.scene.TextureUsage;
 
-/** What the files hold that a scene names. */
+/** Source of the assets that a scene references. */
 interface AssetSource {
     /**
-     * @param samples what its samples stand for
-     * @throws IllegalArgumentException if there is no such picture; the message says why
+     * Returns a texture.
+     *
+     * @param samples meaning of the samples
+     * @throws IllegalArgumentException if it cannot be used; the message contains the cause
      */
     Texture texture(String file, TextureUsage samples);
 
-    /** @throws IllegalArgumentException if there is no such profile; the message says why */
+    /**
+     * Returns a photometric profile.
+     *
+     * @throws IllegalArgumentException if it cannot be used; the message contains the cause
+     */
     Photometry profile(String file);
 
-    /** @throws IllegalArgumentException if there is no such environment; the message says why */
+    /**
+     * Returns an environment map.
+     *
+     * @throws IllegalArgumentException if it cannot be used; the message contains the cause
+     */
     EnvironmentMap environment(String file);
 
     /**
-     * @param part the name of a part of the file; empty for all that it holds
-     * @throws IllegalArgumentException if there is no such mesh; the message says why
+     * Returns a mesh.
+     *
+     * @param part name of a part of the file; empty for all parts
+     * @throws IllegalArgumentException if it cannot be used; the message contains the cause
      */
     Mesh mesh(String file, String part);
 }

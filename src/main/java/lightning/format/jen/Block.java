@@ -6,23 +6,24 @@ import java.util.List;
 import lightning.base.text.Quote;
 import lightning.scene.shot.Keyframe;
 
-/** A block as it stands in the text. All places are numbers of tokens; −1 where something is missing. */
+/** Parsed block with its positions in the text, as token indices; −1 if absent. */
 final class Block {
     /**
-     * A written property.
+     * Parsed property.
      *
-     * @param nameToken −1 for the value in a header
-     * @param from      the first token of the value
-     * @param to        behind the last token of the value
-     * @param value     what was read
+     * @param nameToken token of the name; −1 for the bare value in a header
+     * @param from first token of the value
+     * @param to token after the last one of the value
+     * @param value parsed value
      */
     record Entry(Property<?> property, int nameToken, int from, int to, Value value) {}
 
     /**
-     * What is written of one property's keys.
+     * Parsed keyframes of a property.
      *
-     * @param openToken  the token of the brace before them; {@code closeToken} of the one behind
-     * @param keys  those that are well written
+     * @param openToken token of the opening brace
+     * @param closeToken token of the closing brace
+     * @param keys the valid keyframes
      */
     record PropertyKeys(Property<?> property, int nameToken, int openToken, int closeToken, List<Keyframe> keys) {}
 
@@ -34,13 +35,13 @@ final class Block {
     String name = "";
     int openToken = -1;
     int closeToken = -1;
-    /** What a group holds, or what has keys in a shot. */
+    /** Children of a group, or animated blocks of a shot. */
     final List<Block> children;
-    /** Of what has keys in a shot. */
+    /** Keyframes of an animated block. */
     List<PropertyKeys> keys = List.of();
-    /** All properties that are written, well or not. Lists, as there are few of them and may be a million blocks. */
+    /** All properties in the text, valid or not. Lists, since there are few properties but up to a million blocks. */
     private final List<Property<?>> writtenProperties = new ArrayList<>(INITIAL_CAPACITY);
-    /** The well written ones, in the order of the text. */
+    /** Valid properties, in text order. */
     private final List<Entry> entries = new ArrayList<>(INITIAL_CAPACITY);
 
     Block(BlockType<?> type, int keywordToken) {
@@ -49,7 +50,7 @@ final class Block {
         children = type == BlockTypes.GROUP || type == BlockTypes.SHOT ? new ArrayList<>() : List.of();
     }
 
-    /** Tells that a property is written; whether it was not before. */
+    /** Records that a property is present; returns true the first time. */
     boolean markWritten(Property<?> property) {
         return !isWritten(property.name()) && writtenProperties.add(property);
     }
@@ -63,14 +64,14 @@ final class Block {
         return false;
     }
 
-    /** Adds a well written property, unless it has been before. */
+    /** Adds a valid property, unless it is already present. */
     void add(Entry entry) {
         if (entry(entry.property().name()) == null) {
             entries.add(entry);
         }
     }
 
-    /** A well written property; null where there is none of that name. */
+    /** Returns a valid property, or null if absent. */
     Entry entry(String property) {
         for (Entry e : entries) {
             if (e.property().name().equals(property)) {
@@ -80,23 +81,23 @@ final class Block {
         return null;
     }
 
-    /** What a property is, well written or by default; null where it is neither. */
+    /** Returns the value or default of a property, or null if it has neither. */
     Value value(String property) {
         Entry entry = entry(property);
         return entry == null ? type.initials().get(property) : entry.value();
     }
 
-    /** The well written properties, in the order of the text. */
+    /** Returns the valid properties, in text order. */
     List<Entry> entries() {
         return Collections.unmodifiableList(entries);
     }
 
-    /** How messages call it: {@code light 'key'} or {@code camera}. */
+    /** Returns the name for messages: {@code light 'key'} or {@code camera}. */
     String title() {
         return name.isEmpty() ? type.keyword() : type.keyword() + " " + Quote.of(name);
     }
 
-    /** The token that stands for the whole block in messages. */
+    /** Returns the token that represents the whole block in messages. */
     int problemToken() {
         return nameToken >= 0 ? nameToken : keywordToken;
     }

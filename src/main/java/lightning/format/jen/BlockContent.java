@@ -10,10 +10,10 @@ import lightning.scene.SceneNode;
 import lightning.scene.Shape;
 
 /**
- * A record of the scene as the file would say it.
+ * Content of a block as it must be written for a scene record.
  *
- * @param name   empty where the type has none
- * @param values all values by property name, written or not
+ * @param name empty if the type has no name
+ * @param values all values by property name, written or default
  */
 record BlockContent(BlockType<?> type, String name, Map<String, Value> values, List<BlockContent> children) {
 
@@ -46,13 +46,13 @@ record BlockContent(BlockType<?> type, String name, Map<String, Value> values, L
         return new BlockContent(type, newName, values, children);
     }
 
-    /** Whether the file must say {@code property}: it is there and not what it is by default. */
+    /** Returns true if {@code property} must be written: it is present and differs from the default. */
     boolean mustWrite(Property<?> property) {
         Value value = values.get(property.name());
         return !(value instanceof Value.Absent) && !value.equals(property.initial());
     }
 
-    /** Whether everything is as it is by default, so that no block is needed. */
+    /** Returns true if all values are defaults, so that no block is needed. */
     boolean isInitial() {
         return type.properties().stream().noneMatch(this::mustWrite);
     }

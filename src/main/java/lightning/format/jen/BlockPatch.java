@@ -3,7 +3,7 @@ package lightning.format.jen;
 import java.util.List;
 import lightning.base.text.DecimalNumber;
 
-/** Changes the words of one block in the text where an edited element says something else. */
+/** Minimal text edits that update one block to changed content. */
 final class BlockPatch {
     private final SourceText source;
     private final TokenList tokens;
@@ -15,7 +15,7 @@ final class BlockPatch {
         this.edits = edits;
     }
 
-    /** Patches the name and the properties; children are the caller's. */
+    /** Patches the name and the properties; children are patched by the caller. */
     void apply(Block block, BlockContent target) {
         if (!block.name.equals(target.name())) {
             replace(block.nameToken, NameSyntax.format(target.name()));
@@ -37,7 +37,7 @@ final class BlockPatch {
         }
     }
 
-    /** Replaces only those words of the value that differ. */
+    /** Replaces only the tokens of the value that differ. */
     private void change(Block.Entry entry, Value value) {
         if (entry.value() instanceof Value.Numbers(List<Double> before) && value instanceof Value.Numbers(List<Double> after)) {
             for (int i = 0; i < after.size(); i++) {
@@ -55,7 +55,7 @@ final class BlockPatch {
         edits.replace(tokens.start(token), tokens.end(token), replacement);
     }
 
-    /** Cuts out a property word by word, so that comments between them stay. */
+    /** Removes a property token by token, so that comments between them remain. */
     private void remove(Block.Entry entry) {
         remove(entry.nameToken(), entry.to());
     }
@@ -70,7 +70,7 @@ final class BlockPatch {
         }
     }
 
-    /** Puts a property behind the last one in the braces, on a line of its own where that one ends its line. */
+    /** Inserts a property after the last one in the braces, on a line of its own if that one ends its line. */
     private void insert(Block block, String property) {
         int last = block.entries().stream().mapToInt(e -> e.to() - 1).filter(t -> t > block.openToken).max()
                 .orElse(block.openToken);

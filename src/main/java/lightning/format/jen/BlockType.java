@@ -8,15 +8,15 @@ import java.util.stream.Collectors;
 import lightning.scene.SceneNode;
 
 /**
- * One kind of block.
+ * Type of a block.
  *
- * @param <T>        the record of the scene that the block describes
- * @param keyword    the word that begins it
- * @param isNamed      whether a name follows
- * @param header     the property whose bare value follows the name, if any
- * @param properties those in the braces, in the order in which they are written
- * @param initials   what each of these is where the file does not say, by its name
- * @param builder    makes the record
+ * @param <T> scene record that the block describes
+ * @param keyword first word of the block
+ * @param isNamed true if a name follows the keyword
+ * @param header property with a bare value after the name, if any
+ * @param properties properties in the braces, in writing order
+ * @param initials default of each property by name
+ * @param builder creates the record
  */
 record BlockType<T>(String keyword, boolean isNamed, Optional<Property<T>> header, List<Property<T>> properties,
         Map<String, Value> initials, Builder<T> builder) {
@@ -26,10 +26,14 @@ record BlockType<T>(String keyword, boolean isNamed, Optional<Property<T>> heade
                 properties.stream().collect(Collectors.toUnmodifiableMap(Property::name, Property::initial)), builder);
     }
 
-    /** Makes the record that a block describes from values that were each checked. */
+    /** Creates the scene record from individually validated values. */
     @FunctionalInterface
     interface Builder<T> {
-        /** @throws IllegalArgumentException if the values do not go together; the message says why */
+        /**
+         * Builds the record.
+         *
+         * @throws IllegalArgumentException if the values are inconsistent; the message contains the cause
+         */
         T build(String name, PropertyValues values, List<SceneNode> children);
     }
 
@@ -46,7 +50,7 @@ record BlockType<T>(String keyword, boolean isNamed, Optional<Property<T>> heade
         return properties.stream().map(Property::name).toList();
     }
 
-    /** The values of {@code record} by property name, that of the header included. */
+    /** Returns the values of {@code record} by property name, including the header. */
     Map<String, Value> values(T record) {
         Map<String, Value> values = new LinkedHashMap<>();
         header.ifPresent(p -> values.put(p.name(), p.getter().apply(record)));

@@ -26,9 +26,9 @@ import lightning.scene.Solid;
 import lightning.scene.World;
 import lightning.scene.shot.Shot;
 
-/** The table of all blocks and their properties: the one place that knows what a file may say. */
+/** Table of all block types and their properties, which defines the grammar of scene files. */
 final class BlockTypes {
-    /** What a mesh says of the file that it is in. */
+    /** Property with the file of a mesh. */
     static final String FILE = "file";
     static final String PART = "part";
     static final String COLORS = "colors";
@@ -74,14 +74,14 @@ final class BlockTypes {
     static final BlockType<LightGroup> LIGHT_GROUP = new BlockType<>("bank", true, Optional.empty(), Property.of(LightGroup.ATTRIBUTES),
             (name, v, children) -> v.applyAll(LightGroup.of(name), LightGroup.ATTRIBUTES));
 
-    /** The tracks stand in its braces beside these. */
+    /** Shot settings; the animated blocks follow within the same braces. */
     static final BlockType<Shot> SHOT = new BlockType<>("shot", false, Optional.empty(), List.of(
             Property.<Shot>numbers("frames", List.of(" first", " last"), Value.of(Shot.DEFAULT.first(), Shot.DEFAULT.last()), 0,
-                    Shot.MAX_FRAME, "the first not behind the last", s -> Value.of(s.first(), s.last())).asIntegers(),
+                    Shot.MAX_FRAME, "the first not after the last", s -> Value.of(s.first(), s.last())).asIntegers(),
             Property.number("rate", Shot.DEFAULT.rate(), Shot.MIN_RATE, Shot.MAX_RATE, "frames per second", Shot::rate)),
             (name, v, children) -> new Shot(v.integer("frames", 0), v.integer("frames", 1), v.number("rate"), List.of()));
 
-    /** The blocks of shapes, in the order of the documents. */
+    /** Block types of shapes, in document order. */
     private static final List<BlockType<Shape>> SHAPES =
             Stream.concat(Solid.CANONICAL.stream().map(BlockTypes::shape), Stream.of(MESH)).toList();
     private static final Map<String, BlockType<Shape>> SHAPES_BY_NOUN =
@@ -90,12 +90,12 @@ final class BlockTypes {
             .concat(SHAPES.stream(), Stream.of(PICTURE, CAMERA, WORLD, MATERIAL, GROUP, LIGHT_GROUP, LIGHT, SHOT))
             .collect(Collectors.toUnmodifiableMap(BlockType::keyword, b -> b));
 
-    /** The keywords of all blocks. */
+    /** Keywords of all blocks. */
     static final List<String> KEYWORDS = BY_KEYWORD.keySet().stream().sorted().toList();
-    /** The keywords of the blocks that may stand in a group. */
+    /** Keywords of the blocks allowed in a group. */
     static final List<String> NODE_KEYWORDS = Stream.concat(SHAPES.stream(), Stream.of(GROUP)).map(BlockType::keyword).toList();
 
-    /** The keywords of the blocks that may stand in a shot: those of what has keys. */
+    /** Keywords of the blocks allowed in a shot, which can be animated. */
     static final List<String> KEYED_KEYWORDS =
             Stream.concat(Stream.of(CAMERA, LIGHT, LIGHT_GROUP).map(BlockType::keyword), NODE_KEYWORDS.stream()).toList();
 
@@ -105,7 +105,7 @@ final class BlockTypes {
         return Optional.ofNullable(BY_KEYWORD.get(keyword));
     }
 
-    /** The block of a shape. */
+    /** Returns the block type of a shape. */
     static BlockType<Shape> of(Solid solid) {
         return SHAPES_BY_NOUN.get(solid.typeName());
     }
@@ -116,7 +116,11 @@ final class BlockTypes {
         return shape(solid.typeName(), solidProperties, v -> v.applyAll(solid, solid.attributes()));
     }
 
-    /** @param solidProperties the properties of the solid itself */
+    /**
+     * Creates a shape's block type.
+     *
+     * @param solidProperties properties of the solid
+     */
     private static BlockType<Shape> shape(String noun, List<Property<Shape>> solidProperties, Function<PropertyValues, Solid> solid) {
         Property<Shape> material = Property.name("material", new Value.Name(Material.DEFAULT.name()),
                 "the name of a material", s -> new Value.Name(s.material()));

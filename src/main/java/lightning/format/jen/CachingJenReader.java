@@ -3,7 +3,7 @@ package lightning.format.jen;
 import java.nio.file.Path;
 import lightning.scene.Stage;
 
-/** Reads texts as if they were files of one folder, each file that they name once for all of them. Not for two threads at once. */
+/** Reader for texts in one folder that caches the files they reference. Not thread-safe. */
 public final class CachingJenReader {
     private final AssetFolders assets;
 
@@ -14,8 +14,8 @@ public final class CachingJenReader {
     /**
      * Reads a scene from a text.
      *
-     * @param name how problems call the text
-     * @throws JenException if anything is wrong; holds all problems
+     * @param name name of the text in problems
+     * @throws JenException if the text has problems; contains all of them
      */
     public JenDocument read(String text, String name) throws JenException {
         var problems = new ProblemList();

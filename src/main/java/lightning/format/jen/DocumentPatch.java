@@ -16,11 +16,10 @@ import lightning.scene.shot.TrackRetargeting;
 import lightning.scene.shot.TrackTarget;
 
 /**
- * Brings the text of a valid scene file to an edited scene by the fewest changes.
+ * Minimal text edits that update a valid scene file to an edited scene.
  *
- * <p>A block and an element are the same when they have one name and one type; of those left over, a
- * block and an element at the same place in their lists (from the front or from the back) are one
- * that was renamed. Blocks whose order changed are put into each other's places.
+ * <p>A block matches an element with the same name and type. An unmatched block and an unmatched element at the same
+ * position in their lists (from the front or the back) are treated as renamed. Reordered blocks are swapped in place.
  */
 final class DocumentPatch {
     private static final int VERSION_TOKEN = 1;
@@ -34,9 +33,9 @@ final class DocumentPatch {
     }
 
     /**
-     * The patched text.
+     * Returns the patched text.
      *
-     * @param original what {@code text} reads as: what is the same in {@code edited} is not looked at
+     * @param original scene that {@code text} describes; elements identical in {@code edited} are skipped
      */
     static String apply(String text, Scene original, Scene edited) {
         var problems = new ProblemList();
@@ -45,7 +44,7 @@ final class DocumentPatch {
         return new DocumentPatch(new SourceText("", text), tokens).patchScene(blocks, original, edited);
     }
 
-    /** The text with another block of the shot, the last where there was none. */
+    /** Returns the text with a replaced shot block, appended if there was none. */
     static String applyShot(String text, Scene scene, Shot shot) {
         TokenList tokens = Lexer.tokens(text, new ProblemList());
         var source = new SourceText("", text);
@@ -57,7 +56,7 @@ final class DocumentPatch {
         return text + (text.endsWith("\n") ? "" : source.newline()) + source.newline() + block + source.newline();
     }
 
-    /** The text without the block of a shot, which it has. */
+    /** Returns the text without its shot block. */
     static String removeShot(String text) {
         TokenList tokens = Lexer.tokens(text, new ProblemList());
         var edits = new TextEdits(text);
@@ -66,7 +65,7 @@ final class DocumentPatch {
         return edits.apply(0, text.length());
     }
 
-    /** Brings the keys to what has them now: names follow, what is gone is cut out. */
+    /** Updates the animated blocks: renames follow, deleted targets are removed. */
     private void patchShot(TextEdits edits, Block shot, Scene original, Scene edited) {
         var succession = new TrackRetargeting(original, edited);
         for (Block child : shot.children) {
@@ -131,7 +130,7 @@ final class DocumentPatch {
         }
     }
 
-    /** Patches the blocks of one list, all in one parent; returns the elements to add behind the last. */
+    /** Patches the blocks of one list with a common parent; returns the elements to append. */
     private List<BlockContent> patchList(TextEdits edits, List<Block> old, List<BlockContent> target) {
         Map<BlockContent, Block> matches = match(old, target);
         List<Block> slots = matches.values().stream().sorted(Comparator.comparingInt(b -> b.keywordToken)).toList();
@@ -196,7 +195,7 @@ final class DocumentPatch {
         }
     }
 
-    /** Puts new children before the closing brace of a group. */
+    /** Inserts new children before the closing brace of a group. */
     private void append(TextEdits edits, Block group, List<BlockContent> added) {
         int close = tokens.start(group.closeToken);
         String outer = source.indent(start(group));
@@ -211,12 +210,12 @@ final class DocumentPatch {
         }
     }
 
-    /** Cuts out a block, with its lines where nothing else is in them. */
+    /** Removes a block, including its lines if they contain nothing else. */
     private void remove(TextEdits edits, Block block) {
         remove(edits, block.keywordToken, block.closeToken);
     }
 
-    /** Cuts out what stands from one token to another, likewise. */
+    /** Removes a range of tokens, including its lines if they contain nothing else. */
     private void remove(TextEdits edits, int first, int last) {
         int start = tokens.start(first);
         int end = tokens.end(last);

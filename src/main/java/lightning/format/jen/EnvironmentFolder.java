@@ -4,20 +4,24 @@ import java.nio.file.Path;
 import lightning.format.hdr.HdrReader;
 import lightning.scene.EnvironmentMap;
 
-/** Finds the environment of one scene where its textures are ({@link AssetSearchPath}). */
+/** Loader for the environment map of a scene, with the same search path as textures ({@link AssetSearchPath}). */
 final class EnvironmentFolder {
     private final AssetSearchPath searchPath;
 
-    /** @param scene the folder that holds the scene file */
+    /**
+     * Creates a loader.
+     *
+     * @param scene folder of the scene file
+     */
     EnvironmentFolder(Path scene) {
         searchPath = FileKind.ENVIRONMENT.searchPath(scene);
     }
 
     /**
-     * The sky of a file.
+     * Loads an environment map.
      *
-     * @throws UnusableFileException if there is no such file inside the folders, if a link leads out of them, or if it is no picture that
-     *                               can be read
+     * @throws UnusableFileException if the file does not exist in the folders, a link leads out of them, or it is not a
+     *     valid image
      */
     EnvironmentMap load(String file) throws UnusableFileException {
         return searchPath.read(file, HdrReader::read);

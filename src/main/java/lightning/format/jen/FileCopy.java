@@ -9,31 +9,31 @@ import lightning.base.file.AtomicFile;
 import lightning.base.file.RegularFile;
 import lightning.base.text.Quote;
 
-/** Brings a file from elsewhere into the textures beside a scene, where scenes find it by its name. */
+/** Copies an external file to the textures of a scene, where the scene finds it by name. */
 public final class FileCopy {
     private static final String EXPECTED_FILE = "a file for the textures of a scene";
 
     private FileCopy() {}
 
-    /** What came of it. */
+    /** Outcome of a copy. */
     public sealed interface Outcome {
-        /** @param file the name by which the scene finds it */
+        /** Returns the file name for the scene. */
         String file();
     }
 
-    /** It is there. */
+    /** The file is available to the scene. */
     public record Copied(String file) implements Outcome {}
 
-    /** Another file has that name; nothing was written. */
+    /** A different file has that name; nothing was written. */
     public record NameConflict(String file) implements Outcome {}
 
     /**
-     * Copies a file, unless the scene finds it already.
+     * Copies a file, unless the scene already finds it.
      *
-     * @param scene     the folder that holds the scene file
-     * @param overwrite whether another file of that name may be replaced
-     * @throws IllegalArgumentException if the scene could not have it, by its name, its size or what it holds, or if the folder of textures
-     *                                  is a link
+     * @param scene folder of the scene file
+     * @param overwrite true to replace a different file of that name
+     * @throws IllegalArgumentException if a scene cannot use it because of its name, size or content, or if the texture
+     *     folder is a link
      */
     public static Outcome copyToScene(FileKind kind, Path file, Path scene, boolean overwrite) throws IOException {
         kind.check(file);
@@ -48,13 +48,13 @@ public final class FileCopy {
         return copy(real, scene, textureFolder.resolve(name), overwrite);
     }
 
-    /** Where scenes there look for textures; where there is no such folder yet, one beside the scene. */
+    /** Returns the texture folder of a scene; a new one next to the scene if none exists. */
     private static Path textureFolder(FileKind kind, Path scene) throws IOException {
         List<Path> folders = kind.searchPath(scene).folders();
         Path textureFolder =
                 folders.size() > 1 ? folders.getLast() : Files.createDirectories(folders.getFirst().resolve(TextureFolder.NAME));
         if (!textureFolder.toRealPath().equals(textureFolder)) {
-            throw new IllegalArgumentException("the folder of textures must be no link, was one to " + textureFolder.toRealPath());
+            throw new IllegalArgumentException("the texture folder must not be a link, was a link to " + textureFolder.toRealPath());
         }
         return textureFolder;
     }
@@ -63,10 +63,10 @@ public final class FileCopy {
         String name = target.getFileName().toString();
         Path shadowingFile = scene.resolve(name);
         if (Files.exists(shadowingFile) && !RegularFile.haveSameContent(file, shadowingFile, EXPECTED_FILE)) {
-            throw new IllegalArgumentException("another file " + Quote.of(name) + " lies beside the scene and would be found first");
+            throw new IllegalArgumentException("another file " + Quote.of(name) + " is next to the scene and would be used instead");
         }
         if (Files.isSymbolicLink(target)) {
-            throw new IllegalArgumentException(Quote.of(name) + " in the folder of textures is a link; it is not written over");
+            throw new IllegalArgumentException(Quote.of(name) + " in the texture folder is a link; it is not overwritten");
         }
         if (Files.exists(target)) {
             if (RegularFile.haveSameContent(file, target, EXPECTED_FILE)) {

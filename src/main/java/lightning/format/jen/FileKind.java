@@ -13,23 +13,23 @@ import lightning.format.hdr.HdrReader;
 import lightning.format.ies.IesReader;
 import lightning.format.mesh.MeshException;
 
-/** What a scene names by its file, and finds beside it or among its textures. */
+/** Kind of asset file that a scene references next to it or in its texture folders. */
 public enum FileKind {
-    /** A picture on a material, or one that a light projects. */
+    /** Image on a material, or gobo of a light. */
     TEXTURE("texture", "a PNG or JPEG file", Messages.key("PNG, JPEG"), JenLimits.TEXTURE_BYTES, "png", "jpg", "jpeg") {
         @Override
         void read(String name, Path file) throws IOException, UnusableFileException {
             TextureDecoder.decodeNumbers(name, RegularFile.readBytes(file, "a PNG or JPEG file", JenLimits.TEXTURE_BYTES));
         }
     },
-    /** How strongly a light shines in each direction. */
+    /** Photometric profile of a light. */
     PROFILE("profile", "an IES file", Messages.key("IES profiles"), IesReader.MAX_BYTES, "ies") {
         @Override
         void read(String name, Path file) throws IOException, MeshException {
             IesReader.read(file);
         }
     },
-    /** What is far around a scene. */
+    /** Environment map of a scene. */
     ENVIRONMENT("environment", "a Radiance HDR file", Messages.key("Radiance HDR"), HdrReader.MAX_BYTES, "hdr") {
         @Override
         void read(String name, Path file) throws IOException, MeshException {
@@ -53,34 +53,34 @@ public enum FileKind {
         pattern = Pattern.compile(".+\\.(" + String.join("|", extensions) + ")", Pattern.CASE_INSENSITIVE);
     }
 
-    /** Reads a file as a scene would, and throws the same where it cannot. */
+    /** Reads a file as a scene would, with the same exceptions. */
     abstract void read(String name, Path file) throws IOException, UnusableFileException, MeshException;
 
-    /** Such files, for people. */
+    /** Returns the display name of the file formats. */
     public String title() {
         return Messages.tr(title);
     }
 
-    /** How their names may end, without the point. */
+    /** Returns the file extensions, without the dot. */
     public List<String> endings() {
         return extensions;
     }
 
     /**
-     * The names by which a scene would find those that lie there, in alphabetical order; none of unreadable folders.
+     * Returns the names of available files, in alphabetical order; skips unreadable folders.
      *
-     * @param scene the folder that holds the scene file
+     * @param scene folder of the scene file
      */
     public List<String> fileNames(Path scene) {
         return searchPath(scene).fileNames(pattern);
     }
 
     /**
-     * Where a scene finds the one of a name; empty where there is none, or a link leads out of the folders.
+     * Returns the file for a name; empty if it does not exist, or a link leads out of the folders.
      *
-     * @param scene the folder that holds the scene file
-     * @throws IOException              if the folders cannot be read
-     * @throws IllegalArgumentException if no scene can name it so
+     * @param scene folder of the scene file
+     * @throws IOException if the folders cannot be read
+     * @throws IllegalArgumentException if the name is not valid in a scene
      */
     public Optional<Path> find(Path scene, String name) throws IOException {
         try {
@@ -90,15 +90,15 @@ public enum FileKind {
         }
     }
 
-    /** Where a scene in a folder looks for them. */
+    /** Returns the search path of a scene in a folder. */
     AssetSearchPath searchPath(Path scene) {
         return new AssetSearchPath(scene, noun, TextureFolder.NAME);
     }
 
     /**
-     * That a scene could have a file, were it beside it.
+     * Checks that a scene could use a file if it were next to it.
      *
-     * @throws IllegalArgumentException if not: by its name, its size, or because it is damaged; the message says which
+     * @throws IllegalArgumentException if its name or size is invalid, or it is damaged; the message contains the cause
      */
     void check(Path file) throws IOException {
         String name = file.getFileName().toString();

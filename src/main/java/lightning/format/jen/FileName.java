@@ -3,7 +3,7 @@ package lightning.format.jen;
 import java.util.regex.Pattern;
 import lightning.base.text.Quote;
 
-/** What a scene file may write as the name of another file. */
+/** Validation of file names in scene files. */
 final class FileName {
     private static final Pattern ALLOWED = Pattern.compile("[\\p{L}\\p{N} _.,()+/-]{1,200}");
 
@@ -19,10 +19,12 @@ final class FileName {
     }
 
     /**
-     * @param property what names the file, for messages
-     * @param folder   the folder where such files are looked for beside the scene
-     * @throws IllegalArgumentException if {@code file} is not a relative path of plain names
-     *     separated by {@code /}, at most 200 characters, none of the names empty, {@code .} or {@code ..}
+     * Checks a file name.
+     *
+     * @param property property with the name, for messages
+     * @param folder asset folder next to the scene, for messages
+     * @throws IllegalArgumentException if {@code file} is not a relative path of plain names separated by {@code /}, at most
+     *     200 characters, without empty names, {@code .} and {@code ..}
      */
     static void check(String property, String file, String folder) {
         if (!ALLOWED.matcher(file).matches()) {
@@ -30,7 +32,7 @@ final class FileName {
                     + "_ . , ( ) + - /, was " + Quote.of(file));
         }
         if (file.startsWith("/")) {
-            throw new IllegalArgumentException(property + " must be a file beside the scene or in its " + folder + " folder, "
+            throw new IllegalArgumentException(property + " must be a file next to the scene or in its " + folder + " folder, "
                     + "was the absolute path " + Quote.of(file));
         }
         for (String name : file.split("/", -1)) {

@@ -11,7 +11,7 @@ import lightning.scene.shot.AnimatedScene;
 import lightning.scene.shot.Shot;
 import lightning.scene.shot.TrackRetargeting;
 
-/** A scene together with the text that says it. Immutable. */
+/** Scene together with its text. Immutable. */
 public final class JenDocument {
     private final Scene scene;
     private final Optional<Shot> shot;
@@ -23,7 +23,7 @@ public final class JenDocument {
         this.text = text;
     }
 
-    /** A document with a text written from scratch. */
+    /** Creates a document with new text. */
     public static JenDocument of(Scene scene) {
         return new JenDocument(scene, Optional.empty(), JenWriter.write(scene));
     }
@@ -32,30 +32,27 @@ public final class JenDocument {
         return scene;
     }
 
-    /** Keys over frames, where the file says any. */
+    /** Returns the animation, if the file has a shot. */
     public Optional<Shot> shot() {
         return shot;
     }
 
-    /** The scene with its shot. */
+    /** Returns the scene with its shot. */
     public AnimatedScene animatedScene() {
         return new AnimatedScene(scene, shot);
     }
 
-    /** The file's content: reading it gives {@link #scene()} and {@link #shot()} again, in every bit. */
+    /** Returns the file's text; reading it gives {@link #scene()} and {@link #shot()} again, bit-identical. */
     public String text() {
         return text;
     }
 
     /**
-     * The same document after an edit of its scene: in the text only what was edited changes.
-     * Comments, order, spaces and all numbers that are the same keep their characters. Values that
-     * were not written are added where they are no longer the default; new blocks come last, or
-     * before the block that they precede in the scene; blocks that are gone are cut out.
-     * Keys follow what is renamed, and go with what is gone.
+     * Returns the document for an edited scene, with a minimally changed text. Comments, order, spaces and unchanged numbers
+     * are preserved. Values that were not written are added if they differ from the default; new blocks come last, or before
+     * the block that they precede in the scene; deleted blocks are removed. Keyframes follow renames and deletions.
      *
-     * @throws IllegalArgumentException if {@code edited} names a texture file that a scene file
-     *     cannot name
+     * @throws IllegalArgumentException if {@code edited} references a texture by a name that is not valid in a scene file
      */
     public JenDocument withScene(Scene edited) {
         if (edited.equals(scene)) {
@@ -65,21 +62,21 @@ public final class JenDocument {
         return new JenDocument(edited, updatedShot, DocumentPatch.apply(text, scene, edited));
     }
 
-    /** The same of a scene with its shot. */
+    /** Returns the document for an edited scene with its shot; see {@link #withScene}. */
     public JenDocument withAnimatedScene(AnimatedScene edited) {
         JenDocument document = withScene(edited.base());
         return edited.shot().map(document::withShot).orElseGet(document::withoutShot);
     }
 
-    /** The same scene without its shot, whose block is cut out. */
+    /** Returns the document without its shot block. */
     public JenDocument withoutShot() {
         return shot.isEmpty() ? this : new JenDocument(scene, Optional.empty(), DocumentPatch.removeShot(text));
     }
 
     /**
-     * The same scene with another shot. The block of the shot is written anew; all else keeps its characters.
+     * Returns the document with another shot. Only the shot block is rewritten.
      *
-     * @throws IllegalArgumentException if it is a shot of another scene ({@link Shot#check})
+     * @throws IllegalArgumentException if the shot does not match the scene ({@link Shot#check})
      */
     public JenDocument withShot(Shot newShot) {
         if (shot.filter(newShot::equals).isPresent()) {
@@ -90,7 +87,7 @@ public final class JenDocument {
     }
 
     /**
-     * Writes the text to a file, at once or not at all.
+     * Writes the text to a file, atomically.
      *
      * @throws IOException if it cannot be written; the old file is then unchanged
      */
@@ -99,7 +96,7 @@ public final class JenDocument {
     }
 
     /**
-     * The same with what else is asked of the file; returns what it holds then.
+     * Writes the text with the file's own options; returns the new state of the file.
      *
      * @throws IOException as {@link AtomicFile#write(byte[])}
      */

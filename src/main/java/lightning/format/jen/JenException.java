@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.stream.Collectors;
 import lightning.base.text.UserFacingException;
 
-/** A scene file cannot be used; holds every problem found in it, in the order of the file. */
+/** Invalid scene file, with all problems in file order. */
 public final class JenException extends Exception implements UserFacingException {
     private static final long serialVersionUID = 1;
 
@@ -15,7 +15,10 @@ public final class JenException extends Exception implements UserFacingException
         this.problems = List.copyOf(problems);
     }
 
-    /** At least one, sorted by place; at most {@link JenLimits#PROBLEMS} and one that says that there are more. */
+    /**
+     * Returns at least one problem, sorted by position; at most {@link JenLimits#PROBLEMS}, plus one that reports further
+     * problems.
+     */
     public List<Problem> problems() {
         return problems;
     }

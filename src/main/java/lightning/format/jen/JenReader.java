@@ -11,30 +11,30 @@ import lightning.scene.Scene;
 import lightning.scene.Stage;
 import lightning.scene.shot.Shot;
 
-/** Reads {@code .jen} files. */
+/** Reader for {@code .jen} files. */
 public final class JenReader {
     private JenReader() {}
 
     /**
-     * Reads a scene file and the files that it names.
+     * Reads a scene file and the files it references.
      *
-     * @throws IOException  if the file cannot be read at all, or is a folder, a pipe or a device, which are not opened: a pipe
-     *                      would wait for its other end, and some devices never end
-     * @throws JenException if anything is wrong with its content; holds all problems
+     * @throws IOException if the file cannot be read, or is a folder, a pipe or a device; these are not opened, since
+     *     reading could block or never end
+     * @throws JenException if its content has problems; contains all of them
      */
     public static JenDocument read(Path file) throws IOException, JenException {
         return read(file, file.toAbsolutePath().getParent(), Stage.EMPTY);
     }
 
     /**
-     * Reads a file of lights for a scene: the lights may be linked to that scene's shapes, and files that they name are looked for
-     * where that scene is.
+     * Reads a light rig for a scene: its lights may be linked to that scene's shapes, and its files are resolved against the
+     * scene's folder.
      *
-     * @param folder where the scene is
-     * @param stage  what its lights may be linked to
-     * @return what the file says, and defaults where it says nothing; a stage of its own where it has one
-     * @throws IOException  as {@link #read(Path)}
-     * @throws JenException likewise
+     * @param folder folder of the scene
+     * @param stage shapes that the lights may be linked to
+     * @return the file's content, with defaults for everything else, and its own stage if it has one
+     * @throws IOException as {@link #read(Path)}
+     * @throws JenException as {@link #read(Path)}
      */
     public static Scene readLights(Path file, Path folder, Stage stage) throws IOException, JenException {
         return read(file, folder, stage).scene();
@@ -47,7 +47,7 @@ public final class JenReader {
             throw tooLarge(file, problems);
         }
         byte[] bytes;
-        // It may grow meanwhile.
+        // The file may grow after the size check.
         try (InputStream in = RegularFile.open(file, "a .jen file")) {
             bytes = in.readNBytes(JenLimits.FILE_BYTES + 1);
         }
@@ -65,9 +65,9 @@ public final class JenReader {
     /**
      * Reads a scene from a text.
      *
-     * @param name   how problems call the text
-     * @param folder where the files that it names are looked for, as if the text were a file in it
-     * @throws JenException if anything is wrong; holds all problems
+     * @param name name of the text in problems
+     * @param folder folder that files are resolved against
+     * @throws JenException if the text has problems; contains all of them
      */
     public static JenDocument read(String text, String name, Path folder) throws JenException {
         var problems = new ProblemList();

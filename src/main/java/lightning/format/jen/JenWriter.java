@@ -5,16 +5,16 @@ import java.util.List;
 import lightning.scene.Scene;
 import lightning.scene.shot.Shot;
 
-/** Writes scenes from scratch: only what is not the default, one block per line where it fits. */
+/** Writer for new scene texts: omits defaults and writes one block per line if it fits. */
 public final class JenWriter {
     static final int MAX_LINE_LENGTH = 110;
 
     private JenWriter() {}
 
     /**
-     * The text of a scene file that reads back as {@code scene} in every bit.
+     * Returns the text of a scene file that reads back as {@code scene}, bit-identical.
      *
-     * @throws IllegalArgumentException if a texture's file name is none that a scene file can say
+     * @throws IllegalArgumentException if a texture's file name is not valid in a scene file
      */
     public static String write(Scene scene) {
         List<BlockContent> header = new ArrayList<>(List.of(BlockContent.of(BlockTypes.PICTURE, scene.picture()),
@@ -30,10 +30,10 @@ public final class JenWriter {
     }
 
     /**
-     * The text of a scene file that reads back as {@code scene} and {@code shot} in every bit.
+     * Returns the text of a scene file that reads back as {@code scene} and {@code shot}, bit-identical.
      *
-     * @param shot one of that scene
-     * @throws IllegalArgumentException as {@link #write(Scene)}, and if something with keys is not in the scene
+     * @param shot shot of that scene
+     * @throws IllegalArgumentException as {@link #write(Scene)}, and if an animated object is not in the scene
      */
     public static String write(Scene scene, Shot shot) {
         shot.check(scene);
@@ -48,9 +48,9 @@ public final class JenWriter {
     }
 
     /**
-     * One block without a line end behind it.
+     * Returns the text of one block, without a final line end.
      *
-     * @param indent what stands before each of its lines (the first included)
+     * @param indent prefix of each line, including the first
      */
     static String block(BlockContent element, String indent, String newline) {
         var header = new StringBuilder(indent).append(element.type().keyword());
@@ -70,7 +70,7 @@ public final class JenWriter {
         return header.append(indent).append('}').toString();
     }
 
-    /** A property as the file says it, name and value. */
+    /** Returns the text of a property, name and value. */
     static String property(Property<?> property, Value value) {
         property.checkValue(value);
         return property.name() + " " + value.text();

@@ -13,14 +13,18 @@ import lightning.scene.shot.Keyframe;
 import lightning.scene.shot.KeyframeValue;
 import lightning.scene.shot.Shot;
 
-/** Reads the keys of one thing in a shot. Each method returns the token to go on at. */
+/** Parser for the keyframes of one animated block. Each method returns the next token to parse. */
 final class KeyframeParser {
     private final TokenList tokens;
     private final ProblemList problems;
     private final PropertyParser properties;
     private final Block target;
 
-    /** @param target where the keys come to */
+    /**
+     * Creates a parser.
+     *
+     * @param target block that receives the keyframes
+     */
     KeyframeParser(TokenList tokens, ProblemList problems, PropertyParser properties, Block target) {
         this.tokens = tokens;
         this.problems = problems;
@@ -29,12 +33,12 @@ final class KeyframeParser {
         target.keys = new ArrayList<>();
     }
 
-    /** Whether values of this property stay until the next key. */
+    /** Returns true if values of this property hold until the next keyframe. */
     static boolean isStepped(Property<?> property) {
         return property.form() == Property.Form.WORD || property.isInteger();
     }
 
-    /** Reads properties with their keys from behind the brace that opens the thing. */
+    /** Parses properties with their keyframes, starting after the opening brace. */
     int parseBody(int start) {
         int token = start;
         while (kind(token) != Kind.CLOSE) {
@@ -91,13 +95,13 @@ final class KeyframeParser {
             token = next;
         }
         if (keys.isEmpty()) {
-            problem(token, token, property.name() + ": expected a key, as in '24 " + property.initial().text() + "', found '}'");
+            problem(token, token, property.name() + ": expected a key such as '24 " + property.initial().text() + "', found '}'");
         }
         target.keys.add(new Block.PropertyKeys(property, nameToken, nameToken + 1, token, keys));
         return token + 1;
     }
 
-    /** Reads one key; −1 where there is none. */
+    /** Parses one keyframe; returns −1 if there is none. */
     private int parseKey(Property<?> property, int start, List<Keyframe> keys) {
         try {
             int frame = parseFrame(property, start, keys);
@@ -124,12 +128,12 @@ final class KeyframeParser {
         if (!keys.isEmpty() && frame <= keys.getLast().frame()) {
             throw new IllegalArgumentException(
                     property.name() + ": keys must be in the order of their frames, found " + tokens.describe(token)
-                            + " behind " + keys.getLast().frame());
+                            + " after " + keys.getLast().frame());
         }
         return (int) frame;
     }
 
-    /** The value from {@code start} on; nothing where it is told to be wrong. */
+    /** Parses the value at {@code start}; empty if it is invalid, which is reported. */
     private Optional<KeyframeValue> parseSetting(Property<?> property, int start) {
         int token = start;
         try {
@@ -163,7 +167,7 @@ final class KeyframeParser {
             if (word(interpolation).equals(tokens.text(token))) {
                 if (isStepped(property) && interpolation != Interpolation.STEPPED) {
                     problem(token, token,
-                            property.name() + " stays until its next key, expected stepped or nothing, found " + tokens.describe(token));
+                            property.name() + " holds until its next key, expected stepped or nothing, found " + tokens.describe(token));
                 }
                 return interpolation;
             }
@@ -173,7 +177,7 @@ final class KeyframeParser {
         return defaultInterpolation(property);
     }
 
-    /** How a file says how a key goes on; empty where it need not. */
+    /** Returns the text of a keyframe's interpolation; empty if it is the default. */
     static String text(Property<?> property, Interpolation interpolation) {
         return interpolation == defaultInterpolation(property) ? "" : " " + word(interpolation);
     }
@@ -182,7 +186,7 @@ final class KeyframeParser {
         return interpolation.name().toLowerCase(Locale.ROOT);
     }
 
-    /** Behind the braces that open here, or behind the token. */
+    /** Skips the braces that open at a token, or the token itself. */
     private int skipBraces(int start) {
         int depth = 0;
         int token = start;
@@ -196,7 +200,7 @@ final class KeyframeParser {
         return token;
     }
 
-    /** At the next word or brace. */
+    /** Skips to the next word or brace. */
     private int skipLiterals(int start) {
         int token = start;
         while (kind(token) == Kind.NUMBER || kind(token) == Kind.BAD_NUMBER || kind(token) == Kind.STRING) {

@@ -4,7 +4,7 @@ import java.util.Locale;
 import lightning.base.text.DecimalNumber;
 import lightning.base.text.Quote;
 
-/** Cuts the text of a scene file into tokens; comments run from {@code #} to the end of the line. */
+/** Tokenizer for scene files; comments run from {@code #} to the end of the line. */
 final class Lexer {
     private final String text;
     private final ProblemList problems;
@@ -17,14 +17,14 @@ final class Lexer {
         this.tokens = new TokenList(text);
     }
 
-    /** All tokens of {@code text}; what is none is reported and left out. */
+    /** Returns all tokens of {@code text}; invalid characters are reported and skipped. */
     static TokenList tokens(String text, ProblemList problems) {
         return new Lexer(text, problems).tokenize();
     }
 
     private TokenList tokenize() {
         if (text.startsWith("\uFEFF")) {
-            position = 1; // a byte order mark, which some editors write
+            position = 1; // skip the byte order mark, which some editors write
         }
         while (position < text.length() && !problems.isFull()) {
             if (tokens.size() == JenLimits.TOKENS) {
@@ -64,7 +64,7 @@ final class Lexer {
         endToken(TokenList.Kind.STRING, start);
     }
 
-    /** Reports a string with a backslash that stands before anything but a quote or a backslash. */
+    /** Reports a backslash in a string that is not followed by a quote or a backslash. */
     private void checkEscapes(int from, int to) {
         for (int i = text.indexOf('\\', from, to); i >= 0; i = text.indexOf('\\', i + 2, to)) {
             if (!NameSyntax.isEscapable(text.charAt(i + 1))) {
@@ -96,7 +96,7 @@ final class Lexer {
         }
     }
 
-    /** Adds a token, which must be followed by something that ends it. */
+    /** Adds a token and checks that a delimiter follows it. */
     private void endToken(TokenList.Kind kind, int start) {
         if (position - start > JenLimits.TOKEN_LENGTH && text.codePointCount(start, position) > JenLimits.TOKEN_LENGTH) {
             problems.add(start, "a word, number or string may have at most " + JenLimits.TOKEN_LENGTH

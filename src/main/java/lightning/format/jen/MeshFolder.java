@@ -13,8 +13,8 @@ import lightning.format.mesh.NamedMesh;
 import lightning.scene.Mesh;
 
 /**
- * Finds the meshes of one scene: beside its file or in {@code meshes/} ({@link AssetSearchPath}). Each file is read once, and what
- * several shapes show is one mesh.
+ * Loader for the meshes of a scene: next to its file or in {@code meshes/} ({@link AssetSearchPath}). Each file is read
+ * once, and shapes with the same part share one mesh.
  */
 final class MeshFolder {
     static final String NAME = "meshes";
@@ -23,17 +23,21 @@ final class MeshFolder {
     private final Map<Path, MeshParts> cache = new HashMap<>();
     private long triangles;
 
-    /** @param scene the folder that holds the scene file */
+    /**
+     * Creates a loader.
+     *
+     * @param scene folder of the scene file
+     */
     MeshFolder(Path scene) {
         searchPath = new AssetSearchPath(scene, "mesh file", NAME);
     }
 
     /**
-     * A mesh.
+     * Loads a mesh.
      *
-     * @param part the name of a part of the file; empty for all that it holds
-     * @throws UnusableFileException if there is no such file inside the folders, if a link leads out of them, if it is none that can
-     *                               be read, beyond {@link JenLimits} or has no such part
+     * @param part name of a part of the file; empty for all parts
+     * @throws UnusableFileException if the file does not exist in the folders, a link leads out of them, it is invalid,
+     *     exceeds {@link JenLimits} or has no such part
      */
     Mesh load(String file, String part) throws UnusableFileException {
         return searchPath.read(file, path -> load(file, part, path));
@@ -56,7 +60,7 @@ final class MeshFolder {
         List<NamedMesh> parts = MeshFormat.meshes(path, Progress.NONE);
         triangles += parts.stream().mapToLong(p -> p.mesh().triangleCount()).sum();
         if (triangles > JenLimits.TRIANGLES) {
-            throw new UnusableFileException("mesh file " + Quote.of(file) + " is one too many: all meshes together must have at most "
+            throw new UnusableFileException("mesh file " + Quote.of(file) + " exceeds the limit: all meshes together must have at most "
                     + JenLimits.TRIANGLES + " triangles");
         }
         return parts;

@@ -6,13 +6,13 @@ import java.util.function.Function;
 import lightning.format.mesh.VertexNormals;
 import lightning.scene.Mesh;
 
-/** Several meshes as one. */
+/** Merges several meshes into one. */
 final class MeshMerger {
     private MeshMerger() {}
 
     /**
-     * The triangles of all meshes, in their order. Where only some have normals, the others' triangles get vertices of their own
-     * and are flat all the same; missing texture coordinates are 0, missing colors white, missing tangents none.
+     * Returns the triangles of all meshes, in order. If only some meshes have normals, the others' triangles get their own
+     * vertices and stay flat. Missing texture coordinates become 0, missing colors white, missing tangents none.
      */
     static Mesh merge(List<Mesh> meshes) {
         boolean hasNormals = meshes.stream().anyMatch(m -> m.normals() != null);
@@ -57,7 +57,7 @@ final class MeshMerger {
         return result;
     }
 
-    /** The same triangles, each with vertices of its own, whose normals are the triangle's; a triangle without area gets any. */
+    /** Returns the triangles with their own vertices and face normals; a triangle without area gets an arbitrary normal. */
     private static Mesh withFaceNormals(Mesh m) {
         int[] vertices = m.triangles();
         float[] positions = expand(m.positions(), vertices, 3);

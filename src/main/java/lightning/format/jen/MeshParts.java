@@ -7,13 +7,17 @@ import lightning.base.text.Quote;
 import lightning.format.mesh.NamedMesh;
 import lightning.scene.Mesh;
 
-/** The meshes of one file, found by name in the same time however many there are. */
+/** Meshes of one file, with constant-time lookup by name. */
 final class MeshParts {
     private final List<NamedMesh> parts;
     private final Map<String, Mesh> byName = new HashMap<>();
     private Mesh mergedMesh;
 
-    /** @param parts at least one; of two with the same name the first is found */
+    /**
+     * Creates the lookup.
+     *
+     * @param parts at least one; the first of several with the same name is used
+     */
     MeshParts(List<NamedMesh> parts) {
         this.parts = parts;
         for (NamedMesh part : parts) {
@@ -21,7 +25,7 @@ final class MeshParts {
         }
     }
 
-    /** All parts as one mesh, joined once. */
+    /** Returns all parts merged into one mesh, cached. */
     Mesh merged() throws UnusableFileException {
         if (mergedMesh == null) {
             mergedMesh = parts.size() == 1 ? parts.getFirst().mesh() : MeshMerger.merge(parts.stream().map(NamedMesh::mesh).toList());
@@ -30,9 +34,9 @@ final class MeshParts {
     }
 
     /**
-     * The part of a name.
+     * Returns the part of a name.
      *
-     * @param file what messages call the file
+     * @param file name of the file in messages
      * @throws UnusableFileException if there is no such part
      */
     Mesh part(String part, String file) throws UnusableFileException {

@@ -5,7 +5,7 @@ import java.util.Collection;
 import java.util.Optional;
 import lightning.base.text.Quote;
 
-/** Finds what a mistyped word was meant to be. */
+/** Suggestions for misspelled words. */
 final class NameSuggestion {
     private static final int MAX_WORD_LENGTH = 40;
     private static final int MAX_CANDIDATES = 1000;
@@ -13,8 +13,8 @@ final class NameSuggestion {
     private NameSuggestion() {}
 
     /**
-     * The candidate with the fewest edits to {@code word}, if no more than a third of its letters (rounded) differ; of very
-     * many candidates only the first are looked at.
+     * Returns the candidate with the smallest edit distance to {@code word}, if at most a third of its letters (rounded)
+     * differ. Only the first candidates are checked if there are very many.
      */
     static Optional<String> closest(String word, Collection<String> candidates) {
         if (word.length() > MAX_WORD_LENGTH) {
@@ -34,12 +34,12 @@ final class NameSuggestion {
         return Optional.ofNullable(best);
     }
 
-    /** {@code ", did you mean 'intensity'?"}, or nothing. */
+    /** Returns {@code ", did you mean 'intensity'?"}, or an empty string. */
     static String hint(String word, Collection<String> candidates) {
         return closest(word, candidates).map(n -> ", did you mean " + Quote.of(n) + "?").orElse("");
     }
 
-    /** Insertions, deletions, replacements and swaps of neighbors (optimal string alignment distance). */
+    /** Returns the optimal string alignment distance: insertions, deletions, replacements and swaps of neighbors. */
     private static int editDistance(String a, String b) {
         int[] secondLast = new int[b.length() + 1];
         int[] last = new int[b.length() + 1];

@@ -1,23 +1,23 @@
 package lightning.format.jen;
 
 /**
- * Names as files and edits write them: a word where it is one, else in double quotes, with a backslash before each double quote
- * and each backslash of the name: {@code key}, {@code "key light"}, {@code "3\" pipe"}.
+ * Syntax of names in files and edits: a plain word, else in double quotes, with a backslash before each double quote and
+ * backslash: {@code key}, {@code "key light"}, {@code "3\" pipe"}.
  */
 public final class NameSyntax {
     private NameSyntax() {}
 
-    /** The text that reads back as {@code name}. */
+    /** Returns the text that reads back as {@code name}. */
     public static String format(String name) {
         return isWord(name) ? name : quote(name);
     }
 
-    /** The same, in quotes whatever it is. */
+    /** Returns the name in quotes, even if it is a plain word. */
     static String quote(String name) {
         return '"' + name.replace("\\", "\\\\").replace("\"", "\\\"") + '"';
     }
 
-    /** The name that a person wrote, with quotes or, where the end is known, without. */
+    /** Parses a name with or, since its end is known, without quotes. */
     static String parse(String text) {
         return isQuoted(text) && closingQuote(text, 0) == text.length() - 1 ? unescape(text.substring(1, text.length() - 1)) : text;
     }
@@ -26,7 +26,7 @@ public final class NameSyntax {
         return text.startsWith("\"");
     }
 
-    /** The offset of the quote that closes the one at {@code start} in the same line, or −1. */
+    /** Returns the offset of the closing quote in the same line for the quote at {@code start}, or −1. */
     static int closingQuote(String text, int start) {
         for (int i = start + 1; i < text.length() && text.charAt(i) != '\n'; i++) {
             if (text.charAt(i) == '"') {
@@ -39,12 +39,12 @@ public final class NameSyntax {
         return -1;
     }
 
-    /** Whether a backslash before it belongs to it. */
+    /** Returns true if the character can be escaped by a backslash. */
     static boolean isEscapable(char c) {
         return c == '"' || c == '\\';
     }
 
-    /** The characters between two quotes without their escapes. */
+    /** Returns the characters between two quotes with escapes resolved. */
     static String unescape(String content) {
         if (content.indexOf('\\') < 0) {
             return content;

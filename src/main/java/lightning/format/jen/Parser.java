@@ -6,8 +6,8 @@ import lightning.format.jen.TokenList.Kind;
 import lightning.scene.SceneLimits;
 
 /**
- * Reads the blocks of a scene file by recursive descent. After a problem it goes on at the next
- * place that makes sense, so that one run finds all of them.
+ * Recursive-descent parser for the blocks of a scene file. After a problem it resumes at the next plausible token, so that
+ * one run finds all problems.
  */
 final class Parser {
     private static final String VERSION = "1";
@@ -24,7 +24,7 @@ final class Parser {
         this.properties = new PropertyParser(tokens, problems);
     }
 
-    /** All blocks of a file that begins with the version line, which is tokens 0 and 1. */
+    /** Parses all blocks of a file, whose tokens 0 and 1 are the version line. */
     static List<Block> parseFile(TokenList tokens, ProblemList problems) {
         var parser = new Parser(tokens, problems);
         if (parser.parseVersion()) {
@@ -33,7 +33,7 @@ final class Parser {
         return parser.blocks;
     }
 
-    /** All blocks of a text without a version line. */
+    /** Parses all blocks of a text without a version line. */
     static List<Block> parseFragment(TokenList tokens, ProblemList problems) {
         var parser = new Parser(tokens, problems);
         parser.parseBlocks();
@@ -51,7 +51,7 @@ final class Parser {
             return true;
         }
         problem("expected version 1 of the format, found " + tokens.describe(position));
-        return kind() != Kind.NUMBER; // another version has another grammar
+        return kind() != Kind.NUMBER; // another version has a different grammar
     }
 
     private void parseBlocks() {
@@ -189,7 +189,7 @@ final class Parser {
         }
     }
 
-    /** Reads what has keys in a shot. */
+    /** Parses an animated block in a shot. */
     private void parseTarget(Block shot) {
         BlockType<?> type = BlockTypes.of(tokens.text(position)).orElseThrow();
         if (!BlockTypes.KEYED_KEYWORDS.contains(type.keyword())) {
@@ -216,12 +216,12 @@ final class Parser {
         return kind() == Kind.WORD && BlockTypes.of(tokens.text(position)).isPresent();
     }
 
-    /** Whether {@code material name \{} stands here and not the property {@code material name}. */
+    /** Returns true if a block {@code material name \{} follows rather than the property {@code material name}. */
     private boolean isNamedBlock() {
         return tokens.isName(position + 1) && tokens.kind(position + 2) == Kind.OPEN;
     }
 
-    /** Goes behind the next closed pair of braces, or to the next block, or to the end. */
+    /** Skips past the next closed pair of braces, or to the next block or the end. */
     private void skipToBlock() {
         while (kind() != Kind.END && kind() != Kind.CLOSE && !startsBlock()) {
             if (kind() == Kind.OPEN) {
@@ -251,7 +251,7 @@ final class Parser {
         return kind == Kind.NUMBER || kind == Kind.BAD_NUMBER || kind == Kind.STRING;
     }
 
-    /** The kind of the next token; the end as soon as there are too many problems. */
+    /** Returns the kind of the next token; END once there are too many problems. */
     private Kind kind() {
         return problems.isFull() ? Kind.END : tokens.kind(position);
     }

@@ -9,21 +9,28 @@ import lightning.format.ies.IesReader;
 import lightning.format.mesh.MeshException;
 import lightning.scene.Photometry;
 
-/** Finds the profiles of one scene where its textures are ({@link AssetSearchPath}). Each file is read once. */
+/**
+ * Loader for the light profiles of a scene, with the same search path as textures ({@link AssetSearchPath}). Each file is
+ * read once.
+ */
 final class ProfileFolder {
     private final AssetSearchPath searchPath;
     private final Map<Path, Photometry> cache = new HashMap<>();
 
-    /** @param scene the folder that holds the scene file */
+    /**
+     * Creates a loader.
+     *
+     * @param scene folder of the scene file
+     */
     ProfileFolder(Path scene) {
         searchPath = FileKind.PROFILE.searchPath(scene);
     }
 
     /**
-     * The intensities of a file.
+     * Loads a profile.
      *
-     * @throws UnusableFileException if there is no such file inside the folders, if a link leads out of them, if it is none of intensities, or
-     *                               one more than {@link JenLimits#PROFILES}
+     * @throws UnusableFileException if the file does not exist in the folders, a link leads out of them, it is invalid, or
+     *     there are more than {@link JenLimits#PROFILES}
      */
     Photometry load(String file) throws UnusableFileException {
         return searchPath.read(file, path -> load(file, path));

@@ -17,21 +17,20 @@ import lightning.scene.TextureMap;
 import lightning.scene.ValueKind;
 
 /**
- * One property of one kind of block: how it is written, which values it may have, what it is
- * without being written, and where the scene keeps it.
+ * Property of a block type: its syntax, allowed values, default, and accessor in the scene.
  *
- * @param <T>     the record of the scene that has the property
- * @param name    as the file writes it
- * @param form    what follows the name
- * @param labels  the names of the numbers, one for each ("" where the property's own name says it)
- * @param min     the least value of each number
- * @param max     the largest value of each number
- * @param choices the allowed words
- * @param initial the value where the file does not say
- * @param unit    for the documentation
- * @param isInteger   whether the numbers must be whole
- * @param valueCheck   what the values must be together; throws an IllegalArgumentException that says it
- * @param getter     reads the value from the scene
+ * @param <T> scene record with the property
+ * @param name name in the file
+ * @param form syntax after the name
+ * @param labels name of each number ("" if the property's own name suffices)
+ * @param min minimum of each number
+ * @param max maximum of each number
+ * @param choices allowed words
+ * @param initial default
+ * @param unit unit for the documentation
+ * @param isInteger true if the numbers must be integers
+ * @param valueCheck checks the value as a whole; throws an IllegalArgumentException with the cause
+ * @param getter reads the value from the scene
  */
 record Property<T>(String name, Form form, List<String> labels, double min, double max, List<String> choices,
         Value initial, String unit, boolean isInteger, Consumer<Value> valueCheck, Function<T, Value> getter) {
@@ -44,12 +43,12 @@ record Property<T>(String name, Form form, List<String> labels, double min, doub
         LINKS
     }
 
-    /** How a file writes attributes, in their order. */
+    /** Returns the properties that represent attributes, in order. */
     static <T> List<Property<T>> of(List<? extends SceneAttribute<T, ?>> attributes) {
         return attributes.stream().flatMap(a -> of(a).stream()).toList();
     }
 
-    /** How a file writes an attribute: a picture as its file and how often it repeats, all others as one property. */
+    /** Returns the properties of an attribute: a file and a repeat for an image, one property for all others. */
     static <T, V> List<Property<T>> of(SceneAttribute<T, V> a) {
         return switch (a.kind()) {
             case NumericKind<V> n -> List.of(new Property<>(a.name(), Form.NUMBERS,
@@ -102,7 +101,7 @@ record Property<T>(String name, Form form, List<String> labels, double min, doub
         return new Property<>(name, Form.WORD, List.of(), 0, 0, choices, initial, "", false, v -> {}, getter);
     }
 
-    /** The name of something. */
+    /** Creates a property whose value is a name. */
     static <T> Property<T> name(String name, Value initial, String unit, Function<T, Value> getter) {
         return new Property<>(name, Form.NAME, List.of(), 0, 0, List.of(), initial, unit, false, v -> {}, getter);
     }
@@ -111,12 +110,12 @@ record Property<T>(String name, Form form, List<String> labels, double min, doub
         return new Property<>(name, Form.QUOTED, List.of(), 0, 0, List.of(), new Value.Absent(), unit, false, valueCheck, getter);
     }
 
-    /** The same of what has such a record in it. */
+    /** Returns this property for a record that contains {@code T}. */
     <S> Property<S> adapt(Function<S, T> adapter) {
         return new Property<>(name, form, labels, min, max, choices, initial, unit, isInteger, valueCheck, adapter.andThen(getter));
     }
 
-    /** The same where only some records have it. */
+    /** Returns this property, present only if a condition holds. */
     Property<T> presentIf(Predicate<T> condition) {
         return new Property<>(name, form, labels, min, max, choices, initial, unit, isInteger, valueCheck,
                 t -> condition.test(t) ? getter.apply(t) : new Value.Absent());
@@ -130,14 +129,16 @@ record Property<T>(String name, Form form, List<String> labels, double min, doub
         return new Property<>(name, form, labels, min, max, choices, initial, unit, isInteger, check, getter);
     }
 
-    /** How many numbers follow the name; 1 for words. */
+    /** Returns the count of numbers after the name; 1 for words. */
     int count() {
         return form == Form.NUMBERS ? labels.size() : 1;
     }
 
     /**
-     * @throws IllegalArgumentException if {@code v} may not be the number at {@code index}; the
-     *     message says what was expected and found
+     * Checks a number.
+     *
+     * @throws IllegalArgumentException if {@code v} is not allowed at {@code index}; the message contains expected and found
+     *     value
      */
     void checkNumber(int index, double v) {
         boolean isFractional = isInteger && v != Math.rint(v);
@@ -151,7 +152,11 @@ record Property<T>(String name, Form form, List<String> labels, double min, doub
         SceneLimits.checkRange(label, v, min, max);
     }
 
-    /** @throws IllegalArgumentException if {@code word} is none of the choices */
+    /**
+     * Checks a word.
+     *
+     * @throws IllegalArgumentException if {@code word} is not one of the choices
+     */
     void checkWord(String word) {
         if (!choices.contains(word)) {
             throw new IllegalArgumentException(name + " must be " + alternatives() + ", was " + Quote.of(word)
@@ -159,12 +164,16 @@ record Property<T>(String name, Form form, List<String> labels, double min, doub
         }
     }
 
-    /** @throws IllegalArgumentException if the value, each number of which is right, is not right as a whole */
+    /**
+     * Checks a value whose single numbers are valid.
+     *
+     * @throws IllegalArgumentException if it is invalid as a whole
+     */
     void checkValue(Value value) {
         valueCheck.accept(value);
     }
 
-    /** What was expected, as a message says it. */
+    /** Returns the expected value, for messages. */
     String expected() {
         return switch (form) {
             case NUMBERS -> count() == 1 ? "a number" : count() + " numbers";

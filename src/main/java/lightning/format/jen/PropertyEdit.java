@@ -27,15 +27,18 @@ import lightning.scene.TextureMap;
 import lightning.scene.World;
 
 /**
- * Edits of a scene in the words of the file: {@code key.intensity=0.4}, {@code picture.size=640 480}.
+ * Scene edits in the syntax of the scene file: {@code key.intensity=0.4}, {@code picture.size=640 480}.
  *
- * <p>The part before the point is {@code setTexture}, {@code camera}, {@code world}, or the name of a light, a
- * bank, a shape, a group or a material, looked for in this order; {@code material:gold} means a material whatever else has
- * its name. A name in double quotes, {@code "key light".intensity=0.4}, is never one of the three words, and may hold a point and an
- * equals sign; {@link NameSyntax} says how. The properties are those of the file, and {@code name} of everything but materials, {@code type} of lights,
- * {@code texture=none} to take a texture away, and {@code bank=none} to take a light out of its bank. The material {@code default} may be edited before it is written. A picture or a mesh that
- * the scene has not read yet can be named where a folder is given, and is looked for as if the scene file were in it. Every method throws an
- * {@link IllegalArgumentException} whose message says in one sentence what is wrong.
+ * <p>The part before the dot is {@code picture}, {@code camera}, {@code world}, or the name of a light, a bank, a shape, a
+ * group or a material, resolved in this order; {@code material:gold} always means a material. A name in double quotes,
+ * {@code "key light".intensity=0.4}, is never one of the three words and may contain a dot and an equals sign; see {@link
+ * NameSyntax}.
+ *
+ * <p>The properties are those of the file, {@code name} of everything but materials, {@code type} of lights, {@code
+ * texture=none} to remove a texture, and {@code bank=none} to remove a light from its bank. The material {@code default} can
+ * be edited before it is written. An image or a mesh that the scene has not loaded can be named if a folder is given, which
+ * it is resolved against. Every method throws an {@link IllegalArgumentException} with a one-sentence message if the edit is
+ * invalid.
  */
 public final class PropertyEdit {
     private static final String NAME = "name";
@@ -44,26 +47,25 @@ public final class PropertyEdit {
     private static final String PICTURE = "picture";
     private static final String CAMERA = "camera";
     private static final String WORLD = "world";
-    /** What stands for parts of the scene that have no names. */
+    /** Targets for parts of the scene without names. */
     private static final List<String> SCENE_TARGETS = List.of(PICTURE, CAMERA, WORLD);
 
     private PropertyEdit() {}
 
     /**
-     * The scene after an assignment.
+     * Returns the scene after an assignment.
      *
      * @param assignment {@code target.property=value}
-     * @throws IllegalArgumentException if it has another form, if there is no such target or
-     *     property, or if the file could not say that value there
+     * @throws IllegalArgumentException if it has another form, there is no such target or property, or the value is invalid
      */
     public static Scene apply(Scene scene, String assignment) {
         return apply(scene, assignment, new SceneAssets(scene, Optional.empty()));
     }
 
     /**
-     * The same, with textures from a folder.
+     * Returns the scene after an assignment, with textures from a folder.
      *
-     * @param folder where pictures are looked for, as if the scene file were in it
+     * @param folder folder that images are resolved against
      */
     public static Scene apply(Scene scene, String assignment, Path folder) {
         return apply(scene, assignment, new SceneAssets(scene, Optional.of(folder)));
@@ -75,11 +77,11 @@ public final class PropertyEdit {
     }
 
     /**
-     * Why an assignment has no effect on the picture, {@code sun.at has no effect: a directional light has no position}; empty where it
-     * has one. The value is kept all the same, and acts once the light is of another type.
+     * Returns why an assignment has no effect on the image, such as {@code sun.at has no effect: a directional light has no
+     * position}; empty if it has one. The value is stored anyway, and applies once the light has another type.
      *
-     * @param scene      the scene after the edit
-     * @param assignment as {@link #apply(Scene, String)} took it
+     * @param scene scene after the edit
+     * @param assignment assignment passed to {@link #apply(Scene, String)}
      */
     public static Optional<String> ineffectiveReason(Scene scene, String assignment) {
         Assignment parts = Assignment.of(assignment);
@@ -88,9 +90,13 @@ public final class PropertyEdit {
                 .map(reason -> parts.target + "." + parts.property + " has no effect: " + reason);
     }
 
-    /** The parts of {@code target.property=value}. */
+    /** Parts of {@code target.property=value}. */
     private record Assignment(String target, String property, String value) {
-        /** @throws IllegalArgumentException if the text has another form */
+        /**
+         * Parses an assignment.
+         *
+         * @throws IllegalArgumentException if the text has another form
+         */
         static Assignment of(String text) {
             int name = nameEnd(text);
             int equals = text.indexOf('=', name);
@@ -102,22 +108,22 @@ public final class PropertyEdit {
                     text.substring(equals + 1).strip());
         }
 
-        /** The name of the light that it would be of; empty where it is of something else by its form. */
+        /** Returns the name of the light that it may refer to; empty if its form refers to another target. */
         String lightName() {
             return SCENE_TARGETS.contains(target) || target.startsWith(MATERIAL) ? "" : NameSyntax.parse(target);
         }
     }
 
-    /** The place behind a name in quotes that an assignment begins with; 0 where its name has none. */
+    /** Returns the offset after a quoted name at the start of an assignment; 0 if the name is not quoted. */
     private static int nameEnd(String assignment) {
         int start = assignment.startsWith(MATERIAL) ? MATERIAL.length() : 0;
         return assignment.startsWith("\"", start) ? NameSyntax.closingQuote(assignment, start) + 1 : 0;
     }
 
     /**
-     * The scene with one property set.
+     * Returns the scene with one property set.
      *
-     * @param value as the file writes it
+     * @param value value in file syntax
      * @throws IllegalArgumentException as {@link #apply(Scene, String)}
      */
     public static Scene set(Scene scene, String target, String property, String value) {
@@ -125,10 +131,10 @@ public final class PropertyEdit {
     }
 
     /**
-     * The scene with a picture, read from a file, on a material; how often it repeats is kept.
+     * Returns the scene with an image file on a material; its repeat is kept.
      *
-     * @param folder where the picture is looked for, as if the scene file were in it
-     * @throws IllegalArgumentException if there is no such material, or no such picture
+     * @param folder folder that the image is resolved against
+     * @throws IllegalArgumentException if the material or the image does not exist
      */
     public static Scene setTexture(Scene scene, String material, MaterialAttribute<Optional<TextureMap>> attribute, String file,
             Path folder) {
@@ -138,18 +144,18 @@ public final class PropertyEdit {
     }
 
     /**
-     * The scene with what a file holds on a light: a picture that it projects, or its profile.
+     * Returns the scene with a file on a light: a gobo or a profile.
      *
-     * @param file   its name; empty for none
-     * @param folder where it is looked for, as if the scene file were in it
-     * @throws IllegalArgumentException if there is no such light, or no such file
+     * @param file file name; empty for none
+     * @param folder folder that the file is resolved against
+     * @throws IllegalArgumentException if the light or the file does not exist
      */
     public static <F extends FileAsset> Scene setFile(Scene scene, String light, LightAttribute<Optional<F>> attribute, String file,
             Path folder) {
         return setFile(scene, NameSyntax.format(light), attribute.name(), file, folder);
     }
 
-    /** The same of the environment around the scene. */
+    /** Returns the scene with an environment map; empty file name for none. */
     public static Scene setEnvironment(Scene scene, String file, Path folder) {
         return setFile(scene, WORLD, World.ENVIRONMENT.name(), file, folder);
     }
@@ -162,22 +168,22 @@ public final class PropertyEdit {
         return set(scene, target, property, new Value.Quoted(file).text(), new SceneAssets(scene, Optional.of(folder)));
     }
 
-    /** What stands for a material where a property is set. */
+    /** Returns the target that addresses a material in an assignment. */
     public static String target(Material material) {
         return MATERIAL + NameSyntax.format(material.name());
     }
 
-    /** The value of a light's attribute as the file writes it, and as {@link #set(Scene, String, String, String)} reads it. */
+    /** Returns the value of a light's attribute in file syntax, as read by {@link #set(Scene, String, String, String)}. */
     public static String text(Light light, LightAttribute<?> attribute) {
         return text(BlockContent.of(light), attribute.name());
     }
 
-    /** The same of a material's property. */
+    /** Returns the value of a material's property in file syntax. */
     public static String text(Material material, String property) {
         return text(BlockContent.of(material), property);
     }
 
-    /** The same of a shape's or a group's. */
+    /** Returns the value of a property of a shape or group in file syntax. */
     public static String text(SceneNode node, String property) {
         return text(BlockContent.of(node), property);
     }
@@ -199,11 +205,11 @@ public final class PropertyEdit {
     }
 
     /**
-     * The scene with one more light or bank, the last.
+     * Returns the scene with a light or bank added at the end.
      *
-     * @param text a block as in the file, {@code light fill point { intensity 0.5 }} or {@code bank left {}}, or a light in short,
-     *     {@code fill point intensity=0.5 at=0 1 2}, the name in quotes where it is no word
-     * @throws IllegalArgumentException if the text is not one right light or bank, or its name is taken
+     * @param text a block as in the file, {@code light fill point { intensity 0.5 }} or {@code bank left {}}, or a light in
+     *     short form, {@code fill point intensity=0.5 at=0 1 2}, its name in quotes unless it is a word
+     * @throws IllegalArgumentException if the text is not one valid light or bank, or its name is in use
      */
     public static Scene add(Scene scene, String text) {
         String block = hasBrace(text) ? text : lightBlock(text);
@@ -212,7 +218,7 @@ public final class PropertyEdit {
         List<Block> blocks = Parser.parseFragment(tokens, problems);
         throwIfAny(problems);
         if (blocks.size() != 1 || blocks.getFirst().type != BlockTypes.LIGHT && blocks.getFirst().type != BlockTypes.LIGHT_GROUP) {
-            throw new IllegalArgumentException("expected one light, as in 'fill point intensity=0.5', found " + Quote.of(text));
+            throw new IllegalArgumentException("expected one light, such as 'fill point intensity=0.5', found " + Quote.of(text));
         }
         Optional<Scene> added =
                 new SceneBuilder(tokens, problems, AssetFolders.of(Path.of("")), scene.rig().lightGroups(), scene.stage()).build(blocks);
@@ -223,9 +229,9 @@ public final class PropertyEdit {
     }
 
     /**
-     * The scene without a light, or without a bank, whose lights stay.
+     * Returns the scene without a light, or without a bank, whose lights remain.
      *
-     * @param light its name, in quotes or without
+     * @param light name, with or without quotes
      * @throws IllegalArgumentException if there is no such light or bank
      */
     public static Scene delete(Scene scene, String light) {
@@ -253,7 +259,7 @@ public final class PropertyEdit {
         String[] words = light.substring(name).strip().split("\\s+", name > 0 ? 2 : 3);
         int type = name > 0 ? 0 : 1;
         if (words.length <= type || words[type].isEmpty()) {
-            throw new IllegalArgumentException("expected a light's name and type, as in 'fill point', found " + Quote.of(text));
+            throw new IllegalArgumentException("expected a light's name and type, such as 'fill point', found " + Quote.of(text));
         }
         return "light " + (name > 0 ? light.substring(0, name) : words[0]) + " " + words[type] + " { "
                 + (words.length <= type + 1 ? "" : words[type + 1].replace('=', ' ')) + "\n}";
@@ -308,7 +314,7 @@ public final class PropertyEdit {
                     throw new IllegalArgumentException("material " + Quote.of(name) + ": " + reason);
                 });
         Material edited = editProperty(files, BlockTypes.MATERIAL, name, material, property, value);
-        // Another model keeps the color.
+        // Changing the material model keeps the color.
         return scene.withMaterial(edited.model() == material.model() ? edited : material.withModel(edited.model()));
     }
 
@@ -328,7 +334,7 @@ public final class PropertyEdit {
                 n instanceof NodeGroup g ? nodeNames(g.children()) : Stream.empty()));
     }
 
-    /** The record with one property set. */
+    /** Returns the record with one property set. */
     private static <T> T editProperty(AssetSource files, BlockType<T> type, String name, T record, String property,
             String value) {
         Map<String, Value> values = new HashMap<>(type.values(record));
@@ -355,7 +361,7 @@ public final class PropertyEdit {
         }
     }
 
-    /** Whether {@code none} takes the property away; in quotes it is a name as any other. */
+    /** Returns true if an unquoted {@code none} removes the property. */
     private static boolean canBeNone(BlockType<?> type, String property) {
         return type == BlockTypes.WORLD && property.equals(World.ENVIRONMENT.name())
                 || type == BlockTypes.LIGHT
@@ -382,7 +388,7 @@ public final class PropertyEdit {
         var parser = new PropertyParser(tokens, problems);
         int end = isHeader ? parser.parseHeader(block, type.header().orElseThrow(), 0) : parser.parseProperty(block, 0);
         if (tokens.kind(end) != TokenList.Kind.END) {
-            problems.add(tokens.start(end), block.title() + ": expected nothing behind the value of " + property + ", found "
+            problems.add(tokens.start(end), block.title() + ": expected nothing after the value of " + property + ", found "
                     + tokens.describe(end));
         }
         throwIfAny(problems);

@@ -11,13 +11,13 @@ import lightning.format.jen.TokenList.Kind;
 import lightning.scene.SceneLimits;
 import lightning.scene.ShapeLinks;
 
-/** Reads one property with its value and checks it. Each method returns the token to go on at. */
+/** Parser for one property with its value. Each method returns the next token to parse. */
 final class PropertyParser {
     private static final Set<String> NON_FINITE_WORDS = Set.of("nan", "inf", "infinity");
 
     private final TokenList tokens;
     private final ProblemList problems;
-    /** The names found so far: a million shapes share those of a few materials. */
+    /** Interned names: a million shapes share the names of a few materials. */
     private final Map<String, Value.Name> names = new HashMap<>();
 
     PropertyParser(TokenList tokens, ProblemList problems) {
@@ -25,14 +25,14 @@ final class PropertyParser {
         this.problems = problems;
     }
 
-    /** Reads the bare value of {@code property} behind a block's name. */
+    /** Parses the bare value of {@code property} after a block's name. */
     int parseHeader(Block block, Property<?> property, int token) {
         return tokens.kind(token) == Kind.OPEN
                 ? problem(token, token, block.title() + ": expected " + property.expected() + ", found '{'")
                 : parseValue(block, property, -1, token);
     }
 
-    /** Reads the property whose name is the word at {@code token}. */
+    /** Parses the property whose name is at {@code token}. */
     int parseProperty(Block block, int token) {
         String name = tokens.text(token);
         Property<?> property = block.type.property(name).orElse(null);
@@ -58,7 +58,7 @@ final class PropertyParser {
         };
     }
 
-    /** A word, and behind two of the words names in quotes, as many as there are. */
+    /** Parses light links: a word, followed for two of the words by quoted names. */
     private int parseLinks(Block block, Property<?> property, int nameToken, int start) {
         if (tokens.kind(start) != Kind.WORD || !property.choices().contains(tokens.text(start))) {
             return parseSingle(block, property, false, nameToken, start);
@@ -78,7 +78,7 @@ final class PropertyParser {
         }
         if (hasNames && linkNames.isEmpty()) {
             problem(token, token,
-                    block.title() + ": " + property.name() + ": expected names of shapes or groups in quotes behind " + word + ", found "
+                    block.title() + ": " + property.name() + ": expected names of shapes or groups in quotes after " + word + ", found "
                             + tokens.describe(token));
             return token;
         }
@@ -115,7 +115,7 @@ final class PropertyParser {
             }
             case NAME -> names.computeIfAbsent(text, Value.Name::new);
             case QUOTED -> new Value.Quoted(text);
-            case NUMBERS, LINKS -> throw new IllegalStateException(property.name() + " is no single word");
+            case NUMBERS, LINKS -> throw new IllegalStateException(property.name() + " is not a single word");
         };
     }
 
@@ -150,7 +150,11 @@ final class PropertyParser {
         }
     }
 
-    /** @throws IllegalArgumentException if the token is no number that the property may have at {@code index} */
+    /**
+     * Parses a number.
+     *
+     * @throws IllegalArgumentException if the token is not a valid number of the property at {@code index}
+     */
     double parseNumber(Property<?> property, int index, int token) {
         if (tokens.kind(token) != Kind.NUMBER) {
             throw new IllegalArgumentException(property.name() + " must be " + property.expected() + ", found "
@@ -165,10 +169,7 @@ final class PropertyParser {
         return number;
     }
 
-    /**
-     * Whether a number stands here, or a string or word where a number should be, rather than the
-     * next property or block.
-     */
+    /** Returns true if a number, or a string or word in place of a number, follows instead of the next property or block. */
     private boolean isNumber(Block block, int token, boolean isMissing) {
         if (tokens.kind(token) != Kind.WORD) {
             return isValue(tokens.kind(token));

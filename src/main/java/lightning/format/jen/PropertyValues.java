@@ -16,14 +16,14 @@ import lightning.scene.TextureUsage;
 import lightning.scene.ValueKind;
 
 /**
- * All values of one block, written or by default, in the types of the scene.
+ * All values of one block, written or default, converted to scene types.
  *
- * @param lookup   the value of a property by its name; null where there is none
- * @param files finds what the files hold that the block names
+ * @param lookup returns the value of a property by name, or null
+ * @param files source of the referenced assets
  */
 record PropertyValues(Function<String, Value> lookup, AssetSource files) {
 
-    /** The record with all of these attributes as the block has them. */
+    /** Returns the record with all given attributes set from the block. */
     <T> T applyAll(T record, List<? extends SceneAttribute<T, ?>> attributes) {
         T result = record;
         for (SceneAttribute<T, ?> attribute : attributes) {
@@ -36,7 +36,7 @@ record PropertyValues(Function<String, Value> lookup, AssetSource files) {
         return attribute.with(record, attributeValue(attribute));
     }
 
-    /** The value of an attribute. */
+    /** Returns the value of an attribute. */
     <V> V attributeValue(SceneAttribute<?, V> attribute) {
         return switch (attribute.kind()) {
             case NumericKind<V> n -> n.compose().apply(numbers(attribute.name()));
@@ -58,16 +58,16 @@ record PropertyValues(Function<String, Value> lookup, AssetSource files) {
         return new TextureMap(file, number(kind.repeatName(), 0), number(kind.repeatName(), 1), files.texture(file, kind.usage()));
     }
 
-    /** A value of which the kind of the attribute has told that it is a {@code V}: the compiler cannot follow that. */
+    /** Casts a value whose attribute kind guarantees type {@code V}, which the compiler cannot verify. */
     @SuppressWarnings("unchecked")
     private static <V> V unchecked(Object value) {
         return (V) value;
     }
 
     /**
-     * The triangles of the file that the block names.
+     * Returns the mesh that the block references.
      *
-     * @throws IllegalArgumentException if it names none, or none that can be used
+     * @throws IllegalArgumentException if it references none, or the mesh cannot be used
      */
     Solid.TriangleMesh triangles() {
         if (!(lookup.apply(BlockTypes.FILE) instanceof Value.Quoted(String file))) {

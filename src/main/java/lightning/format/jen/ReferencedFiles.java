@@ -17,7 +17,7 @@ import lightning.scene.SceneNode;
 import lightning.scene.Shape;
 import lightning.scene.Solid;
 
-/** The files that a scene names, for who takes them elsewhere. */
+/** Files that a scene references, for copying them elsewhere. */
 public final class ReferencedFiles {
     private final SortedMap<String, Path> files = new TreeMap<>();
     private final Set<String> visitedMeshes = new HashSet<>();
@@ -30,10 +30,10 @@ public final class ReferencedFiles {
     }
 
     /**
-     * Where each lies, by its name in the scene.
+     * Returns the path of each file, by its name in the scene.
      *
-     * @param folder the folder that holds the scene file
-     * @throws IOException if one is there no more, or one name means two files
+     * @param folder folder of the scene file
+     * @throws IOException if a file is missing, or one name refers to two files
      */
     public static SortedMap<String, Path> of(Scene scene, Path folder) throws IOException {
         var referenced = new ReferencedFiles(folder);
@@ -44,7 +44,7 @@ public final class ReferencedFiles {
         return referenced.files;
     }
 
-    /** Whether a scene may write the name: a relative path of plain names that leads nowhere else. */
+    /** Returns true if a scene may contain the name: a relative path of plain names that stays inside the folders. */
     public static boolean isAllowed(String name) {
         return FileName.isAllowed(name);
     }
@@ -74,7 +74,7 @@ public final class ReferencedFiles {
     }
 
     private void put(String name, AssetSearchPath folders) throws IOException {
-        // Many shapes show one mesh.
+        // Many shapes share one mesh.
         if (folders == meshes && !visitedMeshes.add(name)) {
             return;
         }
@@ -83,7 +83,7 @@ public final class ReferencedFiles {
             Path other = files.putIfAbsent(name, path);
             if (other != null && !other.equals(path)) {
                 throw new IOException(Quote.of(name) + " is the name of two files of the scene, " + Quote.path(other) + " and "
-                        + Quote.path(path) + "; elsewhere each needs a name of its own");
+                        + Quote.path(path) + "; give each a different name");
             }
         } catch (UnusableFileException e) {
             throw new IOException(e.getMessage(), e);

@@ -23,9 +23,9 @@ import lightning.scene.TextureMap;
 import lightning.scene.TextureUsage;
 
 /**
- * The files that a scene already holds, and others of a folder.
+ * Assets already loaded by a scene, and others of a folder.
  *
- * @param folder where other files are looked for, as if the scene file were in it; empty where none is read
+ * @param folder folder that further files are resolved against; empty to load none
  */
 record SceneAssets(Scene scene, Optional<Path> folder) implements AssetSource {
     @Override

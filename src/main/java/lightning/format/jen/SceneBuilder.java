@@ -33,7 +33,7 @@ import lightning.scene.Texture;
 import lightning.scene.TextureUsage;
 import lightning.scene.World;
 
-/** Makes the scene from the blocks of a file and finds what is wrong between blocks. */
+/** Builder of the scene from parsed blocks; reports problems between blocks. */
 final class SceneBuilder {
     private final TokenList tokens;
     private final ProblemList problems;
@@ -44,16 +44,18 @@ final class SceneBuilder {
     private final Map<String, Block> blocksByName = new HashMap<>();
     private final Set<String> materialNames = new LinkedHashSet<>();
     private final Set<String> groupNames = new LinkedHashSet<>();
-    /** Banks that lights may belong to though no block says them. */
+    /** External banks that lights may reference. */
     private final List<LightGroup> existingGroups;
-    /** Shapes that lights may be linked to though no block says them. */
+    /** External shapes that lights may be linked to. */
     private final Stage stage;
     private int shapes;
 
     /**
-     * @param files those that the scene may name
-     * @param existingGroups banks that lights may belong to though no block says them
-     * @param stage shapes that they may be linked to likewise
+     * Creates a builder.
+     *
+     * @param files asset loaders
+     * @param existingGroups external banks that lights may reference
+     * @param stage external shapes that lights may be linked to
      */
     SceneBuilder(TokenList tokens, ProblemList problems, AssetFolders files, List<LightGroup> existingGroups, Stage stage) {
         this.stage = stage;
@@ -66,7 +68,7 @@ final class SceneBuilder {
         meshes = files.meshes();
     }
 
-    /** The scene, or nothing where there are problems. */
+    /** Returns the scene, or empty if there are problems. */
     Optional<Scene> build(List<Block> blocks) {
         List<Block> nodeBlocks = blocks.stream().filter(b -> BlockTypes.NODE_KEYWORDS.contains(b.type.keyword())).toList();
         List<Block> otherBlocks = blocks.stream().filter(b -> !BlockTypes.NODE_KEYWORDS.contains(b.type.keyword())).toList();
@@ -143,8 +145,10 @@ final class SceneBuilder {
     }
 
     /**
-     * @param minScale the product of the smallest scale factors of the groups around
-     * @param maxScale  the product of the largest
+     * Builds the shapes and groups.
+     *
+     * @param minScale product of the smallest scale factors of the enclosing groups
+     * @param maxScale product of the largest scale factors
      */
     private List<SceneNode> nodes(List<Block> blocks, double minScale, double maxScale) {
         List<SceneNode> nodes = new ArrayList<>();
@@ -176,7 +180,11 @@ final class SceneBuilder {
                 : new Placement(Vec3.ZERO, Vec3.ZERO, new PropertyValues(block::value, null).vector("scale"));
     }
 
-    /** @param property says what is named, and is called like it */
+    /**
+     * Checks a reference by name.
+     *
+     * @param property property with the name, also used as the noun in messages
+     */
     private void checkReference(Block block, String property, Set<String> names) {
         Block.Entry entry = block.entry(property);
         if (entry != null && entry.value() instanceof Value.Name(String name) && !names.contains(name)) {
@@ -212,7 +220,7 @@ final class SceneBuilder {
         }
     }
 
-    /** The record of a block; nothing where a problem of the file stands in the way. */
+    /** Builds the record of a block; empty if a problem prevents it. */
     private <T> Optional<T> buildRecord(Block block, BlockType<T> type, List<SceneNode> children) {
         for (TextureProperty textureProperty : TextureProperty.ALL) {
             Block.Entry repeat = textureProperty.repeatProperty().map(block::entry).orElse(null);
@@ -259,7 +267,7 @@ final class SceneBuilder {
         }
     }
 
-    /** Reads the pictures that a block names; whether all of them could be. */
+    /** Loads the textures of a block; returns false if any failed. */
     private boolean loadTextures(Block block, Map<LoadedAssets.TextureKey, Texture> loadedTextures) {
         boolean hasAllTextures = true;
         for (TextureProperty textureProperty : TextureProperty.ALL) {
@@ -284,7 +292,7 @@ final class SceneBuilder {
         T load(String file) throws UnusableFileException;
     }
 
-    /** What the file holds that a property of a block names; null where it names none, or none that can be used. */
+    /** Loads the asset that a property references; null if it references none, or the asset cannot be used. */
     private <T> T loadAsset(Block block, String property, AssetLoader<T> loader) {
         Block.Entry entry = block.entry(property);
         if (entry == null) {
@@ -298,7 +306,7 @@ final class SceneBuilder {
         }
     }
 
-    /** What the files of one block hold. */
+    /** Loaded assets of one block. */
     private record LoadedAssets(Map<TextureKey, Texture> textures, Photometry photometry, EnvironmentMap environmentMap, Mesh mesh)
             implements AssetSource {
         record TextureKey(String file, TextureUsage samples) {}

@@ -10,7 +10,7 @@ import lightning.scene.shot.Shot;
 import lightning.scene.shot.Track;
 import lightning.scene.shot.TrackTarget;
 
-/** Makes the shot of a scene from the block of a file and finds what is wrong between that and the scene. */
+/** Builder of the shot from its parsed block; reports conflicts with the scene. */
 final class ShotBuilder {
     private final TokenList tokens;
     private final ProblemList problems;
@@ -22,7 +22,7 @@ final class ShotBuilder {
         this.scene = scene;
     }
 
-    /** The shot, or nothing where there is none or a problem. */
+    /** Returns the shot, or empty if there is none or it has problems. */
     Optional<Shot> build(List<Block> blocks) {
         Block block = blocks.stream().filter(b -> b.type == BlockTypes.SHOT).findFirst().orElse(null);
         if (block == null) {

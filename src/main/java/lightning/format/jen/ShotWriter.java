@@ -15,7 +15,7 @@ import lightning.scene.shot.Shot;
 import lightning.scene.shot.Track;
 import lightning.scene.shot.TrackTarget;
 
-/** Writes a shot as its block. */
+/** Writer for shot blocks. */
 final class ShotWriter {
     private static final String INDENT = "  ";
 
@@ -27,7 +27,7 @@ final class ShotWriter {
         this.newline = newline;
     }
 
-    /** The block without a line end behind it. */
+    /** Returns the block, without a final line end. */
     String block(Shot shot) {
         List<String> lines = new ArrayList<>();
         BlockContent content = BlockContent.of(BlockTypes.SHOT, shot);
@@ -43,13 +43,13 @@ final class ShotWriter {
         return lines.isEmpty() ? "shot {}" : "shot {" + newline + String.join(newline, lines) + newline + "}";
     }
 
-    /** What stands before the brace of what has keys. */
+    /** Returns the text before the brace of an animated block. */
     String header(TrackTarget target) {
         String keyword = type(scene, target).keyword();
         return target.name().isEmpty() ? keyword : keyword + " " + NameSyntax.format(target.name());
     }
 
-    /** The block that says in a file what has keys. */
+    /** Returns the block type of an animated object. */
     static BlockType<?> type(Scene scene, TrackTarget target) {
         return switch (target.kind()) {
             case CAMERA -> BlockTypes.CAMERA;

@@ -7,18 +7,15 @@ import java.nio.charset.StandardCharsets;
 import java.util.Locale;
 
 /**
- * The characters of a scene file and their places.
+ * Text of a scene file with line positions.
  *
- * @param name how problems call the file
+ * @param name name of the file in problems
  * @param text lines end with {@code \n} or {@code \r\n}
  */
 record SourceText(String name, String text) {
     private static final char REPLACEMENT = '\uFFFD';
 
-    /**
-     * Decodes UTF-8. Each malformed sequence is a problem and becomes U+FFFD, so that the rest of
-     * the file can still be checked.
-     */
+    /** Decodes UTF-8. Reports each malformed sequence and replaces it by U+FFFD, so that the rest of the file can be checked. */
     static SourceText decode(String name, byte[] bytes, ProblemList problems) {
         String decoded = new String(bytes, StandardCharsets.UTF_8);
         if (decoded.indexOf(REPLACEMENT) < 0) {
@@ -39,14 +36,14 @@ record SourceText(String name, String text) {
         }
     }
 
-    /** Reports halves of surrogate pairs, which no file can hold. */
+    /** Reports unpaired surrogates, which UTF-8 cannot encode. */
     void checkSurrogates(ProblemList problems) {
         for (int i = 0; i < text.length(); i++) {
             if (Character.isSurrogate(text.charAt(i))) {
                 if (Character.isSupplementaryCodePoint(text.codePointAt(i))) {
                     i++;
                 } else {
-                    problems.add(i, String.format(Locale.ROOT, "found half of a character, U+%04X", (int) text.charAt(i)));
+                    problems.add(i, String.format(Locale.ROOT, "found an unpaired surrogate, U+%04X", (int) text.charAt(i)));
                 }
             }
         }
@@ -58,7 +55,7 @@ record SourceText(String name, String text) {
         return new Problem(name, line(end), text.codePointCount(start, end) + 1, message);
     }
 
-    /** The line of a character, from 1. */
+    /** Returns the line of a character, from 1. */
     int line(int offset) {
         int line = 1;
         for (int i = text.indexOf('\n'); i >= 0 && i < offset; i = text.indexOf('\n', i + 1)) {
@@ -67,12 +64,12 @@ record SourceText(String name, String text) {
         return line;
     }
 
-    /** The offset of the first character of the line that holds the character {@code offset}. */
+    /** Returns the offset of the first character in the line of {@code offset}. */
     int lineStart(int offset) {
         return text.lastIndexOf('\n', offset - 1) + 1;
     }
 
-    /** The offset of the line end ({@code \n} or {@code \r\n}) at or after {@code offset}, or of the end of the text. */
+    /** Returns the offset of the line end ({@code \n} or {@code \r\n}) at or after {@code offset}, or of the end of the text. */
     int lineEnd(int offset) {
         int end = text.indexOf('\n', offset);
         if (end < 0) {
@@ -81,7 +78,7 @@ record SourceText(String name, String text) {
         return end > offset && text.charAt(end - 1) == '\r' ? end - 1 : end;
     }
 
-    /** The spaces and tabs that begin the line of the character {@code offset}. */
+    /** Returns the leading spaces and tabs of the line of {@code offset}. */
     String indent(int offset) {
         int start = lineStart(offset);
         int end = start;
@@ -91,7 +88,7 @@ record SourceText(String name, String text) {
         return text.substring(start, end);
     }
 
-    /** The line end that the file uses. */
+    /** Returns the line ending of the file. */
     String newline() {
         int first = text.indexOf('\n');
         return first > 0 && text.charAt(first - 1) == '\r' ? "\r\n" : "\n";

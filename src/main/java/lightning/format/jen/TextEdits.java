@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 
-/** Replacements in a text, by offsets of the old text; an empty range is an insertion. */
+/** Text replacements by offsets in the old text; an empty range is an insertion. */
 final class TextEdits {
     private record Edit(int start, int end, String replacement) {}
 
@@ -24,9 +24,8 @@ final class TextEdits {
     }
 
     /**
-     * The characters from {@code start} to {@code end} of the old text with all replacements made.
-     * They must not overlap; insertions at one place come in the order of their making, before a
-     * replacement that starts there.
+     * Returns the old text from {@code start} to {@code end} with all replacements applied. Replacements must not overlap;
+     * insertions at one offset keep their order, before a replacement that starts there.
      */
     String apply(int start, int end) {
         var out = new StringBuilder(end - start + 64);

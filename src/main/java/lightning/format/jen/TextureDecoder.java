@@ -22,10 +22,11 @@ import lightning.scene.Texture;
 import lightning.scene.TextureUsage;
 
 /**
- * Decodes PNG and JPEG files to linear light.
+ * Decoder for PNG and JPEG files to linear light.
  *
- * <p>The samples s are taken as sRGB in 0…1, whatever color profile the file carries, and decoded
- * by {@link SrgbCurve}, in double, rounded once to float; samples that are numbers stay as they are. Transparency is ignored but where it is asked for; a gray sample counts for all channels.
+ * <p>Color samples s are interpreted as sRGB in 0…1, regardless of the file's color profile, and decoded by {@link
+ * SrgbCurve} in double, rounded once to float; numeric samples are not decoded. Transparency is ignored unless requested; a
+ * gray sample applies to all channels.
  */
 public final class TextureDecoder {
     private static final Set<String> FORMATS = Set.of("png", "jpeg");
@@ -36,10 +37,10 @@ public final class TextureDecoder {
     /**
      * Checks the header of the file, then decodes it.
      *
-     * @param name       what messages call it
-     * @param samples    what the samples stand for
-     * @param pixelsLeft how many pixels the picture may have at most, beside {@link JenLimits#TEXTURE_PIXELS}
-     * @throws UnusableFileException if it is no PNG or JPEG, too large or damaged
+     * @param name name of the file in messages
+     * @param samples meaning of the samples
+     * @param pixelsLeft maximum number of pixels, in addition to {@link JenLimits#TEXTURE_PIXELS}
+     * @throws UnusableFileException if it is not a PNG or JPEG, too large or damaged
      * @throws IOException if it cannot be read
      */
     static Texture decode(String name, Path path, TextureUsage samples, long pixelsLeft) throws IOException, UnusableFileException {
@@ -51,20 +52,20 @@ public final class TextureDecoder {
     }
 
     /**
-     * The samples of a picture as numbers from 0 to 1.
+     * Decodes the samples of an image as numbers from 0 to 1.
      *
-     * @param name what messages call it
-     * @throws UnusableFileException if it is no PNG or JPEG, too large or damaged
+     * @param name name of the file in messages
+     * @throws UnusableFileException if it is not a PNG or JPEG, too large or damaged
      */
     public static Texture decodeNumbers(String name, byte[] file) throws UnusableFileException {
         return decode(name, file, TextureUsage.DATA, JenLimits.TEXTURE_PIXELS);
     }
 
     /**
-     * A picture in linear light, by the rules of textures.
+     * Decodes an image in linear light, with the limits of textures.
      *
-     * @param name what messages call it
-     * @throws UnusableFileException if it is no PNG or JPEG, too large or damaged
+     * @param name name of the file in messages
+     * @throws UnusableFileException if it is not a PNG or JPEG, too large or damaged
      */
     public static Texture decodeColors(String name, byte[] file) throws UnusableFileException {
         return decode(name, file, TextureUsage.COLOR, JenLimits.TEXTURE_PIXELS);
@@ -78,7 +79,7 @@ public final class TextureDecoder {
                 checkSize(name, reader.getWidth(0), reader.getHeight(0), pixelsLeft);
                 return texture(reader.read(0), samples);
             } catch (IOException | RuntimeException e) {
-                // The decoders answer some damaged files with runtime exceptions of all kinds.
+                // The decoders throw arbitrary runtime exceptions for some damaged files.
                 throw unusable(name, "cannot be decoded: " + e.getMessage());
             } finally {
                 reader.dispose();
@@ -98,7 +99,7 @@ public final class TextureDecoder {
             }
             reader.dispose();
         }
-        throw unusable(name, "must be a PNG or JPEG file, found another kind");
+        throw unusable(name, "must be a PNG or JPEG file, found an unsupported format");
     }
 
     private static void checkSize(String name, int width, int height, long pixelsLeft)
@@ -112,7 +113,7 @@ public final class TextureDecoder {
             throw unusable(name, "must have at most " + JenLimits.TEXTURE_PIXELS + " pixels, has " + width + "×" + height);
         }
         if (pixels > pixelsLeft) {
-            throw unusable(name, "is one too many: all textures together must have at most "
+            throw unusable(name, "exceeds the limit: all textures together must have at most "
                     + JenLimits.TOTAL_TEXTURE_PIXELS + " pixels");
         }
     }
@@ -129,7 +130,7 @@ public final class TextureDecoder {
         };
     }
 
-    /** How much is there, of 8 bits. */
+    /** Returns the opacity of each pixel, from 8-bit samples. */
     private static Texture opacity(BufferedImage image) {
         int width = image.getWidth();
         int height = image.getHeight();
@@ -144,7 +145,7 @@ public final class TextureDecoder {
         return new Texture(width, height, codes, linearTable(CODE_BITS, false));
     }
 
-    /** The alpha of each pixel, 0 … 255. */
+    /** Returns the alpha of each pixel, 0 … 255. */
     private static int[] alpha(BufferedImage image) {
         int[] alpha = new int[image.getWidth() * image.getHeight()];
         for (int i = 0; i < alpha.length; i++) {
@@ -153,7 +154,7 @@ public final class TextureDecoder {
         return alpha;
     }
 
-    /** Whether a picture tells how much of each pixel is there; false where it cannot be decoded. */
+    /** Returns true if an image has alpha; false if it cannot be decoded. */
     public static boolean hasAlpha(byte[] file) {
         try (ImageInputStream in = new MemoryCacheImageInputStream(new ByteArrayInputStream(file))) {
             ImageReader reader = reader("", in);
@@ -174,7 +175,7 @@ public final class TextureDecoder {
         if (image.getColorModel() instanceof IndexColorModel) {
             return new Texture(width, height, paletteCodes(image), linearTable(CODE_BITS, isColor));
         }
-        // Not getRGB: it would take gray samples as linear light and apply color profiles.
+        // Do not use getRGB: it treats gray samples as linear light and applies color profiles.
         Raster raster = image.getRaster();
         int bits = Arrays.stream(raster.getSampleModel().getSampleSize()).max().orElseThrow();
         boolean oneSize = Arrays.stream(raster.getSampleModel().getSampleSize()).allMatch(size -> size == bits);
@@ -202,14 +203,18 @@ public final class TextureDecoder {
         return codes;
     }
 
-    /** Gets each channel of each pixel. */
+    /** Receives each channel of each pixel. */
     @FunctionalInterface
     private interface SampleConsumer {
-        /** @param i the place among {@code 3 * width * height} values */
+        /**
+         * Receives a sample.
+         *
+         * @param i index among {@code 3 * width * height} values
+         */
         void accept(int i, int band, int sample);
     }
 
-    /** Goes through all samples, channel by channel; a gray picture has one band for all three. */
+    /** Visits all samples, channel by channel; a gray image has one band for all three channels. */
     private static void forEachSample(Raster raster, SampleConsumer consumer) {
         int width = raster.getWidth();
         int bands = raster.getNumBands() < 3 ? 1 : 3;
@@ -225,7 +230,7 @@ public final class TextureDecoder {
         }
     }
 
-    /** The linear value of each sample of the given number of bits, {@code float[2^bits]}. */
+    /** Returns the linear value of each sample with the given number of bits, {@code float[2^bits]}. */
     private static float[] linearTable(int bits, boolean color) {
         int max = (1 << bits) - 1;
         float[] linear = new float[max + 1];

@@ -8,7 +8,10 @@ import lightning.base.text.Quote;
 import lightning.scene.Texture;
 import lightning.scene.TextureUsage;
 
-/** Finds the textures of one scene: beside its file or in {@code textures/} ({@link AssetSearchPath}). Each file is decoded once. */
+/**
+ * Loader for the textures of a scene: next to its file or in {@code textures/} ({@link AssetSearchPath}). Each file is
+ * decoded once.
+ */
 final class TextureFolder {
     static final String NAME = "textures";
 
@@ -16,20 +19,24 @@ final class TextureFolder {
     private final Map<CacheKey, Texture> cache = new HashMap<>();
     private long pixels;
 
-    /** A file, and what its samples were taken for. */
+    /** File with the meaning of its samples. */
     private record CacheKey(Path path, TextureUsage samples) {}
 
-    /** @param scene the folder that holds the scene file */
+    /**
+     * Creates a loader.
+     *
+     * @param scene folder of the scene file
+     */
     TextureFolder(Path scene) {
         searchPath = FileKind.TEXTURE.searchPath(scene);
     }
 
     /**
-     * The decoded picture.
+     * Loads a texture.
      *
-     * @param samples what its samples stand for
-     * @throws UnusableFileException if there is no such file inside the folders, if a link leads out of
-     *     them, or if it is no PNG or JPEG within {@link JenLimits}
+     * @param samples meaning of the samples
+     * @throws UnusableFileException if the file does not exist in the folders, a link leads out of them, or it is not a PNG
+     *     or JPEG within {@link JenLimits}
      */
     Texture load(String file, TextureUsage samples) throws UnusableFileException {
         return searchPath.read(file, path -> load(file, samples, path));

@@ -12,13 +12,13 @@ import lightning.scene.TextureUsage;
 import lightning.scene.ValueKind;
 
 /**
- * A property that names the file of a picture.
+ * Property that references an image file.
  *
- * @param repeatProperty  the property beside it that says how often the picture repeats; empty where there is none
- * @param samples what the file's samples stand for
+ * @param repeatProperty property with the image's repeat; empty if there is none
+ * @param samples meaning of the samples
  */
 record TextureProperty(String name, Optional<String> repeatProperty, TextureUsage samples) {
-    /** All that there are, of all blocks: no two have the same name. */
+    /** All image properties of all blocks; their names are unique. */
     static final List<TextureProperty> ALL = Stream.concat(MaterialAttribute.ALL.stream(), LightAttribute.ALL.stream())
             .flatMap(TextureProperty::of).toList();
 
@@ -32,7 +32,7 @@ record TextureProperty(String name, Optional<String> repeatProperty, TextureUsag
         };
     }
 
-    /** Why how often it repeats may not be said where there is no picture. */
+    /** Returns the message for a repeat without an image. */
     String missingMessage() {
         return repeatProperty.orElseThrow() + " needs a " + name + ", found none";
     }

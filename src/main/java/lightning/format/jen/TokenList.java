@@ -5,17 +5,17 @@ import lightning.base.text.DecimalNumber;
 import lightning.base.text.Quote;
 
 /**
- * The words of a scene file with their places, as columns: token {@code i} is the characters from
- * {@code start(i)} to {@code end(i)}. After the last one comes an {@link Kind#END} at the end of the text.
+ * Tokens of a scene file as columns: token {@code i} spans the characters from {@code start(i)} to {@code end(i)}. The last
+ * token is followed by an {@link Kind#END} at the end of the text.
  */
 final class TokenList {
     enum Kind {
-        /** A keyword, property name or name. */
+        /** Keyword, property name or name. */
         WORD,
         NUMBER,
-        /** Begins like a number and is none. */
+        /** Invalid number. */
         BAD_NUMBER,
-        /** In quotes. */
+        /** String in quotes. */
         STRING,
         OPEN,
         CLOSE,
@@ -29,7 +29,7 @@ final class TokenList {
     private int[] ends = new int[64];
     private byte[] kinds = new byte[64];
     private int size;
-    /** Words met before, each where its hash says: most words of a file are a few keywords, which are asked for again and again. */
+    /** Interning table for words by hash: most words are a few keywords that are requested repeatedly. */
     private final String[] words = new String[256];
 
     TokenList(String text) {
@@ -51,12 +51,12 @@ final class TokenList {
         return size;
     }
 
-    /** The kind of token {@code i}; behind the last one there are only ends. */
+    /** Returns the kind of token {@code i}; END after the last one. */
     Kind kind(int i) {
         return i < size ? KINDS[kinds[i]] : Kind.END;
     }
 
-    /** Whether token {@code i} can be a name. */
+    /** Returns true if token {@code i} can be a name. */
     boolean isName(int i) {
         return kind(i) == Kind.WORD || kind(i) == Kind.STRING;
     }
@@ -69,7 +69,7 @@ final class TokenList {
         return ends[Math.min(i, size - 1)];
     }
 
-    /** The characters of token {@code i}, a string's without its quotes and escapes. */
+    /** Returns the characters of token {@code i}, without quotes and escapes for a string. */
     String text(int i) {
         return switch (kind(i)) {
             case STRING -> NameSyntax.unescape(text.substring(start(i) + 1, end(i) - 1));
@@ -92,12 +92,12 @@ final class TokenList {
         return cached;
     }
 
-    /** Token {@code i}, which is a number: the nearest double to it, or infinite. */
+    /** Returns the nearest double to the number token {@code i}, possibly infinite. */
     double number(int i) {
         return DecimalNumber.parseRange(text, start(i), end(i));
     }
 
-    /** Token {@code i} as a message quotes it. */
+    /** Returns token {@code i} as quoted in messages. */
     String describe(int i) {
         if (kind(i) == Kind.END) {
             return "the end of the file";

@@ -2,7 +2,7 @@ package lightning.format.jen;
 
 import lightning.base.text.UserFacingException;
 
-/** Says in a sentence why a file that a scene names cannot be used. */
+/** Referenced file that cannot be used; the message is a sentence with the cause. */
 public final class UnusableFileException extends Exception implements UserFacingException {
     private static final long serialVersionUID = 1;
 

@@ -7,9 +7,9 @@ import lightning.base.math.Vec3;
 import lightning.base.text.DecimalNumber;
 import lightning.scene.ShapeLinks;
 
-/** What follows a property's name in the file. Two values are equal when every bit is. */
+/** Value of a property in the file. Values are equal if they are bit-identical. */
 sealed interface Value {
-    /** The text that reads back as this value. */
+    /** Returns the text that reads back as this value. */
     String text();
 
     record Numbers(List<Double> values) implements Value {
@@ -23,10 +23,10 @@ sealed interface Value {
         }
     }
 
-    /** One of the words that a property may be. */
+    /** Word from the property's choices. */
     record Word(String text) implements Value {}
 
-    /** The name of something in the scene, in quotes where it is no word. */
+    /** Name of a scene object, in quotes unless it is a word. */
     record Name(String name) implements Value {
         @Override
         public String text() {
@@ -34,7 +34,7 @@ sealed interface Value {
         }
     }
 
-    /** A file's name, written in quotes. */
+    /** File name, written in quotes. */
     record Quoted(String file) implements Value {
         @Override
         public String text() {
@@ -42,7 +42,7 @@ sealed interface Value {
         }
     }
 
-    /** Some shapes and groups, their names always in quotes: how many there are, the file does not say. */
+    /** Shapes and groups of a light link, with names always in quotes; the file contains no count. */
     record LinkSet(ShapeLinks links) implements Value {
         @Override
         public String text() {
@@ -57,7 +57,7 @@ sealed interface Value {
     String ONLY = "only";
     String EXCEPT = "except";
 
-    /** Nothing is written: the property is absent. */
+    /** Absent property. */
     record Absent() implements Value {
         @Override
         public String text() {

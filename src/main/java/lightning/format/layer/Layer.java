@@ -7,29 +7,30 @@ import lightning.render.shading.WeightedLight;
 import lightning.scene.Light;
 import lightning.scene.Scene;
 
-/** One of the colors that add up to a picture. */
+/** Color layer of an image; all layers add up to the image. */
 sealed interface Layer {
-    /** What is seen where rays of the eye hit nothing. */
+    /** Background where camera rays hit nothing. */
     record Background() implements Layer {}
 
-    /** What surfaces show in the scene's ambience. */
+    /** Ambient term of directly visible surfaces. */
     record Ambient() implements Layer {}
 
     /**
-     * What some lights give where the eye sees their light fall, in no mirror.
+     * One term of some lights on directly visible surfaces.
      *
-     * @param name  the light's; {@link #ENVIRONMENT} for all lights that an environment is made of
-     * @param first their first among the lights that act
-     * @param end   the one behind their last
+     * @param name name of the light; {@link #ENVIRONMENT} for all environment lights
+     * @param first index of their first light among the active lights
+     * @param end index after their last light
+     * @param part term of the lighting equation
      */
     record Lights(String name, int first, int end, LightComponent part) implements Layer {}
 
-    /** All that is seen in mirrors and through clear surfaces. */
+    /** Reflections, and the scene through transparent surfaces. */
     record Reflections() implements Layer {}
 
     String ENVIRONMENT = "environment";
 
-    /** The layers of a picture, in the order in which they are added. Lights that do not shine have none. */
+    /** Returns the layers of an image, in summation order. Inactive lights have none. */
     static List<Layer> of(Scene scene) {
         List<Layer> layers = new ArrayList<>(List.of(new Background(), new Ambient()));
         WeightedLight[] lights = WeightedLight.ofScene(scene);

@@ -17,8 +17,8 @@ import lightning.scene.World;
 import lightning.scene.effects.ViewEffects;
 
 /**
- * Composes single layers of tiles from what is known of them: no ray is cast and no light's term computed. Holds scratch memory: one for
- * each thread.
+ * Compositor of single tile layers from cached data: casts no rays and evaluates no lights. Contains scratch memory; use one
+ * per thread.
  */
 final class LayerCompositor {
     private static final WeightedLight[] NO_LIGHTS = {};
@@ -37,7 +37,7 @@ final class LayerCompositor {
         composer = new TileComposer(cache.geometry().materials(), engine.sums(), ViewEffects.ALL);
     }
 
-    /** The colors of a layer: red, green, blue, {@code float[1024]} each; of a block of samples those of the samples. */
+    /** Returns the colors of a layer: red, green, blue, {@code float[1024]} each; for a block of samples those of the samples. */
     float[][] colors(Layer layer, CachedTile tile, SamplePositions samplePositions) {
         float[][] result = new float[3][Film.TILE_PIXELS];
         HitRows rows = tile.rows();

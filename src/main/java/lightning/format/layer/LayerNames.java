@@ -8,17 +8,16 @@ import java.util.Set;
 import lightning.render.shading.LightComponent;
 
 /**
- * What layers are called in a file: letters, digits and underscores of ASCII, which Nuke and Blender take as they are, and a dot before
- * {@code diffuse} and {@code specular}. Any other character of a light's name becomes an underscore; a number is put behind a name that
- * another has already.
+ * Layer names in a file: ASCII letters, digits and underscores, as Nuke and Blender accept them, and a dot before {@code
+ * diffuse} and {@code specular}. Other characters of a light's name become underscores; duplicate names get a number.
  */
 final class LayerNames {
-    /** So that a whole name with its part and color is not longer than a channel's may be. */
+    /** Maximum length, so that the name with its term and color fits into a channel name. */
     private static final int MAX_LENGTH = 200;
 
     private LayerNames() {}
 
-    /** A name for each layer, no two of which are the same, whatever the case. */
+    /** Returns a name for each layer, unique even ignoring case. */
     static List<String> of(List<Layer> layers) {
         List<String> names = new ArrayList<>();
         Set<String> used = new HashSet<>();

@@ -1,13 +1,13 @@
 package lightning.format.layer;
 
 /**
- * How layers are added: as floats, each to the sum of those before, red, green and blue for themselves. As every surface's color is
- * rounded once for all lights, and a pixel's samples are rounded too, no order of a sum of layers gives the picture in every bit; what is
- * missing is a layer of its own, the last.
+ * Sum of layers in 32-bit floats, separately for red, green and blue. Since the renderer rounds a surface's color once for
+ * all lights, and pixels of several samples once more, no summation order reproduces the image exactly; the residual is a
+ * separate last layer.
  *
- * <p>It is exact: all layers are at least 0, so that sum and picture differ by a few roundings of their size, and the difference of two
- * floats of which none is more than twice the other is a float (Sterbenz, Floating-Point Computation, 1974, theorem 4.3.1). So small ones
- * that their products underflow are multiples of the least float, and so is their difference.
+ * <p>The residual is exact: all layers are at least 0, so that sum and image differ only by a few roundings, and the
+ * difference of two floats within a factor of two is a float (Sterbenz, Floating-Point Computation, 1974, theorem 4.3.1).
+ * Values whose products underflow are multiples of the smallest float, and so is their difference.
  */
 final class LayerSum {
     private final float[][] sum;
@@ -25,7 +25,7 @@ final class LayerSum {
         }
     }
 
-    /** What must be added to make the picture of the sum. */
+    /** Returns the residual that must be added to the sum to obtain the image. */
     float[][] residual(float[][] picture) {
         float[][] residual = new float[3][sum[0].length];
         for (int c = 0; c < 3; c++) {

@@ -27,13 +27,14 @@ import lightning.scene.Shape;
 import tools.jackson.databind.json.JsonMapper;
 
 /**
- * Writes a picture with its layers as one file of OpenEXR, a row of tiles at a time. The picture itself is the channels R, G and B. All
- * other colors add up to it, as {@link LayerSum} tells; the header tells in which order, and what the numbers of shapes and materials are.
+ * Writer for an image with its layers in one OpenEXR file, one row of tiles at a time. Channels R, G and B are the image.
+ * All other colors add up to it (see {@link LayerSum}); the header contains the summation order and the names of shapes and
+ * materials by id.
  */
 public final class LayeredExrWriter {
     private static final List<String> COLORS = List.of("R", "G", "B");
     private static final String ROUNDING = "rounding";
-    /** Of the bytes of a row of tiles: as they are, their bytes apart, packed, and packed as they wait. */
+    /** Copies of a row of tiles per worker: raw, shuffled, compressed, and compressed while queued. */
     private static final int COPIES_PER_WORKER = 4;
 
     private final PixelCache cache;
@@ -43,13 +44,16 @@ public final class LayeredExrWriter {
     private final boolean isExact;
     private final List<Layer> layers;
     private final ExrHeader header;
-    /** The places in the header of red, green and blue of the picture, of each layer and of what is missing. */
+    /** Channel indices of red, green and blue for the image, each layer and the residual. */
     private final int[][] colorChannels;
     private final int[] surfaceChannels;
 
     /**
-     * @param cache what is known of a finished picture
-     * @param type  of colors and normals, HALF or FLOAT; all else is FLOAT. In a file of halves there is no layer of what floats round
+     * Creates a writer.
+     *
+     * @param cache cache of a finished image
+     * @param type type of colors and normals, HALF or FLOAT; all other channels are FLOAT. A file of halves has no residual
+     *     layer
      */
     public LayeredExrWriter(PixelCache cache, EngineChoice engines, ExrType type) {
         this.cache = cache;
@@ -104,28 +108,28 @@ public final class LayeredExrWriter {
         return names;
     }
 
-    /** How many layers of colors there are, the picture itself left out. */
+    /** Returns the number of color layers, without the image. */
     public int layerCount() {
         return colorChannels.length - 1;
     }
 
-    /** The bytes that writing takes beside what is known of the picture. */
+    /** Returns the memory in bytes for writing, in addition to the cache. */
     public long bytesToWrite(int threads) {
         return (long) COPIES_PER_WORKER * threads * header.bytesPerLine() * Film.TILE_SIZE;
     }
 
     /**
-     * Writes it; the file holds the whole new picture or what it held before, at every moment.
+     * Writes the file, atomically.
      *
-     * @param memory bytes that this may take
-     * @throws IOException                                if it cannot be written, or would take more memory; the message is a sentence
-     * @throws java.util.concurrent.CancellationException if {@code progress} asked to stop
+     * @param memory maximum number of bytes to use
+     * @throws IOException if it cannot be written, or needs more memory; the message is a sentence for the user
+     * @throws java.util.concurrent.CancellationException if {@code progress} requested cancellation
      */
     public void write(Path file, long memory, WorkerPool workers, Progress progress) throws IOException {
         if (bytesToWrite(workers.count()) > memory || header.bytesPerLine() * ExrHeader.LINES_PER_CHUNK > Integer.MAX_VALUE / 2) {
             throw new IOException(String.format(java.util.Locale.ROOT,
-                    "%d layers of %d x %d pixels take %.1f GB of memory to write, and may take %.1f GB", colorChannels.length, film.width(),
-                    film.height(), bytesToWrite(workers.count()) / 1e9, Math.max(memory, 0) / 1e9));
+                    "%d layers of %d x %d pixels need %.1f GB of memory to write, at most %.1f GB allowed", colorChannels.length,
+                    film.width(), film.height(), bytesToWrite(workers.count()) / 1e9, Math.max(memory, 0) / 1e9));
         }
         try {
             AtomicFile.of(file).writeRandomAccess(channel -> {
@@ -185,7 +189,7 @@ public final class LayeredExrWriter {
         });
     }
 
-    /** A tile of a layer, the means of its samples where it has them. */
+    /** Returns the pixels of a layer's tile, averaged over samples if it has several. */
     private float[][] layerPixels(LayerCompositor painter, Layer layer, int tile, SamplePositions samplePositions) {
         CachedTile center = cache.tileCount() == 0 ? null : composeLayer(painter, layer, cache.tile(tile), samplePositions);
         return cache.fineCount() == 0 ? center.film : cache.fineTile(tile)

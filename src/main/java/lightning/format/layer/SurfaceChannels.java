@@ -8,11 +8,14 @@ import lightning.render.trace.Geometry;
 import lightning.render.trace.PixelRays;
 import lightning.render.trace.SurfacePoint;
 
-/** What the rays through the pixels' centers meet: no mean of samples, as a mean of two places, directions or numbers is neither. */
+/**
+ * Surface data at the pixels' centers; not averaged over samples, because means of positions, directions or ids are
+ * meaningless.
+ */
 final class SurfaceChannels {
-    /** Normal, point, depth, number of the shape and of the material. */
+    /** Normal, position, depth, shape id and material id. */
     static final List<String> CHANNELS = List.of("N.X", "N.Y", "N.Z", "P.X", "P.Y", "P.Z", "Z", "shape.id", "material.id");
-    /** The depth where nothing is met, as in Blender. */
+    /** Depth of the background, as in Blender. */
     static final float BACKGROUND_DEPTH = 1e10f;
 
     private final PixelRays eye;
@@ -25,7 +28,7 @@ final class SurfaceChannels {
         viewDirection = cache.scene().camera().to().minus(cache.scene().camera().from()).normalized();
     }
 
-    /** Writes the numbers of a pixel, those of {@link #CHANNELS}; all but the depth are 0 where nothing is met. */
+    /** Writes the values of a pixel, in the order of {@link #CHANNELS}; all except the depth are 0 for the background. */
     void sample(int x, int y, float[] out) {
         Ray ray = eye.ray(x, y);
         int primitive = geometry.nearest(ray);

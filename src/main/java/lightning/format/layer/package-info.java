@@ -1,2 +1,2 @@
-/** A picture taken apart into layers that add up to it, and written as one file of OpenEXR. */
+/** Layers (AOVs) of an image that add up to it, written as one OpenEXR file. */
 package lightning.format.layer;

@@ -12,8 +12,8 @@ import lightning.base.file.RegularFile;
 import lightning.base.work.Progress;
 
 /**
- * The bytes of a file from its first to its last, through a small buffer. It knows how many there are, so that what a file says
- * to hold can be held against them before memory is taken for it.
+ * Buffered sequential reader of a file with known size. Declared sizes can be checked against the remaining bytes before
+ * memory is allocated.
  */
 public final class ByteSource implements AutoCloseable {
     private static final int BLOCK_BYTES = 1 << 16;
@@ -24,7 +24,7 @@ public final class ByteSource implements AutoCloseable {
     private final long size;
     private final byte[] block = new byte[BLOCK_BYTES];
     private final ByteBuffer buffer = ByteBuffer.wrap(block).order(ByteOrder.LITTLE_ENDIAN);
-    /** How many bytes of the file stand before those in the block. */
+    /** File offset of the current block. */
     private long blockOffset;
     private int position;
     private int limit;
@@ -39,8 +39,8 @@ public final class ByteSource implements AutoCloseable {
     /**
      * Opens a file of at most {@link MeshLimits#FILE_BYTES}.
      *
-     * @param progress hears how many KiB of the file are read
-     * @throws IOException   if it cannot be read, or is a folder, a pipe or a device, which are not opened
+     * @param progress receives the number of KiB read
+     * @throws IOException if it cannot be read, or is a folder, a pipe or a device; these are not opened
      * @throws MeshException if it is larger
      */
     public static ByteSource open(Path file, Progress progress) throws IOException, MeshException {
@@ -57,32 +57,32 @@ public final class ByteSource implements AutoCloseable {
         return file;
     }
 
-    /** A problem with this file. */
+    /** Creates a problem with this file. */
     public MeshException problem(String location, String message) {
         return new MeshException(file, location, message);
     }
 
-    /** How many bytes were read. */
+    /** Returns the number of bytes read. */
     public long offset() {
         return blockOffset + position;
     }
 
-    /** How many bytes there are still, by the size that the file had when it was opened. */
+    /** Returns the number of remaining bytes, by the file's size when it was opened. */
     public long remaining() {
         return size - blockOffset - position;
     }
 
-    /** The next byte, 0 to 255, which stays the next; −1 at the end. */
+    /** Returns the next byte, 0 to 255, without consuming it; −1 at the end. */
     public int peek() throws IOException {
         return position < limit || fill(1) ? block[position] & 0xFF : -1;
     }
 
-    /** The next byte, 0 to 255; −1 at the end. */
+    /** Returns the next byte, 0 to 255; −1 at the end. */
     public int next() throws IOException {
         return position < limit || fill(1) ? block[position++] & 0xFF : -1;
     }
 
-    /** Whether the next bytes are these; they stay the next. */
+    /** Returns true if the next bytes equal the given ones; does not consume them. */
     public boolean startsWith(byte[] bytes) throws IOException {
         if (!fill(bytes.length)) {
             return false;
@@ -95,12 +95,16 @@ public final class ByteSource implements AutoCloseable {
         return true;
     }
 
-    /** In which order the bytes of numbers stand; the smallest first, unless this says otherwise. */
+    /** Sets the byte order of numbers; little-endian by default. */
     public void setByteOrder(ByteOrder order) {
         buffer.order(order);
     }
 
-    /** @throws EOFException if the file ends before it, as from all that read numbers */
+    /**
+     * Reads a signed byte.
+     *
+     * @throws EOFException if the file ends, as in all methods that read numbers
+     */
     public byte int8() throws IOException {
         return block[consume(1)];
     }
@@ -121,7 +125,7 @@ public final class ByteSource implements AutoCloseable {
         return buffer.getDouble(consume(8));
     }
 
-    /** So many bytes; taken only where the file has them. */
+    /** Reads an array of bytes; allocates it only if the file has enough bytes. */
     public byte[] bytes(int count) throws IOException {
         if (count > remaining()) {
             throw new EOFException();
@@ -143,7 +147,10 @@ public final class ByteSource implements AutoCloseable {
         return position - bytes;
     }
 
-    /** Whether so many bytes, at most a block, stand in the block now. What the file got since it was opened is not read. */
+    /**
+     * Fills the block with at least the given number of bytes, at most a block; returns false if the file is too short.
+     * Bytes appended to the file since it was opened are not read.
+     */
     private boolean fill(int bytes) throws IOException {
         if (limit - position >= bytes) {
             return true;

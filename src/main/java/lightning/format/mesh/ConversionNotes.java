@@ -4,15 +4,15 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import lightning.base.text.PrintableText;
 
-/** What a file holds that was left out, counted by its kind, so that nothing is dropped in silence. */
+/** Counts of omitted or approximated features by kind, so that nothing is dropped silently. */
 public final class ConversionNotes {
-    /** So many kinds are told apart: a file may invent as many as it has bytes. */
+    /** Maximum number of kinds, since a file may contain arbitrarily many. */
     private static final int MAX_KINDS = 100;
     private static final String OTHER_KINDS = "others";
 
     private final Map<String, Integer> counts = new LinkedHashMap<>();
 
-    /** One more of a kind, named in the plural. */
+    /** Counts one feature of a kind, named in the plural. */
     public void add(String kind) {
         add(kind, 1);
     }
@@ -24,7 +24,7 @@ public final class ConversionNotes {
         }
     }
 
-    /** How many of each kind, named in one line, in the order in which they were found. */
+    /** Returns the count of each kind, with one-line names, in order of first occurrence. */
     public Map<String, Integer> counts() {
         return counts;
     }

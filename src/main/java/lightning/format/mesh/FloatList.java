@@ -2,7 +2,7 @@ package lightning.format.mesh;
 
 import java.util.Arrays;
 
-/** Numbers of which it is not known how many will come. */
+/** Growable list of floats. */
 public final class FloatList {
     private float[] values = new float[16];
     private int size;
@@ -22,7 +22,7 @@ public final class FloatList {
         return size;
     }
 
-    /** The array behind it, with room for more at its end; replaced when it is full. */
+    /** Returns the backing array, which may be longer than the list; replaced when it is full. */
     public float[] array() {
         return values;
     }

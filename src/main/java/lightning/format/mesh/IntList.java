@@ -2,9 +2,9 @@ package lightning.format.mesh;
 
 import java.util.Arrays;
 
-/** Whole numbers of which it is not known how many will come. */
+/** Growable list of ints. */
 public final class IntList {
-    /** As long as arrays may be in every Java. */
+    /** Maximum array length supported by all Java implementations. */
     private static final int MAX_SIZE = Integer.MAX_VALUE - 64;
 
     private int[] values = new int[16];
@@ -29,7 +29,7 @@ public final class IntList {
         size = 0;
     }
 
-    /** The array behind it, with room for more at its end; replaced when it is full. */
+    /** Returns the backing array, which may be longer than the list; replaced when it is full. */
     public int[] array() {
         return values;
     }
@@ -38,7 +38,7 @@ public final class IntList {
         return Arrays.copyOf(values, size);
     }
 
-    /** Half as long again, so that what is copied in all is no more than three times what is there in the end. */
+    /** Returns a capacity 1.5 times as large, so that all copies together are at most three times the final size. */
     static int grownCapacity(int size) {
         return (int) Math.min(MAX_SIZE, size + (size >> 1) + 16L);
     }

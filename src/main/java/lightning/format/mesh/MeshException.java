@@ -5,13 +5,15 @@ import lightning.base.text.PrintableText;
 import lightning.base.text.Quote;
 import lightning.base.text.UserFacingException;
 
-/** A file of meshes cannot be used; the message says in one line which file, the place in it, what was expected and what was found. */
+/** Invalid mesh file; the one-line message contains the file, the position, and expected and found content. */
 public final class MeshException extends Exception implements UserFacingException {
     private static final long serialVersionUID = 1;
 
     /**
-     * @param location   where in the file, as in {@code line 7} or {@code accessors[3].count}; empty for the file as a whole
-     * @param message what was expected and what was found
+     * Creates an exception.
+     *
+     * @param location position in the file, such as {@code line 7} or {@code accessors[3].count}; empty for the whole file
+     * @param message expected and found content
      */
     public MeshException(Path file, String location, String message) {
         super(Quote.path(file) + ": " + PrintableText.escape(location.isEmpty() ? message : location + ": " + message));

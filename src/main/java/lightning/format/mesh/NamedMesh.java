@@ -3,8 +3,8 @@ package lightning.format.mesh;
 import lightning.scene.Mesh;
 
 /**
- * A mesh as its file names it: a file may hold several.
+ * Mesh with its name in a file.
  *
- * @param name not empty, shown in one line; unique in its file
+ * @param name not empty, printable on one line; unique in its file
  */
 public record NamedMesh(String name, Mesh mesh) {}

@@ -1,13 +1,13 @@
 package lightning.format.mesh;
 
 /**
- * Cuts polygons into triangles. A polygon need not be flat nor convex: it is looked at along the axis to which its normal (by
- * Newell's method: Sutherland, Sproull and Schumacker, A characterization of ten hidden-surface algorithms, 1974) is nearest, and
- * ears are cut off, corners whose triangle holds no other corner (Meisters, Polygons have ears, 1975). Where there is no ear, as
- * in polygons that cross themselves, the rest is a fan.
+ * Triangulator for polygons that need not be planar or convex. It projects a polygon along the axis nearest to its normal
+ * (Newell's method: Sutherland, Sproull and Schumacker, A characterization of ten hidden-surface algorithms, 1974) and clips
+ * ears, corners whose triangle contains no other corner (Meisters, Polygons have ears, 1975). If no ear exists, as in
+ * self-intersecting polygons, the rest becomes a fan.
  */
 public final class PolygonTriangulator {
-    /** Looking for ears takes as long as the square of the corners: beyond so many it is left, and the polygon is a fan. */
+    /** Maximum number of corners for ear clipping, whose time is quadratic; larger polygons become fans. */
     public static final int MAX_CORNERS = 500;
 
     private final double[] u = new double[MAX_CORNERS];
@@ -15,12 +15,12 @@ public final class PolygonTriangulator {
     private final int[] remaining = new int[MAX_CORNERS];
 
     /**
-     * Adds the triangles of a polygon: {@code count} − 2 of them, that go round as it does.
+     * Adds the {@code count} − 2 triangles of a polygon, with its orientation.
      *
-     * @param corners   the vertices in their order, of which the first {@code count} are read
-     * @param count     at least 3
+     * @param corners vertices in order; the first {@code count} are read
+     * @param count at least 3
      * @param positions x, y, z of each vertex
-     * @param triangles gets three indices into {@code corners} for each triangle
+     * @param triangles receives three indices into {@code corners} for each triangle
      */
     public void triangulate(int[] corners, int count, float[] positions, IntList triangles) {
         if (count == 3 || count > MAX_CORNERS || !project(corners, count, positions)) {
@@ -63,7 +63,7 @@ public final class PolygonTriangulator {
         triangles.add(c);
     }
 
-    /** Takes the corners as they are seen along an axis, so that they go round counter-clockwise; false where no side is larger. */
+    /** Projects the corners along an axis so that they are counter-clockwise; returns false if the area is zero. */
     private boolean project(int[] corners, int count, float[] positions) {
         double[] normal = new double[3];
         for (int i = 0; i < count; i++) {
@@ -102,12 +102,12 @@ public final class PolygonTriangulator {
         return true;
     }
 
-    /** Where holes are joined to the outline, two corners are at one place. */
+    /** Returns true for corners at the same position, as where a hole is joined to the outline. */
     private boolean isSamePoint(int p, int q) {
         return u[p] == u[q] && v[p] == v[q];
     }
 
-    /** Above 0 where c is left of the way from a to b. */
+    /** Returns a positive value if c is left of the line from a to b. */
     private double orientation(int a, int b, int c) {
         return (u[b] - u[a]) * (v[c] - v[a]) - (v[b] - v[a]) * (u[c] - u[a]);
     }

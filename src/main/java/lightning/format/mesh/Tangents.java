@@ -1,14 +1,14 @@
 package lightning.format.mesh;
 
-/** The tangents of meshes: of length 1 and with a hand of 1 or −1, whatever a file says. */
+/** Normalization of mesh tangents: length 1 and a handedness of 1 or −1. */
 public final class Tangents {
     private Tangents() {}
 
     /**
-     * Brings tangents to length 1 and their fourth numbers to 1 or −1, and tells how many vertices said otherwise. Those that are zero or
-     * no numbers become zero: normal maps go by the texture coordinates there.
+     * Normalizes tangents and their handedness, and notes how many vertices were changed. Zero or NaN tangents become zero:
+     * normal maps then use the texture coordinates.
      *
-     * @param tangents {@code float[4 * vertices]}; written
+     * @param tangents {@code float[4 * vertices]}; modified
      */
     public static void normalizeAll(float[] tangents, ConversionNotes notes) {
         int withoutDirection = 0;
@@ -19,6 +19,6 @@ public final class Tangents {
             tangents[i + 3] = tangents[i + 3] < 0 ? -1 : 1;
         }
         notes.add("tangents without a direction", withoutDirection);
-        notes.add("tangents whose fourth number is neither 1 nor -1", invalidHandedness);
+        notes.add("tangents with a handedness (w) other than 1 or -1", invalidHandedness);
     }
 }

@@ -8,11 +8,14 @@ import java.util.regex.Pattern;
 import lightning.base.text.DecimalNumber;
 import lightning.base.text.Quote;
 
-/** The words of a file of text, line by line, without an object for each. Lines end with {@code \n}, {@code \r\n} or {@code \r}. */
+/**
+ * Tokenizer for text files, line by line, without allocating an object per token. Lines end with {@code \n}, {@code \r\n} or
+ * {@code \r}.
+ */
 public final class TextTokenizer {
-    /** 10⁰ to 10²², which doubles hold exactly. */
+    /** 10⁰ to 10²², which are exact doubles. */
     private static final double[] POWERS_OF_TEN = new double[23];
-    /** Whole numbers below it, and times a power of ten of the table, are one rounding away from the nearest double. */
+    /** Integers below this, multiplied by a power of ten of the table, are one rounding away from the nearest double. */
     private static final long MAX_EXACT_INTEGER = 1L << 53;
     private static final int MAX_DIGITS = 18;
     private static final Pattern NAN_PATTERN = Pattern.compile("[-+]?nan(\\(\\w*\\))?", Pattern.CASE_INSENSITIVE);
@@ -28,25 +31,25 @@ public final class TextTokenizer {
     private final byte[] token = new byte[MeshLimits.WORD_BYTES];
     private int length;
     private int line = 1;
-    /** Whether the first line ends with a return alone, so that a new line behind one is no part of it. */
+    /** Set if the first line ends with a carriage return alone; a line feed after one is then not part of it. */
     private boolean endsLinesWithCr;
 
     public TextTokenizer(ByteSource bytes) {
         this.bytes = bytes;
     }
 
-    /** The line of the word that was read last, from 1. */
+    /** Returns the line of the last token read, from 1. */
     public int line() {
         return line;
     }
 
-    /** A problem with this line. */
+    /** Creates a problem at this line. */
     public MeshException problem(String message) {
         return bytes.problem("line " + line, message);
     }
 
     /**
-     * Reads the next word of this line.
+     * Reads the next token of this line.
      *
      * @return false if there is none
      * @throws MeshException if it is longer than {@link MeshLimits#WORD_BYTES}
@@ -66,7 +69,7 @@ public final class TextTokenizer {
     }
 
     /**
-     * Leaves the rest of this line out.
+     * Skips the rest of this line.
      *
      * @return false if it was the last
      */
@@ -85,7 +88,7 @@ public final class TextTokenizer {
         return c >= 0 && bytes.peek() >= 0;
     }
 
-    /** Passes the end of a line where there is nothing else between here and there. */
+    /** Skips the end of the line if only spaces precede it. */
     public void skipLineEnd() throws IOException {
         int c = skipSpaces();
         if (c == '\n' || c == '\r') {
@@ -93,13 +96,13 @@ public final class TextTokenizer {
         }
     }
 
-    /** Whether nothing but spaces is left of this line. */
+    /** Returns true if only spaces remain in this line. */
     public boolean isAtLineEnd() throws IOException {
         int c = skipSpaces();
         return c < 0 || c == '\n' || c == '\r';
     }
 
-    /** The first byte behind spaces, which stays to be read; negative at the end of the file. */
+    /** Skips spaces and returns the next byte without consuming it; negative at the end of the file. */
     private int skipSpaces() throws IOException {
         int c = bytes.peek();
         while (c == ' ' || c == '\t') {
@@ -109,7 +112,7 @@ public final class TextTokenizer {
         return c;
     }
 
-    /** Whether the last word is this one, which has ASCII letters only. */
+    /** Returns true if the last token equals the given one, which contains only ASCII letters. */
     public boolean isToken(String expected) {
         if (length != expected.length()) {
             return false;
@@ -122,12 +125,12 @@ public final class TextTokenizer {
         return true;
     }
 
-    /** The last word. */
+    /** Returns the last token. */
     public String text() {
         return new String(token, 0, length, StandardCharsets.UTF_8);
     }
 
-    /** What is left of this line, without spaces at its ends. */
+    /** Returns the rest of this line, trimmed. */
     public String restOfLine() throws IOException, MeshException {
         var rest = new ByteArrayOutputStream();
         for (int c = bytes.peek(); c >= 0 && c != '\n' && c != '\r'; c = bytes.peek()) {
@@ -139,21 +142,21 @@ public final class TextTokenizer {
         return rest.toString(StandardCharsets.UTF_8).strip();
     }
 
-    /** How many bytes the last word has. */
+    /** Returns the length of the last token in bytes. */
     public int length() {
         return length;
     }
 
-    /** A byte of the last word. */
+    /** Returns a byte of the last token. */
     public byte byteAt(int index) {
         return token[index];
     }
 
     /**
-     * The last word as a number: the nearest double.
+     * Returns the nearest double to the last token.
      *
-     * @param label what is expected, in messages
-     * @throws MeshException if it is no decimal number, or none that a double can hold
+     * @param label expected content, for messages
+     * @throws MeshException if it is not a decimal number in the range of doubles
      */
     public double number(String label) throws MeshException {
         double v = parseQuickly();
@@ -167,16 +170,16 @@ public final class TextTokenizer {
         return parsed.getAsDouble();
     }
 
-    /** The same, NaN where the word is C's way of writing that there is no number: {@code nan}, {@code -NaN(ind)}. */
+    /** Returns the last token as a number, or NaN for C's spellings of it: {@code nan}, {@code -NaN(ind)}. */
     public double numberOrNaN(String label) throws MeshException {
         double v = parseQuickly();
         return !Double.isNaN(v) || NAN_PATTERN.matcher(text()).matches() ? v : number(label);
     }
 
     /**
-     * The last word as a whole number.
+     * Returns the last token as an integer.
      *
-     * @throws MeshException if it is none from {@code min} to {@code max}
+     * @throws MeshException if it is not an integer from {@code min} to {@code max}
      */
     public long integer(String label, long min, long max) throws MeshException {
         long v = 0;
@@ -194,8 +197,8 @@ public final class TextTokenizer {
     }
 
     /**
-     * The last word where it has few digits: a whole number below 2⁵³ times or over a power of ten up to 10²² is rounded once
-     * (Clinger, How to read floating point numbers accurately, 1990). NaN where it is anything else.
+     * Parses a short number: an integer below 2⁵³ times or divided by a power of ten up to 10²², which needs only one
+     * rounding (Clinger, How to read floating point numbers accurately, 1990). Returns NaN for anything else.
      */
     private double parseQuickly() {
         int i = 0;
@@ -239,7 +242,10 @@ public final class TextTokenizer {
         return negative ? -v : v;
     }
 
-    /** The exponent from the letter at {@code start} to the end, of at most three digits; the least integer where there is none. */
+    /**
+     * Parses the exponent from the letter at {@code start} to the end, at most three digits; returns the smallest int if
+     * invalid.
+     */
     private int parseExponent(int start) {
         int i = start;
         if (token[i] != 'e' && token[i] != 'E' || ++i == length) {

@@ -6,19 +6,19 @@ import java.util.Map;
 import java.util.Set;
 import lightning.base.text.PrintableText;
 
-/** Names that a line shows and that are told apart, made of whatever other programs wrote. Not shared between threads. */
+/** Generator of unique printable names from other programs' names. Not thread-safe. */
 public final class UniqueNames {
-    /** Code points; room for a number stays within the 100 that a scene allows. */
+    /** Maximum length in code points; leaves room for a number within the 100 that a scene allows. */
     private static final int MAX_LENGTH = 88;
 
     private final Set<String> used = new HashSet<>();
     private final Map<String, Integer> suffixes = new HashMap<>();
 
     /**
-     * The wanted name, or the nearest that is free: what cannot be shown becomes {@code _}, spaces at the ends go, and a number
-     * stands behind the second of a name.
+     * Returns the requested name or a similar free one: unprintable characters become {@code _}, spaces at the ends are
+     * removed, and duplicates get a number.
      *
-     * @param fallback the name where nothing is left
+     * @param fallback name to use if nothing is left
      */
     public String unique(String requested, String fallback) {
         String printableName = printable(requested);

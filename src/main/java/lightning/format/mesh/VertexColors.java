@@ -2,15 +2,15 @@ package lightning.format.mesh;
 
 import java.util.Arrays;
 
-/** The colors of vertices: factors from 0 to 1, whatever a file says. */
+/** Normalization of vertex colors: factors from 0 to 1. */
 public final class VertexColors {
     private VertexColors() {}
 
     /**
-     * Cuts colors to 0 … 1, infinities included; a color with a channel that is no number becomes white. Reports how many vertices had such.
+     * Clamps colors to 0 … 1, infinities included; a color with NaN becomes white. Notes the number of changed vertices.
      *
-     * @param colors   {@code float[≥ 3 * vertices]}; written
-     * @param vertices how many are read, from the first
+     * @param colors {@code float[≥ 3 * vertices]}; modified
+     * @param vertices number of vertices to process, from the first
      */
     public static void clamp(float[] colors, int vertices, ConversionNotes notes) {
         int clamped = 0;
@@ -30,7 +30,7 @@ public final class VertexColors {
                 clamped++;
             }
         }
-        notes.add("colors of vertices beyond 0 to 1", clamped);
-        notes.add("colors of vertices that are no numbers, white here", invalid);
+        notes.add("vertex colors outside 0 to 1", clamped);
+        notes.add("vertex colors that are not numbers, replaced by white", invalid);
     }
 }

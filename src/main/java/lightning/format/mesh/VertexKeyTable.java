@@ -3,8 +3,8 @@ package lightning.format.mesh;
 import java.util.Arrays;
 
 /**
- * Numbers corners: two corners of the same three keys are one vertex. A table with open places (Knuth, The Art of Computer
- * Programming 3, §6.4, algorithm L), since ten million corners as objects would take a gigabyte.
+ * Hash table that assigns vertex indices to corners: corners with the same three keys share a vertex. Uses open addressing
+ * (Knuth, The Art of Computer Programming 3, §6.4, algorithm L), because ten million objects would take a gigabyte.
  */
 public final class VertexKeyTable {
     private static final int KEY_SIZE = 3;
@@ -20,12 +20,12 @@ public final class VertexKeyTable {
         return keys.size() / KEY_SIZE;
     }
 
-    /** A key of a corner. */
+    /** Returns a key of a corner. */
     public int key(int corner, int component) {
         return keys.get(KEY_SIZE * corner + component);
     }
 
-    /** The number of a corner, from 0 in the order of their coming. */
+    /** Returns the index of a corner, assigned from 0 in order of first occurrence. */
     public int findOrAdd(int a, int b, int c) {
         int mask = slots.length - 1;
         int slot = hash(a, b, c) & mask;
@@ -59,7 +59,7 @@ public final class VertexKeyTable {
         }
     }
 
-    /** Mixed as in SplitMix64 (Steele, Lea and Flood, Fast splittable pseudorandom number generators, 2014). */
+    /** Mixes the keys as SplitMix64 does (Steele, Lea and Flood, Fast splittable pseudorandom number generators, 2014). */
     private static int hash(int a, int b, int c) {
         long h = a * 0x9E3779B97F4A7C15L + b;
         h = (h ^ h >>> 30) * 0xBF58476D1CE4E5B9L + c;

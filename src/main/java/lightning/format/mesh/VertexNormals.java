@@ -1,14 +1,14 @@
 package lightning.format.mesh;
 
-/** The normals of meshes: of length 1, whatever a file says. */
+/** Normalization and computation of vertex normals. */
 public final class VertexNormals {
     private VertexNormals() {}
 
     /**
-     * Brings normals to length 1. Those that are zero or no numbers become the mean of the triangles around the vertex, each
-     * weighted by its area, or, where that is zero, z.
+     * Normalizes normals. Zero or NaN normals are replaced by the area-weighted mean of the adjacent triangles' normals or,
+     * if that is zero, by z.
      *
-     * @param normals   {@code float[3 * vertices]}, of any length; written
+     * @param normals {@code float[3 * vertices]}, of any length; modified
      * @param positions {@code float[3 * vertices]}
      * @param triangles three vertices each
      */
@@ -28,14 +28,14 @@ public final class VertexNormals {
         }
     }
 
-    /** Normals that are each the mean of the triangles around the vertex, {@code float[3 * vertices]}. */
+    /** Returns the area-weighted means of the adjacent triangles' normals, {@code float[3 * vertices]}. */
     public static float[] smooth(float[] positions, int[] triangles) {
         float[] normals = new float[positions.length];
         normalizeAll(normals, positions, triangles);
         return normals;
     }
 
-    /** Twice the areas of all triangles around each vertex, as vectors, {@code double[3 * vertices]}. */
+    /** Returns for each vertex the sum of the adjacent triangles' area vectors, times two, {@code double[3 * vertices]}. */
     private static double[] areaWeightedSums(float[] p, int[] triangles) {
         double[] sums = new double[p.length];
         for (int t = 0; t < triangles.length; t += 3) {
@@ -55,7 +55,7 @@ public final class VertexNormals {
         return sums;
     }
 
-    /** Writes a direction at length 1; zero, and false, where there is none. */
+    /** Writes a normalized direction; writes zero and returns false if it has no direction. */
     static boolean normalize(float[] out, int offset, double x, double y, double z) {
         double max = Math.max(Math.max(Math.abs(x), Math.abs(y)), Math.abs(z));
         boolean hasDirection = max > 0 && Double.isFinite(max);

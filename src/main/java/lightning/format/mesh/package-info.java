@@ -1,5 +1,5 @@
 /**
- * Triangle meshes: immutable, and right when they are made, so that nobody checks again.
+ * Triangle meshes: immutable, and validated on construction.
  *
  * <pre>{@code
  * Mesh mesh = new Mesh(new float[] {0, 0, 0, 1, 0, 0, 0, 1, 0}, new int[] {0, 1, 2}, null, null, null);

@@ -7,7 +7,7 @@ import lightning.format.mesh.VertexKeyTable;
 import lightning.format.mesh.VertexNormals;
 import lightning.scene.Mesh;
 
-/** A mesh in the making: polygons, or patches, of one fill. Corners at one place, with one normal, are one vertex. */
+/** Mutable builder of a mesh: polygons, or patches, of one fill. Corners with equal position and normal share a vertex. */
 final class MeshBuilder {
     final int fill;
     private final boolean smooth;
@@ -20,18 +20,22 @@ final class MeshBuilder {
     private final IntList polygonTriangles = new IntList();
     private final IntList triangles = new IntList();
 
-    /** @param smooth whether each corner has a normal */
+    /**
+     * Creates a builder.
+     *
+     * @param smooth true if each corner has a normal
+     */
     MeshBuilder(int fill, boolean smooth) {
         this.fill = fill;
         this.smooth = smooth;
     }
 
-    /** Begins a polygon. */
+    /** Starts a polygon. */
     void beginPolygon() {
         outline.clear();
     }
 
-    /** The next corner of the polygon, with its normal, which is 0 where there is none. */
+    /** Adds a corner of the polygon with its normal, 0 for none. */
     void addCorner(float x, float y, float z, float nx, float ny, float nz) {
         int vertex = vertexKeys.findOrAdd(keyOf(positionKeys, x, y, z), keyOf(normalKeys, nx, ny, nz), 0);
         if (3 * vertex == positions.size()) {
@@ -45,7 +49,7 @@ final class MeshBuilder {
         return table.findOrAdd(bits(x), bits(y), bits(z));
     }
 
-    /** 0 and −0 are one place. */
+    /** Returns the bits of a coordinate; 0 and −0 are equal. */
     private static int bits(float v) {
         return Float.floatToIntBits(v + 0f);
     }
@@ -56,7 +60,7 @@ final class MeshBuilder {
         out.add(z);
     }
 
-    /** Cuts the polygon, which has at least three corners, into triangles. */
+    /** Triangulates the polygon, which has at least three corners. */
     void endPolygon(PolygonTriangulator polygon) {
         polygonTriangles.clear();
         polygon.triangulate(outline.array(), outline.size(), positions.array(), polygonTriangles);
@@ -77,7 +81,11 @@ final class MeshBuilder {
         return smooth;
     }
 
-    /** @throws IllegalArgumentException if a coordinate is beyond a mesh's range */
+    /**
+     * Returns the mesh.
+     *
+     * @throws IllegalArgumentException if a coordinate is out of a mesh's range
+     */
     Mesh mesh() {
         float[] p = positions.toArray();
         int[] t = triangles.toArray();

@@ -7,42 +7,42 @@ import lightning.base.math.Vec3;
 import lightning.scene.Mesh;
 
 /**
- * What an NFF file holds. Shapes name their fill by its place in {@code fills}; −1 where none stands before them.
+ * Content of an NFF file. Shapes reference their fill by its index in {@code fills}; −1 if none precedes them.
  *
- * @param background where a ray meets nothing
- * @param fills      each once, in the order of their first coming
- * @param meshes     polygons of one fill each, and patches of one fill each
+ * @param background background color
+ * @param fills unique fills, in order of first occurrence
+ * @param meshes polygons of one fill each, and patches of one fill each
  */
 public record NffFile(Optional<View> view, Rgb background, List<Light> lights, List<Fill> fills, List<NffSolid> solids,
         List<Surface> meshes) {
 
     /**
-     * Where it is seen from.
+     * Camera.
      *
-     * @param angle  degrees, from the top of the picture to its bottom
-     * @param width  pixels; 0 where the file says no resolution, likewise the height
-     * @param height pixels
+     * @param angle vertical field of view in degrees
+     * @param width pixels; 0 if the file has no resolution
+     * @param height pixels; 0 if the file has no resolution
      */
     public record View(Vec3 from, Vec3 at, Vec3 up, double angle, int width, int height) {}
 
-    /** A light in all directions, which does not fall off; it need not say its color. */
+    /** Point light without falloff; the color is optional. */
     public record Light(Vec3 position, Optional<Rgb> color) {}
 
     /**
-     * What a surface looks like.
+     * Surface properties.
      *
-     * @param diffuse       Kd, a factor on the color
-     * @param specular      Ks, of highlights and of what is mirrored
-     * @param shininess         the exponent of Phong's highlight
-     * @param transmittance T, how much light goes through
-     * @param ior         the index of refraction
+     * @param diffuse Kd, a factor of the color
+     * @param specular Ks, of highlights and reflections
+     * @param shininess exponent of Phong's highlight
+     * @param transmittance T, transmitted share of light
+     * @param ior index of refraction
      */
     public record Fill(Rgb color, double diffuse, double specular, double shininess, double transmittance, double ior) {}
 
     /**
-     * Polygons, which are flat, or patches, which are smooth.
+     * Flat polygons, or smooth patches.
      *
-     * @param name unique in the file, shown in one line
+     * @param name unique in the file, printable on one line
      */
     public record Surface(int fill, String name, Mesh mesh) {}
 }

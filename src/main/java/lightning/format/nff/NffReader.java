@@ -19,12 +19,9 @@ import lightning.format.mesh.TextTokenizer;
 import lightning.format.mesh.UniqueNames;
 import lightning.scene.Mesh;
 
-/**
- * Reads NFF files: {@code v b l f c s p pp} and comments. What other dialects have beside these is passed over, line by line, and
- * told.
- */
+/** Reader for NFF files: {@code v b l f c s p pp} and comments. Skips and notes entities of other dialects, line by line. */
 public final class NffReader {
-    /** Spheres, cones and cylinders: as many as a scene may have shapes. */
+    /** Maximum number of spheres, cones and cylinders: that of a scene. */
     private static final int MAX_SOLIDS = 1_000_000;
     private static final int MAX_FILLS = 30_000;
     private static final int MAX_LIGHTS = 1000;
@@ -36,12 +33,12 @@ public final class NffReader {
     private final List<NffFile.Light> lights = new ArrayList<>();
     private final Map<NffFile.Fill, Integer> fills = new LinkedHashMap<>();
     private final List<NffSolid> solids = new ArrayList<>();
-    /** By fill: polygons at twice its number, patches behind. */
+    /** Meshes by fill: polygons at twice its index, patches at the next index. */
     private final Map<Integer, MeshBuilder> surfaces = new LinkedHashMap<>();
     private final PolygonTriangulator polygon = new PolygonTriangulator();
     private Rgb background = Rgb.BLACK;
     private int fill = -1;
-    /** What stands next, in messages. */
+    /** Expected content, for messages. */
     private String expected = "";
     private long vertices;
     private long triangles;
@@ -55,9 +52,9 @@ public final class NffReader {
     /**
      * Reads a whole file.
      *
-     * @param notes hears what is left out
-     * @throws MeshException if it is damaged, or holds no shape
-     * @throws IOException   if it cannot be read
+     * @param notes receives omitted features
+     * @throws MeshException if it is invalid, or contains no shape
+     * @throws IOException if it cannot be read
      */
     public static NffFile read(ByteSource source, ConversionNotes notes) throws IOException, MeshException {
         return new NffReader(source, notes).read();
@@ -70,7 +67,7 @@ public final class NffReader {
             }
         } while (text.nextLine());
         if (solids.isEmpty() && triangles == 0) {
-            throw source.problem("", "must have shapes (c, s, p or pp): without them there is nothing to light");
+            throw source.problem("", "must have shapes (c, s, p or pp)");
         }
         return new NffFile(view.build(), background, List.copyOf(lights), List.copyOf(fills.keySet()), List.copyOf(solids), surfaces());
     }
@@ -79,7 +76,7 @@ public final class NffReader {
         String keyword = text.length() <= 16 ? text.text() : Quote.of(text.text());
         expected = "a number of " + keyword;
         switch (keyword) {
-            // All that follows it has a word of its own.
+            // Every parameter of the view has a keyword of its own.
             case "v" -> {}
             case "from" -> view.from = readPoint();
             case "at" -> view.at = readPoint();
@@ -115,10 +112,10 @@ public final class NffReader {
             text.readToken();
         }
         lights.add(new NffFile.Light(position, color));
-        skipLine("words behind lights, of another dialect");
+        skipLine("extra words after lights (another dialect)");
     }
 
-    /** The color must be there; what else is missing on the line is taken as a dull surface has it. */
+    /** Reads a fill. The color is required; missing parameters get those of a matte surface. */
     private void readFill() throws IOException, MeshException {
         Rgb color = readColor();
         double[] rest = {1, 0, 1, 0, 1};
@@ -131,7 +128,7 @@ public final class NffReader {
         } else {
             notes.add("fills with fewer than eight numbers");
         }
-        skipLine("words behind fills, of another dialect");
+        skipLine("extra words after fills (another dialect)");
         fill = fills.computeIfAbsent(new NffFile.Fill(color, rest[0], rest[1], rest[2], rest[3], rest[4]), _ -> fills.size());
         if (fills.size() > MAX_FILLS) {
             throw text.problem("a file must have at most " + MAX_FILLS + " different fills");
@@ -152,9 +149,9 @@ public final class NffReader {
         addSolid(new NffSolid.Cone(fill, base, Math.abs(baseRadius), apex, Math.abs(apexRadius)));
     }
 
-    /** Of what has a negative radius, only the inside is seen; here all is seen from both sides. */
+    /** Notes a negative radius, whose inside only is visible; here both sides are. */
     private double noteInsideOut(double radius) {
-        notes.add("shapes of which only the inside is to be seen", radius < 0 ? 1 : 0);
+        notes.add("inside-out shapes, imported as two-sided", radius < 0 ? 1 : 0);
         return radius;
     }
 
@@ -177,11 +174,11 @@ public final class NffReader {
         }
         vertices += builder.vertexCount() - oldCount;
         if (count < 3) {
-            notes.add("polygons of fewer than three corners");
+            notes.add("polygons with fewer than three corners");
             return;
         }
         notes.add(
-                "outlines of polygons with more than " + PolygonTriangulator.MAX_CORNERS + " corners, which are cut as if they were convex",
+                "polygons with more than " + PolygonTriangulator.MAX_CORNERS + " corners, triangulated as convex",
                 count > PolygonTriangulator.MAX_CORNERS ? 1 : 0);
         triangles += count - 2;
         if (vertices > MeshLimits.VERTICES || triangles > MeshLimits.TRIANGLES) {
@@ -202,13 +199,13 @@ public final class NffReader {
         return List.copyOf(meshes);
     }
 
-    /** Passes over the rest of a line from the word that was read last on, and tells it unless it is a comment. */
+    /** Skips the rest of a line from the last token on, and notes it unless it is a comment. */
     private void skipLine(String kind) throws IOException, MeshException {
         notes.add(kind, text.length() > 0 && text.byteAt(0) != '#' ? 1 : 0);
         text.restOfLine();
     }
 
-    /** The next word, on this line or one that follows. */
+    /** Reads the next token, on this line or a following one. */
     private void nextToken() throws IOException, MeshException {
         while (!text.readToken() || text.byteAt(0) == '#') {
             if (!text.nextLine()) {
@@ -217,7 +214,7 @@ public final class NffReader {
         }
     }
 
-    /** Reads the next word of this line; whether it looks like a number. */
+    /** Reads the next token of this line; returns true if it looks like a number. */
     private boolean hasNumber() throws IOException, MeshException {
         return text.readToken() && (text.byteAt(0) >= '0' && text.byteAt(0) <= '9' || text.byteAt(0) == '-' || text.byteAt(0) == '+'
                 || text.byteAt(0) == '.');

@@ -3,9 +3,9 @@ package lightning.format.nff;
 import java.util.Optional;
 import lightning.base.math.Vec3;
 
-/** What a file says of its view, as it comes. */
+/** Mutable builder of a view from its parameters. */
 final class NffViewBuilder {
-    /** Null until the file says it, like the next two. */
+    /** Null until defined, as are the next two. */
     Vec3 from;
     Vec3 at;
     Vec3 up;
@@ -13,7 +13,7 @@ final class NffViewBuilder {
     int width;
     int height;
 
-    /** None where the file does not say from where to where. */
+    /** Returns the view; empty if eye point or target is missing. */
     Optional<NffFile.View> build() {
         return from == null || at == null ? Optional.empty()
                 : Optional.of(new NffFile.View(from, at, up == null ? Vec3.Y : up, angle, width, height));

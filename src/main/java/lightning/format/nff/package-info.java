@@ -1,6 +1,6 @@
 /**
- * Files of the Neutral File Format (Haines, A proposal for standard graphics environments, 1987; the format as of version 3.1, 1992):
- * a view, a background, lights, and shapes of which each has the fill that stands last before it.
+ * Neutral File Format (Haines, A proposal for standard graphics environments, 1987; version 3.1, 1992): a view, a
+ * background, lights, and shapes with the last preceding fill.
  *
  * <pre>{@code
  * try (ByteSource source = ByteSource.open(Path.of("balls.nff"), Progress.NONE)) {

@@ -7,7 +7,7 @@ import lightning.scene.Scene;
 import lightning.scene.Solid;
 
 /**
- * A sphere around all shapes of a scene.
+ * Bounding sphere of all shapes of a scene.
  *
  * @param radius scene units, &gt; 0
  */

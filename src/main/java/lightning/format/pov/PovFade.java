@@ -3,23 +3,23 @@ package lightning.format.pov;
 import lightning.scene.Attenuation;
 
 /**
- * Attenuation in POV-Ray's terms: it multiplies a light's color by 2 / (1 + (d / distance)^power).
+ * Light attenuation in POV-Ray's form, a factor of 2 / (1 + (d / distance)^power) on a light's color.
  *
- * @param gain     what the light's color must be multiplied by, so that the product is ours
- * @param distance scene units; 0 for a light that does not fade
- * @param power    POV-Ray's fade_power
- * @param isExact    whether the two agree at every distance
+ * @param gain factor on the light's color for which the products agree
+ * @param distance scene units; 0 for a light without attenuation
+ * @param power POV-Ray's fade_power
+ * @param isExact true if both agree at every distance
  */
 record PovFade(double gain, double distance, double power, boolean isExact) {
-    /** Stands for a constant term of 0, which POV-Ray's form cannot have: relative to the other term at the far end. */
+    /** Replacement for a constant term of 0, which POV-Ray's form cannot represent, relative to the other term at the far end. */
     private static final double MIN_CONSTANT = 1e-6;
     private static final int POWER_STEPS = 100;
 
     /**
-     * The nearest that POV-Ray has.
+     * Returns the closest POV-Ray attenuation.
      *
-     * @param near the least distance that matters, scene units, &gt; 0
-     * @param far  the largest, ≥ near
+     * @param near smallest relevant distance, scene units, &gt; 0
+     * @param far largest relevant distance, ≥ near
      */
     static PovFade of(Attenuation a, double near, double far) {
         if (a.isNone()) {
@@ -28,7 +28,8 @@ record PovFade(double gain, double distance, double power, boolean isExact) {
         if (a.linear() == 0 && a.quadratic() == 0) {
             return new PovFade(1 / a.constant(), 0, 0, true);
         }
-        // The reciprocal is c + l·d + q·d², POV-Ray's a + b·d^power. Ours is also cut at 1, which c ≥ 1 never needs.
+        // The reciprocal is c + l·d + q·d², POV-Ray's a + b·d^power. The attenuation is also clamped at 1, which has no
+        // effect for c ≥ 1.
         if (a.linear() == 0 || a.quadratic() == 0) {
             double power = a.linear() == 0 ? 2 : 1;
             return of(a.constant(), a.linear() + a.quadratic(), power, far, a.constant() >= 1);
@@ -39,11 +40,11 @@ record PovFade(double gain, double distance, double power, boolean isExact) {
     private static PovFade of(double constant, double factor, double power, double far, boolean isExact) {
         double c = Math.max(constant, MIN_CONSTANT * factor * Math.pow(far, power));
         double distance = Math.pow(c / factor, 1 / power);
-        // Where the limit acts everywhere, and where a term is lost beside the other, nothing fades.
+        // If the clamp applies everywhere, or one term is negligible, there is no fading.
         return Double.isInfinite(distance) ? new PovFade(1 / c, 0, 0, isExact) : new PovFade(1 / (2 * c), distance, power, isExact);
     }
 
-    /** The power between 1 and 2 for which the two agree nearly at all distances, and exactly at both ends. */
+    /** Returns the power between 1 and 2 for which both agree exactly at both ends and closely in between. */
     private static PovFade fit(Attenuation a, double near, double far) {
         double atNear = reciprocal(a, near);
         double atFar = reciprocal(a, far);
@@ -73,7 +74,7 @@ record PovFade(double gain, double distance, double power, boolean isExact) {
         return worst;
     }
 
-    /** Our factor in POV-Ray's form, at a distance. */
+    /** Returns the attenuation factor in POV-Ray's form at a distance. */
     double factor(double d) {
         return distance == 0 ? gain : gain * 2 / (1 + Math.pow(d / distance, power));
     }

@@ -4,7 +4,7 @@ import lightning.base.math.Rgb;
 import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
 
-/** Values as POV-Ray writes them, in full precision. */
+/** Formats values in POV-Ray syntax, with full precision. */
 final class PovFormat {
     private PovFormat() {}
 
@@ -20,7 +20,7 @@ final class PovFormat {
         return "<" + x + ", " + y + ", " + z + ">";
     }
 
-    /** POV-Ray multiplies row vectors from the left: our columns are its rows. */
+    /** Formats a transform; POV-Ray multiplies row vectors from the left, so its rows are our columns. */
     static String matrix(Transform m) {
         return "matrix <" + m.m00() + ", " + m.m10() + ", " + m.m20() + ", "
                 + m.m01() + ", " + m.m11() + ", " + m.m21() + ", "

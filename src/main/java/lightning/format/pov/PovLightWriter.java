@@ -10,9 +10,9 @@ import lightning.scene.LightAttribute;
 import lightning.scene.LightType;
 import lightning.scene.Scene;
 
-/** Writes lights; those that do not shine are left out. */
+/** Writer for lights; omits lights that are off. */
 final class PovLightWriter {
-    /** How far away a directional light is put, in sizes of the scene. */
+    /** Distance of a directional light, in multiples of the scene's size. */
     private static final double DIRECTIONAL_DISTANCE = 100;
 
     private final BoundingSphere bounds;
@@ -29,17 +29,18 @@ final class PovLightWriter {
         }
         PovFade fade = light.type().hasPosition() ? fade(light) : new PovFade(1, 0, 0, true);
         if (!fade.isExact()) {
-            warnings.add("light " + light.name() + ": attenuation is POV-Ray's nearest, 2/(1+(d/distance)^power), without the limit 1");
+            warnings.add("light " + light.name() + ": attenuation is approximated by 2/(1+(d/distance)^power), without the limit 1");
         }
         if (LightAttribute.PROFILE.appliesTo(light.type()) && light.profile().isPresent()) {
-            warnings.add("light " + light.name() + ": its profile is left out, POV-Ray reads no IES file");
+            warnings.add("light " + light.name() + ": its profile is left out, POV-Ray does not support IES files");
         }
         if (LightAttribute.DOORS.appliesTo(light.type()) && !light.doors().isOpen()) {
             warnings.add("light " + light.name() + ": its barn doors are left out");
         }
         if (light.isLinked()) {
-            // A light group takes its shapes out of all others, so that it can say only links of one light.
-            warnings.add("light " + light.name() + ": its links are left out, it lights all shapes and all throw shadows");
+            // POV-Ray's light_group excludes its shapes from all other lights, so it can express links of a single light
+            // only.
+            warnings.add("light " + light.name() + ": its light links are left out, it illuminates all objects and all cast shadows");
         }
         List<String> statements = new ArrayList<>();
         statements.add(PovFormat.vector(position(light)));
@@ -73,13 +74,13 @@ final class PovLightWriter {
         return PovFormat.rgb(c);
     }
 
-    /** A hard edge at the angle, and the axis' cosine to the power of the dropoff. */
+    /** Returns a spot with a hard edge at the angle, and the axis cosine to the power of the dropoff. */
     private List<String> spot(Light light) {
         if (light.angle() == 180 && light.dropoff() == 0 && light.doors().isOpen() && light.gobo().isEmpty()) {
             return List.of();
         }
         if (light.angle() >= 90) {
-            warnings.add("light " + light.name() + ": a cone of 90 degrees and more ends at 90 in POV-Ray");
+            warnings.add("light " + light.name() + ": its cone is limited to 90 degrees");
         }
         if (light.gobo().isPresent()) {
             warnings.add("light " + light.name() + ": its gobo is left out");
@@ -90,13 +91,16 @@ final class PovLightWriter {
                 "radius " + angle + " falloff " + angle + " tightness " + light.dropoff());
     }
 
-    /** A half space, fading by the cosine. */
+    /** Returns a half space with cosine falloff. */
     private List<String> surface(Light light) {
         Vec3 target = light.position().plus(light.direction().normalized().times(bounds.radius()));
         return List.of("spotlight point_at " + PovFormat.vector(target), "radius 90 falloff 90 tightness 1");
     }
 
-    /** POV-Ray has a grid on a rectangle, whole or cut to an ellipse; a ball is one that always faces the point that is lit. */
+    /**
+     * Returns an area light. POV-Ray has a grid on a rectangle, whole or cut to an ellipse; a sphere light is a disc that
+     * faces the shaded point.
+     */
     private List<String> area(Light light) {
         if (!light.isArea()) {
             return List.of();
@@ -110,10 +114,10 @@ final class PovLightWriter {
                 : far * Transform.sinDegrees(light.area().spread()) / Math.max(Transform.cosDegrees(light.area().spread()), 0.01);
         double width = rect ? light.area().width() : 2 * radius;
         double height = rect ? light.area().height() : 2 * radius;
-        // A side of more than half the samples leaves no grid.
+        // If one side is longer than half the number of samples, no grid fits.
         int gridSize = Math.max(2, (int) Math.round(Math.sqrt(light.area().samples())));
         warnings.add("light " + light.name() + ": POV-Ray's area light has a grid of " + gridSize + " × " + gridSize
-                + " samples, and fades and highlights as its center does");
+                + " samples; falloff and highlights use its center");
         String shape = switch (light.type()) {
             case RECT -> "";
             case DISC, DIRECTIONAL -> " circular";

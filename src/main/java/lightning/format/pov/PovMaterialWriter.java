@@ -13,14 +13,14 @@ import lightning.scene.TextureMap;
 import lightning.scene.Transmission;
 
 /**
- * Writes materials. POV-Ray's color of a point is pigment·(ambient·ambient_light + Σ diffuse) + phong + reflection, so
- * kd·(1 − kr) is the pigment, and what is emitted is divided by it.
+ * Writer for materials. POV-Ray computes a point's color as pigment·(ambient·ambient_light + Σ diffuse) + phong +
+ * reflection, so the pigment is kd·(1 − kr), and emission is divided by it.
  */
 final class PovMaterialWriter {
-    /** Stands for a pigment of 0 where something is emitted: far below half a step of 8 bits. */
+    /** Replacement for a pigment of 0 on emissive surfaces: far below half a step of 8 bits. */
     private static final double MIN_PIGMENT = 1e-5;
 
-    /** POV-Ray's amount for a height of 1. */
+    /** POV-Ray's bump amount for a height of 1. */
     private static final double BUMP_SCALE = 7.5;
 
     private final List<String> warnings;
@@ -30,11 +30,11 @@ final class PovMaterialWriter {
     }
 
     /**
-     * The texture of a shape, on one or several lines.
+     * Returns the texture of a shape, on one or several lines.
      *
-     * @param image the texture's file
-     * @param mask  the file of what is there
-     * @param bumps the file of heights
+     * @param image file of the color texture
+     * @param mask file of the opacity map
+     * @param bumps file of the bump map
      */
     String text(Material material, Solid solid, String image, String mask, String bumps) {
         String text =
@@ -43,7 +43,7 @@ final class PovMaterialWriter {
         return material.cutout().isActive() ? withCutout(material, solid, text, mask) : text;
     }
 
-    /** The same where the picture's numbers reach the cutoff, and a texture that lets all through elsewhere. */
+    /** Returns a texture that is transparent where the mask is below the cutoff. */
     private String withCutout(Material m, Solid solid, String texture, String mask) {
         double cutoff = m.cutout().cutoff();
         String uv = solid instanceof Solid.TriangleMesh ? "uv_mapping " : "";
@@ -55,7 +55,7 @@ final class PovMaterialWriter {
                 + "]\n    }\n  }" + rest.substring(end + 1);
     }
 
-    /** Where the brace stands that closes a texture whose opening one stands before the text. */
+    /** Returns the offset of the brace that closes the enclosing texture. */
     private static int textureEnd(String text) {
         int depth = 1;
         int index = 0;
@@ -75,16 +75,17 @@ final class PovMaterialWriter {
     }
 
     /**
-     * POV-Ray takes Σ 0.1·amount/accuracy·f(p + accuracy·e)·e from a normal, e being the four corners of a tetrahedron, which is
-     * 0.1·amount·4/3·∇f, and without a scale of bumps of normals in the scene. Its bump_map would lean along the axes of space instead of the picture's.
+     * Returns the bump pattern. POV-Ray subtracts Σ 0.1·amount/accuracy·f(p + accuracy·e)·e from a normal, where e are the
+     * four corners of a tetrahedron; that is 0.1·amount·4/3·∇f, and without bump scaling the normal is in scene space. Its
+     * bump_map would tilt along the axes of space instead of the image's.
      */
     private String normalPattern(Material m, Solid solid, String bumps) {
         BumpMapping relief = m.bumpMapping();
         if (relief.hasNormalMap()) {
-            warn("material " + m.name() + ": its normal map is left out, POV-Ray has none");
+            warn("material " + m.name() + ": its normal map is left out, POV-Ray does not support it");
         }
         if (relief.hasBumpMap() && solid instanceof Solid.TriangleMesh) {
-            warn("material " + m.name() + ": its bump map is left out on meshes, on which POV-Ray knows no slopes of pictures");
+            warn("material " + m.name() + ": its bump map is left out on meshes, POV-Ray does not support it");
         }
         if (!relief.hasBumpMap() || solid instanceof Solid.TriangleMesh) {
             return "";
@@ -96,7 +97,7 @@ final class PovMaterialWriter {
                 + " }";
     }
 
-    /** About a pixel of a picture, in the space of POV-Ray's maps: on a square, or around a body of radius 1. */
+    /** Returns about one pixel of an image in the space of POV-Ray's maps: on a unit square, or around a body of radius 1. */
     private static double bumpAccuracy(TextureMap map, Solid solid) {
         double width = solid instanceof Solid.Plane ? 1 : 2 * Math.PI;
         double height = solid instanceof Solid.Sphere ? Math.PI : 1;
@@ -108,27 +109,28 @@ final class PovMaterialWriter {
     }
 
     /**
-     * POV-Ray's color of what is seen through a surface is pigment·filter, and of its body pigment·(1 − filter). Inside, from a fade_power of 1000
-     * on, a way d leaves exp(−(1 − fade_color)·d/fade_distance).
+     * Returns a transparent material. POV-Ray multiplies transmitted light by pigment·filter, and the surface's own color is
+     * pigment·(1 − filter). In the interior, from a fade_power of 1000 on, a path of length d transmits exp(−(1 −
+     * fade_color)·d/fade_distance).
      */
     private String transparent(Material m) {
         Transmission clarity = m.transmission();
         double filter = clarity.color().max();
         Rgb pigment = new Rgb(clarity.color().r() / filter, clarity.color().g() / filter, clarity.color().b() / filter);
         if (m.texture().isPresent()) {
-            warn("material " + m.name() + ": the texture of a clear material is left out");
+            warn("material " + m.name() + ": the texture of a transparent material is left out");
         }
         if (clarity.castsShadows()) {
-            warn("material " + m.name() + ": light passes its shapes");
+            warn("material " + m.name() + ": its shadows are transparent in POV-Ray");
         }
         if (clarity.thin()) {
-            warn("material " + m.name() + ": a thin pane mirrors nothing by its angle");
+            warn("material " + m.name() + ": a thin sheet has no Fresnel reflection");
         }
         if (filter < 1 && m.transmission().color().min() < filter) {
-            warn("material " + m.name() + ": its body has the color of what is seen through it");
+            warn("material " + m.name() + ": its surface color is the transmission color");
         }
         if (filter < 1) {
-            warn("material " + m.name() + ": its body loses nothing where its angle mirrors more");
+            warn("material " + m.name() + ": its surface color is not reduced by Fresnel reflection");
         }
         String reflection = clarity.thin() ? m.reflective().isBlack() ? "" : " reflection { " + PovFormat.rgb(m.reflective()) + " }"
                 : " reflection { " + PovFormat.rgb(m.reflective()) + ", rgb 1 fresnel on } conserve_energy";
@@ -141,17 +143,18 @@ final class PovMaterialWriter {
                 + reflection + " }\n  }\n  interior { ior " + (clarity.thin() ? 1 : clarity.ior()) + fade + " }";
     }
 
-    /** The fade_color that leaves a tint after the fade_distance. */
+    /** Returns the fade_color for a tint after the fade_distance. */
     private static double fade(double tint) {
         return 1 + Math.log(Math.max(tint, MIN_PIGMENT));
     }
 
     /**
-     * The nearest that Phong's model has: a lobe of exponent (2/α² − 2)/4, which is as wide at its top (Walter and others, Microfacet
-     * models for refraction, 2007, §5.2, a quarter for the angle to the mirrored direction), and as high head-on, at most 1.
+     * Returns the closest Phong material: a lobe of exponent (2/α² − 2)/4, which has the same width at its peak (Walter and
+     * others, Microfacet models for refraction, 2007, §5.2, divided by 4 for the angle to the reflected direction) and the
+     * same height at normal incidence, at most 1.
      */
     private Material phong(Material m) {
-        warn("material " + m.name() + ": a metallic material is shown by Phong's model");
+        warn("material " + m.name() + ": a metallic material is approximated by Phong's model");
         double alpha = m.alpha();
         double height = Math.min(1, 1 / (4 * alpha * alpha));
         double dielectric = (1 - m.metalness()) * m.f0();
@@ -196,7 +199,7 @@ final class PovMaterialWriter {
         };
     }
 
-    /** Puts POV-Ray's map, which lies in the xy plane or winds about y, where our texture coordinates are. */
+    /** Maps POV-Ray's image map, in the xy plane or around y, to our texture coordinates. */
     private List<String> textureTransform(Material m, TextureMap map, Solid solid) {
         List<String> statements = new ArrayList<>();
         if (solid instanceof Solid.TriangleMesh) {
@@ -209,10 +212,10 @@ final class PovMaterialWriter {
             return statements;
         }
         if (map.repeatU() != 1 || map.repeatV() != 1) {
-            warn("material " + m.name() + ": a texture around a shape does not repeat");
+            warn("material " + m.name() + ": a wrapped texture does not repeat");
         }
         if (hasCaps(solid)) {
-            warn("material " + m.name() + ": caps have the texture of the side's edge");
+            warn("material " + m.name() + ": caps repeat the texture's edge");
         }
         statements.add("scale <-1, 1, 1> rotate <0, -90, 0>");
         return statements;

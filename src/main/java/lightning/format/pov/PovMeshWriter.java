@@ -9,12 +9,12 @@ import lightning.scene.PlacedShape;
 import lightning.scene.Scene;
 import lightning.scene.Solid;
 
-/** Meshes as POV-Ray's {@code mesh2}: each is declared once, whichever shapes show it. */
+/** Writer for meshes as POV-Ray's {@code mesh2}; each mesh is declared once for all its shapes. */
 final class PovMeshWriter {
-    /** More would make a text that nobody can read, POV-Ray included. */
+    /** Maximum number of triangles; a longer text could not be parsed in reasonable time. */
     private static final int MAX_TRIANGLES = 4_000_000;
 
-    /** By file and part, which tell meshes apart in one scene. */
+    /** Declared names by file and part, which identify meshes in a scene. */
     private final Map<String, String> names = new TreeMap<>();
     private final StringBuilder declarations = new StringBuilder();
 
@@ -30,26 +30,26 @@ final class PovMeshWriter {
                 } else {
                     names.put(key(t), "mesh_" + names.size());
                     if (t.hasVertexColors()) {
-                        warnings.add("mesh " + shape.shape().name() + ": without the colors of its vertices");
+                        warnings.add("mesh " + shape.shape().name() + ": its vertex colors are left out");
                     }
                     writeMesh(names.get(key(t)), t.mesh());
                 }
             }
         }
         skipped.forEach(
-                name -> warnings.add("mesh " + name + ": left out, with it there would be more than " + MAX_TRIANGLES + " triangles"));
+                name -> warnings.add("mesh " + name + ": left out, the export is limited to " + MAX_TRIANGLES + " triangles"));
     }
 
     private static String key(Solid.TriangleMesh t) {
         return t.file() + '\n' + t.part();
     }
 
-    /** All that was declared. */
+    /** Returns all declarations. */
     String declarations() {
         return declarations.toString();
     }
 
-    /** A mesh, left open for texture and placing; an empty union where it was left out. */
+    /** Returns a mesh, left open for texture and transform; an empty union if it was left out. */
     String text(Solid.TriangleMesh t) {
         String name = names.get(key(t));
         return name == null ? "union {" : "object { " + name;

@@ -15,7 +15,7 @@ import java.util.stream.Stream;
 import lightning.format.image.ImageFile;
 import lightning.render.image.Film;
 
-/** Runs the installed POV-Ray to learn how long it traces, and what it shows. */
+/** Runs the installed POV-Ray to measure its trace time and to get its image. */
 public final class PovRayRunner {
     private static final Pattern TRACE_TIME = Pattern.compile("Trace Time:.*\\(([0-9.]+) seconds\\)");
 
@@ -25,12 +25,12 @@ public final class PovRayRunner {
         this.program = program;
     }
 
-    /** The POV-Ray on the search path, if there is one. */
+    /** Finds POV-Ray on the search path. */
     public static Optional<PovRayRunner> find() {
         return find(System.getenv().getOrDefault("PATH", ""));
     }
 
-    /** The first POV-Ray in a list of folders. */
+    /** Finds the first POV-Ray in a list of folders. */
     static Optional<PovRayRunner> find(String path) {
         return Stream.of(path.split(File.pathSeparator))
                 .filter(folder -> !folder.isEmpty()).map(folder -> Path.of(folder, "povray"))
@@ -38,11 +38,11 @@ public final class PovRayRunner {
     }
 
     /**
-     * Traces a scene, without anti-aliasing, and throws the picture away.
+     * Traces a scene, without anti-aliasing, and discards the image.
      *
-     * @return the trace time that POV-Ray itself tells, milliseconds
-     * @throws IOException          if it fails; the message ends with the last line that it printed
-     * @throws InterruptedException if this thread was interrupted; POV-Ray is then ended
+     * @return trace time reported by POV-Ray, in milliseconds
+     * @throws IOException if it fails; the message ends with its last output line
+     * @throws InterruptedException if this thread was interrupted; POV-Ray is then terminated
      */
     public double traceMs(PovScene scene, int width, int height, int threads) throws IOException, InterruptedException {
         return inTempFolder(scene, folder -> traceMs(folder, command(width, height, threads, "-F")));
@@ -51,8 +51,8 @@ public final class PovRayRunner {
     /**
      * Traces a scene, without anti-aliasing.
      *
-     * @return the picture that POV-Ray wrote, in the linear values that its 8-bit codes display
-     * @throws IOException          as {@link #traceMs}
+     * @return the image, as linear values of its 8-bit codes
+     * @throws IOException as {@link #traceMs}
      * @throws InterruptedException as {@link #traceMs}
      */
     public Film render(PovScene scene, int width, int height, int threads) throws IOException, InterruptedException {
@@ -66,17 +66,17 @@ public final class PovRayRunner {
     public interface ProcessWrapper {
         void run(PovProcess process) throws IOException, InterruptedException;
 
-        /** Starts the process and waits for its end. */
+        /** Process that runs until its end. */
         interface PovProcess {
             void run() throws IOException, InterruptedException;
         }
     }
 
     /**
-     * Traces a scene, without anti-aliasing, into a PNG file that nobody reads.
+     * Traces a scene, without anti-aliasing, to a PNG file that is discarded.
      *
-     * @param wrapper runs the process: nothing else is done then
-     * @throws IOException          as {@link #traceMs}
+     * @param wrapper runs the process while nothing else runs
+     * @throws IOException as {@link #traceMs}
      * @throws InterruptedException as {@link #traceMs}
      */
     public void runWrapped(PovScene scene, int width, int height, int threads, ProcessWrapper wrapper)
@@ -94,7 +94,7 @@ public final class PovRayRunner {
         return arguments;
     }
 
-    /** What is done with a folder that holds a scene. */
+    /** Task on a folder that contains a scene. */
     private interface FolderTask<T> {
         T run(Path folder) throws IOException, InterruptedException;
     }
@@ -125,12 +125,12 @@ public final class PovRayRunner {
         return traceMs(Files.readString(log, StandardCharsets.ISO_8859_1));
     }
 
-    /** Finds the trace time, milliseconds, in what POV-Ray printed. */
+    /** Returns the trace time in milliseconds from POV-Ray's output. */
     static double traceMs(String log) throws IOException {
         Matcher time = TRACE_TIME.matcher(log);
         if (!time.find()) {
             String last = log.lines().filter(line -> !line.isBlank()).reduce("nothing", (_, line) -> line);
-            throw new IOException("POV-Ray told no trace time; it ended with: " + last.strip());
+            throw new IOException("POV-Ray reported no trace time; its last output was: " + last.strip());
         }
         return 1000 * Double.parseDouble(time.group(1));
     }

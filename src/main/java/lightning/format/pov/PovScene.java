@@ -21,9 +21,9 @@ import lightning.scene.Solid;
 import lightning.scene.Texture;
 import lightning.scene.TextureMap;
 
-/** A scene in POV-Ray's language. */
+/** Scene in POV-Ray's language. */
 public final class PovScene {
-    /** How many holes one ray may pass: POV-Ray counts them as it counts mirrors. */
+    /** Maximum number of cutouts that a ray passes; POV-Ray counts them like reflections. */
     private static final int CUTOUT_LEVELS = 20;
 
     private final String text;
@@ -39,9 +39,9 @@ public final class PovScene {
     }
 
     /**
-     * Translates a scene.
+     * Converts a scene.
      *
-     * @param name the beginning of the names of its texture files
+     * @param name prefix of the names of its texture files
      */
     public static PovScene of(Scene scene, String name) {
         List<String> warnings = new ArrayList<>();
@@ -53,8 +53,8 @@ public final class PovScene {
                 .append("\n  adc_bailout 0\n  ambient_light rgb ").append(scene.world().ambience()).append("\n}\n");
         body.append("background { ").append(PovFormat.rgb(scene.world().background())).append(" }\n");
         scene.world().environment().ifPresent(p -> {
-            warnings.add("the environment is its lamps; the picture of it is looked for as " + p.file());
-            // POV-Ray's picture begins at the x axis and runs towards z; ours, a quarter before that, begins in the middle at −z.
+            warnings.add("the environment is exported as sample lights; its image is expected at " + p.file());
+            // POV-Ray's image starts at the x axis and runs toward z; ours starts a quarter earlier, with its middle at −z.
             body.append("sky_sphere {\n  pigment { image_map { hdr \"").append(p.file().replaceAll("[\\\\\"]", "\\\\$0"))
                     .append("\" map_type 1 interpolate 2 } }\n  rotate <0, ")
                     .append(scene.world().rotation() - 90).append(", 0>\n  emission rgb ").append(scene.world().intensity())
@@ -85,7 +85,7 @@ public final class PovScene {
     private static String header(Scene scene, List<String> warnings) {
         var header = new StringBuilder("// For POV-Ray 3.7. Run in this folder: povray +Ithis.pov +W" + scene.picture().width()
                 + " +H" + scene.picture().height() + " -A -D\n");
-        warnings.forEach(warning -> header.append("// Not as in the scene: ").append(warning).append('\n'));
+        warnings.forEach(warning -> header.append("// Not exported exactly: ").append(warning).append('\n'));
         return header.append("#version 3.7;\n").toString();
     }
 
@@ -102,7 +102,7 @@ public final class PovScene {
                 + PovFormat.vector(up) + "\n}\n";
     }
 
-    /** A solid, left open for texture and placing. */
+    /** Returns a solid, left open for texture and transform. */
     private static String solid(Solid solid, PovMeshWriter meshes) {
         return switch (solid) {
             case Solid.Canonical c -> c.toPovRay();
@@ -116,18 +116,18 @@ public final class PovScene {
         return file;
     }
 
-    /** The file's content. */
+    /** Returns the file's content. */
     public String text() {
         return text;
     }
 
-    /** What POV-Ray cannot say, or not exactly: one sentence each, the scene's names in it. */
+    /** Returns the features that POV-Ray does not support exactly, one sentence each, with names of the scene. */
     public List<String> losses() {
         return warnings;
     }
 
     /**
-     * Writes the scene, and its textures beside it.
+     * Writes the scene, and its textures next to it.
      *
      * @throws IOException if a file cannot be written
      */
@@ -136,13 +136,13 @@ public final class PovScene {
             ImageFile.write(file.resolveSibling(image.getKey()), film(image.getValue()), ViewTransform.DEFAULT);
         }
         for (var image : bumpMaps.entrySet()) {
-            // Slopes are differences of neighbors: 8 bits would make steps of them.
+            // Bump slopes are differences of neighbors, which 8 bits would quantize visibly.
             ImageFile.write(file.resolveSibling(image.getKey()), gray(image.getValue()), new ViewTransform(0, DisplayCurve.LINEAR), 16);
         }
         AtomicFile.write(file, out -> out.write(text.getBytes(StandardCharsets.UTF_8)));
     }
 
-    /** Of the luminance, which POV-Ray weighs otherwise. */
+    /** Returns the luminance as gray, because POV-Ray weights channels differently. */
     private static Film gray(Texture texture) {
         float[] rgb = new float[3 * texture.width() * texture.height()];
         for (int i = 0; i < rgb.length; i++) {

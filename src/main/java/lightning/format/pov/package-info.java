@@ -1,13 +1,13 @@
 /**
- * Scenes in the language of POV-Ray 3.7, for pictures and times to compare with.
+ * Export of scenes to POV-Ray 3.7, to compare images and times.
  *
  * <pre>{@code
  * PovScene pov = PovScene.of(scene, "bird");
- * pov.write(Path.of("bird.pov"));       // and its textures beside it
+ * pov.write(Path.of("bird.pov"));       // and its textures next to it
  * pov.losses().forEach(System.out::println);
  * }</pre>
  *
- * <p>The coordinates stay as they are: POV-Ray's camera is given right-handed axes. Everything that POV-Ray cannot say,
- * or not exactly, is told in {@link lightning.format.pov.PovScene#losses()} and in the file.
+ * <p>Coordinates stay unchanged: POV-Ray's camera gets right-handed axes. Features that POV-Ray does not support exactly are
+ * listed in {@link lightning.format.pov.PovScene#losses()} and in the file.
  */
 package lightning.format.pov;

@@ -17,7 +17,7 @@ import lightning.format.mesh.MeshException;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** No glTF file becomes much more in memory than its bytes justify. */
+/** Limits for the memory that a glTF file expands to. */
 class ExpansionLimitTest {
     private static final ThreadMXBean THREADS = (ThreadMXBean) ManagementFactory.getThreadMXBean();
     private static final String PRIMITIVE = "{'attributes': {'POSITION': 0}, 'indices': 3}";
@@ -41,7 +41,7 @@ class ExpansionLimitTest {
         Path file = writeFile(scene(1000, PRIMITIVE, 1000));
         long startBytes = THREADS.getCurrentThreadAllocatedBytes();
         assertThatExceptionOfType(MeshException.class).isThrownBy(() -> read(file)).withMessage(file + ": nodes: must show at most 100000"
-                + " shapes where the file and its buffers have " + Files.size(file) + " bytes, found 1000000; each node shows every"
+                + " shapes for a file and buffers of " + Files.size(file) + " bytes, found 1000000; each node shows every"
                 + " primitive of its mesh");
         assertThat(THREADS.getCurrentThreadAllocatedBytes() - startBytes).as("bytes for a file of %d", Files.size(file))
                 .isLessThan(16L << 20);
@@ -63,13 +63,13 @@ class ExpansionLimitTest {
         assertThat(imported.scene().stage().shapeCount()).isEqualTo(400);
     }
 
-    /** A set of a few parts that stands a hundred times. */
+    /** Object of a few parts with a hundred instances. */
     @Test
     void ordinaryNodes_areAccepted() throws Exception {
         assertThat(read(writeFile(scene(100, PRIMITIVE, 20))).scene().stage().shapeCount()).isEqualTo(2000);
     }
 
-    /** 200 primitives of 30 000 vertices that are all zero, of which the file holds none. */
+    /** 200 primitives of 30 000 zero vertices, none of which are in the file. */
     @Test
     void sharedVertices_areLimitedByFileSize() throws IOException {
         String zeros = scene(1, "{'attributes': {'POSITION': 0}}", 200)
@@ -78,7 +78,7 @@ class ExpansionLimitTest {
         Path file = writeFile(zeros);
         long startBytes = THREADS.getCurrentThreadAllocatedBytes();
         assertThatExceptionOfType(MeshException.class).isThrownBy(() -> read(file))
-                .withMessageContaining("the meshes up to here must take at most 68 MiB where the file and its buffers have");
+                .withMessageContaining("the meshes up to here must take at most 68 MiB for a file and buffers of");
         assertThat(THREADS.getCurrentThreadAllocatedBytes() - startBytes).isLessThan(512L << 20);
     }
 

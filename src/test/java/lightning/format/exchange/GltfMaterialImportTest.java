@@ -34,15 +34,15 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** What materials of glTF become, and that they are lit as the format's specification says (appendix B). */
+/** Imported glTF materials, and their shading compared with the specification (appendix B). */
 class GltfMaterialImportTest {
     private static final Vec3 EYE = new Vec3(0.5, -0.9, 0.8);
     private static final Vec3 BULB = new Vec3(0.8, 1.4, 0.7);
     private static final double WATTS_PER_STERADIAN = 2.5;
-    /** By which the eye is turned about x, so that it looks along (0, sin 60°, −cos 60°). */
+    /** Rotation of the camera about x, so that it looks along (0, sin 60°, −cos 60°). */
     private static final double ROTATION = Math.toRadians(60);
     private static final double YFOV = 0.5;
-    /** A pixel of 128, 192, 255. */
+    /** Pixel with the values 128, 192, 255. */
     private static final String PIXEL =
             "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAIAAACQd1PeAAAADElEQVR4nGNoOPAfAAQDAkBvhCYaAAAAAElFTkSuQmCC";
 
@@ -80,7 +80,10 @@ class GltfMaterialImportTest {
         return "{'pbrMetallicRoughness': {" + numbers + "}}";
     }
 
-    /** Appendix B.3: a mixture of a metal and of what scatters below a surface that mirrors, for an irradiance of 1 on what faces the light. */
+    /**
+     * Returns the BRDF of appendix B.3, a mix of a metal and a coated diffuse surface, for an irradiance of 1 perpendicular
+     * to the light.
+     */
     private static double specifiedBrdf(double base, double metallic, double roughness, double f0, Vec3 n, Vec3 l, Vec3 v) {
         double alpha = roughness * roughness;
         Vec3 h = l.plus(v).normalized();
@@ -92,15 +95,15 @@ class GltfMaterialImportTest {
         double mirrored = distribution * masking * shadowing / (4 * nl * nv);
         double grazing = Math.pow(1 - v.dot(h), 5);
         double metal = mirrored * (base + (1 - base) * grazing);
-        // Not (1 − F)·base/π, but what decision 47 says: coupled to what is mirrored on the way in and on the way out.
+        // Not (1 − F)·base/π, but decision 47: coupled to the reflection on the way in and on the way out.
         double scattered = base / Math.PI * (1 - f0) * (1 - Math.pow(1 - nl, 5)) * (1 - Math.pow(1 - nv, 5));
         double dielectric = scattered + mirrored * (f0 + (1 - f0) * grazing);
         return nl * (metallic * metal + (1 - metallic) * dielectric);
     }
 
     /**
-     * All pixels of a picture of the file, against the specification at the place that they see. Points and directions there are floats: N·H is
-     * off by at most 8·2⁻²⁴ beside a highlight whose slope is at most 4/α of its height.
+     * Compares all pixels with the specification at their visible points. Points and directions are floats: N·H is off by at
+     * most 8·2⁻²⁴, next to a highlight whose slope is at most 4/α of its height.
      */
     @ParameterizedTest
     @CsvSource({"1, 0.3, 1.5", "1, 0.6, 1.5", "1, 1, 1.5", "0, 0.3, 1.5", "0, 0.5, 1.8", "0, 1, 1", "0.4, 0.45, 2.4"})
@@ -138,7 +141,7 @@ class GltfMaterialImportTest {
         assertThat(compared).isGreaterThan(300);
     }
 
-    /** Where the middle of a pixel sees the square's plane. */
+    /** Returns where the center of a pixel sees the square's plane. */
     private static Vec3 visiblePoint(int x, int y, int width, int height) {
         double halfHeight = Math.tan(YFOV / 2);
         double right = ((x + 0.5) / width * 2 - 1) * halfHeight * width / height;
@@ -157,7 +160,7 @@ class GltfMaterialImportTest {
         assertThat(material.f0()).isEqualTo(0.04);
     }
 
-    /** Most files say 1 1 1, and where they glow by the picture: a factor alone would make all of the surface shine. */
+    /** Most files contain a factor of 1 1 1 and emit by the texture; the factor alone would make the whole surface emit. */
     @Test
     void emissiveTexture_isReplacedByItsMean() throws Exception {
         ImportedScene imported = importJson("{'emissiveTexture': {'index': 0}, 'emissiveFactor': [1, 0.5, 1]}");
@@ -165,7 +168,7 @@ class GltfMaterialImportTest {
         assertThat(emission.r()).isEqualTo(SrgbCurve.toLinear(128 / 255.0), within(1e-6));
         assertThat(emission.g()).isEqualTo(0.5 * SrgbCurve.toLinear(192 / 255.0), within(1e-6));
         assertThat(emission.b()).isEqualTo(1, within(1e-6));
-        assertThat(imported.notes()).containsEntry("emissiveTexture of materials, of which the mean is taken", 1);
+        assertThat(imported.notes()).containsEntry("emissiveTexture of materials, averaged", 1);
     }
 
     @Test
@@ -195,8 +198,8 @@ class GltfMaterialImportTest {
         assertThat(material(plastic.replace("COLOR", "8, 8, 8")).f0()).as("a surface mirrors all, half of which is left").isEqualTo(0.5);
         ImportedScene tinted = importJson(plastic.replace("COLOR", "1, 0, 0"));
         assertThat(tinted.scene().materials().getFirst().f0()).isEqualTo(0.2126 * 0.125);
-        assertThat(tinted.notes()).containsEntry("colored highlights of materials that are no metals, gray here", 1)
-                .containsEntry("highlights of materials weakened where they are grazed, not weakened here", 1);
+        assertThat(tinted.notes()).containsEntry("colored highlights of dielectric materials, imported as gray", 1)
+                .containsEntry("grazing-angle specular below 1 (specularFactor), imported as 1", 1);
         assertThat(importJson(plastic.replace("COLOR", "1, 0, 0").replace("'metallicFactor': 0", "'metallicFactor': 1")).notes().keySet())
                 .as("of a metal").noneMatch(note -> note.contains("highlights"));
     }
@@ -211,7 +214,7 @@ class GltfMaterialImportTest {
             ImportedScene imported = importJson(rough);
             assertThat(imported.scene().materials().getFirst().reflective()).as(rough).isEqualTo(Rgb.BLACK);
             assertThat(imported.notes()).as(rough)
-                    .containsEntry("metals that mirror lights alone here, being rough, in part no metal, textured or shining", 1);
+                    .containsEntry("metals that reflect only lights (rough, partly metallic, textured or emissive)", 1);
         }
         ImportedScene plastic = importJson(surface(gold + ", 'metallicFactor': 0"));
         assertThat(plastic.scene().materials().getFirst().reflective()).isEqualTo(Rgb.BLACK);
@@ -226,7 +229,7 @@ class GltfMaterialImportTest {
         assertThat(material.metalness()).isEqualTo(0.5);
         assertThat(material.roughness()).isEqualTo(0.5 * (192 / 255f));
         assertThat(material.texture()).isEmpty();
-        assertThat(imported.notes()).containsEntry("metallicRoughnessTexture of materials, of which the mean is taken", 1);
+        assertThat(imported.notes()).containsEntry("metallicRoughnessTexture of materials, averaged", 1);
     }
 
     @Test
@@ -265,7 +268,7 @@ class GltfMaterialImportTest {
                 importJson("{'pbrMetallicRoughness': {'baseColorTexture': {'index': 0}}, 'normalTexture': {'index': 0, PLACED}}"
                         .replace("PLACED", placement));
         assertThat(
-                imported.notes().getOrDefault("normalTexture of materials placed otherwise than their baseColorTexture, as that here", 0))
+                imported.notes().getOrDefault("normalTexture of materials with another placement than baseColorTexture, placed like it", 0))
                 .isEqualTo(noteCount);
     }
 
@@ -284,7 +287,7 @@ class GltfMaterialImportTest {
                    'KHR_materials_volume': {'thicknessFactor': 1, 'attenuationColor': [1, 0.5, 0.25], 'attenuationDistance': 3}}}""");
         assertThat(glass.transmission()).isEqualTo(new Transmission(new Rgb(0.4, 0.25, 0.125), 1.33, false, new Rgb(1, 0.5, 0.25), 3,
                 ShadowCasting.TINTED));
-        // Its clearest channel lets 0.4 pass, so 0.6 of this is half of the file's.
+        // Its most transparent channel transmits 0.4, so 0.6 of this is half of the file's value.
         assertThat(glass.base().times(0.6).r()).isCloseTo(0.4, within(1e-15));
         assertThat(glass.base().times(0.6).b()).isCloseTo(0.125, within(1e-15));
     }
@@ -304,7 +307,7 @@ class GltfMaterialImportTest {
                 .isEqualTo(Transmission.NONE);
     }
 
-    /** A veil over a background of 1 that nothing lights, so that its own color is black. */
+    /** Unlit veil over a background of 1, so that its own color is black. */
     @Test
     void blendedMaterial_showsBackgroundByItsOpacity() throws Exception {
         ImportedScene imported =
@@ -358,7 +361,7 @@ class GltfMaterialImportTest {
         ImportedScene fading = masked("'alphaMode': 'BLEND', ", 1, BufferedImage.TYPE_INT_ARGB);
         assertThat(fading.scene().materials().getFirst().cutout().cutoff()).isEqualTo(0.5);
         assertThat(fading.scene().materials().getFirst().cutout().isActive()).isTrue();
-        assertThat(fading.notes()).containsEntry("pictures that fade out, cut out here where half of them is there", 1);
+        assertThat(fading.notes()).containsEntry("alpha-blended textures, imported as cutouts at half opacity", 1);
         ImportedScene veil = masked("'alphaMode': 'BLEND', ", 0.8, BufferedImage.TYPE_INT_ARGB);
         assertThat(veil.scene().materials().getFirst().cutout()).isEqualTo(AlphaCutout.NONE);
         assertThat(veil.scene().materials().getFirst().transmission().isTransparent()).isTrue();

@@ -26,7 +26,7 @@ import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 import tools.jackson.databind.node.ObjectNode;
 
-/** Lights go back into the glTF file that they came from. */
+/** Export of lights to the glTF file from which they were imported. */
 class LightExportTest {
     private static final JsonMapper EXACT = JsonMapper.builder().enable(DeserializationFeature.USE_BIG_DECIMAL_FOR_FLOATS).build();
     private static final String SCENE = GltfFixtures.SQUARE_JSON.replace("'nodes': [{'mesh': 0, 'name': 'floor'}]", """
@@ -93,8 +93,8 @@ class LightExportTest {
         Scene odd = scene.withLight(scene.light("lamp").orElseThrow().withAttenuation(new Attenuation(1, 0.5, 0)))
                 .withLight(scene.light("beam").orElseThrow().withOn(false).withAngle(120));
         assertThat(LightExport.toGltf(gltf, odd, LightUnits.CANDELA, Progress.NONE).notes()).containsKeys(
-                "lights that do not fall off with the square of the distance; theirs is right at distance 1",
-                "lights that are dark, which shine there", "spots wider than 90 degrees");
+                "lights without inverse-square falloff, exact only at distance 1",
+                "lights that are off, exported as on", "spots wider than 90 degrees");
     }
 
     @Test
@@ -118,7 +118,7 @@ class LightExportTest {
                 "solo");
     }
 
-    /** The file without the extension's lists and references. */
+    /** Returns the file without the extension's lists and references. */
     private static JsonNode withoutLights(JsonNode root) {
         ((ObjectNode) root.get("extensions")).remove("KHR_lights_punctual");
         ((ObjectNode) root).remove("extensionsUsed");

@@ -43,7 +43,7 @@ import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 import tools.jackson.databind.node.ObjectNode;
 
-/** Lights that go into a glTF file, or a JSON, and come back have every attribute of the table. */
+/** Round trip of lights through glTF and JSON: every attribute of the table is preserved. */
 class LightSettingsTest {
     private static final JsonMapper JSON = JsonMapper.builder().build();
     private static final LightGroup GROUP = new LightGroup("keys", new Rgb(1, 0.5, 0.25), 3, true, false);
@@ -72,7 +72,7 @@ class LightSettingsTest {
         Files.delete(folder);
     }
 
-    /** Lights without files, which {@link #existingFiles_areRestored} has, alone or in a bank. */
+    /** Lights without files, alone or in a bank; {@link #existingFiles_areRestored} covers files. */
     @Provide
     Arbitrary<LightRig> rigs() {
         return Combinators.combine(AttributeArbitraries.lights(), Arbitraries.of(true, false), Arbitraries.of(true, false))
@@ -153,8 +153,8 @@ class LightSettingsTest {
             settings.putArray("up").add(1);
             settings.putObject("illuminates").put("only", true).putArray("names").add("not there");
         }));
-        assertThat(imported.notes()).containsEntry("settings of lights that cannot be used here", 6)
-                .containsEntry("lights linked to shapes that are not there", 1);
+        assertThat(imported.notes()).containsEntry("light settings that cannot be restored", 6)
+                .containsEntry("light links to missing objects", 1);
         assertThat(imported.scene().lights().getFirst()).isEqualTo(RICH.withFeather(0).withIlluminates(ShapeLinks.NONE));
         for (String invalid : List.of("7", "[]", "{}", "{\"lightning\": 3}", "{\"lightning\": {\"light_units\": 5}}")) {
             Light restored =
@@ -184,8 +184,8 @@ class LightSettingsTest {
     void linkedAndDarkLights_areNoted() throws Exception {
         assertThat(LightExport.toGltf(gltf, scene.withRig(LightRig.of(List.of(RICH.withOn(false)))), LightUnits.CANDELA, Progress.NONE)
                 .notes())
-                .containsEntry("lights linked to shapes, which shine on all there", 1)
-                .containsEntry("lights that are dark, which shine there", 1);
+                .containsEntry("light linking, exported as illuminating everything", 1)
+                .containsEntry("lights that are off, exported as on", 1);
     }
 
     private static JsonNode light(JsonNode root) {

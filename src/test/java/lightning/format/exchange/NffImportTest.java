@@ -30,13 +30,13 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** NFF files become scenes: solids where they stand there, polygons and patches from the file itself. */
+/** Import of NFF: solids are converted, polygons and patches are referenced in the source file. */
 class NffImportTest {
     @TempDir
     private Path folder;
 
     static Stream<Arguments> databases() {
-        // Balls, tubes and triangles by the databases' definitions.
+        // Spheres, cones and triangles, by the databases' definitions.
         return Stream.of(Arguments.of("balls", SpdScenes.balls(2), 1 + 9 + 81, 0, 2),
                 Arguments.of("gears", SpdScenes.gears(9), 0, 0, 2 * 34 + 2 * 36),
                 Arguments.of("mountain", SpdScenes.mountain(4), 4, 0, 2 * 16 * 16),
@@ -57,7 +57,7 @@ class NffImportTest {
         assertThat(solids).filteredOn(s -> s instanceof Solid.Frustum || s instanceof Solid.Cylinder).hasSize(cones);
         assertThat(solids.stream().mapToInt(s -> s instanceof Solid.TriangleMesh t ? t.mesh().triangleCount() : 0).sum())
                 .isEqualTo(triangles);
-        assertThat(imported.notes().keySet()).allMatch(note -> note.startsWith("materials that light goes through"));
+        assertThat(imported.notes().keySet()).allMatch(note -> note.startsWith("emission of transparent materials"));
     }
 
     @Property
@@ -99,7 +99,7 @@ class NffImportTest {
     void specularFill_isReflective() throws Exception {
         ImportedScene imported = read("a", "f 1 0.5 0 0.4 0.5 20 0 1.5\ns 0 0 0 1\n");
         assertThat(imported.scene().materials().getFirst()).satisfies(m -> {
-            // 0.4 of the color are seen where half of all diffuse light is mirrored away.
+            // 0.4 of the color is visible if half of all diffuse light is reflected.
             assertThat(m.diffuse()).isEqualTo(new Rgb(0.8, 0.4, 0));
             assertThat(m.reflective()).isEqualTo(Rgb.gray(0.5));
             assertThat(m.specular()).isEqualTo(Rgb.gray(0.5));
@@ -125,7 +125,7 @@ class NffImportTest {
     void flatShapes_areSkippedAndNoted() throws Exception {
         ImportedScene imported = read("a", "s 0 0 0 0\nc 0 0 0 1 0 0 0 1\nc 0 0 0 0 1 0 0 0\ns 0 0 0 1\n");
         assertThat(imported.scene().placedShapes()).hasSize(1);
-        assertThat(imported.notes()).containsEntry("shapes that are flat, too small or too large", 3);
+        assertThat(imported.notes()).containsEntry("objects that are flat, too small or too large", 3);
     }
 
     private static void assertNear(Vec3 actual, Vec3 expected) {

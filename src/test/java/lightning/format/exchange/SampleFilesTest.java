@@ -21,13 +21,13 @@ import org.junit.jupiter.api.TestFactory;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * Files that other programs wrote, damaged ones among them: each opens, or says why not. Those of Debian's package
- * {@code assimp-testmodels}, or of the folder that {@code -Dlightning.samples=DIR} names; skipped where there are none, unless the
- * environment has {@code LIGHTNING_NEEDS_SAMPLES}.
+ * Sample files of other programs, including damaged ones: each opens or gives an error message. Uses Debian's package {@code
+ * assimp-testmodels} or the folder of {@code -Dlightning.samples=DIR}; skipped if there are none, unless the environment
+ * contains {@code LIGHTNING_NEEDS_SAMPLES}.
  */
 class SampleFilesTest {
     private static final Path FOLDER = Path.of(System.getProperty("lightning.samples", "/usr/share/assimp/models"));
-    /** The largest has 2 MB: a reader that takes longer hangs. */
+    /** Time limit: the largest file has 2 MB, so a slower reader hangs. */
     private static final Duration MAX_DURATION = Duration.ofSeconds(Await.TIMEOUT_SECONDS);
 
     @TempDir

@@ -33,7 +33,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Files of other programs become scenes that can be read and shown. */
+/** Import of other programs' files to scenes that can be read and rendered. */
 class SceneImporterTest {
     private static final String SCENE = GltfFixtures.SQUARE_JSON.replace("'nodes': [{'mesh': 0, 'name': 'floor'}]", """
             'nodes': [{'name': 'set', 'translation': [0, 0, 5], 'scale': [2, 2, 2], 'children': [1, 2, 3, 4]},
@@ -81,7 +81,7 @@ class SceneImporterTest {
         Light bulb = scene.light("bulb").orElseThrow();
         assertThat(bulb.type()).isEqualTo(LightType.POINT);
         assertNear(bulb.position(), new Vec3(0, 2, 5));
-        // 683 candela are a watt per steradian, which on white at distance 1 is 1 / π.
+        // 683 candela are a watt per steradian, which gives white at distance 1 the value 1 / π.
         assertThat(bulb.intensity() / bulb.attenuation().quadratic()).isCloseTo(1 / Math.PI, Offset.offset(1e-12));
     }
 
@@ -100,11 +100,11 @@ class SceneImporterTest {
                         "'textures': [{'sampler': 0, 'source': 0}], 'samplers': [{'wrapS': 33071, 'magFilter': 9728}], "
                                 + "'images': [{'uri': 'data:image/png;base64,'}], 'cameras':");
         assertThat(read(Files.write(from.resolve("a.glb"), GltfFixtures.binary(clamped, GltfFixtures.SQUARE))).notes())
-                .containsEntry("textures that end or turn back at their edges, repeated here", 1)
-                .containsEntry("textures with hard pixels, smooth here", 1);
+                .containsEntry("clamped or mirrored textures, imported as repeating", 1)
+                .containsEntry("unfiltered textures, imported as filtered", 1);
     }
 
-    /** A pixel of 128, 192, 255. */
+    /** Pixel with the values 128, 192, 255. */
     @Test
     void normalMap_hasItsScale() throws Exception {
         String mapped =
@@ -155,7 +155,7 @@ class SceneImporterTest {
                 .withMessageEndingWith("cameras[0].perspective.aspectRatio: must be above 0, was 0");
     }
 
-    /** Wherever the camera stands, and however it is held, light comes over its shoulder. */
+    /** For any camera position and orientation, the default light comes from above its right side. */
     @ParameterizedTest
     @CsvSource({"0, 0, 4, 0, 0, 0, 1", "0, 0, -4, 0, 1, 0, 0", "4, 0, 0, 0, 0.70710678, 0, 0.70710678",
         "0, 4, 0, -0.70710678, 0, 0, 0.70710678",
@@ -190,7 +190,7 @@ class SceneImporterTest {
         assertThat(to.resolveSibling("my data.bin")).hasSameBinaryContentAs(from.resolve("my data.bin"));
         Files.write(to.resolveSibling("a.gltf"), new byte[1]);
         assertThatExceptionOfType(IOException.class).isThrownBy(() -> read(file).write())
-                .withMessageContaining("a.gltf: is there already and holds something else");
+                .withMessageContaining("a.gltf: already exists with other content");
         assertThat(to.resolveSibling("a.gltf")).hasSize(1);
     }
 
@@ -204,7 +204,7 @@ class SceneImporterTest {
         assertThat(scene.lights()).as("one is made up").hasSize(1);
     }
 
-    /** As MeshLab writes materials, under the diffuse model and under that of highlights. */
+    /** MTL files of MeshLab, for the diffuse model and the highlight model. */
     @ParameterizedTest
     @ValueSource(ints = {1, 2})
     void zeroExponent_addsNoHighlight(int illumination) throws Exception {
@@ -279,10 +279,10 @@ class SceneImporterTest {
         Path file = Files.write(from.resolve("a.glb"),
                 GltfFixtures.binary(SCENE.replace("'children': [1, 2, 3, 4]", "'children': [1, 0]"), GltfFixtures.SQUARE));
         assertThatExceptionOfType(MeshException.class).isThrownBy(() -> read(file))
-                .withMessageEndingWith("nodes[0].children[1]: must be a node that stands nowhere else, was 0");
+                .withMessageEndingWith("nodes[0].children[1]: must be a node with a single parent, was 0");
     }
 
-    /** A picture whose file is named so. */
+    /** Writes a scene with a texture of the given file name. */
     private Path withTexture(String uri) throws IOException {
         return Files.write(from.resolve("a.glb"), GltfFixtures.binary(SCENE.replace("'metallicFactor': 0}",
                 "'metallicFactor': 0, 'baseColorTexture': {'index': 0}}").replace("'cameras':",
@@ -314,7 +314,7 @@ class SceneImporterTest {
         Path file = Files.write(from.resolve("a.glb"), GltfFixtures.binary(SCENE, GltfFixtures.SQUARE));
         assertThat(new ProcessBuilder("mkfifo", to.resolveSibling("a.glb").toString()).start().waitFor()).isZero();
         assertThatExceptionOfType(IOException.class).isThrownBy(() -> read(file).write())
-                .withMessageEndingWith("a.glb: is a pipe or a device, expected a file to lie beside the scene");
+                .withMessageEndingWith("a.glb: is a pipe or a device, expected a file to copy next to the scene");
     }
 
     @Test

@@ -10,7 +10,7 @@ import net.jqwik.api.Property;
 import net.jqwik.api.constraints.DoubleRange;
 import org.junit.jupiter.api.Test;
 
-/** What a placement can say is found again in its map; what it cannot say is known. */
+/** Decomposition recovers placements from their transforms, and reports transforms that are none. */
 class TransformDecompositionTest {
     @Property
     void placement_isRecovered(@ForAll @DoubleRange(min = -180, max = 180) double x, @ForAll @DoubleRange(min = -180, max = 180) double y,
@@ -31,7 +31,7 @@ class TransformDecompositionTest {
         Transform transform = Transform.rotation(new Vec3(x, (isNegative ? -90 : 90) - Math.pow(10, deviation), z));
         Transform found = TransformDecomposition.decompose(transform).getFirst().transform();
         for (Vec3 axis : new Vec3[] {new Vec3(1, 0, 0), Vec3.Y, new Vec3(0, 0, 1)}) {
-            // Three angles are rounded to nine decimals of a degree, some 1e-11 radians.
+            // Three angles are rounded to nine decimals of a degree, about 1e-11 radians.
             assertThat(found.transformPoint(axis).minus(transform.transformPoint(axis)).maxAbs()).isLessThan(1e-10);
         }
     }

@@ -18,11 +18,11 @@ import net.jqwik.api.constraints.IntRange;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** OpenEXR: what is written is read again, what others write is read, and nothing that is damaged does harm. */
+/** OpenEXR: round trips, files of another writer, and damaged files. */
 class ExrTest {
     private static final List<ExrChannel> CHANNELS = List.of(new ExrChannel("Z", ExrType.FLOAT), new ExrChannel("id", ExrType.UINT),
             new ExrChannel("a.G", ExrType.HALF));
-    /** A picture of 2 × 17 pixels that the OpenEXR library 3.4 wrote: R = x + 2y as float, A = y / 4 as half, by ZIP. */
+    /** Image of 2 × 17 pixels written by the OpenEXR library 3.4 with ZIP: R = x + 2y as float, A = y / 4 as half. */
     private static final String OPENEXR_SAMPLE =
             "di8xAQIAAABjaGFubmVscwBjaGxpc3QAJQAAAEEAAQAAAAAAAAABAAAAAQAAAFIAAgAAAAAAAAABAAAAAQAAAABjb21wcmVzc2lvbgBjb21wcm"
                     + "Vzc2lvbgABAAAAA2RhdGFXaW5kb3cAYm94MmkAEAAAAAAAAAAAAAAAAQAAABAAAABkaXNwbGF5V2luZG93AGJveDJpABAAAAAAAAAAAAAAAAEA"
@@ -76,7 +76,7 @@ class ExrTest {
         ExrHeader header = new ExrHeader(width, height, CHANNELS, Map.of("who", "Ä"));
         AtomicFile.of(file).writeRandomAccess(channel -> {
             ExrWriter writer = new ExrWriter(channel, header);
-            // From the bottom, as threads may.
+            // Written from the bottom up, as threads may do.
             for (int c = header.chunkCount() - 1; c >= 0; c--) {
                 ExrChunk chunk = new ExrChunk(header, c);
                 for (int i = c * ExrHeader.LINES_PER_CHUNK * width; i < (c * ExrHeader.LINES_PER_CHUNK + header.lineCount(c)) * width;
@@ -128,10 +128,10 @@ class ExrTest {
     @Test
     void otherFormat_isRejected() throws IOException {
         Path file = Files.write(folder.resolve("a.exr"), new byte[100]);
-        assertThatIOException().isThrownBy(() -> new ExrReader(file).close()).withMessageContaining("is no OpenEXR picture");
+        assertThatIOException().isThrownBy(() -> new ExrReader(file).close()).withMessageContaining("is not an OpenEXR file");
     }
 
-    /** Any byte that is another, or missing. */
+    /** Files with one changed or missing byte. */
     @Property(tries = 400)
     void damagedFile_isReadOrRejectedWithMessage(@ForAll long seed) throws IOException {
         Random random = new Random(seed);

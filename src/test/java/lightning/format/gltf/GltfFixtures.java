@@ -5,13 +5,13 @@ import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.util.Base64;
 
-/** Makes glTF files for tests: a JSON in which single quotes stand for double ones, and numbers behind it. */
+/** Builds glTF files for tests: a JSON with single quotes instead of double ones, followed by binary data. */
 public final class GltfFixtures {
-    /** A square of four vertices: positions, normals, coordinates, then six indices. */
+    /** Square of four vertices: positions, normals, texture coordinates, then six indices. */
     public static final byte[] SQUARE =
             bytes(new float[] {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 1, 1, 0, 1},
                     0, 1, 2, 0, 2, 3);
-    /** It, as a scene of one node. */
+    /** The square as a scene of one node. */
     public static final String SQUARE_JSON = """
             {'asset': {'version': '2.0'}, 'scene': 0, 'scenes': [{'nodes': [0]}], 'nodes': [{'mesh': 0, 'name': 'floor'}],
              'meshes': [{'name': 'square', 'primitives': [{'attributes': {'POSITION': 0, 'NORMAL': 1, 'TEXCOORD_0': 2}, 'indices': 3}]}],
@@ -23,7 +23,7 @@ public final class GltfFixtures {
              'buffers': [{'byteLength': 140}]}
             """;
 
-    /** It, under a bulb of 100, whatever that is. */
+    /** The square below a light of intensity 100, in unspecified units. */
     public static final String LIT_JSON = SQUARE_JSON.replace("'nodes': [{'mesh': 0, 'name': 'floor'}]", """
             'nodes': [{'mesh': 0, 'name': 'floor', 'children': [1]},
               {'name': 'bulb', 'translation': [0.5, 0.5, 1], 'extensions': {'KHR_lights_punctual': {'light': 0}}}],

@@ -19,7 +19,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Meshes of glTF files, and what is wrong with them. */
+/** Meshes of glTF files, and their errors. */
 class GltfMeshReaderTest {
     private final ConversionNotes notes = new ConversionNotes();
 
@@ -73,7 +73,7 @@ class GltfMeshReaderTest {
         assertThat(mesh.positions()).containsExactly(0, 0, 0, 1, 1, 0, 1, 1, 0, 0, 1, 0);
     }
 
-    /** Positions serve as tangents: four numbers from a place on. */
+    /** Reuses positions as tangents: four numbers from an offset on. */
     @Test
     void tangents_needNormals() throws IOException, MeshException {
         String tangents = json("'accessors': [",
@@ -84,12 +84,15 @@ class GltfMeshReaderTest {
         float half = (float) Math.sqrt(0.5);
         assertThat(onlyMesh(tangents).tangents()).containsExactly(0, 1, 0, 1, 1, 0, 0, 1, 0, 0, 1, 1, half, half, 0, 1);
         assertThat(notes.counts()).doesNotContainKey("attributes TANGENT of primitives")
-                .containsEntry("tangents whose fourth number is neither 1 nor -1", 2);
+                .containsEntry("tangents with a handedness (w) other than 1 or -1", 2);
         assertThat(onlyMesh(tangents.replace("'NORMAL': 2, ", "")).tangents()).isNull();
         assertThat(notes.counts()).containsEntry("attributes TANGENT of primitives", 1);
     }
 
-    /** As glTF 2.0 has them, of floating and of whole types: 0, 1, 2 and 0 of 65535, no sRGB; as docs/jen-format.md says. */
+    /**
+     * Vertex colors of floating-point and integer types are linear, as glTF 2.0 and docs/jen-format.md define: 0, 1, 2 and 0
+     * of 65535.
+     */
     @Test
     void vertexColors_areLinear() throws IOException, MeshException {
         String integers = json("'accessors': [",
@@ -131,9 +134,9 @@ class GltfMeshReaderTest {
         assertRejected(json("'count': 4, 'type': 'VEC3'", "'count': 60000000, 'type': 'VEC3'"),
                 "accessors[0]: needs 720000000 bytes of its bufferView, which has 128");
         assertRejected(json("'bufferView': 0, 'componentType': 5126, 'count': 4", "'componentType': 5126, 'count': 60000000"),
-                "accessors[0].count: must be at most the bytes of the file where there is no bufferView, was 60000000");
+                "accessors[0].count: must be at most the file's size if there is no bufferView, was 60000000");
         assertRejected(json("'byteLength': 140", "'byteLength': 2000000000"),
-                "buffers[0].byteLength: must be at most the bytes that are there, 140, was 2000000000");
+                "buffers[0].byteLength: must be at most the available bytes, 140, was 2000000000");
         assertRejected(json("'byteLength': 128", "'byteLength': 141"),
                 "bufferViews[0].byteLength: must be a whole number from 0 to 140, was '141'");
     }
@@ -145,9 +148,9 @@ class GltfMeshReaderTest {
         assertRejected(json("'indices': 3", "'indices': 4"),
                 "meshes[0].primitives[0].indices: must be a whole number from 0 to 3, was '4'");
         assertRejected(json("'VEC2'", "'MAT4'"), "accessors[2].type: must be SCALAR, VEC2, VEC3 or VEC4, was 'MAT4'");
-        assertRejected(json("'componentType': 5123", "'componentType': 5126"), "accessors[3]: indices must be single numbers without sign");
+        assertRejected(json("'componentType': 5123", "'componentType': 5126"), "accessors[3]: indices must be unsigned scalars");
         assertRejected(json("'scene': 0", "'extensionsRequired': ['KHR_draco_mesh_compression']"),
-                "extensionsRequired[0]: needs KHR_draco_mesh_compression, which Lightning cannot read; export it without");
+                "extensionsRequired[0]: requires KHR_draco_mesh_compression, which Lightning does not support; export without it");
         assertRejected(json("'meshes': [{", "'meshes': [7, {"), "meshes[0]: must be an object, was '7'");
         assertRejected(json("'buffers': [{", "'buffers': [{'uri': '../secret.bin', "),
                 "buffers[0].uri: must be data or a file in the folder of this one, was '../secret.bin'");
@@ -157,7 +160,7 @@ class GltfMeshReaderTest {
         assertRejected(json("'mode'", "'mode'").replace("'asset'", "asset"), "line 1, column ");
     }
 
-    /** With the version as text, as the number that early files have, without it, and as the head of a GLB. */
+    /** Version as text, as a number in early files, missing, and in the header of a GLB. */
     @Test
     void versionOne_isRejectedWithExportHint() throws IOException {
         String message = "is glTF 1.0; export it as glTF 2.0";

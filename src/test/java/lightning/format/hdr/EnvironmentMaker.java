@@ -6,16 +6,20 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 
-/** Makes the sky that lies in {@code textures}, of our own formula: clear, with a low sun and a warm horizon. */
+/** Generates the environment map in {@code textures} from a formula: a clear sky with a low sun and a warm horizon. */
 public final class EnvironmentMaker {
     private static final int WIDTH = 256;
     private static final int HEIGHT = 128;
-    /** Where the sun is: to the left, 27 degrees high. */
+    /** Direction of the sun: to the left, 27 degrees high. */
     private static final double[] SUN = {-0.83, 0.454, -0.324};
 
     private EnvironmentMaker() {}
 
-    /** @param args the folder */
+    /**
+     * Writes the environment map.
+     *
+     * @param args output folder
+     */
     public static void main(String[] args) throws IOException {
         Files.write(Path.of(args[0], "evening_sky.hdr"), evening());
     }
@@ -59,7 +63,7 @@ public final class EnvironmentMaker {
         return toSun;
     }
 
-    /** Mantissas of 8 bits with the exponent of the largest. */
+    /** Encodes 8-bit mantissas with the exponent of the largest. */
     private static void pixel(double[] color, byte[] line, int x) {
         double max = Math.max(color[0], Math.max(color[1], color[2]));
         int exponent = Math.getExponent(max) + 1;

@@ -19,10 +19,10 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** Pictures byte by byte, and pictures that lie. */
+/** Valid images byte by byte, and invalid ones. */
 class HdrReaderTest {
     private static final String HEADER = "#?RADIANCE\n# by hand\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 2\n";
-    /** 1, 2, 4 and black. */
+    /** Pixels of 1, 2, 4 and black. */
     private static final byte[] TWO_PIXELS = {(byte) 128, 64, 32, (byte) 129, 9, 9, 9, 0};
 
     @TempDir
@@ -70,15 +70,15 @@ class HdrReaderTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {
-        "#?RADIANCE | #?RADIANTE | line 1: a Radiance picture must begin with #?RADIANCE or #?RGBE, was '#?RADIANTE'",
+        "#?RADIANCE | #?RADIANTE | line 1: a Radiance HDR image must begin with #?RADIANCE or #?RGBE, was '#?RADIANTE'",
         "rgbe | xyze | line 3: the format must be 32-bit_rle_rgbe, was '32-bit_rle_xyze'",
         "FORMAT= | FOR= | line 4: expected a line FORMAT=32-bit_rle_rgbe in the header, found none",
         "-Y 1 +X 2 | +X 2 -Y 1 | line 5: the size must be written as -Y HEIGHT +X WIDTH, was '+X 2 -Y 1'",
-        "-Y 1 +X 2 | -Y 0 +X 2 | line 5: a picture must have from 1 to 8388608 pixels, has 2×0",
-        "-Y 1 +X 2 | -Y 99999 +X 99999 | line 5: a picture must have from 1 to 8388608 pixels, has 99999×99999",
-        "-Y 1 +X 2 | -Y 2000000000 +X 2000000000 | line 5: a picture must have from 1 to 8388608 pixels, has 2000000000×2000000000",
+        "-Y 1 +X 2 | -Y 0 +X 2 | line 5: an image must have from 1 to 8388608 pixels, has 2×0",
+        "-Y 1 +X 2 | -Y 99999 +X 99999 | line 5: an image must have from 1 to 8388608 pixels, has 99999×99999",
+        "-Y 1 +X 2 | -Y 2000000000 +X 2000000000 | line 5: an image must have from 1 to 8388608 pixels, has 2000000000×2000000000",
         "-Y 1 +X 2 | -Y 2048 +X 4096 | line 5: 4096×2048 pixels take at least 548864 bytes, found 8",
-        "-Y 1 +X 2 | -Y 1 +X 1 | expected nothing behind the last of 1 lines, found 4 bytes",
+        "-Y 1 +X 2 | -Y 1 +X 1 | expected nothing after the last of 1 lines, found 4 bytes",
         "# by hand | EXPOSURE=0 | line 2: an exposure must be a number from 1e-30 to 1e30, was '0'",
         "# by hand | EXPOSURE=nan | line 2: an exposure must be a number above 0, was 'nan'"})
     void invalidFile_isReportedWithLocation(String valid, String invalid, String message) {
@@ -105,10 +105,10 @@ class HdrReaderTest {
     @Test
     void oldRunLengthEncoding_isRejected() {
         assertThatThrownBy(() -> read(HEADER, new byte[] {9, 9, 9, 9, 1, 1, 1, 1}))
-                .hasMessageEndingWith("row 1: runs of pixels that are the same are not read");
+                .hasMessageEndingWith("row 1: old-style runs of equal pixels are not supported");
     }
 
-    /** Whatever is written over a picture, it is read, finite and not negative, or refused in a sentence. */
+    /** An image with any overwritten byte is read as finite, nonnegative values, or rejected with a message. */
     @Property
     void damagedFile_isReadOrReported(@ForAll @IntRange(max = 100) int index, @ForAll @IntRange(max = 255) int newByte,
             @ForAll @IntRange(max = 9) int length)

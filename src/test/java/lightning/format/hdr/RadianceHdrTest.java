@@ -16,9 +16,9 @@ import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.IntRange;
 
-/** What is written as a picture of Radiance is what its reader reads. */
+/** Round trip of written Radiance images through the reader. */
 class RadianceHdrTest {
-    /** The mantissas have 8 bits, of which the largest of the three uses all: half a unit of it is lost at most. */
+    /** Mantissas have 8 bits, and the largest of the three uses all of them, so that at most half a unit of it is lost. */
     @Property(tries = 60)
     void values_areWithinHalfAUnitOfTheLargestChannel(@ForAll @IntRange(min = 1, max = 300) int width, @ForAll long seed,
             @ForAll boolean isFlat) throws IOException, MeshException {

@@ -18,7 +18,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Files as laboratories write them, and files that lie. */
+/** IES files as laboratories write them, and invalid ones. */
 class IesReaderTest {
     private static final String PLAIN = "TILT=NONE\n1 1000 1 3 2 1 2 0 0 0\n1 1 20\n0 45 90\n0 90\n100 50 0\n200 100 10\n";
 
@@ -78,14 +78,14 @@ class IesReaderTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {
-        "TILT=NONE | a file of intensities must have a line that begins with TILT=, found none |",
+        "TILT=NONE | an IES file must have a line that begins with TILT=, found none |",
         "3 2 1 2 | line 2: number of vertical angles must be a number from 1 to 1048576, was '0' | 0 2 1 2",
         "1 3 2 1 2 | line 2: multiplier must be a number from 1e-30 to 1e12, was '0' | 0 3 2 1 2",
         "3 2 1 2 | line 3: expected 3000002 angles and intensities, found 11 | 2 1000000 1 2",
         "3 2 1 2 | line 3: expected 19 angles and intensities, found 11 | 4 3 1 2",
         "3 2 1 2 | line 2: photometric type must be a number from 1 to 3, was '4' | 3 2 4 2",
         "3 2 1 2 | line 2: number of horizontal angles must be a whole number, was 1.5 | 3 1.5 1 2",
-        "0 45 90 | line 4: vertical angles must increase, found 45.0 behind 45.0 | 45 45 90",
+        "0 45 90 | line 4: vertical angles must increase, found 45.0 after 45.0 | 45 45 90",
         "0 45 90 | line 4: vertical angle must be a number from 0 to 180, was 'nan' | 0 nan 90",
         "100 50 0 | line 6: intensity must be a number from 0 to 1e12, was '-50' | 100 -50 0",
         "100 50 0 | line 6: intensity must be a number from 0 to 1e12, was '1e999' | 100 1e999 0",
@@ -117,7 +117,7 @@ class IesReaderTest {
         assertThatThrownBy(() -> IesReader.read(file)).hasMessageEndingWith("must have at most 1048576 bytes, has 1048577");
     }
 
-    /** Whatever is written over a file, it is read, with shares from 0 to 1, or refused in a sentence. */
+    /** A file with any overwritten byte is read with values from 0 to 1, or rejected with a message. */
     @Property
     void damagedFile_isReadOrReported(@ForAll @IntRange(max = 80) int index, @ForAll @IntRange(max = 255) int newByte,
             @ForAll @IntRange(max = 9) int length)

@@ -6,17 +6,21 @@ import java.nio.file.Path;
 import java.util.Locale;
 import java.util.function.DoubleBinaryOperator;
 
-/** Makes the profiles that lie in {@code textures}, from formulas of our own. */
+/** Generates the light profiles in {@code textures} from formulas. */
 public final class ProfileMaker {
     private ProfileMaker() {}
 
-    /** @param args the folder */
+    /**
+     * Writes the profiles.
+     *
+     * @param args output folder
+     */
     public static void main(String[] args) throws IOException {
         Files.writeString(Path.of(args[0], "downlight.ies"), downlight());
         Files.writeString(Path.of(args[0], "wall_washer.ies"), wallWasher());
     }
 
-    /** A reflector: a wide beam with a ring in it and an edge at 50 degrees. */
+    /** Returns a reflector: a wide beam with a ring and an edge at 50 degrees. */
     static String downlight() {
         return file("a downlight", 5, 90, new int[] {0}, (v, _) -> {
             double edge = 1 / (1 + Math.exp((v - 42) / 4));
@@ -24,7 +28,7 @@ public final class ProfileMaker {
         });
     }
 
-    /** Most of its light goes forwards and out, at 30 degrees, next to none behind it. */
+    /** Returns a profile with most light forward and out at 30 degrees, almost none backward. */
     static String wallWasher() {
         return file("a wall washer", 5, 90, new int[] {0, 30, 60, 90, 120, 150, 180}, (v, h) -> {
             double forward = Math.cos(Math.toRadians(h));

@@ -61,7 +61,7 @@ class ImageFileTest {
         assertThat(writtenAndRead("a.exr", film).toScanlines()).containsExactly(0.099975586f, 1, 65504);
     }
 
-    /** Of 16 bits each code is that of the formula, and is read as the value that it stands for. */
+    /** With 16 bits each code follows the formula, and is read as the value that it encodes. */
     @Test
     void png16_isWithinHalfACode() throws IOException {
         float[] values = new float[3 * 5000];
@@ -84,7 +84,7 @@ class ImageFileTest {
     @Test
     void unsupportedBitDepth_isRejected() {
         assertThatIOException().isThrownBy(() -> ImageFormat.XPM.requireBitDepth(Path.of("a.xpm"), 16))
-                .withMessage("a.xpm: such a picture has 8 bits, not 16");
+                .withMessage("a.xpm: this format has 8 bits, not 16");
     }
 
     @Test
@@ -161,7 +161,7 @@ class ImageFileTest {
         Path file = folder.resolve("picture.jpg");
 
         assertThatIOException().isThrownBy(() -> ImageFile.write(file, Film.black(1, 1), ViewTransform.DEFAULT))
-                .withMessage(file + ": a picture's name must end in .png, .xpm, .pfm, .exr or .hdr");
+                .withMessage(file + ": an image's name must end in .png, .xpm, .pfm, .exr or .hdr");
         assertThatIOException().isThrownBy(() -> ImageFormat.of(Path.of("/")));
         assertThat(folder).isEmptyDirectory();
     }
@@ -194,7 +194,7 @@ class ImageFileTest {
     void truncatedFile_isRejected() throws IOException {
         Path pfm = Files.writeString(folder.resolve("cut.pfm"), "PF\n4000 4000\n-1\nabc");
 
-        assertThatIOException().isThrownBy(() -> ImageFile.read(pfm)).withMessageContaining("cut short");
+        assertThatIOException().isThrownBy(() -> ImageFile.read(pfm)).withMessageContaining("truncated");
     }
 
     @Property(tries = 600)
@@ -224,12 +224,12 @@ class ImageFileTest {
         ImageFile.write(file, Film.black(1, 1), ViewTransform.DEFAULT);
 
         assertThatIOException().isThrownBy(() -> ImageFile.read(file))
-                .withMessage(file + ": is an XPM picture, which can be written but not read");
+                .withMessage(file + ": is an XPM image, which can be written but not read");
     }
 
     @Test
     void exrHeader_determinesFullFloats() throws IOException {
-        // Halves can say every value of a black picture.
+        // Halves represent every value of a black image.
         Path halves = folder.resolve("halves.exr");
         Path floats = folder.resolve("floats.exr");
         ImageFile.write(halves, Film.black(1, 1), ViewTransform.DEFAULT, 16);
@@ -239,7 +239,7 @@ class ImageFileTest {
         assertThat(ImageFormat.of(floats).hasFullFloats(floats)).isTrue();
     }
 
-    /** The pixels that an XPM file says, read as plainly as can be. */
+    /** Returns the pixels of an XPM file, read by a minimal parser. */
     private static int[] writtenXpm(Film film) throws IOException {
         Path file = Files.createTempFile("picture", ".xpm");
         try {
@@ -281,7 +281,7 @@ class ImageFileTest {
         return ViewTransform.DEFAULT.toPixels(film);
     }
 
-    /** Bytes 12 to 28 are the header chunk's name and content; its checksum follows. */
+    /** Fixes the checksum after bytes 12 to 28, the header chunk's name and content. */
     private static void fixHeaderChecksum(byte[] png) {
         var crc = new java.util.zip.CRC32();
         crc.update(png, 12, 17);

@@ -23,7 +23,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class PngTest {
-    /** Another decoder than ours is asked: around edges of tiles, and beyond one group of bands. */
+    /** Decodes with another decoder: around tile edges, and beyond one batch of bands. */
     @Property(tries = 60)
     void everyPixel_isReadBack(@ForAll @IntRange(min = 1, max = 70) int width, @ForAll @IntRange(min = 1, max = 600) int height,
             @ForAll long seed) throws IOException {
@@ -39,7 +39,7 @@ class PngTest {
         assertThat(encode(film, bits, 3)).isEqualTo(encode(film, bits, 1));
     }
 
-    /** Java's inflater compares the stream's checksum with what it unpacked. */
+    /** Java's inflater verifies the stream's checksum. */
     @ParameterizedTest
     @ValueSource(ints = {8, 16})
     void checksums_areCorrect(int bits) throws IOException {
@@ -62,7 +62,7 @@ class PngTest {
         assertThat(lines).hasSize(650 * (1 + 90 * 3 * bits / 8));
     }
 
-    /** A line is longer than the window of 32 kB that deflating looks back into. */
+    /** Each line is longer than deflate's window of 32 kB. */
     @Test
     void similarRows_compressWell() throws IOException {
         int width = 16_000;

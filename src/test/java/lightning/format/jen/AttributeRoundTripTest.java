@@ -19,7 +19,7 @@ import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
 
-/** Every attribute of the tables can be written, read, saved into a file that was there, and set by name. */
+/** Round trip of every attribute: writing, reading, saving into an existing file, and setting by name. */
 class AttributeRoundTripTest {
     private static final String MATT = "matt";
     private final Scene studio = StudioScene.of(LightType.SPOT);
@@ -29,14 +29,14 @@ class AttributeRoundTripTest {
         return AttributeArbitraries.lights().map(l -> new Changed<>(l.attribute(), withoutFiles(l.before()), withoutFiles(l.after())));
     }
 
-    /** Pictures on surfaces need a file: {@link TextureLoadingTest} has them. */
+    /** Materials without textures; {@link TextureLoadingTest} covers those. */
     @Provide
     Arbitrary<Changed<Material>> materials() {
         return AttributeArbitraries.materials(MATT).filter(m -> !(m.attribute().kind() instanceof ValueKind.TextureKind))
                 .map(m -> new Changed<>(m.attribute(), withoutFiles(m.before()), withoutFiles(m.after())));
     }
 
-    /** Without files, and linked to what there is: a file that names anything else is refused. */
+    /** Returns the light without files, and with links to existing objects only, since others are rejected. */
     private Light withoutFiles(Light light) {
         return light.withGobo(Optional.empty()).withProfile(Optional.empty())
                 .withIlluminates(light.illuminates().retain(studio.stage()::hasNode))

@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** The table of properties against the records of the scene: both know the ranges, and they must agree. */
+/** Ranges of the property table compared with those of the scene's records. */
 class BlockTypesTest {
     record Case(BlockType<?> type, Property<?> property, int index) {
         @Override
@@ -29,7 +29,7 @@ class BlockTypesTest {
                 .flatMap(p -> java.util.stream.IntStream.range(0, p.count()).mapToObj(i -> new Case(t, p, i))));
     }
 
-    /** As if every file were there. */
+    /** Asset source in which every file exists. */
     private static final AssetSource FILES = new AssetSource() {
         @Override
         public lightning.scene.Photometry profile(String file) {
@@ -125,12 +125,12 @@ class BlockTypesTest {
         }
         values.put(BlockTypes.FILE, new Value.Quoted("a.ply"));
         if (c.type == BlockTypes.CAMERA) {
-            // So that no single number puts the view along the up direction.
+            // Keeps any single number from aligning the view with the up direction.
             values.put("from", Value.of(3, 5, 10));
             values.put("up", Value.of(1, 2, 3));
         }
         if (c.type == BlockTypes.SHOT) {
-            // So that neither end comes behind the other.
+            // Keeps the near end before the far end.
             values.put("frames", Value.of(0, lightning.scene.shot.Shot.MAX_FRAME));
         }
         List<Double> numbers = new ArrayList<>(((Value.Numbers) values.get(c.property.name())).values());

@@ -13,7 +13,7 @@ import lightning.sample.Slow;
 import lightning.scene.Scene;
 import org.junit.jupiter.api.Test;
 
-/** Edits in words with a few mistakes: each gives a scene that a file can say, or a refusal in one visible line. */
+/** Edit texts with a few errors: each gives a valid scene, or a one-line printable message. */
 @Slow
 class EditFuzzTest {
     private static final int TRIES = ByteFuzzer.tryCount(60_000);
@@ -39,7 +39,7 @@ class EditFuzzTest {
             bytes("\"", "\\", ".", "=", " ", "material:", "picture", "{", "}", "#", "\n", "1e999", "-1", "0x1p3",
                     "\u001B[31m", "\u202E", "\u2028", "𝐀".repeat(60), "none");
 
-    /** What a try does with its words. */
+    /** Edit operation on a text. */
     private interface EditOperation {
         Scene apply(Scene scene, String arguments);
     }

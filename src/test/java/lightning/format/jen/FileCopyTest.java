@@ -14,7 +14,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Pictures from elsewhere come to where scenes find them, and nowhere else. */
+/** External images are copied only to where scenes find them. */
 class FileCopyTest {
     @TempDir
     Path root;
@@ -27,7 +27,7 @@ class FileCopyTest {
         elsewhere = Files.createDirectories(root.toRealPath().resolve("elsewhere"));
     }
 
-    /** A picture of one pixel, of a gray that the content tells. */
+    /** Returns an image of one pixel whose gray depends on the content. */
     private static byte[] bytes(String content) throws IOException {
         var image = new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB);
         image.setRGB(0, 0, 0x010101 * content.charAt(0));
@@ -104,7 +104,7 @@ class FileCopyTest {
         Path outside = Files.createDirectories(root.resolve("outside"));
         Files.createSymbolicLink(scene.resolve("textures"), outside);
         assertThatIllegalArgumentException().isThrownBy(() -> FileCopy.copyToScene(FileKind.TEXTURE, picture("wood.png", "a"), scene, true))
-                .withMessageStartingWith("the folder of textures must be no link");
+                .withMessageStartingWith("the texture folder must not be a link");
         Files.delete(scene.resolve("textures"));
         Path victim = Files.writeString(outside.resolve("victim.png"), "v");
         Files.createSymbolicLink(Files.createDirectories(scene.resolve("textures")).resolve("wood.png"), victim);

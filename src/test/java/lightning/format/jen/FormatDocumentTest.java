@@ -19,7 +19,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** The format's page says what the reader does: its examples are read, its tables are the reader's. */
+/** Consistency of the format's documentation with the reader: its examples are valid, its tables match. */
 class FormatDocumentTest {
     private static final Pattern EXAMPLE = Pattern.compile("```jen\n(.*?)```", Pattern.DOTALL);
 
@@ -80,7 +80,7 @@ class FormatDocumentTest {
                 "| " + (JenLimits.TOTAL_TEXTURE_PIXELS >> 20) + " Mi |");
     }
 
-    /** The line of a property in the page's tables. */
+    /** Returns the row of a property in the document's tables. */
     static String row(Property<?> p) {
         String initial = p.initial() instanceof Value.Absent ? "none" : "`" + p.initial().text() + "`";
         String value = switch (p.form()) {

@@ -17,8 +17,8 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * Files made from the grammar with a few mistakes, and mutations of them: whatever comes, the reader
- * answers with a scene or with its own error; {@link ByteFuzzer} tells the options.
+ * Texts from the grammar with a few errors, and mutations of them: the reader returns a scene or throws its own exception;
+ * {@link ByteFuzzer} documents the options.
  */
 @Slow
 class JenFuzzTest {

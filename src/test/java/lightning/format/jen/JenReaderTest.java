@@ -203,7 +203,7 @@ class JenReaderTest {
 
     @Test
     void unpairedSurrogate_isAProblem() {
-        assertThat(problems("jen 1 # \ud800")).containsExactly("s.jen:1:9: found half of a character, U+D800");
+        assertThat(problems("jen 1 # \ud800")).containsExactly("s.jen:1:9: found an unpaired surrogate, U+D800");
     }
 
     @Test

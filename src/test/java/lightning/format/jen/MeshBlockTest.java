@@ -17,9 +17,9 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** Meshes in scene files: where their files are looked for, and what is said of those that cannot be used. */
+/** Mesh blocks of scene files: the search path of their files, and messages for unusable ones. */
 class MeshBlockTest {
-    /** A file of one triangle. */
+    /** File of one triangle. */
     static final String TRIANGLE = """
             ply
             format ascii 1.0
@@ -86,7 +86,7 @@ class MeshBlockTest {
         "mesh m { } | mesh 'm': expected a file, found none",
         "mesh m { file \"b.ply\" } | there is no mesh file 'b.ply' in the folder 'scenes'",
         "mesh m { file \"../a.ply\" } | mesh 'm': file must be a path without empty names, . and .., was '../a.ply'",
-        "mesh m { file \"/etc/passwd\" } | mesh 'm': file must be a file beside the scene or in its meshes folder",
+        "mesh m { file \"/etc/passwd\" } | mesh 'm': file must be a file next to the scene or in its meshes folder",
         "mesh m { file \"a.ply\" part head } | mesh 'm': mesh file 'a.ply' has no part 'head'",
         "mesh m { file a } | mesh 'm': file: expected a file name in quotes, found 'a'",
         "sphere m { file \"a.ply\" } | sphere 'm': unknown property 'file'",
@@ -100,7 +100,7 @@ class MeshBlockTest {
     void linkOutOfFolder_isRejected() throws Exception {
         Files.writeString(root.resolve("secret.ply"), TRIANGLE);
         Files.createSymbolicLink(scenes.resolve("b.ply"), root.resolve("secret.ply"));
-        assertThatThrownBy(() -> read("mesh m { file \"b.ply\" }")).hasMessageContaining("a link that leads out of it");
+        assertThatThrownBy(() -> read("mesh m { file \"b.ply\" }")).hasMessageContaining("a link to another folder");
     }
 
     @Test

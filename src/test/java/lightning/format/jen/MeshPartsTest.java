@@ -9,7 +9,7 @@ import lightning.format.mesh.NamedMesh;
 import lightning.scene.Mesh;
 import org.junit.jupiter.api.Test;
 
-/** Parts of mesh files are found by their names. */
+/** Lookup of parts of mesh files by name. */
 class MeshPartsTest {
     private static final int PARTS = 1000;
 

@@ -24,7 +24,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Names of any characters, in files and in edits. */
+/** Names of arbitrary characters, in files and in edits. */
 class NameSyntaxTest {
     private static final String TEXT = """
             jen 1
@@ -152,7 +152,7 @@ class NameSyntaxTest {
         assertThat(PropertyEdit.apply(scene, "picture.depth=7").picture().depth()).isEqualTo(7);
     }
 
-    /** A material, a shape, a group and a light that differ in nothing but what they are called. */
+    /** Returns a scene with a material, a shape, a group and a light that differ only by their names. */
     private static Scene scene(String name) {
         Scene empty = EMPTY;
         String other = name.equals("g") ? "h" : "g";

@@ -105,7 +105,7 @@ class PropertyEditTest {
         assertThat(wood.materials().getFirst().texture().orElseThrow().file()).isEqualTo("wood.png");
         Scene repeated = PropertyEdit.apply(wood, "material:floor.repeat=2 -3");
         assertThat(repeated.materials().getFirst().texture().orElseThrow().repeatV()).isEqualTo(-3);
-        // What the scene holds needs no folder.
+        // Assets already in the scene need no folder.
         assertThat(PropertyEdit.apply(repeated, "material:floor.texture=\"wood.png\"")).isEqualTo(repeated);
         assertThat(PropertyEdit.apply(repeated, "material:floor.texture=none")).isEqualTo(scene);
         assertThatThrownBy(() -> PropertyEdit.apply(scene, "material:floor.texture=\"wod.png\"", Path.of("scenes")))
@@ -143,7 +143,7 @@ class PropertyEditTest {
         "key.intensity=-3 | light 'key': intensity must be ≥ 0, was -3",
         "key.intensity= | light 'key': intensity must have a number, found 0",
         "key.intensity=1 2 | light 'key': intensity must have a number, found 2",
-        "key.intensity=1 on no | light 'key': expected nothing behind the value of intensity, found 'on'",
+        "key.intensity=1 on no | light 'key': expected nothing after the value of intensity, found 'on'",
         "key.intensity=1e999 | light 'key': intensity must be a number within ±1.8e308, found '1e999'",
         "key.type=pint | light 'key': type must be directional, point, spot, rect or disc, was 'pint', did you mean 'point'?",
         "key.name=fill | light 'fill': the name is already taken",
@@ -173,12 +173,13 @@ class PropertyEditTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {
-        "rim | expected a light's name and type, as in 'fill point', found 'rim'",
+        "rim | expected a light's name and type, such as 'fill point', found 'rim'",
         "rim pint | light 'rim': type must be directional, point, spot, rect or disc, was 'pint', did you mean 'point'?",
         "rim point intensity=-1 on=5 | light 'rim': intensity must be ≥ 0, was -1; light 'rim': on: expected yes or no, found '5'",
         "key point | light 'key': the name is already taken",
-        "sphere s { } | expected one light, as in 'fill point intensity=0.5', found 'sphere s { }'",
-        "light a point {} light b point {} | expected one light, as in 'fill point intensity=0.5', found 'light a point {} light b point {}'",
+        "sphere s { } | expected one light, such as 'fill point intensity=0.5', found 'sphere s { }'",
+        "light a point {} light b point {} | expected one light, such as 'fill point intensity=0.5', found 'light a point {} "
+                + "light b point {}'",
     })
     void invalidNewLight_isReported(String light, String message) {
         assertThatThrownBy(() -> PropertyEdit.add(scene, light)).isInstanceOf(IllegalArgumentException.class).hasMessage(message);

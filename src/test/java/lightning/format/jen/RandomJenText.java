@@ -4,9 +4,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
 
-/** Makes scene files from the grammar, about half of them with a mistake somewhere. */
+/** Generator of scene texts from the grammar, about half of them with an error. */
 final class RandomJenText {
-    /** The file of every mesh, which must be there. */
+    /** File of every mesh, which must exist. */
     static final String MESH = "a.ply";
 
     private static final String[] MISTAKES = {"nan", "}", "{", "\"", "-1e999", "light", "0.1.2", "§", "\u0000", "\"", "\"a\\b\"", "\"\\\"",
@@ -20,7 +20,7 @@ final class RandomJenText {
     private final List<String> materials = new ArrayList<>();
     private final List<String> nodes = new ArrayList<>();
     private final List<String> groupNames = new ArrayList<>();
-    /** The chance of a mistake at each place, one in this many; none where 0. */
+    /** Probability of an error at each position, 1 in this number; 0 for none. */
     private final int mistakes;
     private int names;
 
@@ -123,7 +123,7 @@ final class RandomJenText {
         if (mistake()) {
             return Double.toString(Double.longBitsToDouble(random.nextLong()));
         }
-        // Scales stay between ½ and 2, so that those of nested groups stay in their range.
+        // Scales stay between ½ and 2, so that the product over nested groups stays in range.
         double v = p.name().equals("scale") ? 0.5 + 1.5 * random.nextDouble()
                 : p.min() + (p.max() - p.min()) * random.nextDouble();
         return Double.toString(index == 0 && p.min() <= 0 && !p.name().equals("scale") && random.nextBoolean() ? 0.5 : v);

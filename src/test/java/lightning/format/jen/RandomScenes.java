@@ -31,9 +31,9 @@ import lightning.scene.TextureMap;
 import lightning.scene.Transmission;
 import lightning.scene.World;
 
-/** Random scenes and random edits of them, over the whole range of every number. */
+/** Random scenes and random edits, over the full range of every number. */
 final class RandomScenes {
-    /** The files that random scenes name, with pictures that differ. */
+    /** Files that random scenes reference, with different images. */
     static final List<String> TEXTURES = List.of("a.png", "sub/b c.png", "ä.png");
 
     private final Random random;
@@ -43,8 +43,10 @@ final class RandomScenes {
     private final Set<String> names = new HashSet<>();
 
     /**
-     * @param numbers   the same pictures, whose samples are no colors
-     * @param opacities the same, which tell what is there
+     * Creates a generator.
+     *
+     * @param numbers images of the same files with numeric samples
+     * @param opacities images of the same files as opacity maps
      */
     RandomScenes(Random random, List<Texture> images, List<Texture> numbers, List<Texture> opacities) {
         this.opacities = opacities;
@@ -62,7 +64,7 @@ final class RandomScenes {
         return withLightGroups(scene.withRig(LightRig.of(lights, list(2, () -> lightGroup(name())))));
     }
 
-    /** The scene after a few edits of any kind: values, names, order, additions, deletions. */
+    /** Returns the scene after a few random edits: values, names, order, additions, deletions. */
     Scene edited(Scene scene) {
         names.clear();
         names(scene.nodes());
@@ -84,7 +86,7 @@ final class RandomScenes {
         return s;
     }
 
-    /** Some lights join a bank, some leave theirs. */
+    /** Returns the scene with some lights moved into or out of banks. */
     private Scene withLightGroups(Scene scene) {
         List<LightGroup> groups = scene.rig().lightGroups();
         return scene.withLights(scene.lights().stream()
@@ -324,7 +326,7 @@ final class RandomScenes {
         return chance() ? v : -v;
     }
 
-    /** Any double from 0 to {@code max}: zeros of both signs, the least, the largest, all exponents, round ones. */
+    /** Returns any double from 0 to {@code max}: zeros of both signs, the smallest, the largest, all exponents, round ones. */
     private double positive(double max) {
         return switch (random.nextInt(7)) {
             case 0 -> 0;

@@ -21,7 +21,7 @@ import net.jqwik.api.Property;
 import net.jqwik.api.lifecycle.AfterContainer;
 import net.jqwik.api.lifecycle.BeforeContainer;
 
-/** Laws of writing and saving, over random scenes and edits. */
+/** Invariants of writing and saving, over random scenes and edits. */
 class SavingInvariantsTest {
     private static Path folder;
     private static List<Texture> images;

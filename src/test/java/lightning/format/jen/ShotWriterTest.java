@@ -20,7 +20,7 @@ import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
 import org.junit.jupiter.api.Test;
 
-/** Shots as blocks of a file. */
+/** Shot blocks of scene files. */
 class ShotWriterTest {
     private static final String SCENE = """
             jen 1
@@ -129,13 +129,13 @@ class ShotWriterTest {
                 "s.jen:7:1: shot: the last frame must be from 9 to 1e9, was 1",
                 "s.jen:9:8: shot: rate must be from 0.001 to 1000, was 0",
                 "s.jen:10:23: camera: fov: expected linear, smooth or stepped, or the frame of the next key, found 'smoth'",
-                "s.jen:10:36: camera: to: expected a key, as in '24 0 0 0', found '}'",
+                "s.jen:10:36: camera: to: expected a key such as '24 0 0 0', found '}'",
                 "s.jen:12:16: light 'key': at must be 3 numbers, found '}'",
                 "s.jen:13:17: light 'key': intensity: expected a frame, a whole number, found '1.5'",
-                "s.jen:14:18: light 'key': angle: keys must be in the order of their frames, found '4' behind 4",
+                "s.jen:14:18: light 'key': angle: keys must be in the order of their frames, found '4' after 4",
                 "s.jen:15:5: light 'key': bank has no keys: only numbers and words have",
                 "s.jen:16:12: light 'key': on must be yes or no, was 'maybe'",
-                "s.jen:17:19: light 'key': samples stays until its next key, expected stepped or nothing, found 'smooth'",
+                "s.jen:17:19: light 'key': samples holds until its next key, expected stepped or nothing, found 'smooth'",
                 "s.jen:18:5: light 'key': unknown property 'brightness', expected one of type, color, intensity, at, direction, "
                         + "attenuation, angle, dropoff, doors, feather, radius, spread, width, height, up, samples, on, solo",
                 "s.jen:19:13: light 'key': dropoff: expected '{' and keys, found '3'",

@@ -2,7 +2,7 @@ package lightning.format.jen;
 
 import java.util.Random;
 
-/** Writes the same scene in another way: comments, line ends, spaces and longer numbers anywhere. */
+/** Rewrites a scene text with the same meaning: other comments, line ends, spaces and longer numbers. */
 final class TextReformatter {
     private final Random random;
     private int comments;
@@ -37,7 +37,7 @@ final class TextReformatter {
         return kind == TokenList.Kind.OPEN || kind == TokenList.Kind.CLOSE;
     }
 
-    /** The same number written otherwise. */
+    /** Returns another spelling of a number. */
     private String number(String digits) {
         boolean isInteger = digits.matches("-?[0-9]+");
         return switch (random.nextInt(4)) {

@@ -49,7 +49,7 @@ import org.junit.jupiter.api.io.TempDir;
 import tools.jackson.core.type.TypeReference;
 import tools.jackson.databind.json.JsonMapper;
 
-/** A picture taken apart: the layers of the file add up to the picture in every bit, and each is what it says. */
+/** Layers of a written image: they add up to the image exactly, and each matches its definition. */
 @Slow
 class LayeredExrWriterTest {
     private static final List<String> COLORS = List.of("R", "G", "B");
@@ -83,7 +83,8 @@ class LayeredExrWriterTest {
                     assertThat(Float.floatToRawIntBits(sum)).as("sum of pixel %d", i).isEqualTo(Float.floatToRawIntBits(beauty[i]));
                     assertThat(beauty[i]).isEqualTo(List.of(film.red(i % film.width(), i / film.width()),
                             film.green(i % film.width(), i / film.width()), film.blue(i % film.width(), i / film.width())).get(c));
-                    // Each of n additions and of at most 16 steps of a layer loses at most half a unit, all values being at least 0.
+                    // Each of n additions and of at most 16 steps of a layer loses at most half a unit, since all values are
+                    // at least 0.
                     assertThat(Math.abs(rounding[i])).isLessThanOrEqualTo((layers.size() + 16) * 0x1p-23f * beauty[i] + 0x1p-140f);
                 }
             }
@@ -110,8 +111,8 @@ class LayeredExrWriterTest {
     }
 
     /**
-     * Whether each pixel's ray began inside a clear shape: the way through it leaves a part t of all that comes. Of a light's scattered
-     * part a and its mirrored part b the picture has t·(a + b), the layers t·a and t·b, each step rounded for itself.
+     * Marks the pixels whose ray started inside a transparent shape, which transmits the part t of all light. For a light's
+     * diffuse part a and specular part b, the image contains t·(a + b) and the layers t·a and t·b, each rounded separately.
      */
     private static boolean[] insideHits(Scene scene) {
         Geometry geometry = new Geometry(scene);
@@ -131,8 +132,8 @@ class LayeredExrWriterTest {
             int y = i / contribution.width();
             float[] expected = {contribution.red(x, y), contribution.green(x, y), contribution.blue(x, y)};
             for (int c = 0; c < 3; c++) {
-                // Two roundings of at most u = 2⁻²⁴ on either side: (1 + u)²/(1 − u)² − 1 < 5u. A product below the least normal float
-                // loses at most 2⁻¹⁵⁰ more, and there are three.
+                // Two roundings of at most u = 2⁻²⁴ on either side: (1 + u)²/(1 − u)² − 1 < 5u. A product below the smallest
+                // normal float loses at most 2⁻¹⁵⁰ more, and there are three.
                 float room = inside[i] ? 5 * 0x1p-24f * expected[c] + 0x1p-148f : 0;
                 assertThat(sum[3 * i + c]).as("pixel %d", i).isBetween(expected[c] - room, expected[c] + room);
             }
@@ -226,7 +227,7 @@ class LayeredExrWriterTest {
         }
     }
 
-    /** What a file holds. */
+    /** Content of a file. */
     private static final class ExrValues {
         private final Map<String, float[]> values = new LinkedHashMap<>();
         private final Map<String, String> attributes;
@@ -261,7 +262,7 @@ class LayeredExrWriterTest {
             return new JsonMapper().readValue(attributes.get(attribute), new TypeReference<Map<String, String>>() {});
         }
 
-        /** The sum of some layers: red, green, blue of each pixel. */
+        /** Returns the sum of some layers: red, green, blue of each pixel. */
         float[] sum(List<String> layers) {
             float[] rgb = new float[3 * width * height];
             for (String layer : layers) {

@@ -11,9 +11,9 @@ import org.assertj.core.data.Offset;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** Polygons cut into triangles cover what they covered. */
+/** Triangulated polygons cover the original area. */
 class PolygonTriangulatorTest {
-    /** A star-shaped outline seen from its middle, in a plane through space: its triangles go round as it does and share its area. */
+    /** Star-shaped outline around its center in a tilted plane: its triangles keep its orientation and area. */
     @Property
     void randomOutline_isCoveredExactlyOnce(@ForAll @IntRange(min = 3, max = 40) int corners, @ForAll long seed) {
         var random = new SplittableRandom(seed);
@@ -48,7 +48,7 @@ class PolygonTriangulatorTest {
         assertThat(sum).isCloseTo(outline, Offset.offset(1e-5));
     }
 
-    /** Turned in its plane or not flat, as docs/jen-format.md says. */
+    /** Planar rotated and non-planar quadrilaterals, as docs/jen-format.md defines. */
     @Test
     void convexQuadrilateral_isSplitFromSecondToFourthCorner() {
         float[][] outlines =
@@ -89,7 +89,7 @@ class PolygonTriangulatorTest {
                 .isEqualTo(3 * (PolygonTriangulator.MAX_CORNERS - 1));
     }
 
-    /** Whether one triangle has both corners, and so an edge between them. */
+    /** Returns true if one triangle has both corners, and thus an edge between them. */
     private static boolean contains(int[] triangles, int a, int b) {
         int matches = 0;
         for (int t = 0; t < triangles.length; t += 3) {

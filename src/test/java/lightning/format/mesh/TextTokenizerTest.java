@@ -14,7 +14,7 @@ import lightning.sample.Slow;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Words and numbers of files of text. */
+/** Tokens and numbers of text files. */
 class TextTokenizerTest {
     @TempDir
     private Path folder;

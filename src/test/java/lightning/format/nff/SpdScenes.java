@@ -8,9 +8,8 @@ import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
 
 /**
- * The standard procedural databases (Haines, A proposal for standard graphics environments, IEEE Computer Graphics and Applications
- * 7(11), 1987) in small sizes, by their published definitions, as text: what other programs write, written by nobody's program but
- * this.
+ * Standard procedural databases (Haines, A proposal for standard graphics environments, IEEE Computer Graphics and
+ * Applications 7(11), 1987) in small sizes as NFF text, generated from their published definitions.
  */
 public final class SpdScenes {
     private static final double GOLD = (1 + Math.sqrt(5)) / 2;
@@ -38,7 +37,7 @@ public final class SpdScenes {
         appendLine("c\n%s %.6g\n%s %.6g", text(base), baseRadius, text(apex), apexRadius);
     }
 
-    /** The sphere flake: on each ball nine of a third of its size. */
+    /** Sphere flake: nine spheres of a third of the size on each sphere. */
     public static String balls(int depth) {
         var scene = new SpdScenes("2.1 1.3 1.7", "0 0 0", "0 0 1", 45);
         scene.appendLine("b 0.078 0.361 0.753\nl 4 3 2\nl 1 -4 4\nl -3 1 5");
@@ -66,7 +65,7 @@ public final class SpdScenes {
         }
     }
 
-    /** A gear wheel, of glass in the original: polygons of many corners, not convex. */
+    /** Gear wheels, originally of glass: concave polygons with many corners. */
     public static String gears(int teeth) {
         var scene = new SpdScenes("-1.1 -2.1 2.6", "0 0 0", "0 0 1", 45);
         scene.appendLine("b 0.078 0.361 0.753\nl 2 4 4 0.577 0.577 0.577\nl -2 4 3 0.577 0.577 0.577 # the second");
@@ -87,7 +86,7 @@ public final class SpdScenes {
         return scene.out.toString();
     }
 
-    /** A fractal mountain: a square of heights, halved again and again, and four balls of glass before it. */
+    /** Fractal mountain: a recursively subdivided height field, with four glass spheres in front. */
     public static String mountain(int depth) {
         var scene = new SpdScenes("-1.6 1.6 1.7", "0 0 0", "0 0 1", 45);
         scene.appendLine("b 0.078 0.361 0.753\nl -100 -100 100");
@@ -127,7 +126,7 @@ public final class SpdScenes {
         return new Vec3(2.0 * x / n - 1, 2.0 * y / n - 1, height[x][y] / 2);
     }
 
-    /** A pyramid of dodecahedral rings: on each of twenty corners a ball, along each of thirty edges a cylinder. */
+    /** Pyramid of dodecahedral rings: spheres at the twenty corners, cylinders along the thirty edges. */
     public static String rings() {
         var scene = new SpdScenes("5 -8 4", "0 0 0", "0 0 1", 30);
         scene.appendLine("b 0.078 0.361 0.753\nl 10 -10 15\nl -10 -15 10\nl 0 0 20");
@@ -154,7 +153,7 @@ public final class SpdScenes {
         return scene.out.toString();
     }
 
-    /** A tetrahedron of tetrahedra, four half as large in each. */
+    /** Recursive tetrahedron, with four of half the size in each. */
     public static String tetra(int depth) {
         var scene = new SpdScenes("1.02 1.55 -1.28", "0 0.05 0", "0 1 0", 45);
         scene.appendLine("b 0.078 0.361 0.753\nl 1.9 3.5 -2.5\nf 1 0.2 0.2 1 0 0 0 0");
@@ -174,7 +173,7 @@ public final class SpdScenes {
         }
     }
 
-    /** A tree: each branch a cone with a ball at its end, on which three smaller ones grow. */
+    /** Tree: each branch is a cone with a sphere at its end, from which three smaller branches grow. */
     public static String tree(int depth) {
         var scene = new SpdScenes("4.5 0.4 2", "0 0 1.5", "0 0 1", 45);
         scene.appendLine("b 0.078 0.361 0.753\nl -5 5 50\nl 30 -30 30\nl -40 -30 20\nl 10 30 40\nl -30 40 10\nl 50 25 10\nl -10 -60 30");

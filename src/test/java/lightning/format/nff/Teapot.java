@@ -4,22 +4,22 @@ import java.util.Locale;
 import lightning.base.math.Vec3;
 
 /**
- * The teapot (Newell 1975) in patches of NFF, by the control points that became known with it: a quarter of what is round, and a half
- * of handle and spout; the rest follows by turning and mirroring.
+ * Utah teapot (Newell 1975) as NFF patches, from its published control points: a quarter of the round parts, and half of
+ * handle and spout; the rest follows by rotation and reflection.
  */
 public final class Teapot {
-    /** The control points' radius and height along a quarter's edge: lid in two parts, rim, body in two parts, bottom. */
+    /** Radius and height of the control points along a quarter's edge: lid in two parts, rim, body in two parts, bottom. */
     private static final double[][] ROTATED_PROFILES = {
         {0, 3.15, 0.8, 3.15, 0, 2.85, 0.2, 2.7}, {0.2, 2.7, 0.4, 2.55, 1.3, 2.55, 1.3, 2.4},
         {1.4, 2.4, 1.3375, 2.53125, 1.4375, 2.53125, 1.5, 2.4}, {1.5, 2.4, 1.75, 1.875, 2, 1.35, 2, 0.9},
         {2, 0.9, 2, 0.45, 1.5, 0.225, 1.5, 0.15}, {1.5, 0.15, 1.5, 0.075, 1.425, 0, 0, 0}};
-    /** Four edges of each half patch, four points each: x and z inside, half a width y, x and z outside. */
+    /** Four edges of each half patch, four points each: x and z inside, half the width y, x and z outside. */
     private static final double[][] HALF_PROFILES = {
         {-1.6, 2.025, 0.3, -1.5, 2.25, -2.3, 2.025, 0.3, -2.5, 2.25, -2.7, 2.025, 0.3, -3, 2.25, -2.7, 1.8, 0.3, -3, 1.8},
         {-2.7, 1.8, 0.3, -3, 1.8, -2.7, 1.575, 0.3, -3, 1.35, -2.5, 1.125, 0.3, -2.65, 0.9375, -2, 0.9, 0.3, -1.9, 0.6},
         {1.7, 1.425, 0.66, 1.7, 0.6, 2.6, 1.425, 0.66, 3.1, 0.825, 2.3, 2.1, 0.25, 2.4, 2.025, 2.7, 2.4, 0.25, 3.3, 2.4},
         {2.7, 2.4, 0.25, 3.3, 2.4, 2.8, 2.475, 0.25, 3.525, 2.49375, 2.9, 2.475, 0.15, 3.45, 2.5125, 2.8, 2.4, 0.15, 3.2, 2.4}};
-    /** How far the inner control points of a quarter circle lie along its tangents, as the teapot has them. */
+    /** Distance of the inner control points of a quarter circle along its tangents, in the original teapot. */
     private static final double CIRCLE_TANGENT = 0.56;
 
     private final StringBuilder out = new StringBuilder();
@@ -86,7 +86,7 @@ public final class Teapot {
         }
     }
 
-    /** A point and its normal; 0 at a pole, where a patch has none. */
+    /** Writes a point and its normal; 0 at a pole, where a patch has none. */
     private void corner(Vec3[][] points, int i, int j) {
         double[] u = weights((double) i / steps);
         double[] v = weights((double) j / steps);

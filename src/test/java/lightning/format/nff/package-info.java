@@ -1,2 +1,2 @@
-/** NFF files, and the standard databases that they were made for. */
+/** NFF files, and the standard databases that use them. */
 package lightning.format.nff;

@@ -21,7 +21,7 @@ import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
-/** With scripts in place of POV-Ray. */
+/** Runs scripts in place of POV-Ray. */
 @DisabledOnOs(OS.WINDOWS)
 class PovRayRunnerTest {
     private final PovScene scene = PovScene.of(
@@ -69,7 +69,7 @@ class PovRayRunnerTest {
     void failure_reportsTheProgramOutput() throws Exception {
         PovRayRunner pov = fakeProgram("echo 'Parse Error: no such thing'; exit 1");
         assertThatThrownBy(() -> pov.traceMs(scene, 30, 20, 2)).isInstanceOf(IOException.class)
-                .hasMessage("POV-Ray told no trace time; it ended with: Parse Error: no such thing");
+                .hasMessage("POV-Ray reported no trace time; its last output was: Parse Error: no such thing");
     }
 
     @Test

@@ -64,7 +64,7 @@ class PovSceneTest {
     void warnings_areInTheFileHeader() throws Exception {
         PovScene pov = PovScene.of(JenReader.read(Path.of("scenes/bird.jen")).scene(), "x");
         assertThat(pov.losses()).isNotEmpty();
-        pov.losses().forEach(warning -> assertThat(pov.text()).contains("// Not as in the scene: " + warning + "\n"));
+        pov.losses().forEach(warning -> assertThat(pov.text()).contains("// Not exported exactly: " + warning + "\n"));
     }
 
     @Test
@@ -78,7 +78,7 @@ class PovSceneTest {
                 """, "p.jen", Path.of("")).scene();
         PovScene pov = PovScene.of(scene, "x");
         assertThat(pov.text()).contains("// ball */ {\n", "// key \"light\" {\n", "// light } off is off\n",
-                "// Not as in the scene: material */ } oak: specular");
+                "// Not exported exactly: material */ } oak: specular");
         String code = pov.text().replaceAll("//.*", "");
         assertThat(code).doesNotContain("*/", "oak", "key", "off");
         assertThat(code.chars().filter(c -> c == '{').count()).isEqualTo(code.chars().filter(c -> c == '}').count());
@@ -90,7 +90,7 @@ class PovSceneTest {
         assertThat(pov.text()).doesNotContain("a\"b", "\\c");
     }
 
-    /** POV-Ray 3.7's manual, "map_type 1": the picture begins at x, and goes about y towards z. */
+    /** POV-Ray 3.7's manual, "map_type 1": the image begins at x, and wraps around y toward z. */
     @Property(tries = 50, edgeCases = EdgeCasesMode.NONE)
     void environment_isRotatedAsRendered(@ForAll @DoubleRange(min = -360, max = 360) double rotation) {
         EnvironmentMap environment = new EnvironmentMap(4, 1, new float[] {1, 0, 0, 2, 0, 0, 3, 0, 0, 4, 0, 0});
@@ -101,7 +101,7 @@ class PovSceneTest {
                 Pattern.compile("sky_sphere[^r]*rotate <0, (.*), 0>").matcher(text.replace("hdr", "").replace("interpolate", ""));
         assertThat(rotationText.find()).isTrue();
         for (int column = 0; column < 4; column++) {
-            // A turn by +90 degrees about y takes z to x in POV-Ray, and an angle from x towards z becomes smaller.
+            // A rotation by +90 degrees about y takes z to x in POV-Ray, so an angle from x toward z becomes smaller.
             double angle = Math.toRadians(360 * (column + 0.5) / 4 - Double.parseDouble(rotationText.group(1)));
             double[] direction = new double[3];
             environment.radiance(Math.cos(angle), 0, Math.sin(angle), rotation, direction);
@@ -134,9 +134,9 @@ class PovSceneTest {
         assertThat(pov.text()).contains("rgbf <0.5, 1.0, 1.0, 1.0>", "fresnel on } conserve_energy", "no_shadow",
                 "interior { ior 1.4 fade_color rgb <" + (1 + Math.log(0.5)) + ",", "fade_distance 2.0 fade_power 1001 }",
                 "rgbf <1.0, 1.0, 1.0, 0.5>");
-        assertThat(pov.losses()).containsExactly("material pane: light passes its shapes",
-                "material pane: a thin pane mirrors nothing by its angle",
-                "material pane: its body loses nothing where its angle mirrors more");
+        assertThat(pov.losses()).containsExactly("material pane: its shadows are transparent in POV-Ray",
+                "material pane: a thin sheet has no Fresnel reflection",
+                "material pane: its surface color is not reduced by Fresnel reflection");
     }
 
     @Test
@@ -169,8 +169,8 @@ class PovSceneTest {
                 PovScene.of(new Scene(PictureSettings.DEFAULT, Camera.DEFAULT, World.DEFAULT, List.of(bumpy, leaning), nodes, List.of()),
                         "x");
         assertThat(pov.losses()).containsExactly(
-                "material bumpy: its bump map is left out on meshes, on which POV-Ray knows no slopes of pictures",
-                "material leaning: its normal map is left out, POV-Ray has none");
+                "material bumpy: its bump map is left out on meshes, POV-Ray does not support it",
+                "material leaning: its normal map is left out, POV-Ray does not support it");
         assertThat(pov.text()).doesNotContain("normal {");
     }
 

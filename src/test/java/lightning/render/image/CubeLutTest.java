@@ -125,15 +125,15 @@ class CubeLutTest {
         "LUT_1D_SIZE 2;0 0;1 1 1 | line 2: expected three numbers from -10⁹ to 10⁹, found '0 0'",
         "LUT_1D_SIZE 2;0 0 nan | line 2: expected three numbers from -10⁹ to 10⁹, found '0 0 nan'",
         "LUT_1D_SIZE 2;0 0 1e10 | line 2: expected three numbers from -10⁹ to 10⁹, found '0 0 1e10'",
-        "LUT_1D_SIZE 1 | line 1: expected a whole number from 2 to 65536 behind LUT_1D_SIZE, found '1'",
-        "LUT_3D_SIZE 130 | line 1: expected a whole number from 2 to 129 behind LUT_3D_SIZE, found '130'",
-        "LUT_3D_SIZE 2.5 | line 1: expected a whole number from 2 to 129 behind LUT_3D_SIZE, found '2.5'",
+        "LUT_1D_SIZE 1 | line 1: expected a whole number from 2 to 65536 after LUT_1D_SIZE, found '1'",
+        "LUT_3D_SIZE 130 | line 1: expected a whole number from 2 to 129 after LUT_3D_SIZE, found '130'",
+        "LUT_3D_SIZE 2.5 | line 1: expected a whole number from 2 to 129 after LUT_3D_SIZE, found '2.5'",
         "LUT_1D_SIZE 2;LUT_3D_SIZE 2 | line 2: expected one size in a file, found LUT_3D_SIZE again",
         "0 0 0 | line 1: expected LUT_1D_SIZE or LUT_3D_SIZE before the numbers, found '0 0 0'",
         "# nothing | line 1: expected LUT_1D_SIZE or LUT_3D_SIZE, found the end of the file",
         "JPEG | line 1: expected three numbers or one of TITLE, LUT_1D_SIZE",
-        "DOMAIN_MIN 0 1 | line 1: expected three numbers from -10⁹ to 10⁹ behind DOMAIN_MIN, found 'DOMAIN_MIN 0 1'",
-        "LUT_1D_SIZE 2;0 0 0;DOMAIN_MAX 2 2 2 | line 3: expected DOMAIN_MAX before the table, found it behind 1 lines",
+        "DOMAIN_MIN 0 1 | line 1: expected three numbers from -10⁹ to 10⁹ after DOMAIN_MIN, found 'DOMAIN_MIN 0 1'",
+        "LUT_1D_SIZE 2;0 0 0;DOMAIN_MAX 2 2 2 | line 3: expected DOMAIN_MAX before the table, found it after 1 lines",
         "DOMAIN_MAX 1 0 1;LUT_1D_SIZE 2;0 0 0;1 1 1 | expected DOMAIN_MIN below DOMAIN_MAX in each channel, found 0.0 and 0.0"})
     void problems_reportLineExpectedAndFound(String text, String problem) {
         assertThatThrownBy(() -> table(text.replace(';', '\n'))).isInstanceOf(IOException.class).hasMessageContaining("look.cube, ")
@@ -147,7 +147,7 @@ class CubeLutTest {
             out.setLength(CubeLutReader.MAX_BYTES + 1L);
         }
         assertThatThrownBy(() -> CubeLutReader.read(file)).hasMessageContaining("expected at most 67108864 bytes, found 67108865");
-        assertThatThrownBy(() -> CubeLutReader.read(folder)).hasMessageContaining("is a folder, expected a .cube table");
+        assertThatThrownBy(() -> CubeLutReader.read(folder)).hasMessageContaining("is a folder, expected a .cube LUT");
     }
 
     @Property

@@ -56,13 +56,13 @@ final class ClusterRelightTest {
     @Test
     void clusterPictures_matchLocalOnes_andForeignCertificatesAreRejected() throws Exception {
         String certificate = folder.resolve("shared.p12").toString();
-        assertThat(run(0, "node", "--make-certificate", certificate)).contains("a new key with its certificate");
+        assertThat(run(0, "node", "--make-certificate", certificate)).contains("created; copy it to each machine");
         int port = FreePort.next();
         String[] words = {"shot", "relight", "scenes/dusk.jen", "--frames", "1-4", "--size", "60x40", "--set", "sky.on=no", "--then",
             "--set", "world.ambience=0.3"};
         try (var _ = new NodeProcess(port, List.of(port), folder)) {
             // The command waits half a minute for a node, which should not include the start of Java.
-            Await.until("the node takes part", () -> Files.readString(folder.resolve("node-" + port + ".log")).contains("a node at"));
+            Await.until("the node has started", () -> Files.readString(folder.resolve("node-" + port + ".log")).contains("node running at"));
             String other = folder.resolve("other.p12").toString();
             SelfSignedCertificate.write(Path.of(other));
             // Tries for half a minute without success, while the others work.
@@ -70,7 +70,7 @@ final class ClusterRelightTest {
                     with(words, "-o", folder.resolve("none").toString(), "--cluster", "127.0.0.1:" + port, "--certificate", other))) {
                 String output = run(0, with(words, "-o", folder.resolve("elsewhere").toString(), "--cluster", "127.0.0.1:" + port,
                         "--certificate", certificate));
-                assertThat(output).contains("4 frames traced by 1 node", "2. 4 frames relit by 1 node", "0 of them traced again");
+                assertThat(output).contains("4 frames traced by 1 node", "2. 4 frames relit by 1 node", "0 of them retraced");
                 run(0, with(words, "-o", folder.resolve("here").toString()));
                 for (String file : List.of("1/dusk-0001.png", "1/dusk-0004.png", "2/dusk-0003.png")) {
                     assertThat(folder.resolve("elsewhere").resolve(file)).hasSameBinaryContentAs(folder.resolve("here").resolve(file));

@@ -97,6 +97,6 @@ final class ConcurrentStartTest {
     }
 
     private static boolean isMember(Path folder, int port) throws IOException {
-        return Files.readString(folder.resolve("node-" + port + ".log")).contains("a node at");
+        return Files.readString(folder.resolve("node-" + port + ".log")).contains("node running at");
     }
 }

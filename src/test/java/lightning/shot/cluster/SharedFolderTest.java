@@ -25,7 +25,7 @@ final class SharedFolderTest {
         Path log = folder.resolve("node-" + port + ".log");
         var first = new NodeProcess(port, List.of(), folder);
         try (first) {
-            Await.until("the node takes part", () -> Files.readString(log).contains("a node at"));
+            Await.until("the node takes part", () -> Files.readString(log).contains("node running at"));
             assertThat(folder.resolve("lightning-node-127.0.0.1-" + port)).isDirectory();
             try (var second = new NodeProcess(port, List.of(), folder)) {
                 assertThat(second.exit()).isEqualTo(2);
@@ -34,7 +34,7 @@ final class SharedFolderTest {
         }
         Files.delete(log);
         try (var _ = new NodeProcess(port, List.of(), folder)) {
-            Await.until("the node takes part", () -> Files.readString(log).contains("a node at"));
+            Await.until("the node takes part", () -> Files.readString(log).contains("node running at"));
         }
     }
 }

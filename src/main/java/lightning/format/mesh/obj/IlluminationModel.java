@@ -3,8 +3,8 @@ package lightning.format.mesh.obj;
 import java.util.Optional;
 
 /**
- * The illumination models of MTL files, in the order of their numbers ({@code illum 0} to {@code illum 10}). Models 3 to 9 are the highlight
- * model with mirrored or refracted rays, or both, added; 10 is a surface that shows shadows alone.
+ * Illumination model of an MTL file, in numeric order ({@code illum 0} to {@code illum 10}). Models 3 to 9 add reflection,
+ * refraction or both to the highlight model; 10 is a shadow catcher.
  */
 public enum IlluminationModel {
     CONSTANT(false, false, false, false),
@@ -31,28 +31,28 @@ public enum IlluminationModel {
         this.isRefractive = isRefractive;
     }
 
-    /** The model of a number; empty if there is none. */
+    /** Returns the model of a number; empty if there is none. */
     static Optional<IlluminationModel> of(double number) {
         int index = (int) number;
         return index == number && index >= 0 && index < values().length ? Optional.of(values()[index]) : Optional.empty();
     }
 
-    /** Whether lights leave highlights (Ks, Ns). */
+    /** Returns true if lights create highlights (Ks, Ns). */
     public boolean hasHighlights() {
         return hasHighlights;
     }
 
-    /** Whether the surface mirrors other surfaces. */
+    /** Returns true if the surface reflects other surfaces. */
     public boolean isReflective() {
         return isReflective;
     }
 
-    /** Whether light passes through the surface even where no line says how much. */
+    /** Returns true if the surface transmits light even without an opacity in the file. */
     boolean isTransmissive() {
         return isTransmissive;
     }
 
-    /** Whether the surface bends what is seen through it. */
+    /** Returns true if the surface refracts transmitted light. */
     public boolean isRefractive() {
         return isRefractive;
     }

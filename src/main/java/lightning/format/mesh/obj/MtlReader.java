@@ -13,7 +13,7 @@ import lightning.format.mesh.MeshException;
 import lightning.format.mesh.MeshLimits;
 import lightning.format.mesh.TextTokenizer;
 
-/** Reads MTL files: colors, shininess and the picture of the diffuse color. What else they hold is told. */
+/** Reader for MTL files: colors, shininess and images. Notes all other content. */
 public final class MtlReader {
     private final TextTokenizer text;
     private final ConversionNotes notes;
@@ -26,10 +26,10 @@ public final class MtlReader {
     }
 
     /**
-     * The materials of a file by their names; of two with one name the first.
+     * Reads the materials of a file by name; the first of several with one name is used.
      *
-     * @throws MeshException if it is damaged
-     * @throws IOException   if it cannot be read
+     * @throws MeshException if the file is invalid
+     * @throws IOException if it cannot be read
      */
     public static Map<String, MtlMaterial> read(ByteSource source, ConversionNotes notes) throws IOException, MeshException {
         return new MtlReader(source, notes).read();
@@ -75,14 +75,14 @@ public final class MtlReader {
             case "Tf" -> current.filter = readColor(current.filter);
             case "Ni" -> current.ior = readNumber();
             case "map_Kd" -> current.texture = readTexturePath();
-            // Most writers put 1 there whatever the surface is, which would make it shine.
+            // Most writers use 1 for any surface, which would make it emit light.
             case "Ka" -> notes.add("ambient colors (Ka) of materials");
             case "map_d" -> current.cutout = readTexturePath();
             default -> notes.add(keyword + " of materials");
         }
     }
 
-    /** The highlight model where the number names none. */
+    /** Reads an illumination model; the highlight model if the number is unknown. */
     private IlluminationModel readIllumination() throws IOException, MeshException {
         Optional<IlluminationModel> model = IlluminationModel.of(readNumber());
         if (model.isEmpty() || model.get() == IlluminationModel.SHADOW_CATCHER) {
@@ -91,16 +91,16 @@ public final class MtlReader {
         return model.orElse(IlluminationModel.HIGHLIGHT);
     }
 
-    /** Of {@code -halo}, by which the middle is clearer than the rim, the number alone. */
+    /** Reads an opacity; ignores {@code -halo}, which varies it from center to rim. */
     private double readOpacity() throws IOException, MeshException {
         if (text.readToken() && text.isToken("-halo")) {
-            notes.add("materials that are clearer in their middle");
+            notes.add("view-dependent opacity (d -halo) of materials");
             return readNumber();
         }
         return parseNumber();
     }
 
-    /** A material of which not all lines are read. */
+    /** Builder of a material from its lines. */
     private static final class MaterialBuilder {
         final String name;
         Rgb diffuse = Rgb.gray(0.8);
@@ -126,8 +126,9 @@ public final class MtlReader {
         }
 
         /**
-         * By d, or by Tr where there is no d. Some writers put 1 into Tr for what is there: alone, and by a model that lets nothing through, it
-         * is taken so. By models that refract a filter alone says how much passes.
+         * Returns the opacity, from d, or from Tr if there is no d. Some writers use Tr 1 for opaque; it is treated so if it
+         * is alone and the model does not transmit light. Models with refraction ignore opacity; their filter alone defines
+         * the transmission.
          */
         private double effectiveOpacity() {
             if (!Double.isNaN(opacity) && opacity != 1) {
@@ -146,7 +147,7 @@ public final class MtlReader {
         return parseNumber();
     }
 
-    /** The number that the word is which was found last. */
+    /** Parses the last token as a number. */
     private double parseNumber() throws MeshException {
         if (text.length() == 0) {
             throw text.problem("expected a number, found the end of the line");
@@ -154,10 +155,10 @@ public final class MtlReader {
         return text.number("it");
     }
 
-    /** One number stands for all three. */
+    /** Reads a color; a single number applies to all channels. */
     private Rgb readColor(Rgb fallback) throws IOException, MeshException {
         if (text.readToken() && (text.isToken("spectral") || text.isToken("xyz"))) {
-            notes.add("colors of materials that are no red, green and blue");
+            notes.add("material colors other than RGB");
             return fallback;
         }
         double red = text.number("red");
@@ -167,12 +168,12 @@ public final class MtlReader {
         return new Rgb(red, text.number("green"), readNumber());
     }
 
-    /** The name behind the options, each of which is a word with a hyphen and what belongs to it. */
+    /** Reads the path after the options; each option is a word with a hyphen and its arguments. */
     private Optional<String> readTexturePath() throws IOException, MeshException {
         String rest = text.restOfLine();
         while (rest.startsWith("-")) {
             String[] words = rest.split("\\s+", 3);
-            notes.add("options " + words[0] + " of pictures");
+            notes.add("options " + words[0] + " of textures");
             int numbers = switch (words[0]) {
                 case "-mm" -> 2;
                 case "-o", "-s", "-t" -> 3;
@@ -181,7 +182,7 @@ public final class MtlReader {
             rest = words.length < 2 ? "" : rest.substring(rest.indexOf(words[1], words[0].length()));
             for (int i = 0; i < numbers && !rest.isEmpty(); i++) {
                 String[] split = rest.split("\\s+", 2);
-                // Of -o, -s and -t the last numbers may be missing.
+                // The last arguments of -o, -s and -t are optional.
                 if (i > 0 && !split[0].matches("[-+0-9.eE]+")) {
                     break;
                 }

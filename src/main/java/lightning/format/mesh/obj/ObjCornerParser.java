@@ -7,7 +7,7 @@ import lightning.format.mesh.ConversionNotes;
 import lightning.format.mesh.MeshException;
 import lightning.format.mesh.TextTokenizer;
 
-/** Reads the corners of faces: which position, texture coordinates and normal each names. */
+/** Parser for face corners: indices of position, texture coordinates and normal. */
 final class ObjCornerParser {
     static final String COORDINATES = "texture coordinates";
     static final String NORMALS = "normals";
@@ -15,11 +15,15 @@ final class ObjCornerParser {
     private final TextTokenizer text;
     private final ObjVertexData points;
     private final ConversionNotes notes;
-    /** Texture coordinates or normals that corners named before the file had any. */
+    /** Attributes that corners referenced before the file defined any. */
     private final Set<String> missing = new HashSet<>();
     private int position;
 
-    /** @param points those read so far */
+    /**
+     * Creates a parser.
+     *
+     * @param points vertex data read so far
+     */
     ObjCornerParser(TextTokenizer text, ObjVertexData points, ConversionNotes notes) {
         this.text = text;
         this.points = points;
@@ -27,9 +31,9 @@ final class ObjCornerParser {
     }
 
     /**
-     * The vertex that the last word names: {@code 3}, {@code 3/1}, {@code 3//2} or {@code 3/1/2}.
+     * Returns the vertex for the last token: {@code 3}, {@code 3/1}, {@code 3//2} or {@code 3/1/2}.
      *
-     * @param smoothingGroup the smoothing group, 0 for none
+     * @param smoothingGroup smoothing group, 0 for none
      */
     int readVertex(ObjMeshBuilder mesh, int smoothingGroup) throws MeshException {
         int start = 0;
@@ -42,7 +46,7 @@ final class ObjCornerParser {
                 end++;
             }
             if (index > 2 || index == 0 && end == start) {
-                throw text.problem("a corner must be as 3, 3/1, 3//2 or 3/1/2, was " + Quote.of(text.text()));
+                throw text.problem("a corner must be written as 3, 3/1, 3//2 or 3/1/2, was " + Quote.of(text.text()));
             }
             if (end > start) {
                 switch (index) {
@@ -56,38 +60,38 @@ final class ObjCornerParser {
         return mesh.addVertex(position, coordinate, normal);
     }
 
-    /** The position of the vertex that was read last. */
+    /** Returns the position of the last vertex read. */
     int position() {
         return position;
     }
 
-    /** The index of something that a corner can do without, as it must where the file has none: then {@code fallback}. */
+    /** Returns an optional index; {@code fallback} if it is absent or the file has no such data. */
     private int optionalIndex(int from, int to, int count, String label, int fallback) throws MeshException {
         if (count > 0 || number(from, to) == 0) {
             return index(from, to, count, label);
         }
         missing.add(label);
-        notes.add("indices of " + label + ", of which the file has none");
+        notes.add("indices of missing " + label);
         return fallback;
     }
 
-    /** Refuses texture coordinates or normals that faces before them would have named. */
+    /** Rejects vertex data that earlier faces have already referenced. */
     void checkOrder(String label) throws MeshException {
         if (missing.contains(label)) {
-            throw text.problem(label + " must stand before the faces that name them");
+            throw text.problem(label + " must precede the faces that use them");
         }
     }
 
-    /** An index that the file counts from 1, or from the last backwards with −1; counted from 0 here. */
+    /** Converts an index counted from 1, or backward from −1, to one counted from 0. */
     private int index(int from, int to, int count, String label) throws MeshException {
         long v = number(from, to);
         if (v == 0 || Math.abs(v) > count) {
-            throw text.problem("a corner must name one of " + count + " " + label + " before it, was " + Quote.of(text.text()));
+            throw text.problem("a corner must reference one of " + count + " preceding " + label + ", was " + Quote.of(text.text()));
         }
         return (int) (v < 0 ? count + v : v - 1);
     }
 
-    /** The whole number of up to eleven digits in a part of the word; 0 where there is none. */
+    /** Parses an integer of up to eleven digits in a part of the token; 0 if it is empty. */
     private long number(int from, int to) {
         boolean negative = text.byteAt(from) == '-';
         int first = negative ? from + 1 : from;

@@ -4,16 +4,18 @@ import java.util.List;
 import lightning.scene.Mesh;
 
 /**
- * What an OBJ file holds.
+ * Content of an OBJ file.
  *
- * @param parts     at least one: an object, or a group, for each material that it has
- * @param libraries the files of materials that it names, as written
+ * @param parts at least one; one part for each material of an object or group
+ * @param libraries paths of the referenced material files, as written
  */
 public record ObjFile(List<ObjPart> parts, List<String> libraries) {
 
     /**
-     * @param name     unique in the file, shown in one line
-     * @param material as the file names it; empty where it names none
+     * Part of an OBJ file.
+     *
+     * @param name unique in the file, printable on one line
+     * @param material name in the file; empty for none
      */
     public record ObjPart(String name, String material, Mesh mesh) {}
 }

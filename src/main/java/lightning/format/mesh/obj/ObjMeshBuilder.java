@@ -6,9 +6,9 @@ import lightning.format.mesh.VertexKeyTable;
 import lightning.format.mesh.VertexNormals;
 import lightning.scene.Mesh;
 
-/** A mesh in the making: faces of one object and one material. */
+/** Mutable builder of a mesh: faces of one object and one material. */
 final class ObjMeshBuilder {
-    /** A corner without texture coordinates, or without a normal where surfaces are flat. */
+    /** Index of a missing texture coordinate, or of the normal in a flat face. */
     static final int NONE = -1;
     private static final int POSITION = 0;
     private static final int COORDINATE = 1;
@@ -24,12 +24,12 @@ final class ObjMeshBuilder {
         this.material = material;
     }
 
-    /** The key of a corner without a normal in a group of faces that are smooth together, {@code smoothingGroup} ≥ 1. */
+    /** Returns the key for a corner without a normal in a smoothing group, {@code smoothingGroup} ≥ 1. */
     static int smoothNormal(int smoothingGroup) {
         return NONE - smoothingGroup;
     }
 
-    /** The vertex of a corner: indices from 0, {@link #NONE}, or a {@link #smoothNormal}. */
+    /** Returns the vertex of a corner: indices from 0, {@link #NONE}, or a {@link #smoothNormal}. */
     int addVertex(int position, int coordinate, int normal) {
         return corners.findOrAdd(position, coordinate, normal);
     }
@@ -69,7 +69,7 @@ final class ObjMeshBuilder {
         return false;
     }
 
-    /** Gives each flat triangle vertices of its own, beside others that are smooth. */
+    /** Gives flat triangles their own vertices, separate from smooth ones. */
     private void splitFlat(int[] indices, IntList sources) {
         for (int i = 0; i < indices.length; i++) {
             if (corners.key(indices[i], NORMAL) == NONE) {
@@ -90,7 +90,10 @@ final class ObjMeshBuilder {
         return result;
     }
 
-    /** Those of the file; else of the triangle alone, or of all triangles of the same group around the position. */
+    /**
+     * Returns the normals: those of the file, else of the single triangle, or the mean of the smoothing group around the
+     * position.
+     */
     private float[] normals(ObjVertexData points, IntList sources, float[] positions, int[] indices) {
         float[] normals = gather(points.normals, 3, sources, NORMAL);
         float[] smooth = null;
@@ -98,7 +101,7 @@ final class ObjMeshBuilder {
         if (hasSmoothCorners()) {
             var shared = new VertexKeyTable();
             for (int i = 0; i < sharedIndices.length; i++) {
-                // Flat vertices stand alone; texture coordinates do not part what is smooth.
+                // Flat vertices are independent; differing texture coordinates do not split smooth normals.
                 int normal = corners.key(sources.get(i), NORMAL);
                 sharedIndices[i] =
                         normal == NONE ? shared.findOrAdd(i, 1, 0) : shared.findOrAdd(corners.key(sources.get(i), POSITION), 0, normal);

@@ -22,8 +22,8 @@ import lightning.format.mesh.VertexColors;
 import lightning.scene.Mesh;
 
 /**
- * Reads OBJ files: faces of any number of corners, with texture coordinates, normals, groups that are smooth together, colors of
- * vertices (as sRGB), objects, groups and materials. What else they hold is passed over and told.
+ * Reader for OBJ files: polygons with texture coordinates, normals, smoothing groups, vertex colors (as sRGB), objects,
+ * groups and materials. Skips and notes all other content.
  */
 public final class ObjReader {
     private static final int MAX_SMOOTHING_GROUP = 1 << 30;
@@ -33,7 +33,10 @@ public final class ObjReader {
     private final ConversionNotes notes;
     private final ObjVertexData points = new ObjVertexData();
     private final ObjCornerParser corners;
-    /** By object and material: strings, since a file may choose names that collide, which tables of strings can bear. */
+    /**
+     * Meshes by object and material. Strings as keys, since hash maps handle colliding strings well even if a file contains
+     * them on purpose.
+     */
     private final Map<String, ObjMeshBuilder> meshes = new LinkedHashMap<>();
     private final List<String> libraries = new ArrayList<>();
     private final PolygonTriangulator polygon = new PolygonTriangulator();
@@ -44,7 +47,7 @@ public final class ObjReader {
     private String material = "";
     private int smoothingGroup;
     private int triangles;
-    /** The mesh of the object and material that hold now; null until a face asks for it. */
+    /** Mesh of the current object and material; null until a face needs it. */
     private ObjMeshBuilder current;
 
     private ObjReader(ByteSource source, ConversionNotes notes) {
@@ -57,9 +60,9 @@ public final class ObjReader {
     /**
      * Reads a whole file.
      *
-     * @param notes hears what is left out
-     * @throws MeshException if it is damaged, or has no face
-     * @throws IOException   if it cannot be read
+     * @param notes receives omitted features
+     * @throws MeshException if it is invalid, or has no face
+     * @throws IOException if it cannot be read
      */
     public static ObjFile read(ByteSource source, ConversionNotes notes) throws IOException, MeshException {
         return new ObjReader(source, notes).read();
@@ -72,12 +75,12 @@ public final class ObjReader {
             }
         } while (text.nextLine());
         if (triangles == 0) {
-            throw source.problem("", "must have faces: without them there is nothing to light");
+            throw source.problem("", "must have faces");
         }
         return new ObjFile(parts(), List.copyOf(libraries));
     }
 
-    /** The next word of this line, or of the one behind it where a backslash ends this one. */
+    /** Reads the next token of this line, or of the next line after a trailing backslash. */
     private boolean nextToken() throws IOException, MeshException {
         while (text.readToken()) {
             if (text.byteAt(0) == '#') {
@@ -130,7 +133,7 @@ public final class ObjReader {
     private void readPosition() throws IOException, MeshException {
         int size = points.positions.size();
         readNumbers(points.positions, 3, 3, Mesh.MAX_COORDINATE);
-        // One more number is a weight, which acts on curves alone; three are a color; four are both.
+        // One extra number is a weight for curves; three are a color; four are both.
         double[] extra = new double[4];
         int count = 0;
         while (count < extra.length && nextToken()) {
@@ -146,7 +149,10 @@ public final class ObjReader {
         }
     }
 
-    /** Takes from {@code minCount} to {@code maxCount} numbers of this line, each of at most {@code maxValue} in absolute value. */
+    /**
+     * Reads {@code minCount} to {@code maxCount} numbers of this line, each with an absolute value of at most {@code
+     * maxValue}.
+     */
     private int readNumbers(FloatList out, int minCount, int maxCount, double maxValue) throws IOException, MeshException {
         if (out.size() >= 3 * MeshLimits.VERTICES) {
             throw text.problem("a file must have at most " + MeshLimits.VERTICES + " vertices, normals and texture coordinates each");
@@ -185,12 +191,12 @@ public final class ObjReader {
         }
         int count = vertices.size();
         if (count < 3) {
-            notes.add("faces of fewer than three corners");
+            notes.add("faces with fewer than three corners");
             return;
         }
         if (count > PolygonTriangulator.MAX_CORNERS) {
-            notes.add("outlines of faces with more than " + PolygonTriangulator.MAX_CORNERS
-                    + " corners, which are cut as if they were convex");
+            notes.add("faces with more than " + PolygonTriangulator.MAX_CORNERS
+                    + " corners, triangulated as convex");
         }
         triangles += count - 2;
         if (triangles > MeshLimits.TRIANGLES) {

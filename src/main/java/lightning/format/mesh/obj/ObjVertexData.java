@@ -2,15 +2,15 @@ package lightning.format.mesh.obj;
 
 import lightning.format.mesh.FloatList;
 
-/** All that the corners of faces may name. */
+/** Vertex data that face corners reference. */
 final class ObjVertexData {
     /** x, y, z. */
     final FloatList positions = new FloatList();
     /** u, v. */
     final FloatList coordinates = new FloatList();
-    /** x, y, z, of any length. */
+    /** x, y, z, not normalized. */
     final FloatList normals = new FloatList();
-    /** Linear red, green, blue of the positions that have one, white of those before them; empty where none has. */
+    /** Linear red, green, blue of the positions, white for those before the first color; empty if there are none. */
     final FloatList colors = new FloatList();
 
     int positionCount() {
@@ -25,7 +25,7 @@ final class ObjVertexData {
         return normals.size() / 3;
     }
 
-    /** Gives white to the positions without a color. */
+    /** Sets missing colors to white. */
     void padColors() {
         while (colors.size() < positions.size()) {
             colors.add(1);

@@ -1,5 +1,5 @@
 /**
- * Wavefront's OBJ files and the MTL files beside them (Wavefront, Advanced Visualizer Manual, appendix B1, about 1992).
+ * Wavefront OBJ files and their MTL files (Wavefront, Advanced Visualizer Manual, appendix B1, about 1992).
  *
  * <pre>{@code
  * try (ByteSource source = ByteSource.open(Path.of("house.obj"), Progress.NONE)) {

@@ -7,21 +7,25 @@ import lightning.format.mesh.ConversionNotes;
 import lightning.format.mesh.MeshException;
 import lightning.format.mesh.TextTokenizer;
 
-/** The numbers behind the header, in either form. */
+/** Reader for the data after the header, in text or binary form. */
 final class PlyBodyReader {
     private final ByteSource source;
-    /** Null where the numbers are binary. */
+    /** Tokenizer; null for binary data. */
     private final TextTokenizer text;
     private final ConversionNotes notes;
-    /** What is being read, as messages call it. */
+    /** Name of the current element, for messages. */
     private String element = "";
     private long elementIndex;
-    /** Elements that were entered. */
+    /** Number of elements started. */
     private long startedElements;
-    /** Whether each element ends with its line. */
+    /** True if each element ends with its line. */
     private boolean oneElementPerLine = true;
 
-    /** @param notes hears of numbers that the header does not name */
+    /**
+     * Creates a reader.
+     *
+     * @param notes receives extra numbers that the header does not declare
+     */
     PlyBodyReader(PlyHeader.Format format, TextTokenizer text, ByteSource source, ConversionNotes notes) {
         this.source = source;
         this.notes = notes;
@@ -29,14 +33,14 @@ final class PlyBodyReader {
         source.setByteOrder(format.order);
     }
 
-    /** Says what follows. Passes over what is left of the element before it, where lines of text end elements. */
+    /** Starts an element; skips the rest of the previous line if elements end with their lines. */
     void startElement(String newElement, long newIndex) throws IOException {
         if (text != null && oneElementPerLine && startedElements > 0 && !text.isAtLineEnd()) {
             if (startedElements == 1) {
-                // The second element stands on the line of the first: the file is one stream of numbers.
+                // The second element is on the first one's line: the file is one stream of numbers.
                 oneElementPerLine = false;
             } else {
-                notes.add("numbers at the ends of lines, which the header does not name");
+                notes.add("extra numbers at line ends, not declared in the header");
                 text.nextLine();
             }
         }
@@ -45,12 +49,12 @@ final class PlyBodyReader {
         elementIndex = newIndex;
     }
 
-    /** The next number, as a double, which holds those of all types exactly. */
+    /** Reads a number as a double, which represents all types exactly. */
     double number(PlyType type) throws IOException, MeshException {
         return number(type, false);
     }
 
-    /** The next number, or NaN where the file says so. */
+    /** Reads a number, or NaN if the file contains it. */
     double numberOrNaN(PlyType type) throws IOException, MeshException {
         return number(type, true);
     }
@@ -59,22 +63,22 @@ final class PlyBodyReader {
         try {
             return text == null ? type.read(source) : nextNumber(allowNaN);
         } catch (EOFException e) {
-            throw problem("the file ends before it does");
+            throw problem("unexpected end of file");
         }
     }
 
-    /** The length of the list that follows, held against what is left of the file. */
+    /** Reads the length of a list, limited by the file's remaining bytes. */
     int listLength(PlyHeader.Property list) throws IOException, MeshException {
         double length = number(list.lengthType());
-        // In text each number has a digit and, but for the last, something behind it.
+        // In text each number has a digit and, except for the last, a separator.
         double max = text == null ? source.remaining() / list.type().bytes : (source.remaining() + 1) / 2;
         if (!(length >= 0 && length <= max && length == Math.rint(length))) {
-            throw problem(list.name() + " must have from 0 to " + (long) max + " numbers, as the file has bytes for, was " + length);
+            throw problem(list.name() + " must have from 0 to " + (long) max + " numbers by the file's size, was " + length);
         }
         return (int) length;
     }
 
-    /** A problem with what is being read. */
+    /** Creates a problem with the current element. */
     MeshException problem(String message) {
         String location = element + " " + elementIndex;
         return text == null ? source.problem(location, message) : text.problem(location + ": " + message);

@@ -12,9 +12,9 @@ import lightning.format.mesh.MeshException;
 import lightning.format.mesh.TextTokenizer;
 
 /**
- * What the header of a PLY file says of the rest.
+ * Header of a PLY file.
  *
- * @param elements in the order in which they follow
+ * @param elements in file order
  */
 record PlyHeader(Format parseFormat, List<Element> elements) {
     private static final int MAX_ELEMENTS = 100;
@@ -33,13 +33,17 @@ record PlyHeader(Format parseFormat, List<Element> elements) {
         }
     }
 
-    /** @param count how many follow, at least 0 */
+    /**
+     * Element declaration.
+     *
+     * @param count number of instances, at least 0
+     */
     record Element(String name, long count, List<Property> properties) {
         Optional<Property> property(String propertyName) {
             return properties.stream().filter(p -> p.name.equals(propertyName)).findFirst();
         }
 
-        /** The fewest bytes that all of it can take in a file: in text each number has a digit and something behind it. */
+        /** Returns the minimum file size of all instances in bytes: in text each number has a digit and a separator. */
         long minBytes(Format format) {
             long bytesPerElement = 0;
             for (Property p : properties) {
@@ -50,9 +54,9 @@ record PlyHeader(Format parseFormat, List<Element> elements) {
     }
 
     /**
-     * A number, or a list of them.
+     * Property declaration: a number or a list.
      *
-     * @param lengthType the type of a list's length; null for a number
+     * @param lengthType type of a list's length; null for a number
      */
     record Property(String name, PlyType type, PlyType lengthType) {
         boolean isList() {
@@ -61,10 +65,10 @@ record PlyHeader(Format parseFormat, List<Element> elements) {
     }
 
     /**
-     * Reads a header to the end of its last line, and holds the counts against the bytes that follow.
+     * Reads a header through its last line, and checks the counts against the remaining bytes.
      *
-     * @param notes hears of lines before all elements that are none of a header's
-     * @throws MeshException if it says what no PLY file says, or more than the file has bytes for
+     * @param notes receives invalid lines before the first element
+     * @throws MeshException if it is invalid, or declares more than the file can contain
      */
     static PlyHeader read(TextTokenizer text, ByteSource source, ConversionNotes notes) throws IOException, MeshException {
         if (!text.readToken() || !text.isToken("ply")) {
@@ -82,18 +86,18 @@ record PlyHeader(Format parseFormat, List<Element> elements) {
                 elements.add(parseElement(text, elements));
             } else if (text.isToken("property")) {
                 if (elements.isEmpty()) {
-                    throw text.problem("a property must stand behind an element");
+                    throw text.problem("a property must follow an element");
                 }
                 addProperty(text, elements.getLast());
             } else if (text.isToken("end_header")) {
                 if (format == null) {
-                    throw text.problem("the header must say a format");
+                    throw text.problem("the header must have a format");
                 }
                 text.skipLineEnd();
                 return checkSize(new PlyHeader(format, List.copyOf(elements)), source);
             } else if (elements.isEmpty()) {
-                // Some writers break their comments there.
-                notes.add("lines of the header that are no comments");
+                // Some writers wrap their comments.
+                notes.add("unknown header lines");
             } else {
                 throw text.problem("expected format, element, property, comment or end_header, found " + Quote.of(text.text()));
             }
@@ -117,7 +121,7 @@ record PlyHeader(Format parseFormat, List<Element> elements) {
         }
         String name = nextToken(text, "the name of an element");
         if (previous.stream().anyMatch(e -> e.name.equals(name))) {
-            throw text.problem("there is a second element " + Quote.of(name));
+            throw text.problem("duplicate element " + Quote.of(name));
         }
         nextToken(text, "the number of elements");
         return new Element(name, text.integer("the number of elements", 0, Integer.MAX_VALUE), new ArrayList<>());
@@ -131,12 +135,12 @@ record PlyHeader(Format parseFormat, List<Element> elements) {
         boolean list = first.equals("list");
         PlyType length = list ? parseType(text, nextToken(text, "the type of a list's length")) : null;
         if (list && !length.isInteger()) {
-            throw text.problem("the length of a list must be of a whole type");
+            throw text.problem("a list's length must have an integer type");
         }
         PlyType type = parseType(text, list ? nextToken(text, "the type of a list's numbers") : first);
         String name = nextToken(text, "the name of a property");
         if (element.property(name).isPresent()) {
-            throw text.problem("there is a second property " + Quote.of(name));
+            throw text.problem("duplicate property " + Quote.of(name));
         }
         element.properties.add(new Property(name, type, length));
     }
@@ -159,8 +163,8 @@ record PlyHeader(Format parseFormat, List<Element> elements) {
             long elementBytes = element.minBytes(header.parseFormat);
             minBytes += elementBytes;
             if (minBytes > source.remaining()) {
-                throw source.problem("element " + element.name, "the header says " + element.count + ", which are at least " + elementBytes
-                        + " bytes, but only " + source.remaining() + " bytes follow it");
+                throw source.problem("element " + element.name, "the header declares " + element.count + ", at least " + elementBytes
+                        + " bytes, but only " + source.remaining() + " bytes follow");
             }
         }
         return header;

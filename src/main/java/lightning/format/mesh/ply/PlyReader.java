@@ -12,12 +12,12 @@ import lightning.format.mesh.TextTokenizer;
 import lightning.scene.Mesh;
 
 /**
- * Reads PLY files: vertices with positions, normals, texture coordinates and colors; faces of any number of corners; strips of
- * triangles. What else they hold is passed over and told.
+ * Reader for PLY files: vertices with positions, normals, texture coordinates and colors; polygonal faces; triangle strips.
+ * Skips and notes all other content.
  */
 public final class PlyReader {
     private static final byte[] MAGIC = "ply".getBytes(StandardCharsets.US_ASCII);
-    /** In lists of strips: the next vertex begins a new one. */
+    /** Restart marker in triangle strips. */
     private static final int RESTART = -1;
 
     private final ByteSource source;
@@ -34,7 +34,7 @@ public final class PlyReader {
         this.notes = notes;
     }
 
-    /** Whether a file begins as PLY files do. */
+    /** Returns true if a file has the PLY signature. */
     public static boolean isPly(ByteSource source) throws IOException {
         return source.startsWith(MAGIC);
     }
@@ -42,9 +42,9 @@ public final class PlyReader {
     /**
      * Reads a whole file.
      *
-     * @param notes hears what is left out
-     * @throws MeshException if it is damaged, says more than it holds, or has no triangle
-     * @throws IOException   if it cannot be read
+     * @param notes receives omitted features
+     * @throws MeshException if it is invalid, declares more than it contains, or has no triangle
+     * @throws IOException if it cannot be read
      */
     public static Mesh read(ByteSource source, ConversionNotes notes) throws IOException, MeshException {
         return new PlyReader(source, notes).read();
@@ -66,7 +66,7 @@ public final class PlyReader {
             }
         }
         if (vertices == null || triangles.size() == 0) {
-            throw source.problem("", "must have vertices and faces: without them there is nothing to light");
+            throw source.problem("", "must have vertices and faces");
         }
         return vertices.mesh(triangles.toArray());
     }
@@ -83,7 +83,7 @@ public final class PlyReader {
 
     private void readFaces(PlyHeader.Element element, PlyHeader.Property indices, boolean strips) throws IOException, MeshException {
         if (vertices == null) {
-            throw source.problem("element " + element.name(), "must stand behind the element vertex");
+            throw source.problem("element " + element.name(), "must follow the element vertex");
         }
         for (PlyHeader.Property property : element.properties()) {
             if (property != indices) {
@@ -114,12 +114,12 @@ public final class PlyReader {
             corners.add(readVertexIndex(list.type(), 0));
         }
         if (count < 3) {
-            notes.add("faces of fewer than three corners");
+            notes.add("faces with fewer than three corners");
             return;
         }
         if (count > PolygonTriangulator.MAX_CORNERS) {
-            notes.add("outlines of faces with more than " + PolygonTriangulator.MAX_CORNERS
-                    + " corners, which are cut as if they were convex");
+            notes.add("faces with more than " + PolygonTriangulator.MAX_CORNERS
+                    + " corners, triangulated as convex");
         }
         faceTriangles.clear();
         polygon.triangulate(corners.array(), count, vertices.positions(), faceTriangles);

@@ -5,20 +5,20 @@ import java.util.Map;
 import java.util.Optional;
 import lightning.format.mesh.ByteSource;
 
-/** The types of numbers in a PLY file. */
+/** Number type in a PLY file. */
 enum PlyType {
     INT8(1, 0), UINT8(1, 0xFF), INT16(2, 0), UINT16(2, 0xFFFF), INT32(4, 0), UINT32(4, 0xFFFF_FFFFL), FLOAT32(4, 0), FLOAT64(8, 0);
 
-    /** The names of the first files, and those with sizes in them. */
+    /** Original type names, and names with explicit sizes. */
     private static final Map<String, PlyType> NAMES = Map.ofEntries(Map.entry("char", INT8), Map.entry("uchar", UINT8),
             Map.entry("short", INT16), Map.entry("ushort", UINT16), Map.entry("int", INT32), Map.entry("uint", UINT32),
             Map.entry("float", FLOAT32), Map.entry("double", FLOAT64), Map.entry("int8", INT8), Map.entry("uint8", UINT8),
             Map.entry("int16", INT16), Map.entry("uint16", UINT16), Map.entry("int32", INT32), Map.entry("uint32", UINT32),
             Map.entry("float32", FLOAT32), Map.entry("float64", FLOAT64));
 
-    /** In binary files. */
+    /** Size in binary files. */
     final int bytes;
-    /** The largest value of a type without sign; 0 of others. */
+    /** Largest value of an unsigned type; 0 for others. */
     final long maxValue;
 
     PlyType(int bytes, long maxValue) {
@@ -34,7 +34,7 @@ enum PlyType {
         return this != FLOAT32 && this != FLOAT64;
     }
 
-    /** The next number of a binary file; doubles hold those of all types exactly. */
+    /** Reads a number of a binary file; doubles represent all types exactly. */
     double read(ByteSource source) throws IOException {
         return switch (this) {
             case INT8 -> source.int8();

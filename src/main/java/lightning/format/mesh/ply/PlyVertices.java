@@ -13,8 +13,8 @@ import lightning.format.mesh.VertexNormals;
 import lightning.scene.Mesh;
 
 /**
- * The vertices of a PLY file. Colors of whole types are taken as sRGB, as scanners and painters of vertices write them; colors of
- * floating types as linear.
+ * Vertices of a PLY file. Integer colors are interpreted as sRGB, as scanners and vertex painting tools write them;
+ * floating-point colors as linear.
  */
 final class PlyVertices {
     private static final List<List<String>> POSITION = List.of(List.of("x"), List.of("y"), List.of("z"));
@@ -25,7 +25,7 @@ final class PlyVertices {
 
     private final ByteSource source;
     private final int count;
-    /** Where the numbers of each property go; null where they are left out. */
+    /** Targets of the properties; null for skipped ones. */
     private final Target[] targets;
     private final float[] positions;
     private final float[] normals;
@@ -33,8 +33,10 @@ final class PlyVertices {
     private final float[] colors;
 
     /**
-     * @param index  which of the numbers of a vertex
-     * @param linearTable the linear values of the whole numbers that a color may be; null where a number is what it is
+     * Target of a property.
+     *
+     * @param index component of the vertex attribute
+     * @param linearTable linear values of integer colors; null for values without conversion
      */
     private record Target(float[] values, int components, int index, float[] linearTable) {}
 
@@ -51,7 +53,7 @@ final class PlyVertices {
     /**
      * Reads all vertices.
      *
-     * @param notes hears of properties that are left out
+     * @param notes receives omitted properties
      */
     static PlyVertices read(PlyHeader.Element element, PlyBodyReader body, ByteSource source, ConversionNotes notes)
             throws IOException, MeshException {
@@ -111,7 +113,7 @@ final class PlyVertices {
         }
     }
 
-    /** Writers of colors write {@code nan} where a vertex has none. */
+    /** Returns true for colors, where writers use {@code nan} for a missing one. */
     private boolean isColor(Target target) {
         return target != null && target.values == colors && target.linearTable == null;
     }
@@ -123,7 +125,7 @@ final class PlyVertices {
         return (int) v;
     }
 
-    /** Room for a property of several numbers, each of which has one of the names; null where any is not there. */
+    /** Allocates an attribute of several components, each with alternative property names; null if any is missing. */
     private float[] bindProperties(PlyHeader.Element element, List<List<String>> names) {
         List<Integer> found = new ArrayList<>();
         for (List<String> aliases : names) {

@@ -1,5 +1,5 @@
 /**
- * Files in Stanford's polygon format, PLY: text, and binary in either order of bytes (Turk, The PLY polygon file format, 1994).
+ * PLY files, the Stanford polygon format: text, and binary in both byte orders (Turk, The PLY polygon file format, 1994).
  *
  * <pre>{@code
  * try (ByteSource source = ByteSource.open(Path.of("bunny.ply"), Progress.NONE)) {

@@ -19,7 +19,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** Materials beside OBJ files. */
+/** Material files of OBJ. */
 class MtlReaderTest {
     private final ConversionNotes notes = new ConversionNotes();
 
@@ -53,8 +53,8 @@ class MtlReaderTest {
                 .isEqualTo(new MtlMaterial("plain", IlluminationModel.HIGHLIGHT, Rgb.gray(0.8), Rgb.BLACK, Rgb.BLACK,
                         OptionalDouble.empty(), 1,
                         Rgb.WHITE, 1.5, Optional.empty(), Optional.empty()));
-        assertThat(notes.counts()).containsOnlyKeys("ambient colors (Ka) of materials", "options -s of pictures",
-                "options -clamp of pictures", "map_Bump of materials");
+        assertThat(notes.counts()).containsOnlyKeys("ambient colors (Ka) of materials", "options -s of textures",
+                "options -clamp of textures", "map_Bump of materials");
     }
 
     @ParameterizedTest
@@ -73,7 +73,7 @@ class MtlReaderTest {
         assertThat(read("newmtl a\nd 0.5\nillum 4\n").get("a").illumination().isRefractive()).isFalse();
     }
 
-    /** By the MTL specification, models 2 to 9 have highlights, 3 and 5 to 8 mirrored rays, 6 and 7 refracted ones. */
+    /** By the MTL specification, models 2 to 9 have highlights, 3 and 5 to 8 reflection, 6 and 7 refraction. */
     @ParameterizedTest
     @CsvSource({"0, false, false, false", "1, false, false, false", "2, true, false, false", "3, true, true, false",
         "4, true, false, false",

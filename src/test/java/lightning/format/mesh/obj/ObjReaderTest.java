@@ -16,7 +16,7 @@ import org.assertj.core.data.Offset;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** OBJ files, and what is wrong with them. */
+/** OBJ files, and their errors. */
 class ObjReaderTest {
     private static final String CORNERS = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
     private final ConversionNotes notes = new ConversionNotes();
@@ -95,37 +95,37 @@ class ObjReaderTest {
     void unsupportedStatements_areNoted() throws IOException, MeshException {
         onlyMesh(CORNERS + "l 1 2\nl 2 3\np 1\ncurv 0 1 1 2\nf 1 2\nf 1 2 3\n");
         assertThat(notes.counts()).containsExactlyInAnyOrderEntriesOf(
-                Map.of("lines", 2, "points", 1, "statements curv", 1, "faces of fewer than three corners", 1));
+                Map.of("lines", 2, "points", 1, "statements curv", 1, "faces with fewer than three corners", 1));
     }
 
-    /** Some exporters write the indices of a full corner whatever the file holds. */
+    /** Some exporters write the indices of a full corner regardless of the file's content. */
     @Test
     void indicesWithoutData_areSkippedAndNoted() throws IOException, MeshException {
         assertThat(onlyMesh(CORNERS + "f 1/1 2/2 3/7\n")).isEqualTo(onlyMesh(CORNERS + "f 1 2 3\n"));
         assertThat(onlyMesh(CORNERS + "s 1\nf 1//-1 2//2 3//9\n")).isEqualTo(onlyMesh(CORNERS + "s 1\nf 1 2 3\n"));
         assertThat(onlyMesh(CORNERS + "vn 0 0 1\nf 1/1/1 2/2/1 3/3/1\n")).isEqualTo(onlyMesh(CORNERS + "vn 0 0 1\nf 1//1 2//1 3//1\n"));
         assertThat(notes.counts()).containsExactlyInAnyOrderEntriesOf(
-                Map.of("indices of texture coordinates, of which the file has none", 6, "indices of normals, of which the file has none",
+                Map.of("indices of missing texture coordinates", 6, "indices of missing normals",
                         3));
     }
 
     @Test
     void coordinatesAfterTheirFaces_areRejected() {
-        assertRejected(CORNERS + "f 1/1 2/1 3/1\nvt 0 0\n", "line 6: texture coordinates must stand before the faces that name them");
-        assertRejected(CORNERS + "f 1//1 2 3\nvn 0 0 1\n", "line 6: normals must stand before the faces that name them");
+        assertRejected(CORNERS + "f 1/1 2/1 3/1\nvt 0 0\n", "line 6: texture coordinates must precede the faces that use them");
+        assertRejected(CORNERS + "f 1//1 2 3\nvn 0 0 1\n", "line 6: normals must precede the faces that use them");
     }
 
     @Test
     void nanColor_becomesWhiteAndIsNoted() throws IOException, MeshException {
         Mesh mesh = onlyMesh("v 0 0 0 0 1 0\nv 1 0 0 nan nan nan\nv 1 1 0 0 NaN 0\nf 1 2 3\n");
         assertThat(mesh.colors()).containsExactly(0, 1, 0, 1, 1, 1, 1, 1, 1);
-        assertThat(notes.counts()).containsExactly(Map.entry("colors of vertices that are no numbers, white here", 2));
+        assertThat(notes.counts()).containsExactly(Map.entry("vertex colors that are not numbers, replaced by white", 2));
     }
 
     @Test
     void outOfRangeColors_areClampedAndNoted() throws IOException, MeshException {
         assertThat(onlyMesh("v 0 0 0 0 1 0\nv 1 0 0 2 -1 0\nv 1 1 0 0 0 0\nf 1 2 3\n").colors()).containsExactly(0, 1, 0, 1, 0, 0, 0, 0, 0);
-        assertThat(notes.counts()).containsExactly(Map.entry("colors of vertices beyond 0 to 1", 1));
+        assertThat(notes.counts()).containsExactly(Map.entry("vertex colors outside 0 to 1", 1));
     }
 
     @Test
@@ -135,17 +135,19 @@ class ObjReaderTest {
         assertRejected("v 0 0 0 1 x 1\n", "line 1: a vertex must be a decimal number, was 'x'");
         assertRejected("v 0 nan 0\n", "line 1: a coordinate must be a decimal number, was 'nan'");
         assertRejected("v 0 0 1e13\n", "line 1: a coordinate must be at most 1e12 in absolute value, was '1e13'");
-        assertRejected(CORNERS + "f 1 2 5\n", "line 5: a corner must name one of 4 vertices before it, was '5'");
-        assertRejected(CORNERS + "f 1 2 0\n", "line 5: a corner must name one of 4 vertices before it, was '0'");
-        assertRejected(CORNERS + "f 1 2 -5\n", "line 5: a corner must name one of 4 vertices before it, was '-5'");
+        assertRejected(CORNERS + "f 1 2 5\n", "line 5: a corner must reference one of 4 preceding vertices, was '5'");
+        assertRejected(CORNERS + "f 1 2 0\n", "line 5: a corner must reference one of 4 preceding vertices, was '0'");
+        assertRejected(CORNERS + "f 1 2 -5\n", "line 5: a corner must reference one of 4 preceding vertices, was '-5'");
         assertRejected(CORNERS + "f 1 2 99999999999999999999\n",
-                "line 5: a corner must name one of 4 vertices before it, was '99999999999999999999'");
-        assertRejected(CORNERS + "vt 0 0\nf 1/2 2 3\n", "line 6: a corner must name one of 1 texture coordinates before it, was '1/2'");
-        assertRejected(CORNERS + "vn 0 0 1\nf 1//2 2 3\n", "line 6: a corner must name one of 1 normals before it, was '1//2'");
-        assertRejected(CORNERS + "f 1/x 2 3\n", "line 5: a corner must name one of 0 texture coordinates before it, was '1/x'");
-        assertRejected(CORNERS + "vt 0 0\nvn 0 0 1\nf 1/1/1/1 2 3\n", "line 7: a corner must be as 3, 3/1, 3//2 or 3/1/2, was '1/1/1/1'");
+                "line 5: a corner must reference one of 4 preceding vertices, was '99999999999999999999'");
+        assertRejected(CORNERS + "vt 0 0\nf 1/2 2 3\n",
+                "line 6: a corner must reference one of 1 preceding texture coordinates, was '1/2'");
+        assertRejected(CORNERS + "vn 0 0 1\nf 1//2 2 3\n", "line 6: a corner must reference one of 1 preceding normals, was '1//2'");
+        assertRejected(CORNERS + "f 1/x 2 3\n", "line 5: a corner must reference one of 0 preceding texture coordinates, was '1/x'");
+        assertRejected(CORNERS + "vt 0 0\nvn 0 0 1\nf 1/1/1/1 2 3\n",
+                "line 7: a corner must be written as 3, 3/1, 3//2 or 3/1/2, was '1/1/1/1'");
         assertRejected(CORNERS + "s one\n", "line 5: a smoothing group must be a whole number from 0 to 1073741824, was 'one'");
-        assertRejected(CORNERS, "must have faces: without them there is nothing to light");
+        assertRejected(CORNERS, "must have faces");
     }
 
     private void assertRejected(String file, String message) {

@@ -6,11 +6,11 @@ import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 
-/** Writes PLY files from their text form: in binary with the same numbers, in either order of bytes. */
+/** Converter of PLY files from text to binary form with the same numbers, in either byte order. */
 public final class PlyEncoder {
     private PlyEncoder() {}
 
-    /** A file of text as bytes in one of the three forms. */
+    /** Encodes a text file in one of the three forms. */
     public static byte[] encode(String format, String text) {
         if (format.equals("ascii")) {
             return text.getBytes(StandardCharsets.UTF_8);

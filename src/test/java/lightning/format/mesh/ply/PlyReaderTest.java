@@ -21,7 +21,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** PLY files in all forms, and what is wrong with them. */
+/** PLY files in all forms, and their errors. */
 class PlyReaderTest {
     private static final String SQUARE = """
             ply
@@ -109,7 +109,7 @@ class PlyReaderTest {
         try (ByteSource source = ByteSource.open(file, Progress.NONE)) {
             assertThat(PlyReader.read(source, notes).triangleCount()).isEqualTo(2);
         }
-        assertThat(notes.counts()).containsExactly(Map.entry("lines of the header that are no comments", 1));
+        assertThat(notes.counts()).containsExactly(Map.entry("unknown header lines", 1));
     }
 
     @Test
@@ -134,11 +134,11 @@ class PlyReaderTest {
         try (ByteSource source = ByteSource.open(Files.write(folder.resolve("a.ply"), PlyEncoder.encode(format, file)), Progress.NONE)) {
             assertThat(PlyReader.read(source, notes).colors()).containsExactly(1, 1, 1, 0.5f, 0, 0, 0, 1, 0, 0, 0, 0);
         }
-        assertThat(notes.counts()).containsOnly(Map.entry("colors of vertices that are no numbers, white here", 1),
-                Map.entry("colors of vertices beyond 0 to 1", 1));
+        assertThat(notes.counts()).containsOnly(Map.entry("vertex colors that are not numbers, replaced by white", 1),
+                Map.entry("vertex colors outside 0 to 1", 1));
     }
 
-    /** As one old version of MeshLab wrote colors of corners, without their property in the header. */
+    /** One old version of MeshLab wrote corner colors without declaring them in the header. */
     @Test
     void undeclaredNumbers_areSkippedPerLine() throws IOException, MeshException {
         String file =
@@ -148,7 +148,7 @@ class PlyReaderTest {
                 Progress.NONE)) {
             assertThat(PlyReader.read(source, notes).triangles()).containsExactly(0, 1, 2, 0, 2, 3);
         }
-        assertThat(notes.counts()).containsEntry("numbers at the ends of lines, which the header does not name", 1);
+        assertThat(notes.counts()).containsEntry("extra numbers at line ends, not declared in the header", 1);
     }
 
     @Test
@@ -178,19 +178,19 @@ class PlyReaderTest {
     void faceWithTwoCorners_isSkippedAndNoted() throws IOException, MeshException {
         Mesh mesh = read(SQUARE.replace("element face 1", "element face 2").replace("4 0 1 2 3", "2 0 1\n3 0 1 2"));
         assertThat(mesh.triangleCount()).isEqualTo(1);
-        assertThat(notes.counts()).containsExactly(Map.entry("faces of fewer than three corners", 1));
+        assertThat(notes.counts()).containsExactly(Map.entry("faces with fewer than three corners", 1));
     }
 
     @Test
     @Timeout(Await.TIMEOUT_SECONDS)
     void oversizedCount_isRejectedBeforeAllocation() {
         assertRejected(SQUARE.replace("element vertex 4", "element vertex 1000000000"),
-                "element vertex: the header says 1000000000, which are at least 5999999999 bytes, but only 34 bytes follow it");
+                "element vertex: the header declares 1000000000, at least 5999999999 bytes, but only 34 bytes follow");
         String binary = new String(PlyEncoder.encode("binary_little_endian", SQUARE), StandardCharsets.ISO_8859_1);
         assertRejected(binary.replace("comment a square", "element x 2147483647\nproperty double x").getBytes(StandardCharsets.ISO_8859_1),
-                "element x: the header says 2147483647, which are at least 17179869176 bytes");
+                "element x: the header declares 2147483647, at least 17179869176 bytes");
         assertRejected(SQUARE.replace("4 0 1 2 3", "4000000 0 1 2 3"),
-                "line 15: face 0: vertex_indices must have from 0 to 5 numbers, as the file has bytes for, was 4000000.0");
+                "line 15: face 0: vertex_indices must have from 0 to 5 numbers by the file's size, was 4000000.0");
     }
 
     @Test
@@ -209,11 +209,11 @@ class PlyReaderTest {
         assertRejected(SQUARE.replace("4 0 1 2 3", "4 0 1 -2 3"), "line 15: face 0: a vertex must be a whole number from 0 to 3, was -2");
         assertRejected(RICH.replace("255 0 0 0.5", "256 0 0 0.5"),
                 "line 26: vertex 0: a color must be a whole number from 0 to 255, was 256.0");
-        assertRejected(SQUARE.replace("4 0 1 2 3", ""), "line 16: face 0: the file ends before it does");
+        assertRejected(SQUARE.replace("4 0 1 2 3", ""), "line 16: face 0: unexpected end of file");
         byte[] binary =
                 PlyEncoder.encode("binary_big_endian",
                         SQUARE.replace("element face 1", "element face 2").replace("4 0 1 2 3", "4 0 1 2 3\n0"));
-        assertRejected(Arrays.copyOf(binary, binary.length - 1), "face 1: the file ends before it does");
+        assertRejected(Arrays.copyOf(binary, binary.length - 1), "face 1: unexpected end of file");
     }
 
     @Test
@@ -221,28 +221,28 @@ class PlyReaderTest {
         assertRejected("plyx\n", "line 1: a PLY file must begin with the word ply");
         assertRejected(SQUARE.replace("ascii", "text"),
                 "line 2: the format must be ascii, binary_little_endian or binary_big_endian, was 'text'");
-        assertRejected(SQUARE.replace("format ascii 1.0\n", ""), "line 9: the header must say a format");
+        assertRejected(SQUARE.replace("format ascii 1.0\n", ""), "line 9: the header must have a format");
         assertRejected(SQUARE.replace("float z", "quad z"),
                 "line 7: a type must be char, uchar, short, ushort, int, uint, float, double or list, was 'quad'");
-        assertRejected(SQUARE.replace("float z", "float x"), "line 7: there is a second property 'x'");
-        assertRejected(SQUARE.replace("element face", "element vertex"), "line 8: there is a second element 'vertex'");
+        assertRejected(SQUARE.replace("float z", "float x"), "line 7: duplicate property 'x'");
+        assertRejected(SQUARE.replace("element face", "element vertex"), "line 8: duplicate element 'vertex'");
         assertRejected(SQUARE.replace("vertex 4", "vertex many"),
                 "line 4: the number of elements must be a whole number from 0 to 2147483647, was 'many'");
         assertRejected(SQUARE.replace("vertex 4", "vertex"), "line 4: expected the number of elements, found the end of the line");
         assertRejected(SQUARE.replace("property float z", "remark"),
                 "line 7: expected format, element, property, comment or end_header, found 'remark'");
         assertRejected("ply\nformat ascii 1.0\n", "line 3: the header must end with end_header");
-        assertRejected(SQUARE.replace("list uchar", "list float"), "line 9: the length of a list must be of a whole type");
+        assertRejected(SQUARE.replace("list uchar", "list float"), "line 9: a list's length must have an integer type");
     }
 
     @Test
     void fileWithoutFaces_isRejected() {
         assertRejected(SQUARE.replace("float z", "float w"), "element vertex: must have the properties x, y and z");
         assertRejected(SQUARE.replace("element face 1", "element edge 1"),
-                "must have vertices and faces: without them there is nothing to light");
+                "must have vertices and faces");
         assertRejected(SQUARE.replace("vertex_indices", "corners"), "element face: must have a list vertex_indices");
         assertRejected("ply\nformat ascii 1.0\nelement face 1\nproperty list int int vertex_indices\nend_header\n3 0 1 2",
-                "element face: must stand behind the element vertex");
+                "element face: must follow the element vertex");
     }
 
     private static int body() {
