@@ -6,7 +6,7 @@ import java.util.Locale;
 public enum Language {
     /** English, with numbers formatted as in scene files and on the command line. */
     ENGLISH("English", "en", Locale.ROOT, ""),
-    GERMAN("Deutsch", "de", Locale.GERMAN, "german.texts");
+    GERMAN("Deutsch", "de", Locale.GERMAN, "de.po");
 
     private final String name;
     private final String code;
