@@ -8,7 +8,7 @@ import lightning.scene.Scene;
 
 /**
  * Restarts a long render in a Java runtime that starts slower but renders faster, if the launcher began with the
- * fast-starting one: docs/decisions/0120-a-picture-by-a-lighter-java.md.
+ * fast-starting one: docs/decisions/0120-single-images-with-a-smaller-java.md.
  */
 final class LongRenderRestart {
     /** System property with the launcher's file, set only by the fast-starting launcher. */

@@ -17,7 +17,7 @@ final class WindowToolkit {
      * @return reason why no window can be opened, in one clause without a full stop; empty on success
      */
     static Optional<String> start() {
-        // The launcher starts on the class path, about which JavaFX warns: docs/decisions/0030-an-archive-of-classes.md.
+        // The launcher starts on the class path, about which JavaFX warns: docs/decisions/0030-class-data-archive.md.
         LOGGER.setFilter(line -> !line.getMessage().startsWith("Unsupported JavaFX configuration"));
         try {
             Platform.startup(() -> {});

@@ -6,7 +6,7 @@ import lightning.scene.Scene;
 
 /**
  * Estimate of whether an image takes a new process long enough for the second compiler and the lanes to pay off. For the
- * threshold see docs/decisions/0120-a-picture-by-a-lighter-java.md.
+ * threshold see docs/decisions/0120-single-images-with-a-smaller-java.md.
  */
 public final class LongRenderCheck {
     private static final long MIN_RAYS = 100_000_000;
