@@ -31,18 +31,18 @@ import picocli.CommandLine.Spec;
 @Command(name = "bench", header = "Benchmark relighting: time saved and accuracy.", abbreviateSynopsis = true,
         description = {
             "Runs the paper's edits and a few more on every scene, each with three values and at every accuracy setting, from "
-                + "half resolution to the full trace. Measures the time and error of each edit.",
+                    + "half resolution to the full trace. Measures the time and error of each edit.",
             "",
             "Also measures the first pass; how times scale with pixels, lights, objects and reflection bounces; editing with up to "
-                + "a million objects; ray tracing of meshes (compared with Embree if installed); error drift over 10 000 edits; memory "
-                + "bandwidth; POV-Ray if installed; and cold starts of whole processes. Compared programs run alternately. Each image "
-                + "is checked before it is timed.",
+                    + "a million objects; ray tracing of meshes (compared with Embree if installed); error drift over 10 000 edits; memory "
+                    + "bandwidth; POV-Ray if installed; and cold starts of whole processes. Compared programs run alternately. Each image "
+                    + "is checked before it is timed.",
             "",
             "Writes report.html (a self-contained page with charts and images), results.json (every sample), results.csv (one row "
-                + "per measurement) and images to the output folder. A canceled run keeps its results so far.",
+                    + "per measurement) and images to the output folder. A canceled run keeps its results so far.",
             "",
             "Exit codes: 1 if an image is less accurate than its setting promises or a result is worse than the baseline, "
-                + "2 if a scene cannot be read (the other scenes are measured)."},
+                    + "2 if a scene cannot be read (the other scenes are measured)."},
         footer = {
             "Examples:",
             "  lightning bench -o results --quick",
@@ -90,7 +90,7 @@ final class BenchCommand implements Callable<Integer> {
     private List<PictureDimensions> sizes = List.of();
     @Option(names = "--baseline", paramLabel = "OLD.json",
             description = "Compare with earlier results: print what is slower (disjoint quartiles and more than 10 %%, also relative to "
-                + "the full trace) or less accurate.")
+                    + "the full trace) or less accurate.")
     private Path baseline;
     @Option(names = "--seed", paramLabel = "N", defaultValue = "1", description = "Random seed (default: 1).")
     private long seed;
@@ -112,7 +112,7 @@ final class BenchCommand implements Callable<Integer> {
 
     @Option(names = "--figure", paramLabel = "N",
             description = "Measure only the edits of one of the paper's figures (default scene: the figure's). B1 to B4 are the "
-                + "examples of its Appendix B (balls, spaceship, desk, house), B is all four.")
+                    + "examples of its Appendix B (balls, spaceship, desk, house), B is all four.")
     private void setFigure(String value) {
         figure = PaperFigures.parse(value).orElseThrow(() -> new ParameterException(command.commandLine(),
                 "--figure must be a figure with measured edits (" + PaperFigures.measuredRange() + "), was " + Quote.of(value)));

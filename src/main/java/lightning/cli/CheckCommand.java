@@ -17,7 +17,7 @@ import picocli.CommandLine.Mixin;
 @Command(name = "check", abbreviateSynopsis = true, header = "Validate a scene.",
         description = {
             "Reads the scene and its textures. Prints one line per problem, FILE:LINE:COLUMN: what was expected and what was "
-                + "found; the exit code is then 2. Prints a one-line summary of a valid scene."},
+                    + "found; the exit code is then 2. Prints a one-line summary of a valid scene."},
         footer = {
             "Example:",
             "  lightning check scenes/bird.jen"})

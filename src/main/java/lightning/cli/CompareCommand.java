@@ -19,10 +19,10 @@ import picocli.CommandLine.Parameters;
 @Command(name = "compare", abbreviateSynopsis = true, header = "Compare two images.",
         description = {
             "Compares two images of the same size, in any combination of .png, .pfm, .exr and .hdr. Exit codes are those of diff: "
-                + "0 if the images are equal, 1 if they differ, 2 on error.",
+                    + "0 if the images are equal, 1 if they differ, 2 on error.",
             "",
             "Only .pfm and 32-bit .exr files store every bit of an image; equal .png files show only that images are displayed "
-                + "the same.",
+                    + "the same.",
             "",
             "FLIP is the perceived difference when flipping between the images, from 0 (none) to 1, at 67 pixels per degree."},
         footer = {

@@ -15,7 +15,7 @@ final class EditStep {
     @Option(names = "--set", required = true, paramLabel = "NAME.PROPERTY=VALUE",
             description = {
                 "Set a property with the syntax of the scene file: key.intensity=0.4, \"key.color=1 0 0\", key.type=spot, key.on=no, "
-                    + "world.ambience=0.1, picture.depth=5.",
+                        + "world.ambience=0.1, picture.depth=5.",
                 "Quote names that are not a single word: '\"key light\".intensity=2'.",
                 "Materials: \"material:gold.reflective=0.5 0.4 0.1\", material:gold.shininess=30, material:floor.texture=none."})
     private String set;

@@ -22,11 +22,11 @@ import picocli.CommandLine.Option;
 @Command(name = "effects", header = "Measure the cost of each effect.", abbreviateSynopsis = true,
         description = {
             "Determines from the scene which effects its image needs, and measures the cost of each: milliseconds of the first pass "
-                + "and of the update after an edit, bytes, and rays of the first pass. Then prints the bytes of each kind of column.",
+                    + "and of the update after an edit, bytes, and rays of the first pass. Then prints the bytes of each kind of column.",
             "",
             "Effects in use are measured by rendering without them. Unused effects are measured by forcing them on if that does not "
-                + "change the image; the figures show what their absence saves. Anti-aliasing is forced at edges only, since it always "
-                + "changes the image. All figures are medians of alternating runs; ~ marks a difference within the noise."},
+                    + "change the image; the figures show what their absence saves. Anti-aliasing is forced at edges only, since it always "
+                    + "changes the image. All figures are medians of alternating runs; ~ marks a difference within the noise."},
         footer = {
             "Examples:",
             "  lightning effects scenes/bird.jen --size 1920x1080",

@@ -28,15 +28,15 @@ import picocli.CommandLine.Parameters;
 @Command(name = "explain", header = "Explain a pixel's color.", abbreviateSynopsis = true,
         description = {
             "Traces one pixel and prints the visible surface point and, for each light, whether it reaches the point (backfacing, "
-                + "outside the cone, shadowed by an object, lit), its cosine, specular term and falloff, and its contribution to the "
-                + "point's color with its share in percent.",
+                    + "outside the cone, shadowed by an object, lit), its cosine, specular term and falloff, and its contribution to the "
+                    + "point's color with its share in percent.",
             "",
             "If bump maps, normal maps or vertex normals change the normal, prints each step from the geometric normal, and which "
-                + "lights are below the horizon. Reflected and refracted rays follow, indented; rays through transparent surfaces only "
-                + "if they contribute more than 0.2 %% of the pixel.",
+                    + "lights are below the horizon. Reflected and refracted rays follow, indented; rays through transparent surfaces only "
+                    + "if they contribute more than 0.2 %% of the pixel.",
             "",
             "Colors are linear red, green, blue. The last line is the pixel in the film and on the display, bit-identical to "
-                + "that of lightning render."},
+                    + "that of lightning render."},
         footer = {
             "Examples:",
             "  lightning explain scenes/bird.jen 150,230",

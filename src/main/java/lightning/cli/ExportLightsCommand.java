@@ -18,8 +18,8 @@ import picocli.CommandLine.Option;
 @Command(name = "export-lights", header = "Export a scene's lights to glTF or JSON.", abbreviateSynopsis = true,
         description = {
             "With --into, writes a copy of a glTF file in which the scene's lights replace the original ones; everything else stays "
-                + "unchanged. Properties that glTF does not support are listed and counted. They are stored in the extras of the "
-                + "lights; lightning import restores them.",
+                    + "unchanged. Properties that glTF does not support are listed and counted. They are stored in the extras of the "
+                    + "lights; lightning import restores them.",
             "",
             "Without --into, writes all light and light group properties of the scene as JSON."},
         footer = {

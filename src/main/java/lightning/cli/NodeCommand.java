@@ -25,12 +25,12 @@ import picocli.CommandLine.Spec;
 @Command(name = "node", abbreviateSynopsis = true, header = "Run a render node of a cluster.",
         description = {
             "Runs until stopped. Renders and caches frames for machines that relight a shot with --cluster. All machines of a cluster "
-                + "share one certificate file. Create it once with --make-certificate and copy it to each machine; anyone with it "
-                + "can join.",
+                    + "share one certificate file. Create it once with --make-certificate and copy it to each machine; anyone with it "
+                    + "can join.",
             "",
             "Start the first node without --join and each further one with the address of any running node. Nodes can join and leave "
-                + "at any time; other nodes re-render the frames of a lost one. Without --bind a node is reachable only from its "
-                + "own machine."},
+                    + "at any time; other nodes re-render the frames of a lost one. Without --bind a node is reachable only from its "
+                    + "own machine."},
         footer = {
             "Examples:",
             "  lightning node --make-certificate cluster.p12",

@@ -26,16 +26,16 @@ import picocli.CommandLine.Option;
 @Command(name = "relight", header = "Edit lights and materials and re-render only what changed.", abbreviateSynopsis = true,
         description = {
             "Traces the scene once, then applies the edits in order. The edits up to a --then (or the end) form a group that is "
-                + "rendered as one. Prints a line for each group: its plan, the rows of light layers it changed, its shadow rays, its "
-                + "time, and whether the image is exact or its error bound.",
+                    + "rendered as one. Prints a line for each group: its plan, the rows of light layers it changed, its shadow rays, its "
+                    + "time, and whether the image is exact or its error bound.",
             "",
             "Then repeats each group, alternating with full traces of the same image until both are warmed up, to measure the time "
-                + "saved. --no-savings skips this. The savings are left out if the timing is too noisy.",
+                    + "saved. --no-savings skips this. The savings are left out if the timing is too noisy.",
             "",
             "--verify traces each edited scene in full and counts the pixels and values that differ. The exit code is 1 if an image "
-                + "is less accurate than promised: bit-identical with --accuracy exact, within the printed bound with ratio. With "
-                + "--reflections stale, images are compared with a full trace with outdated reflections; a second count shows how "
-                + "many pixels 'Update Reflections' would change."},
+                    + "is less accurate than promised: bit-identical with --accuracy exact, within the printed bound with ratio. With "
+                    + "--reflections stale, images are compared with a full trace with outdated reflections; a second count shows how "
+                    + "many pixels 'Update Reflections' would change."},
         footer = {
             "Examples:",
             "  lightning relight scenes/bird.jen -o red.png --set \"sun.color=1 0 0\"",

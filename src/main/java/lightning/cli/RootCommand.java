@@ -15,7 +15,7 @@ import picocli.CommandLine.Spec;
 @Command(name = "lightning", versionProvider = RootCommand.Version.class,
         header = "Light ray-traced scenes: trace once, then relight exactly in a fraction of the time.",
         description = "Without a command, opens a scene (default: scenes/bird.jen) or a glTF, OBJ, PLY or NFF file in the editor. If no "
-            + "window can be opened, runs lightning tour, which demonstrates every kind of edit with images and timings.",
+                + "window can be opened, runs lightning tour, which demonstrates every kind of edit with images and timings.",
         commandListHeading = "%nCommands (each has a --help with examples):%n",
         footer = {
             "Exit codes: 0 done, 1 check failed (relight --verify, compare), 2 bad usage or bad input, 130 canceled.",

@@ -40,14 +40,14 @@ import picocli.CommandLine.Option;
 @Command(name = "relight", abbreviateSynopsis = true, header = "Edit lights and materials in all frames of a shot.",
         description = {
             "Traces every frame once and caches it in memory or, if that is full, in temporary files. Then applies the edits to all "
-                + "frames and recomputes only what they change; each image is bit-identical to a full trace.",
+                    + "frames and recomputes only what they change; each image is bit-identical to a full trace.",
             "",
             "The edits up to a --then (or the end) form a group that is rendered as one. With --then, the images of the first group "
-                + "go to a subfolder 1, those of the second to 2, and so on, to compare several lightings. --set rejects properties "
-                + "that are animated in the shot, and lists their keyframes.",
+                    + "go to a subfolder 1, those of the second to 2, and so on, to compare several lightings. --set rejects properties "
+                    + "that are animated in the shot, and lists their keyframes.",
             "",
             "At the end, measures the time saved by the last group on some frames, as relight does (--no-savings skips this). With "
-                + "--cluster, nodes on other machines cache the frames; --memory, --disk and --no-savings are then not used.",
+                    + "--cluster, nodes on other machines cache the frames; --memory, --disk and --no-savings are then not used.",
             "",
             "Image files appear only when complete; finished ones remain if the command is canceled."},
         footer = {

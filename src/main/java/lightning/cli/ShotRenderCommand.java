@@ -31,11 +31,11 @@ import picocli.CommandLine.Option;
 @Command(name = "render", abbreviateSynopsis = true, header = "Render the frames of a shot to numbered images or a video.",
         description = {
             "Each image is bit-identical to a full trace of its frame. If only lights changed since the previous frame, only they are "
-                + "recomputed.",
+                    + "recomputed.",
             "",
             "-o frames writes frames/SCENE-0001.png and so on, -o out/bird.exr writes out/bird-0001.exr. Image files appear only when "
-                + "complete; finished ones remain if the command is canceled, and --resume continues after them. -o bird.mp4 "
-                + "writes a video at the shot's frame rate (mp4, mov, mkv or webm; needs ffmpeg)."},
+                    + "complete; finished ones remain if the command is canceled, and --resume continues after them. -o bird.mp4 "
+                    + "writes a video at the shot's frame rate (mp4, mov, mkv or webm; needs ffmpeg)."},
         footer = {
             "Examples:",
             "  lightning shot render scenes/dusk.jen -o frames",

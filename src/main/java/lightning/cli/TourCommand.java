@@ -33,16 +33,16 @@ import picocli.CommandLine.Parameters;
 @Command(name = "tour", header = "Demonstrate every kind of edit, with images and timings.", abbreviateSynopsis = true,
         description = {
             "Traces the scene, applies the paper's edits one by one, each to the original scene, and writes the images. Prints a line "
-                + "for each edit: its plan, the rows of light layers it changed, its shadow rays, its time and that of a full trace "
-                + "(medians of alternating runs), the time saved, the saving reported in the paper (other scene, machine of 1998), the "
-                + "cap, and whether the image is bit-identical to a full trace.",
+                    + "for each edit: its plan, the rows of light layers it changed, its shadow rays, its time and that of a full trace "
+                    + "(medians of alternating runs), the time saved, the saving reported in the paper (other scene, machine of 1998), the "
+                    + "cap, and whether the image is bit-identical to a full trace.",
             "",
             "The cap is the largest possible saving: the edit would cast rays as fast as the full trace and move bytes at full memory "
-                + "bandwidth. A fast full trace and few lights leave less to save.",
+                    + "bandwidth. A fast full trace and few lights leave less to save.",
             "",
             "Reflections follow each edit. With --reflections stale they stay outdated, as measured in the paper, and images are "
-                + "compared with a full trace with outdated reflections; the line '- its mirrors' then measures Update Reflections "
-                + "after the position edit.",
+                    + "compared with a full trace with outdated reflections; the line '- its mirrors' then measures Update Reflections "
+                    + "after the position edit.",
             "",
             "The exit code is 1 if an image differs from the full trace."},
         footer = {

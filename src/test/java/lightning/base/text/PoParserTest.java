@@ -48,12 +48,12 @@ class PoParserTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', quoteCharacter = '`', value = {
-            "msgid \"a\"\\nmsgstr \"b\"\\nmsgid \"a\"\\nmsgstr \"c\" | line 4: duplicate msgid 'a'",
-            "msgid \"a\"\\nmsgid \"b\" | line 2: expected msgstr for 'a'",
-            "msgstr \"b\" | line 1: expected msgid",
-            "msgid a | line 1: expected a text in quotes, found 'a'",
-            "msgid \"\\q\" | line 1: unknown escape \\q",
-            "Open | line 1: expected msgid, msgstr or a quoted text, found 'Open'"})
+        "msgid \"a\"\\nmsgstr \"b\"\\nmsgid \"a\"\\nmsgstr \"c\" | line 4: duplicate msgid 'a'",
+        "msgid \"a\"\\nmsgid \"b\" | line 2: expected msgstr for 'a'",
+        "msgstr \"b\" | line 1: expected msgid",
+        "msgid a | line 1: expected a text in quotes, found 'a'",
+        "msgid \"\\q\" | line 1: unknown escape \\q",
+        "Open | line 1: expected msgid, msgstr or a quoted text, found 'Open'"})
     void faultyCatalog_isRejectedWithItsLine(String lines, String message) {
         assertThatThrownBy(() -> new PoParser(lines.replace("\\n", "\n")).parse()).hasMessageContaining(message);
     }

@@ -62,7 +62,8 @@ final class ClusterRelightTest {
             "--set", "world.ambience=0.3"};
         try (var _ = new NodeProcess(port, List.of(port), folder)) {
             // The command waits half a minute for a node, which should not include the start of Java.
-            Await.until("the node has started", () -> Files.readString(folder.resolve("node-" + port + ".log")).contains("node running at"));
+            Await.until("the node has started",
+                    () -> Files.readString(folder.resolve("node-" + port + ".log")).contains("node running at"));
             String other = folder.resolve("other.p12").toString();
             SelfSignedCertificate.write(Path.of(other));
             // Tries for half a minute without success, while the others work.
