@@ -120,9 +120,9 @@ class HtmlReportTest {
     void oneRepetition_isNotCalledWarm() throws Exception {
         SystemLoad load = SampleResults.RUN.load();
         assertThat(write(results(run(load, 1), scene(80)), folder).getDocumentElement().getTextContent()).contains("nothing warmed up")
-                .doesNotContain("after warming up");
+                .doesNotContain("after a warm-up");
         assertThat(write(results(run(load, 5), scene(80)), folder).getDocumentElement().getTextContent())
-                .contains("5 samples each, after warming up");
+                .contains("5 samples each, after a warm-up");
     }
 
     @Test

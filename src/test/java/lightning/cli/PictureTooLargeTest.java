@@ -42,7 +42,7 @@ class PictureTooLargeTest {
     @Test
     void render_suggestsSizeOption() throws IOException {
         CliResult.run("render", finestSampling(), "-o", folder.resolve("a.png")).assertRejected(SENTENCE,
-                "GB; it would fit with a size of ",
+                "GB is available; it would fit with a size of ",
                 " (--size ");
         assertThat(folder.resolve("a.png")).doesNotExist();
     }

@@ -39,7 +39,7 @@ final class UpdatesPane extends VBox {
         addNumberColumn(Messages.tr("Shadow rays"), 162, e -> StatusText.number(e.update().rays().shadow()));
         addNumberColumn(Messages.tr("All rays"), 126, e -> StatusText.number(e.update().rays().total()));
         addNumberColumn(Messages.tr("Time"), 86, e -> StatusText.time(e.update().milliseconds()));
-        addNumberColumn(Messages.tr("Time saved"), 92, e -> e.saving().map(s -> StatusText.savingText(s.percent() / 100)).orElse("–"));
+        addNumberColumn(Messages.tr("Saved"), 92, e -> e.saving().map(s -> StatusText.savingText(s.percent() / 100)).orElse("–"));
         addTextColumn(Messages.tr("Picture"), 92, e -> e.isFinished() ? e.accuracyText() : Messages.tr("not anti-aliased yet"));
         table.setItems(log.entries());
         details.setId("updates-whole");

@@ -96,7 +96,7 @@ class AtomicFileTest {
     @Test
     void folder_isRejected() {
         assertThatThrownBy(() -> AtomicFile.write(folder, out -> {})).isInstanceOf(IOException.class)
-                .hasMessageContaining("is a folder");
+                .hasMessageContaining("expected a file, found a folder");
     }
 
     @Test

@@ -166,7 +166,7 @@ class ShotTest {
         assertRejected("cannot be", new Track(TrackTarget.light("key"), "at", List.of(key(0, Interpolation.LINEAR, 1))));
         assertThatThrownBy(
                 () -> new Track(TrackTarget.CAMERA, "fov", List.of(key(3, Interpolation.LINEAR, 9), key(3, Interpolation.LINEAR, 9))))
-                .hasMessageContaining("found 3 behind 3");
+                .hasMessageContaining("found 3 after 3");
         Track once = new Track(TrackTarget.CAMERA, "fov", List.of(key(3, Interpolation.LINEAR, 9)));
         assertThatThrownBy(() -> Shot.DEFAULT.withTracks(List.of(once, once))).hasMessageContaining("once");
     }

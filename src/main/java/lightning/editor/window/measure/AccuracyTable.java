@@ -29,7 +29,7 @@ final class AccuracyTable extends TableView<SweepPoint> {
         addColumn(Messages.tr("Time"), NUMBER_WIDTH, AccuracyText::time);
         addColumn(Messages.tr("Compared to full trace"), SHARE_WIDTH, r -> AccuracyText.saving(sweep, r));
         addColumn(Messages.tr("Largest error"), NUMBER_WIDTH, r -> AccuracyText.largest(r.error()));
-        addColumn(Messages.tr("Values changed"), NUMBER_WIDTH, r -> AccuracyText.values(r.error()));
+        addColumn(Messages.tr("Differing"), NUMBER_WIDTH, r -> AccuracyText.values(r.error()));
         addColumn("PSNR", NUMBER_WIDTH, r -> AccuracyText.psnr(r.error()));
         addColumn("SSIM", NUMBER_WIDTH, r -> AccuracyText.ssim(r.error()));
     }
