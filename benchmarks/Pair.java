@@ -37,7 +37,8 @@ final class Pair {
     private static final int MIN_SAMPLES = 5;
     /**
      * Length of a warm-up window, nanoseconds. Warm-up ends when Java's compilers work for less than {@link #WARM_SHARE} of a window, or
-     * after {@link #MAX_WINDOWS}. The first works compile most and have longer windows, because a single method can need a second.
+     * after {@link #MAX_WINDOWS}. The full trace and the first pass compile most: they have longer windows, because
+     * a single method can need a second.
      */
     private static final long WINDOW = 400_000_000L;
     private static final long FIRST_WINDOW = 2_000_000_000L;
