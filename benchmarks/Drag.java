@@ -2,7 +2,7 @@ package lightning.editor.window;
 
 import static lightning.editor.window.Window.await;
 import static lightning.editor.window.Window.onWindow;
-import static lightning.editor.window.Window.say;
+import static lightning.editor.window.Window.print;
 
 import com.sun.javafx.perf.PerformanceTracker;
 import java.lang.management.ManagementFactory;
@@ -24,113 +24,124 @@ import lightning.editor.loop.Frame;
 import lightning.editor.window.model.EditorModel;
 import lightning.render.engine.choice.Engines;
 
-/** From the event of a drag to the drawn picture, and what lies between: widgets of the first light's properties, dragged by the mouse. */
+/**
+ * Measures the latency from a mouse drag event to the drawn picture, and each step in between. Drags the widgets of the first light's
+ * properties.
+ */
 final class Drag {
-    /** Steps before those that count, these, and the time between them, milliseconds. */
+    /** Drag steps that are not measured. */
     private static final int WARM_UPS = 100;
+    /** Measured drag steps. */
     private static final int SAMPLES = 60;
+    /** Pause between steps, milliseconds. */
     private static final long STEP_MS = 90;
-    /** The mouse goes so far one way and back, pixels. */
-    private static final int WAY = 40;
+    /** Distance that the mouse moves forth and back, pixels. */
+    private static final int DRAG_LENGTH = 40;
     private static final ThreadMXBean THREADS = ManagementFactory.getThreadMXBean();
-    private static final List<String> PARTS = List.of("update", "handler", "after it to the window", "to layout", "to screen", "all",
-            "all / update");
+    private static final List<String> PARTS = List.of("update", "handler", "handler to window", "to layout", "to screen", "total",
+            "total / update");
 
     private final Scene scene;
-    private final String what;
-    /** When the window heard of the picture, its next layout, and when that was drawn; 0 for not yet. */
-    private long heard;
+    private final String property;
+    /** Times in nanoseconds when the window received the picture, laid it out and drew it; 0 until then. */
+    private long received;
     private long laidOut;
     private volatile long drawn;
     private Frame frame;
 
-    private Drag(EditorModel model, Scene scene, String what) {
+    private Drag(EditorModel model, Scene scene, String property) {
         this.scene = scene;
-        this.what = what;
+        this.property = property;
         frame = model.picture().frame();
         model.picture().renderStateProperty().subscribe(state -> {
-            if (state.frame() != frame && heard == 0) {
+            if (state.frame() != frame && received == 0) {
                 frame = state.frame();
-                heard = System.nanoTime();
+                received = System.nanoTime();
             }
         });
-        scene.addPostLayoutPulseListener(() -> laidOut = heard != 0 && laidOut == 0 ? System.nanoTime() : laidOut);
+        scene.addPostLayoutPulseListener(() -> laidOut = received != 0 && laidOut == 0 ? System.nanoTime() : laidOut);
         PerformanceTracker.getSceneTracker(scene).setOnRenderedFrameTask(() -> {
             long now = System.nanoTime();
             Platform.runLater(() -> drawn = laidOut != 0 && now > laidOut && drawn == 0 ? now : drawn);
         });
     }
 
-    /** Intensity, color and place of the first light, in a picture of a size. */
-    static void all(Editor editor, int width, int height) throws Exception {
+    /** Measures drags of the first light's intensity, color and position in a picture of this size. */
+    static void measureAll(Editor editor, int width, int height) throws Exception {
         EditorModel model = editor.model();
         Engines.use(Engines.FASTEST);
         onWindow(() -> {
             model.editor().liveProperty().set(true);
             return model.editor().edit(scene -> EditOutcome.of(() -> scene.withPicture(scene.picture().withSize(width, height))));
         });
-        await(() -> Window.rests(model));
+        await(() -> Window.isIdle(model));
         Scene scene = onWindow(() -> javafx.stage.Window.getWindows().getFirst().getScene());
         onWindow(() -> {
             model.editor().selection().selectLight(model.editor().scene().lights().getFirst().name());
             return null;
         });
-        await(() -> Window.rests(model));
-        for (String what : List.of("intensity", "color", "position")) {
-            Drag drag = onWindow(() -> new Drag(model, scene, what));
-            drag.measure(onWindow(drag::hand));
+        await(() -> Window.isIdle(model));
+        for (String property : List.of("intensity", "color", "position")) {
+            Drag drag = onWindow(() -> new Drag(model, scene, property));
+            drag.measure(onWindow(drag::pressMouse));
         }
     }
 
-    /** Presses the mouse; what is returned drags it to a step's place. */
-    private IntConsumer hand() {
-        Node handle = scene.lookup(switch (what) {
+    /** Presses the mouse and returns a function that drags it to the position of a step. */
+    private IntConsumer pressMouse() {
+        Node handle = scene.lookup(switch (property) {
             case "intensity" -> "#intensity .arrow-pad";
             case "color" -> "#color .color-slider .thumb";
             case "position" -> "#position .axis-x";
-            default -> throw new IllegalArgumentException(what);
+            default -> throw new IllegalArgumentException(property);
         });
         Point2D at = handle.localToScene(handle.getLayoutBounds().getCenterX(), handle.getLayoutBounds().getCenterY());
-        mouse(handle, MouseEvent.MOUSE_PRESSED, at);
+        fireMouse(handle, MouseEvent.MOUSE_PRESSED, at);
         return step -> {
-            int way = WAY - Math.abs(step % (2 * WAY) - WAY);
-            mouse(handle, MouseEvent.MOUSE_DRAGGED, what.equals("intensity") ? at.subtract(0, 3 + way) : at.subtract(3 + way, 0));
+            int offset = DRAG_LENGTH - Math.abs(step % (2 * DRAG_LENGTH) - DRAG_LENGTH);
+            fireMouse(handle, MouseEvent.MOUSE_DRAGGED,
+                    property.equals("intensity") ? at.subtract(0, 3 + offset) : at.subtract(3 + offset, 0));
         };
     }
 
-    /** @param at in the window's scene; Shift is held where a place is dragged, so that it stays near */
-    private void mouse(Node handle, EventType<MouseEvent> type, Point2D at) {
+    /**
+     * Fires a mouse event, with Shift for a position, so that it moves slowly.
+     *
+     * @param at position in the window's scene
+     */
+    private void fireMouse(Node handle, EventType<MouseEvent> type, Point2D at) {
         Event.fireEvent(handle, new MouseEvent(type, at.getX(), at.getY(), at.getX(), at.getY(), MouseButton.PRIMARY, 1,
-                what.equals("position"), false, false, false, true, false, false, false, false, true, null));
+                property.equals("position"), false, false, false, true, false, false, false, false, true, null));
     }
 
+    /** Returns the processor time of the window's thread, of the drawing thread and of all Java threads, nanoseconds. */
     private static long[] processorTime() {
         long[] all = THREADS.getAllThreadIds();
-        return new long[] {of(all, "JavaFX Application Thread"), of(all, "QuantumRenderer"), of(all, "")};
+        return new long[] {cpuTime(all, "JavaFX Application Thread"), cpuTime(all, "QuantumRenderer"), cpuTime(all, "")};
     }
 
-    private static long of(long[] threads, String name) {
+    private static long cpuTime(long[] threads, String name) {
         return LongStream.of(threads)
                 .filter(id -> THREADS.getThreadInfo(id) != null && THREADS.getThreadInfo(id).getThreadName().startsWith(name))
                 .map(THREADS::getThreadCpuTime).sum();
     }
 
-    private void measure(IntConsumer hand) throws Exception {
+    private void measure(IntConsumer dragTo) throws Exception {
         double[][] ms = new double[PARTS.size()][SAMPLES];
-        long[] began = null;
+        long[] begin = null;
         for (int i = -WARM_UPS; i < SAMPLES; i++) {
             int step = i + WARM_UPS + 1;
-            began = i == 0 ? processorTime() : began;
+            begin = i == 0 ? processorTime() : begin;
             Thread.sleep(STEP_MS + (i * 7 & 31));
             long start = System.nanoTime();
             long edited = onWindow(() -> {
-                heard = laidOut = drawn = 0;
-                hand.accept(step);
+                received = laidOut = drawn = 0;
+                dragTo.accept(step);
                 return System.nanoTime();
             });
             await(() -> drawn != 0);
             double update = frame.update().milliseconds();
-            double[] sample = {update, edited - start, heard - edited, laidOut - heard, drawn - laidOut, drawn - start, 0};
+            double[] sample = {update, edited - start, received - edited, laidOut - received, drawn - laidOut, drawn - start, 0};
             for (int k = 1; k < 6; k++) {
                 sample[k] /= 1e6;
             }
@@ -139,12 +150,13 @@ final class Drag {
                 ms[k][Math.max(i, 0)] = sample[k];
             }
         }
-        long[] ended = processorTime();
+        long[] end = processorTime();
         for (int k = 0; k < ms.length; k++) {
             Arrays.sort(ms[k]);
-            say("%-10s %-24s %8.2f   %.2f to %.2f", what, PARTS.get(k), ms[k][SAMPLES / 2], ms[k][SAMPLES / 4], ms[k][3 * SAMPLES / 4]);
+            print("%-10s %-24s %8.2f   %.2f to %.2f", property, PARTS.get(k), ms[k][SAMPLES / 2], ms[k][SAMPLES / 4],
+                    ms[k][3 * SAMPLES / 4]);
         }
-        say("%-10s processor time a step: the window's thread %.1f, the drawing one %.1f, all of Java's %.1f ms", what,
-                (ended[0] - began[0]) / 1e6 / SAMPLES, (ended[1] - began[1]) / 1e6 / SAMPLES, (ended[2] - began[2]) / 1e6 / SAMPLES);
+        print("%-10s processor time per step: window's thread %.1f, drawing thread %.1f, all Java threads %.1f ms",
+                property, (end[0] - begin[0]) / 1e6 / SAMPLES, (end[1] - begin[1]) / 1e6 / SAMPLES, (end[2] - begin[2]) / 1e6 / SAMPLES);
     }
 }

@@ -15,8 +15,8 @@ import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Scene;
 
 /**
- * Goes through kept sessions by the names that all builds share, for {@code benchmarks/films}: a line for each scene of each
- * session, in order, with a checksum of the film that the update made, the rows touched and the shadow rays cast.
+ * Replays stored edit sessions for {@code benchmarks/films}. Prints a line for each scene of each session, in order: a checksum of the
+ * updated film, the rows touched and the shadow rays cast. Uses only names that all builds share.
  */
 final class Films {
     public static void main(String[] args) throws Exception {

@@ -21,13 +21,13 @@ import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
 
 /**
- * How far edits are from the floor, for {@code benchmarks/floor}: one thread's processor time beside the time that its memory
+ * Compares edits with the memory limit, for {@code benchmarks/floor}: the processor time of one thread, and the time that its memory
  * needs for the bytes that the edit reads and writes.
  */
 final class Floor {
     private static final double WARM_UP_MS = 1500;
     private static final double MEASURED_MS = 1000;
-    private static final int LEAST = 7;
+    private static final int MIN_SAMPLES = 7;
     private static final ThreadMXBean THREADS = ManagementFactory.getThreadMXBean();
 
     public static void main(String[] args) throws Exception {
@@ -35,19 +35,19 @@ final class Floor {
         Scene read = JenReader.read(Path.of(args[0])).scene();
         Scene scene = read.withPicture(new PictureSettings(Integer.parseInt(args[1]), Integer.parseInt(args[2]), read.picture().depth()));
         try (var renderer = new Renderer(RenderOptions.DEFAULT.withReflections(ReflectionMode.STALE).withThreads(1));
-                var alone = new WorkerPool(1)) {
-            double bytesPerMs = MemoryBandwidth.triad(alone, 15).stream().mapToDouble(d -> d).max().orElseThrow();
+                var worker = new WorkerPool(1)) {
+            double bytesPerMs = MemoryBandwidth.triad(worker, 15).stream().mapToDouble(d -> d).max().orElseThrow();
             System.out.printf(Locale.ROOT, "%s at %sx%s; memory: %.1f GB/s%n%-20s %9s %9s %9s %9s%n", Path.of(args[0]).getFileName(),
                     args[1],
                     args[2], bytesPerMs / 1e6, "edit", "floor, ms", "takes, ms", "times", "saves, %");
             TraditionalTracer tracer = new TraditionalTracer(scene);
-            double full = median(() -> {}, () -> tracer.trace(alone, Progress.NONE));
+            double full = median(() -> {}, () -> tracer.trace(worker, Progress.NONE));
             for (PaperCase edit : PaperCases.of(scene)) {
                 List<Scene> scenes = edit.scenes();
                 renderer.render(scenes.get(scenes.size() - 2), Progress.NONE);
-                PixelCache kept = renderer.cache();
+                PixelCache cacheBefore = renderer.cache();
                 UpdateResult[] update = new UpdateResult[1];
-                double ms = median(() -> renderer.restore(kept), () -> update[0] = renderer.render(edit.after(), Progress.NONE));
+                double ms = median(() -> renderer.restore(cacheBefore), () -> update[0] = renderer.render(edit.after(), Progress.NONE));
                 double floor = update[0].bytesMoved() / bytesPerMs;
                 System.out.printf(Locale.ROOT, "%-20s %9.3f %9.3f %9.2f %9.1f%n", edit.name(), floor, ms, ms / floor,
                         100 * (1 - ms / full));
@@ -56,14 +56,15 @@ final class Floor {
     }
 
     private static double median(Runnable before, Runnable timed) {
-        spend(before, timed, WARM_UP_MS);
-        double[] times = spend(before, timed, MEASURED_MS);
+        sample(before, timed, WARM_UP_MS);
+        double[] times = sample(before, timed, MEASURED_MS);
         return times[times.length / 2];
     }
 
-    private static double[] spend(Runnable before, Runnable timed, double milliseconds) {
+    /** Repeats the timed work for at least this time and returns its processor times in milliseconds, sorted. */
+    private static double[] sample(Runnable before, Runnable timed, double milliseconds) {
         double[] times = new double[0];
-        for (double sum = 0; sum < milliseconds || times.length < LEAST; sum += times[times.length - 1]) {
+        for (double sum = 0; sum < milliseconds || times.length < MIN_SAMPLES; sum += times[times.length - 1]) {
             before.run();
             long start = THREADS.getCurrentThreadCpuTime();
             timed.run();

@@ -26,31 +26,31 @@ import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
 
 /**
- * Times one build of the engine by the names that all builds share, for {@code benchmarks/pair}: a line for each of the full
- * trace, the first pass and some edits, with the median time in milliseconds, the median of the processor time of all threads in
- * milliseconds, the median of the bytes that they allocate, and two counts that no machine changes: rows and bytes kept, or rows
- * touched and shadow rays.
+ * Times one build of the engine, for {@code benchmarks/pair}, with names that all builds share. Prints a line for the full trace, the
+ * first pass and each edit: the medians of the elapsed milliseconds, the processor milliseconds of all threads and the bytes that they
+ * allocate. Two counts follow that do not depend on the machine: rows and bytes cached, or rows touched and shadow rays.
  */
 final class Pair {
-    private static final int TIMES = 25;
-    /** Fewer of both where they take longer than this, but no fewer than some. */
-    private static final long MOST_NANOSECONDS = 700_000_000L;
-    private static final int LEAST = 5;
+    private static final int MAX_SAMPLES = 25;
+    /** Time after which sampling stops, once there are {@link #MIN_SAMPLES}. */
+    private static final long MAX_NANOSECONDS = 700_000_000L;
+    private static final int MIN_SAMPLES = 5;
     /**
-     * Warm is what Java's compilers rest beside: they worked less than {@link #REST} of a window of so many nanoseconds. Warming up ends
-     * after so many windows in any case. What compiles most comes first, in longer windows: a single method may take a second.
+     * Length of a warm-up window, nanoseconds. Warm-up ends when Java's compilers work for less than {@link #WARM_SHARE} of a window, or
+     * after {@link #MAX_WINDOWS}. The full trace and the first pass compile most: they have longer windows, because
+     * a single method can need a second.
      */
     private static final long WINDOW = 400_000_000L;
     private static final long FIRST_WINDOW = 2_000_000_000L;
-    private static final int MOST_WINDOWS = 10;
-    private static final double REST = 0.05;
-    private static final int MOST_TIMES = 10_000;
+    private static final int MAX_WINDOWS = 10;
+    private static final double WARM_SHARE = 0.05;
+    private static final int MAX_WARM_UPS = 10_000;
     private static final int THREADS = 2;
     private static final CompilationMXBean COMPILERS = ManagementFactory.getCompilationMXBean();
     private static final ThreadMXBean ALL = (ThreadMXBean) ManagementFactory.getThreadMXBean();
 
-    /** What each of some runs took: milliseconds, those of processors, bytes. */
-    private record Taken(double[] times, double[] processor, double[] bytes) {}
+    /** Costs of each run: elapsed milliseconds, processor milliseconds, allocated bytes. */
+    private record Samples(double[] times, double[] processor, double[] bytes) {}
 
     public static void main(String[] args) throws Exception {
         Engines.use(Engines.FASTEST);
@@ -62,46 +62,46 @@ final class Pair {
             print("full-trace",
                     times(FIRST_WINDOW, () -> {}, () -> new TraditionalTracer(scene, geometry).trace(workers, Progress.NONE)),
                     0, 0);
-            Taken first = times(FIRST_WINDOW, renderer::clear, () -> renderer.render(scene, Progress.NONE));
+            Samples first = times(FIRST_WINDOW, renderer::clear, () -> renderer.render(scene, Progress.NONE));
             print("first-pass", first, renderer.cache().rowCount(), renderer.cache().bytes());
             for (Map.Entry<String, Scene> edit : edits(scene).entrySet()) {
                 var update = new UpdateResult[1];
-                Taken times = times(WINDOW, () -> renderer.render(scene, Progress.NONE),
+                Samples times = times(WINDOW, () -> renderer.render(scene, Progress.NONE),
                         () -> update[0] = renderer.render(edit.getValue(), Progress.NONE));
                 print(edit.getKey(), times, update[0].rowsTouched(), update[0].rays().shadow());
             }
         }
     }
 
-    private static Taken times(long window, Runnable before, Runnable timed) {
-        long worked = Long.MAX_VALUE;
-        for (int i = 0; i < MOST_WINDOWS && worked > REST * window; i++) {
+    private static Samples times(long window, Runnable before, Runnable timed) {
+        long compilerTime = Long.MAX_VALUE;
+        for (int i = 0; i < MAX_WINDOWS && compilerTime > WARM_SHARE * window; i++) {
             long compiled = COMPILERS.getTotalCompilationTime();
-            take(MOST_TIMES, window, before, timed);
-            worked = (COMPILERS.getTotalCompilationTime() - compiled) * 1_000_000;
+            sample(MAX_WARM_UPS, window, before, timed);
+            compilerTime = (COMPILERS.getTotalCompilationTime() - compiled) * 1_000_000;
         }
-        return take(TIMES, MOST_NANOSECONDS, before, timed);
+        return sample(MAX_SAMPLES, MAX_NANOSECONDS, before, timed);
     }
 
-    private static Taken take(int most, long nanoseconds, Runnable before, Runnable timed) {
-        double[][] taken = new double[3][most];
+    private static Samples sample(int most, long nanoseconds, Runnable before, Runnable timed) {
+        double[][] samples = new double[3][most];
         int count = 0;
         long begin = System.nanoTime();
-        while (count < most && (count < LEAST || System.nanoTime() - begin < nanoseconds)) {
+        while (count < most && (count < MIN_SAMPLES || System.nanoTime() - begin < nanoseconds)) {
             before.run();
             long[] ids = ALL.getAllThreadIds();
             long processor = sum(ALL.getThreadCpuTime(ids));
             long bytes = sum(ALL.getThreadAllocatedBytes(ids));
             long start = System.nanoTime();
             timed.run();
-            taken[0][count] = (System.nanoTime() - start) / 1e6;
-            taken[1][count] = (sum(ALL.getThreadCpuTime(ids)) - processor) / 1e6;
-            taken[2][count++] = sum(ALL.getThreadAllocatedBytes(ids)) - bytes;
+            samples[0][count] = (System.nanoTime() - start) / 1e6;
+            samples[1][count] = (sum(ALL.getThreadCpuTime(ids)) - processor) / 1e6;
+            samples[2][count++] = sum(ALL.getThreadAllocatedBytes(ids)) - bytes;
         }
-        return new Taken(Arrays.copyOf(taken[0], count), Arrays.copyOf(taken[1], count), Arrays.copyOf(taken[2], count));
+        return new Samples(Arrays.copyOf(samples[0], count), Arrays.copyOf(samples[1], count), Arrays.copyOf(samples[2], count));
     }
 
-    /** Those of threads that have ended are −1. */
+    /** Sums the values of all threads; ended threads have −1, which does not count. */
     private static long sum(long[] ofThreads) {
         return Arrays.stream(ofThreads).filter(v -> v > 0).sum();
     }
@@ -111,9 +111,9 @@ final class Pair {
         return values[values.length / 2];
     }
 
-    private static void print(String name, Taken taken, long one, long other) {
-        System.out.printf(Locale.ROOT, "%s %.4f %.4f %.0f %d %d%n", name, median(taken.times), median(taken.processor),
-                median(taken.bytes), one, other);
+    private static void print(String name, Samples samples, long one, long other) {
+        System.out.printf(Locale.ROOT, "%s %.4f %.4f %.0f %d %d%n", name, median(samples.times), median(samples.processor),
+                median(samples.bytes), one, other);
     }
 
     private static Map<String, Scene> edits(Scene scene) {

@@ -30,20 +30,17 @@ import lightning.scene.Light;
 import lightning.scene.Placement;
 
 /**
- * How long the window's thread is away in an hour's work told in two minutes: for each thing that an artist does the longest time that a
- * task waited for that thread, and the processor time that the thread took meanwhile, which other work on the machine does not
- * lengthen. Arguments: a scene, another one that is opened after it, and a glTF file that does not tell the units of its lights.
+ * Measures how long each step of an artist's typical session blocks the window's thread. Prints the longest time that a task waited for
+ * this thread, and the processor time that the thread used meanwhile. Other work on the machine does not lengthen the latter.
+ * Arguments: a scene, another scene to open after it, and a glTF file without units of lights.
  */
 public final class Pauses {
     private static final ThreadMXBean THREADS = (ThreadMXBean) ManagementFactory.getThreadMXBean();
-    private static final int DRAG = 40;
+    private static final int DRAG_STEPS = 40;
     private static final long DRAG_MS = 30;
     private static final long LOOK_MS = 700;
-    /** How long an artist looks at the first picture: some seconds, or none. */
-    private static final long NOBODY_MS = Long.getLong("look", 8000);
-
-    /** What is being done. */
-    static volatile String step = "";
+    /** Idle time after the first picture, in which the editor preloads panels, milliseconds. */
+    private static final long IDLE_MS = Long.getLong("look", 8000);
 
     private static List<String> arguments;
 
@@ -51,17 +48,17 @@ public final class Pauses {
 
     public static void main(String[] args) {
         arguments = List.of(args);
-        LightningApp.open(Story.class, arguments.subList(0, 1));
+        LightningApp.open(SessionApp.class, arguments.subList(0, 1));
         System.exit(0);
     }
 
-    /** The editor, and who works at it. */
-    public static final class Story extends LightningApp {
+    /** Editor with a scripted session. */
+    public static final class SessionApp extends LightningApp {
         @Override
         void editorOpened(Editor editor) {
             Thread.ofPlatform().daemon().start(() -> {
                 try {
-                    new Hour(editor).work();
+                    new Session(editor).run();
                 } catch (Throwable e) {
                     e.printStackTrace();
                 }
@@ -70,27 +67,27 @@ public final class Pauses {
         }
     }
 
-    /** Asks the window's thread again and again whether it is there. */
-    private static final class Pulse {
+    /** Sends tasks to the window's thread, one after the other, and records the longest wait. */
+    private static final class ThreadProbe {
         private final AtomicLong passed = new AtomicLong();
         private final AtomicLong processor = new AtomicLong();
-        private final long window;
+        private final long threadId;
 
-        Pulse(long window) {
-            this.window = window;
-            Thread.ofPlatform().daemon().start(this::beat);
+        ThreadProbe(long threadId) {
+            this.threadId = threadId;
+            Thread.ofPlatform().daemon().start(this::run);
         }
 
-        private void beat() {
+        private void run() {
             while (true) {
-                long cpu = THREADS.getThreadCpuTime(window);
+                long cpu = THREADS.getThreadCpuTime(threadId);
                 long begin = System.nanoTime();
                 var answered = new CountDownLatch(1);
                 Platform.runLater(answered::countDown);
                 try {
                     answered.await();
                     passed.accumulateAndGet(System.nanoTime() - begin, Math::max);
-                    processor.accumulateAndGet(THREADS.getThreadCpuTime(window) - cpu, Math::max);
+                    processor.accumulateAndGet(THREADS.getThreadCpuTime(threadId) - cpu, Math::max);
                     Thread.sleep(1);
                 } catch (InterruptedException e) {
                     return;
@@ -98,43 +95,43 @@ public final class Pauses {
             }
         }
 
-        /** The longest since this was asked last, milliseconds. */
-        String longest() {
+        /** Returns the longest wait and processor time since the last call, milliseconds. */
+        String takeLongest() {
             return String.format(Locale.ROOT, "%7.1f %7.1f", passed.getAndSet(0) / 1e6, processor.getAndSet(0) / 1e6);
         }
     }
 
-    /** What is done, a step after the other. */
-    private static final class Hour {
+    /** Steps of the session, in order. */
+    private static final class Session {
         private final Editor editor;
         private final EditorModel model;
-        private Pulse pulse;
+        private ThreadProbe probe;
 
-        Hour(Editor editor) {
+        Session(Editor editor) {
             this.editor = editor;
             model = editor.model();
         }
 
-        void work() throws Exception {
-            pulse = new Pulse(onWindow(() -> Thread.currentThread().threadId()));
-            rest("the first seconds after the window is there");
-            Thread.sleep(NOBODY_MS);
-            rest("nobody works, and panels are made ahead");
-            step("live", () -> model.editor().liveProperty().set(true));
+        void run() throws Exception {
+            probe = new ThreadProbe(onWindow(() -> Thread.currentThread().threadId()));
+            awaitIdle("first seconds after the window opens");
+            Thread.sleep(IDLE_MS);
+            awaitIdle("idle, panels are preloaded");
+            step("live updates on", () -> model.editor().liveProperty().set(true));
             String light = model.editor().scene().lights().getFirst().name();
-            step("a light selected", () -> model.editor().selection().selectLight(light));
-            drag("its intensity dragged", i -> edit(light, l -> l.withIntensity(0.5 + 0.01 * i)));
-            drag("its color dragged", i -> edit(light, l -> l.withColor(new Rgb(1, 0.5 + 0.01 * i, 0.7))));
-            drag("its place dragged", i -> edit(light, l -> l.withPosition(l.position().plus(new Vec3(0.01, 0, 0.01)))));
-            menus();
+            step("select a light", () -> model.editor().selection().selectLight(light));
+            drag("drag its intensity", i -> edit(light, l -> l.withIntensity(0.5 + 0.01 * i)));
+            drag("drag its color", i -> edit(light, l -> l.withColor(new Rgb(1, 0.5 + 0.01 * i, 0.7))));
+            drag("drag its position", i -> edit(light, l -> l.withPosition(l.position().plus(new Vec3(0.01, 0, 0.01)))));
+            openMenus();
             for (Command panel : List.of(Command.MIXER, Command.CONTRIBUTIONS, Command.CUES, Command.SCOPES, Command.EFFECTS_PANEL,
                     Command.ACCURACY_PANEL, Command.UPDATES_PANEL, Command.HISTORY_PANEL, Command.KEYS, Command.PALETTE, Command.ABOUT,
                     Command.MAKE_ANIMATION)) {
-                beside(panel.plainTitle(), () -> model.commands().run(panel));
-                beside(panel.plainTitle() + ", again", () -> model.commands().run(panel));
+                openAndClose(panel.plainTitle(), () -> model.commands().run(panel));
+                openAndClose(panel.plainTitle() + ", again", () -> model.commands().run(panel));
             }
-            model();
-            arrange();
+            editScene();
+            arrangeWindow();
             for (Command panel : List.of(Command.MIXER, Command.CONTRIBUTIONS, Command.CUES, Command.SCOPES, Command.EFFECTS_PANEL,
                     Command.ACCURACY_PANEL, Command.UPDATES_PANEL, Command.HISTORY_PANEL, Command.KEYS)) {
                 onWindow(() -> {
@@ -142,16 +139,16 @@ public final class Pauses {
                     return null;
                 });
             }
-            rest("nine panels opened at once");
-            drag("its intensity dragged, all panels open", i -> edit(light, l -> l.withIntensity(0.5 + 0.01 * i)));
+            awaitIdle("open nine panels together");
+            drag("drag its intensity, all panels open", i -> edit(light, l -> l.withIntensity(0.5 + 0.01 * i)));
             command(Command.LIGHT_THEME, ", all panels open");
             command(Command.LIGHT_THEME, ", all panels open");
-            step("all panels closed", this::closeAll);
-            scenes();
+            step("close all panels", this::closeAll);
+            switchScenes();
         }
 
-        private void menus() throws Exception {
-            for (Menu menu : onWindow(() -> List.copyOf(((MenuBar) main().getScene().lookup(".menu-bar")).getMenus()))) {
+        private void openMenus() throws Exception {
+            for (Menu menu : onWindow(() -> List.copyOf(((MenuBar) mainStage().getScene().lookup(".menu-bar")).getMenus()))) {
                 step("menu " + menu.getText(), menu::show);
                 step("menu closed", menu::hide);
                 step("menu " + menu.getText() + ", again", menu::show);
@@ -159,21 +156,21 @@ public final class Pauses {
             }
         }
 
-        private void model() throws Exception {
+        private void editScene() throws Exception {
             for (Command command : List.of(Command.ADD_LIGHT, Command.DUPLICATE_LIGHT, Command.SOLO, Command.SOLO, Command.NEW_BANK,
                     Command.DELETE_LIGHT, Command.LOOK_THROUGH_LIGHT, Command.LOOK_THROUGH_LIGHT, Command.ONLY_SELECTED,
                     Command.ONLY_SELECTED, Command.VERIFY, Command.UNDO, Command.REDO, Command.SAVE_SCENE)) {
                 command(command, "");
             }
-            step("the material's tab", () -> model.editor().materialShownProperty().set(true));
+            step("show the material tab", () -> model.editor().materialShownProperty().set(true));
             String shape = model.editor().scene().placedShapes().getFirst().shape().name();
-            step("a shape selected", () -> model.editor().selection().selectNode(shape));
-            drag("it is moved", _ -> model.editor().edit(scene -> NodeEdits.setPlacement(scene, shape,
+            step("select a shape", () -> model.editor().selection().selectNode(shape));
+            drag("move it", _ -> model.editor().edit(scene -> NodeEdits.setPlacement(scene, shape,
                     p -> new Placement(p.position().plus(new Vec3(0, 0.001, 0)), p.rotation(), p.scale()))));
             String light = model.editor().scene().lights().getFirst().name();
-            step("a light selected again", () -> model.editor().selection().selectLight(light));
-            step("the list of shapes", () -> ((TabPane) main().getScene().lookup("#lists")).getSelectionModel().select(1));
-            step("the list of lights", () -> ((TabPane) main().getScene().lookup("#lists")).getSelectionModel().select(0));
+            step("select a light again", () -> model.editor().selection().selectLight(light));
+            step("show the list of shapes", () -> ((TabPane) mainStage().getScene().lookup("#lists")).getSelectionModel().select(1));
+            step("show the list of lights", () -> ((TabPane) mainStage().getScene().lookup("#lists")).getSelectionModel().select(0));
             command(Command.NEW_SHOT, "");
             command(Command.TIMELINE, " hidden");
             command(Command.TIMELINE, " shown");
@@ -181,12 +178,12 @@ public final class Pauses {
             command(Command.NEXT_FRAME, "");
             command(Command.FILM_STRIP, "");
             command(Command.FILM_STRIP, " hidden");
-            beside(Command.EXPORT_SHOT.plainTitle(), () -> model.commands().run(Command.EXPORT_SHOT));
+            openAndClose(Command.EXPORT_SHOT.plainTitle(), () -> model.commands().run(Command.EXPORT_SHOT));
             command(Command.DELETE_SHOT, "");
             command(Command.TIMELINE, " hidden");
         }
 
-        private void arrange() throws Exception {
+        private void arrangeWindow() throws Exception {
             for (DisplayCurve curve : List.of(DisplayCurve.FALSE, DisplayCurve.SRGB)) {
                 step("curve " + curve, () -> model.picture().viewProperty().set(model.picture().viewProperty().get().withCurve(curve)));
             }
@@ -206,47 +203,45 @@ public final class Pauses {
             step(Command.LANGUAGE.plainTitle(), () -> model.languageProperty().set(UiLanguage.GERMAN));
         }
 
-        private void scenes() throws Exception {
+        private void switchScenes() throws Exception {
             command(Command.RELOAD, "");
             String light = model.editor().scene().lights().getFirst().name();
-            step("an edit", () -> edit(light, l -> l.withIntensity(0.77)));
-            beside("question about unsaved edits", () -> editor.files().load(Path.of(arguments.get(1))));
+            step("edit a light", () -> edit(light, l -> l.withIntensity(0.77)));
+            openAndClose("question about unsaved edits", () -> editor.files().load(Path.of(arguments.get(1))));
             command(Command.SAVE_SCENE, ", again");
-            later("another scene opened", () -> editor.files().load(Path.of(arguments.get(1))));
-            beside("import asks for units", () -> editor.files().load(Path.of(arguments.get(2))));
+            runLater("open another scene", () -> editor.files().load(Path.of(arguments.get(1))));
+            openAndClose("import without units", () -> editor.files().load(Path.of(arguments.get(2))));
         }
 
-        private void command(Command command, String how) throws Exception {
-            step(command.plainTitle() + how, () -> model.commands().run(command));
+        private void command(Command command, String suffix) throws Exception {
+            step(command.plainTitle() + suffix, () -> model.commands().run(command));
         }
 
         private void edit(String light, UnaryOperator<Light> change) {
             model.editor().edit(scene -> LightEdits.edit(scene, light, change));
         }
 
-        private static Stage main() {
+        private static Stage mainStage() {
             return (Stage) Window.getWindows().stream().filter(w -> w instanceof Stage s && s.getOwner() == null).findFirst().orElseThrow();
         }
 
         private void closeAll() {
-            List.copyOf(Window.getWindows()).stream().filter(w -> w != main()).forEach(Window::hide);
+            List.copyOf(Window.getWindows()).stream().filter(w -> w != mainStage()).forEach(Window::hide);
         }
 
-        /** What opens a window, which may wait for an answer, and is closed then. */
-        private void beside(String what, Runnable action) throws Exception {
-            later(what, action);
+        /** Runs an action that opens a window, which can be modal, then closes the window. */
+        private void openAndClose(String what, Runnable action) throws Exception {
+            runLater(what, action);
             step(what + ": closed", this::closeAll);
         }
 
-        private void later(String what, Runnable action) throws Exception {
-            step = what;
+        private void runLater(String what, Runnable action) throws Exception {
             Platform.runLater(action);
-            rest(what);
+            awaitIdle(what);
         }
 
         private void drag(String what, IntConsumer move) throws Exception {
-            step = what;
-            for (int i = 0; i < DRAG; i++) {
+            for (int i = 0; i < DRAG_STEPS; i++) {
                 int at = i;
                 onWindow(() -> {
                     move.accept(at);
@@ -254,25 +249,25 @@ public final class Pauses {
                 });
                 Thread.sleep(DRAG_MS);
             }
-            rest(what);
+            awaitIdle(what);
         }
 
         private void step(String what, Runnable action) throws Exception {
-            step = what;
             onWindow(() -> {
                 action.run();
                 return null;
             });
-            rest(what);
+            awaitIdle(what);
         }
 
-        private void rest(String after) throws Exception {
+        /** Waits until the editor is idle, then prints the longest wait. */
+        private void awaitIdle(String after) throws Exception {
             do {
                 Thread.sleep(LOOK_MS);
             } while (onWindow(() -> model.picture().frame() == null || model.fileActivity().file() != null
                     || model.editor().editorStateProperty().get().hasPendingEdits()
                     || model.editor().editorStateProperty().get().sceneInProgress().isPresent()));
-            System.out.println(pulse.longest() + "  " + after);
+            System.out.println(probe.takeLongest() + "  " + after);
         }
     }
 

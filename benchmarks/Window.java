@@ -22,15 +22,17 @@ import lightning.editor.window.widget.PictureView;
 import lightning.render.engine.choice.Engines;
 import lightning.scene.Light;
 
-/** What an artist waits for, in the real window, for {@code benchmarks/window}: one process for each line that is printed. */
+/** Measures an artist's waiting times in the real window, for {@code benchmarks/window}. Each printed line needs a process of its own. */
 public final class Window {
-    /** When the process was started, milliseconds since 1970. */
+    /** Start of the process, milliseconds since 1970. */
     private static final long START = Long.getLong("start");
     private static final OperatingSystemMXBean SYSTEM = (OperatingSystemMXBean) ManagementFactory.getOperatingSystemMXBean();
-    /** How long a story of edits goes on, how long an artist looks at each, and what is long, milliseconds. */
-    private static final long STORY_MS = 60_000;
+    /** Duration of an edit session, milliseconds. */
+    private static final long SESSION_MS = 60_000;
+    /** Pause after each edit, milliseconds. */
     private static final long LOOK_MS = 500;
-    private static final double LONG_MS = 100;
+    /** Updates that take longer than this are listed, milliseconds. */
+    private static final double SLOW_MS = 100;
     private static final long PAUSE_MS = 2;
 
     private Window() {}
@@ -47,17 +49,17 @@ public final class Window {
         System.exit(0);
     }
 
-    static void say(String line, Object... values) {
+    static void print(String line, Object... values) {
         System.out.printf(Locale.ROOT, line + "%n", values);
     }
 
-    /** Time passed, and processor time of all threads, milliseconds. */
+    /** Returns the elapsed time and the processor time of all threads since the start, milliseconds. */
     private static String sinceStart() {
         return (System.currentTimeMillis() - START) + " " + SYSTEM.getProcessCpuTime() / 1_000_000;
     }
 
-    /** Goes on when a condition held and a picture of the window was drawn after that. */
-    private static void onceDrawn(Callable<Boolean> condition, Runnable then) {
+    /** Runs an action after the condition first holds and the window is drawn again. */
+    private static void runAfterDraw(Callable<Boolean> condition, Runnable then) {
         new AnimationTimer() {
             private int pulses;
 
@@ -68,7 +70,7 @@ public final class Window {
                 } catch (Exception e) {
                     throw new IllegalStateException(e);
                 }
-                // What changed before the first was drawn between it and the second.
+                // Changes before the first pulse are drawn between it and the second.
                 if (pulses == 2) {
                     stop();
                     then.run();
@@ -77,20 +79,20 @@ public final class Window {
         }.start();
     }
 
-    /** A window with nothing in it. */
+    /** Empty window. */
     public static final class Empty extends Application {
         @Override
         public void start(Stage stage) {
             stage.setScene(new Scene(new Pane(), 1366, 768));
             stage.show();
-            onceDrawn(() -> true, () -> {
-                say("empty %s", sinceStart());
+            runAfterDraw(() -> true, () -> {
+                print("empty %s", sinceStart());
                 Platform.exit();
             });
         }
     }
 
-    /** The editor, until all of it is there. */
+    /** Start of the editor, until its window is complete. */
     public static final class First extends LightningApp {
         private String window;
         private String picture;
@@ -98,49 +100,49 @@ public final class Window {
         @Override
         public void start(Stage stage) {
             super.start(stage);
-            onceDrawn(() -> true, () -> window = sinceStart());
-            onceDrawn(() -> stage.getScene().lookup("#traced-picture") instanceof PictureView view && !view.isEmpty(),
+            runAfterDraw(() -> true, () -> window = sinceStart());
+            runAfterDraw(() -> stage.getScene().lookup("#traced-picture") instanceof PictureView view && !view.isEmpty(),
                     () -> picture = sinceStart());
         }
 
         @Override
         void editorOpened(Editor editor) {
-            onceDrawn(() -> editor.model().picture().frame() != null, () -> {
-                say("window %s picture %s whole %s", window, picture, sinceStart());
+            runAfterDraw(() -> editor.model().picture().frame() != null, () -> {
+                print("window %s picture %s whole %s", window, picture, sinceStart());
                 Platform.exit();
             });
         }
     }
 
-    /** The editor, left alone until its lanes are warm. */
+    /** Editor that stays idle until the fastest engine is in use. */
     public static final class Warm extends LightningApp {
         @Override
         void editorOpened(Editor editor) {
             Thread.ofPlatform().daemon().start(() -> Window.run(() -> {
-                await(() -> rests(editor.model()));
+                await(() -> isIdle(editor.model()));
                 String from = sinceStart();
                 await(Engines::isFastestInUse);
-                say("rests %s warm %s", from, sinceStart());
+                print("idle %s warm %s", from, sinceStart());
                 return null;
             }));
         }
     }
 
-    /** A minute of edits, from the first moment on. */
+    /** One minute of edits, immediately after a cold start. */
     public static final class Minute extends LightningApp {
         @Override
         void editorOpened(Editor editor) {
-            Thread.ofPlatform().daemon().start(() -> Window.run(() -> story(editor.model())));
+            Thread.ofPlatform().daemon().start(() -> Window.run(() -> runSession(editor.model())));
         }
     }
 
-    /** A light's intensity, color and place dragged, in a warm editor. */
+    /** Drags of a light's intensity, color and position, in a warm editor. */
     public static final class Slider extends LightningApp {
         @Override
         void editorOpened(Editor editor) {
             List<String> arguments = getParameters().getUnnamed();
             Thread.ofPlatform().daemon().start(() -> Window.run(() -> {
-                Drag.all(editor, Integer.parseInt(arguments.get(1)), Integer.parseInt(arguments.get(2)));
+                Drag.measureAll(editor, Integer.parseInt(arguments.get(1)), Integer.parseInt(arguments.get(2)));
                 return null;
             }));
         }
@@ -167,12 +169,12 @@ public final class Window {
         }
     }
 
-    static boolean rests(EditorModel model) {
+    static boolean isIdle(EditorModel model) {
         return model.picture().frame() != null && !model.editor().editorStateProperty().get().hasPendingEdits()
                 && model.editor().editorStateProperty().get().sceneInProgress().isEmpty();
     }
 
-    private static Light changed(Light light, int i) {
+    private static Light change(Light light, int i) {
         return switch (i % 4) {
             case 0 -> light.withIntensity(0.5 + 0.01 * i);
             case 1 -> light.withColor(new Rgb(1, 0.5 + 0.002 * i, 0.7));
@@ -181,8 +183,8 @@ public final class Window {
         };
     }
 
-    private static Void story(EditorModel model) throws Exception {
-        await(() -> rests(model));
+    private static Void runSession(EditorModel model) throws Exception {
+        await(() -> isIdle(model));
         onWindow(() -> {
             model.editor().liveProperty().set(true);
             return null;
@@ -190,23 +192,23 @@ public final class Window {
         List<Double> times = new ArrayList<>();
         List<String> slow = new ArrayList<>();
         long begin = System.nanoTime();
-        for (int i = 0; System.nanoTime() - begin < STORY_MS * 1_000_000; i++) {
+        for (int i = 0; System.nanoTime() - begin < SESSION_MS * 1_000_000; i++) {
             int step = i;
             String name = model.editor().scene().lights().get(i / 4 % model.editor().scene().lights().size()).name();
             Frame before = model.picture().frame();
-            onWindow(() -> model.editor().edit(scene -> LightEdits.edit(scene, name, light -> changed(light, step))));
-            await(() -> rests(model));
+            onWindow(() -> model.editor().edit(scene -> LightEdits.edit(scene, name, light -> change(light, step))));
+            await(() -> isIdle(model));
             if (model.picture().frame() != before) {
                 double ms = model.picture().frame().update().milliseconds();
                 times.add(ms);
-                if (ms > LONG_MS) {
+                if (ms > SLOW_MS) {
                     slow.add(String.format(Locale.ROOT, "%.0f ms after %.1f s", ms, (System.nanoTime() - begin) / 1e9));
                 }
             }
             Thread.sleep(LOOK_MS);
         }
         double[] sorted = times.stream().mapToDouble(d -> d).sorted().toArray();
-        say("edits %d median %.1f largest %.1f ms, first ten %s%s", sorted.length, sorted[sorted.length / 2], sorted[sorted.length - 1],
+        print("edits %d median %.1f largest %.1f ms, first ten %s%s", sorted.length, sorted[sorted.length / 2], sorted[sorted.length - 1],
                 times.subList(0, 10).stream().map(ms -> String.format(Locale.ROOT, "%.0f", ms)).toList(),
                 slow.isEmpty() ? "" : ", long: " + slow);
         return null;

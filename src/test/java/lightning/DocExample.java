@@ -43,7 +43,7 @@ record DocExample(String source, List<String> arguments, List<String> testArgume
         return new DocExample(where, arguments, shrink(arguments), 0);
     }
 
-    /** Returns the examples in a document's shell blocks, which run unchanged, including those that Maven runs. */
+    /** Returns the examples in a document's shell blocks, which run unchanged, including examples that Maven runs. */
     static List<DocExample> inBlocks(String document, String markdown) {
         List<DocExample> all = new ArrayList<>();
         for (DocCommands.Command command : DocCommands.of(markdown)) {

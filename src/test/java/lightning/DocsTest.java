@@ -16,7 +16,7 @@ import org.junit.jupiter.api.Test;
 /** Tests that the commands of README.md and docs are parsed as intended, and that the {@code mvn …} lines are the expected ones. */
 class DocsTest {
     private static final Path README = Path.of("README.md");
-    /** Without {@code -q}, which hides Maven's own output and changes nothing else. */
+    /** Without {@code -q}, which only hides Maven's own output. */
     private static final Set<List<String>> REQUIRED_COMMANDS = Set.of(
             List.of("mvn", "compile", "exec:exec"),
             List.of("mvn", "test"),
@@ -55,7 +55,7 @@ class DocsTest {
         assertThat(DocCommands.of(Files.readString(README))).extracting(DocsTest::withoutOptions).containsAll(REQUIRED_COMMANDS);
     }
 
-    /** It downloads the libraries when it is run first, and says so. */
+    /** The first run downloads the libraries and must show this. */
     @Test
     void firstCommandOfTheReadme_isNotSilent() throws IOException {
         assertThat(DocCommands.of(Files.readString(README)).getFirst().words()).containsExactly("mvn", "compile", "exec:exec");

@@ -8,7 +8,7 @@ import java.lang.annotation.Target;
 import org.junit.jupiter.api.Tag;
 
 /**
- * Marks tests that run in {@code mvn verify} but not in {@code mvn test}: those that open a window, and those that take about two seconds
+ * Marks tests that run in {@code mvn verify} but not in {@code mvn test}: tests that open a window, and tests that take about two seconds
  * or more, alone or as a class.
  */
 @Target({ElementType.TYPE, ElementType.METHOD})

@@ -24,11 +24,11 @@ import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
 
-/** What holds of every attribute that the tables have, whichever: no place may forget one. */
+/** Properties that hold for every attribute in the attribute tables, so that no code leaves one out. */
 class AttributePropertiesTest {
-    /** On a shape of the studio. */
+    /** Material of a shape in the studio scene. */
     private static final String MATT = "matt";
-    /** Components whose word in scene files is another. */
+    /** Keywords of scene files that differ from their component's name. */
     private static final Map<String, String> KEYWORDS = Map.of("Light.lightGroup", "bank", "World.lightCount", "lamps",
             "Transmission.color", "clear", "BumpMapping.normalMap", "normals", "AlphaCutout.map", "cutout");
 
@@ -46,7 +46,7 @@ class AttributePropertiesTest {
     void everyRecordComponent_isAnAttribute() {
         assertThat(titles(LightAttribute.ALL)).containsExactlyInAnyOrderElementsOf(components(Light.class));
         assertThat(titles(MaterialAttribute.ALL)).containsExactlyInAnyOrderElementsOf(components(Material.class));
-        // People are told whose intensity and rotation it is.
+        // Not by title: titles of the world name the owner of an intensity or a rotation.
         assertThat(World.ATTRIBUTES.stream().map(SceneAttribute::name)).containsExactlyInAnyOrderElementsOf(components(World.class));
     }
 
@@ -59,17 +59,17 @@ class AttributePropertiesTest {
                 .toList();
     }
 
-    private static String words(RecordComponent component) {
+    private static String keyword(RecordComponent component) {
         return KEYWORDS.getOrDefault(component.getDeclaringRecord().getSimpleName() + "." + component.getName(),
                 component.getName().replaceAll("(?=[A-Z])", " ").toLowerCase(Locale.ROOT));
     }
 
-    /** An area's components are attributes of their light, a relief's, a clarity's and a cut-out's of their material. */
+    /** Returns the names of a component's attributes. Records in lights and materials, such as area shapes, have one for each component. */
     private static Stream<String> names(RecordComponent component) {
         return component.getType() == AreaShape.class || component.getType() == BumpMapping.class
                 || component.getType() == Transmission.class
                 || component.getType() == AlphaCutout.class
-                        ? components(component.getType().asSubclass(Record.class)).stream() : Stream.of(words(component));
+                        ? components(component.getType().asSubclass(Record.class)).stream() : Stream.of(keyword(component));
     }
 
     @Property
@@ -107,13 +107,13 @@ class AttributePropertiesTest {
     void pastedSettings_excludePositionAndSwitches(@ForAll("lights") Changed<Light> changed) {
         Scene scene = StudioScene.of(LightType.SPOT).withLight(changed.before());
         Scene pasted = LightEdits.pasteSettings(scene, StudioScene.KEY, changed.after()).sceneOr(scene);
-        boolean stays = List.of(LightAttribute.POSITION, LightAttribute.DIRECTION, LightAttribute.ON, LightAttribute.SOLO,
+        boolean isExcluded = List.of(LightAttribute.POSITION, LightAttribute.DIRECTION, LightAttribute.ON, LightAttribute.SOLO,
                 LightAttribute.ILLUMINATES, LightAttribute.SHADOWED_BY)
                 .contains(changed.attribute());
-        assertThat(pasted.lights()).containsExactly(stays ? changed.before() : changed.after());
+        assertThat(pasted.lights()).containsExactly(isExcluded ? changed.before() : changed.after());
     }
 
-    /** What is said to be unseen is unseen, and an update by the difference that was found gives the full trace's bits. */
+    /** An update must have the bits of a full trace, and a change classified as invisible must not change the picture. */
     @Property(tries = 400, edgeCases = EdgeCasesMode.NONE)
     @Slow
     void changedLight_matchesFullTrace(@ForAll("lights") Changed<Light> changed) {
@@ -130,7 +130,7 @@ class AttributePropertiesTest {
     private static void assertUpdated(Scene before, Scene after, SceneAttribute<?, ?> attribute) {
         var full = new ReferenceTracer(after).trace();
         if (VisibleState.isSame(before, after)) {
-            assertThat(new ReferenceTracer(before).trace().hasSameBits(full)).as("%s is not seen", attribute).isTrue();
+            assertThat(new ReferenceTracer(before).trace().hasSameBits(full)).as("%s is invisible", attribute).isTrue();
         }
         try (Renderer renderer = new Renderer(RenderOptions.DEFAULT.withThreads(1))) {
             renderer.render(before, Progress.NONE);

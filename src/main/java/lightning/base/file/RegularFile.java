@@ -44,7 +44,7 @@ public final class RegularFile {
      * Reads all bytes of a file.
      *
      * @param maxBytes maximum size
-     * @throws IOException as {@link #open}, or if the file is larger; reads no more than this from a growing file
+     * @throws IOException as {@link #open}, or if the file is larger; of a growing file, reads at most this size
      */
     public static byte[] readBytes(Path file, String expected, int maxBytes) throws IOException {
         try (InputStream in = open(file, expected)) {

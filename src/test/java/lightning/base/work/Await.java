@@ -27,7 +27,7 @@ public final class Await {
         }
     }
 
-    /** Returns as soon as no thread of that name runs: it then writes no more files, and the test's folder can be removed. */
+    /** Waits until no thread of that name runs. Then the test's folder can be removed, because the thread writes no files. */
     public static void untilThreadEnded(String name) throws Exception {
         until("no thread " + name + " runs",
                 () -> Thread.getAllStackTraces().keySet().stream().noneMatch(thread -> thread.getName().equals(name)));

@@ -268,7 +268,7 @@ class EditHistoryTest {
     @Test
     void selectionOfShapeOrNothing_isNoLight() {
         assertThat(new Selection.OfNode("ball").light(history)).isEmpty();
-        assertThat(Selection.light(history, "nobody")).isEqualTo(Selection.NONE);
+        assertThat(Selection.light(history, "missing")).isEqualTo(Selection.NONE);
         assertThat(Selection.NONE.light(history)).isEmpty();
     }
 

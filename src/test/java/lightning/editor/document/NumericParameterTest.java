@@ -84,8 +84,8 @@ class NumericParameterTest {
 
     @Test
     void unknownLight_isRefused() {
-        assertThat(DeskScene.parameter("intensity").set(scene, "nobody", 1).refusal()).contains("light 'nobody' not found");
-        assertThat(DeskScene.parameter("intensity").step(scene, "nobody", 1).refusal()).contains("light 'nobody' not found");
+        assertThat(DeskScene.parameter("intensity").set(scene, "missing", 1).refusal()).contains("light 'missing' not found");
+        assertThat(DeskScene.parameter("intensity").step(scene, "missing", 1).refusal()).contains("light 'missing' not found");
     }
 
     @Test

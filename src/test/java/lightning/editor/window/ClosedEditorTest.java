@@ -36,7 +36,7 @@ class ClosedEditorTest extends EditorFixture {
         open();
         // The robot keeps a reference to the last node it used.
         robot.clickOn("#traced-picture");
-        waitFor("nothing knows the closed editor", () -> {
+        waitFor("the closed editor is collected", () -> {
             System.gc();
             return before.stream().allMatch(r -> r.get() == null);
         });

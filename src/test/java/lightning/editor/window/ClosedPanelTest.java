@@ -56,14 +56,14 @@ class ClosedPanelTest extends EditorFixture {
     @Test
     void reopenedPanel_showsLaterEdits() {
         open(Command.SCOPES);
-        waitFor("it is counted", () -> robot.lookup("#waveform").<ImageView>query().getImage() != null);
+        waitFor("the waveform is computed", () -> robot.lookup("#waveform").<ImageView>query().getImage() != null);
         Object before = robot.lookup("#waveform").<ImageView>query().getImage();
         closePanels();
         robot.interact(() -> model().editor().edit(scene -> DeskScene.parameter("intensity").set(scene, "lamp", 3)));
         click("go");
         waitForPicture();
         open(Command.SCOPES);
-        waitFor("it is counted again", () -> robot.lookup("#waveform").<ImageView>query().getImage() != before);
+        waitFor("the waveform is updated", () -> robot.lookup("#waveform").<ImageView>query().getImage() != before);
     }
 
     @Test
@@ -76,9 +76,9 @@ class ClosedPanelTest extends EditorFixture {
         open(Command.MIXER, Command.SCOPES, Command.CONTRIBUTIONS, Command.CUES, Command.HISTORY_PANEL, Command.UPDATES_PANEL,
                 Command.EFFECTS_PANEL, Command.ACCURACY_PANEL, Command.KEYS, Command.TIMELINE);
         robot.moveTo("#traced-picture");
-        waitFor("they work", () -> runs("lightning-mixer") && runs("lightning-scopes") && runs("lightning-contributions"));
+        waitFor("the panels' threads run", () -> runs("lightning-mixer") && runs("lightning-scopes") && runs("lightning-contributions"));
         close();
-        waitFor("no thread is left", () -> others.containsAll(threads()));
+        waitFor("no thread of the editor runs", () -> others.containsAll(threads()));
         assertThat(threads()).isSubsetOf(others);
         open();
     }

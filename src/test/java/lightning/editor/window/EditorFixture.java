@@ -127,7 +127,7 @@ public abstract class EditorFixture {
 
     /** Waits until the picture is complete. */
     public void waitForPicture() {
-        waitFor("the picture is there", () -> !model().editor().editorStateProperty().get().hasPendingEdits()
+        waitFor("the picture is shown", () -> !model().editor().editorStateProperty().get().hasPendingEdits()
                 && model().editor().editorStateProperty().get().sceneInProgress().isEmpty());
     }
 

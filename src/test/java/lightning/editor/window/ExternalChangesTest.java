@@ -41,7 +41,7 @@ class ExternalChangesTest extends EditorFixture {
         dim();
         writeOtherText();
         Platform.runLater(() -> model().commands().run(Command.SAVE_SCENE));
-        waitFor("it asks", () -> robot.lookup("desk.jen was changed by another program").tryQuery().isPresent());
+        waitFor("the question is shown", () -> robot.lookup("desk.jen was changed by another program").tryQuery().isPresent());
     }
 
     private double savedIntensity(Path where) throws IOException, JenException {
@@ -79,7 +79,7 @@ class ExternalChangesTest extends EditorFixture {
     void overwrite_writesOwnScene() throws IOException, JenException {
         saveOverOtherText();
         robot.clickOn("Overwrite");
-        waitFor("it is saved", () -> !model().editor().document().isDirty());
+        waitFor("the scene is saved", () -> !model().editor().document().isDirty());
         assertThat(savedIntensity(file)).isEqualTo(0.25);
         assertThat(file).content().contains("ambience 0.2");
     }
@@ -89,7 +89,7 @@ class ExternalChangesTest extends EditorFixture {
         answer = folder.resolve("mine.jen");
         saveOverOtherText();
         robot.clickOn("Save As…");
-        waitFor("it is saved", () -> model().editor().document().name().equals("mine.jen"));
+        waitFor("the scene is saved", () -> model().editor().document().name().equals("mine.jen"));
         assertThat(file).hasContent(otherText);
         assertThat(savedIntensity(answer)).isEqualTo(0.25);
     }
@@ -98,7 +98,7 @@ class ExternalChangesTest extends EditorFixture {
     void loadingOtherText_canBeUndone() throws IOException {
         saveOverOtherText();
         robot.clickOn("Reload File");
-        waitFor("it is reloaded", () -> model().editor().scene().world().ambience() == 0.7);
+        waitFor("the scene is reloaded", () -> model().editor().scene().world().ambience() == 0.7);
         assertThat(model().editor().document().isDirty()).isFalse();
         click("undo");
         assertThat(light("lamp").intensity()).isEqualTo(0.25);
@@ -111,7 +111,7 @@ class ExternalChangesTest extends EditorFixture {
         awaitNotice();
         assertThat(text("disk-news")).isEqualTo("desk.jen was changed by another program.");
         click("disk-reload");
-        waitFor("it is reloaded", () -> !isNoticeShown());
+        waitFor("the scene is reloaded", () -> !isNoticeShown());
         assertThat(model().editor().scene().world().ambience()).isEqualTo(0.7);
         assertThat(isNoticeShown()).isFalse();
     }
@@ -131,7 +131,7 @@ class ExternalChangesTest extends EditorFixture {
         writeOtherText();
         awaitNotice();
         Platform.runLater(() -> robot.lookup("#disk-compare").<Button>query().fire());
-        waitFor("both are shown", () -> robot.lookup("#differences").tryQuery().isPresent());
+        waitFor("the differences are shown", () -> robot.lookup("#differences").tryQuery().isPresent());
         robot.clickOn("Cancel");
         assertThat(file).hasContent(otherText);
     }
@@ -142,7 +142,7 @@ class ExternalChangesTest extends EditorFixture {
         awaitNotice();
         assertThat(text("disk-news")).contains("was moved or deleted");
         click("save-scene");
-        waitFor("it is saved", () -> !isNoticeShown());
+        waitFor("the scene is saved", () -> !isNoticeShown());
         assertThat(file).exists();
         assertThat(isNoticeShown()).isFalse();
     }
@@ -154,7 +154,7 @@ class ExternalChangesTest extends EditorFixture {
             awaitNotice();
             assertThat(text("disk-news")).contains("is also open in another window");
         }
-        waitFor("it is gone", () -> !isNoticeShown());
+        waitFor("the notice is closed", () -> !isNoticeShown());
     }
 
     @Test
@@ -164,21 +164,21 @@ class ExternalChangesTest extends EditorFixture {
         String before = Files.readString(file);
         dim();
         Platform.runLater(() -> model().commands().run(Command.SAVE_SCENE));
-        waitFor("it asks", () -> robot.lookup("Replace the read-only file desk.jen?").tryQuery().isPresent());
+        waitFor("the question is shown", () -> robot.lookup("Replace the read-only file desk.jen?").tryQuery().isPresent());
         assertThat(file).hasContent(before);
         robot.clickOn("Replace");
-        waitFor("it is saved", () -> !model().editor().document().isDirty());
+        waitFor("the scene is saved", () -> !model().editor().document().isDirty());
         assertThat(savedIntensity(file)).isEqualTo(0.25);
         assertThat(PosixFilePermissions.toString(Files.getPosixFilePermissions(file))).isEqualTo("r--r--r--");
     }
 
     @Test
     void addedExtension_neverReplacesOtherScene() throws IOException {
-        Path other = Files.writeString(folder.resolve("other.jen"), "somebody's");
+        Path other = Files.writeString(folder.resolve("other.jen"), "other text");
         answer = folder.resolve("other");
         Platform.runLater(() -> model().commands().run(Command.SAVE_SCENE_AS));
-        waitFor("it asks", () -> robot.lookup("Replace other.jen?").tryQuery().isPresent());
+        waitFor("the question is shown", () -> robot.lookup("Replace other.jen?").tryQuery().isPresent());
         robot.clickOn("Cancel");
-        assertThat(other).hasContent("somebody's");
+        assertThat(other).hasContent("other text");
     }
 }

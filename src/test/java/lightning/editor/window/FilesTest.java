@@ -55,7 +55,7 @@ class FilesTest extends EditorFixture {
         dim();
         assertThat(stage.getTitle()).startsWith("•");
         click("save-scene");
-        waitFor("it is saved", () -> text("message").equals("Saved desk.jen"));
+        waitFor("the scene is saved", () -> text("message").equals("Saved desk.jen"));
         assertThat(isEnabled(Command.SAVE_SCENE)).isFalse();
         assertThat(stage.getTitle()).startsWith("desk.jen");
         assertThat(JenReader.read(folder.resolve("desk.jen")).scene()).isEqualTo(model().editor().scene());
@@ -65,14 +65,15 @@ class FilesTest extends EditorFixture {
     void saveSceneAs_changesDocumentFile() {
         answer = folder.resolve("other");
         startCommand(Command.SAVE_SCENE_AS);
-        waitFor("it is saved", () -> Files.exists(folder.resolve("other.jen")) && model().editor().document().name().equals("other.jen"));
+        waitFor("the scene is saved",
+                () -> Files.exists(folder.resolve("other.jen")) && model().editor().document().name().equals("other.jen"));
     }
 
     @Test
     void saveImage_writesWhatTheCanvasShows() throws IOException {
         answer = folder.resolve("picture.pfm");
         click("save-image");
-        waitFor("it is written", () -> text("message").equals("Saved picture.pfm"));
+        waitFor("the file is written", () -> text("message").equals("Saved picture.pfm"));
         assertThat(ImageFile.read(answer).hasSameBits(model().picture().frame().film())).isTrue();
     }
 
@@ -86,7 +87,7 @@ class FilesTest extends EditorFixture {
     void exportedLayers_sumToPicture() throws IOException {
         answer = folder.resolve("desk.exr");
         export("Layers as OpenEXR, 32-bit Float…");
-        waitFor("it is written", () -> text("message").equals("Exported desk.exr"));
+        waitFor("the file is written", () -> text("message").equals("Exported desk.exr"));
         assertThat(ImageFile.read(answer).hasSameBits(model().picture().frame().film())).isTrue();
         try (ExrReader reader = new ExrReader(answer)) {
             assertThat(reader.header().channels()).extracting(ExrChannel::name).contains("lamp.diffuse.R", "rounding.B", "shape.id");
@@ -98,7 +99,7 @@ class FilesTest extends EditorFixture {
     void exportWithoutExtension_addsExtension() throws IOException {
         answer = folder.resolve("deep");
         export("Image as PNG, 16-bit…");
-        waitFor("it is written", () -> text("message").equals("Exported deep.png"));
+        waitFor("the file is written", () -> text("message").equals("Exported deep.png"));
         assertThat(Files.readAllBytes(folder.resolve("deep.png"))[24]).isEqualTo((byte) 16);
     }
 
@@ -106,7 +107,7 @@ class FilesTest extends EditorFixture {
     void unwritableExport_showsError() {
         answer = folder.resolve("nowhere").resolve("desk.hdr");
         export("Image as Radiance HDR…");
-        waitFor("it tells", () -> isMessageShown("The image could not be exported"));
+        waitFor("the error is shown", () -> isMessageShown("The image could not be exported"));
         robot.clickOn("Close");
         assertThat(model().fileActivity().file()).isNull();
     }
@@ -116,7 +117,7 @@ class FilesTest extends EditorFixture {
         robot.interact(() -> model().picture().viewProperty().set(model().picture().viewProperty().get().withCurve(DisplayCurve.FALSE)));
         answer = folder.resolve("picture.png");
         click("save-image");
-        waitFor("it is written", () -> text("message").equals("Saved picture.png"));
+        waitFor("the file is written", () -> text("message").equals("Saved picture.png"));
         assertThat(ViewTransform.DEFAULT.toPixels(ImageFile.read(answer)))
                 .isEqualTo(ViewTransform.DEFAULT.toPixels(model().picture().frame().film()));
     }
@@ -126,9 +127,9 @@ class FilesTest extends EditorFixture {
         dim();
         answer = folder.resolve("picture.png");
         startCommand(Command.SAVE_IMAGE);
-        waitFor("it asks", () -> isMessageShown("The picture does not show the edits since the last Go."));
+        waitFor("the question is shown", () -> isMessageShown("The picture does not show the edits since the last Go."));
         robot.clickOn("Save Anyway");
-        waitFor("it is written", () -> Files.exists(answer));
+        waitFor("the file is written", () -> Files.exists(answer));
         assertThat(isEnabled(Command.GO)).isTrue();
     }
 
@@ -137,7 +138,7 @@ class FilesTest extends EditorFixture {
         dim();
         answer = folder.resolve("picture.png");
         startCommand(Command.SAVE_IMAGE);
-        waitFor("it asks", () -> isMessageShown("Render First"));
+        waitFor("the question is shown", () -> isMessageShown("Render First"));
         robot.clickOn("Render First");
         waitForPicture();
         assertThat(answer).doesNotExist();
@@ -147,7 +148,7 @@ class FilesTest extends EditorFixture {
     void brokenFile_showsProblemsAndKeepsScene() throws IOException {
         answer = Files.writeString(folder.resolve("broken.jen"), "jen 1\nlight key spot { intensity -3 }\nsphere { }\n");
         startCommand(Command.LOAD_FILE);
-        waitFor("it tells", () -> robot.lookup("#problems").tryQuery().isPresent());
+        waitFor("the error is shown", () -> robot.lookup("#problems").tryQuery().isPresent());
         List<Problem> problems = robot.lookup("#problems").<ListView<Problem>>query().getItems();
         assertThat(problems).extracting(Problem::line).contains(2, 3);
         assertThat(model().editor().document().name()).isEqualTo("desk.jen");
@@ -158,7 +159,7 @@ class FilesTest extends EditorFixture {
     void missingFile_showsError() {
         answer = folder.resolve("nowhere.jen");
         startCommand(Command.LOAD_FILE);
-        waitFor("it tells", () -> isMessageShown(answer + ": file not found"));
+        waitFor("the error is shown", () -> isMessageShown(answer + ": file not found"));
         robot.clickOn("Close");
     }
 
@@ -167,7 +168,7 @@ class FilesTest extends EditorFixture {
         String text = Files.readString(folder.resolve("desk.jen")).replace("size 64 48", "size 40 30");
         answer = Files.writeString(folder.resolve("small.jen"), text);
         startCommand(Command.LOAD_FILE);
-        waitFor("it is open", () -> model().editor().document().name().equals("small.jen"));
+        waitFor("the scene is open", () -> model().editor().document().name().equals("small.jen"));
         waitForPicture();
         assertThat(model().picture().raster().pixels().width()).isEqualTo(40);
         assertThat(text("traced-sizes")).isEqualTo("40 × 30");
@@ -178,7 +179,7 @@ class FilesTest extends EditorFixture {
         String text = Files.readString(folder.resolve("desk.jen")).replace("fov 40", "fov 50");
         answer = Files.writeString(folder.resolve("wide.jen"), text);
         startCommand(Command.LOAD_FILE);
-        waitFor("it is open", () -> model().editor().document().name().equals("wide.jen"));
+        waitFor("the scene is open", () -> model().editor().document().name().equals("wide.jen"));
         waitForPicture();
         assertThat(telemetry()).startsWith("full render: no image yet");
     }
@@ -210,9 +211,9 @@ class FilesTest extends EditorFixture {
             model().open(opened);
         });
         robot.interact(() -> model().commands().run(Command.CANCEL));
-        waitFor("it is stopped", () -> model().picture().renderStateProperty().get().canceled());
+        waitFor("the render is canceled", () -> model().picture().renderStateProperty().get().canceled());
         // Its center samples may have been shown before it was canceled.
-        waitFor("the last scene's picture is gone", () -> isShown("waiting") || shownPixels() == 170 * 170);
+        waitFor("the last scene's picture is cleared", () -> isShown("waiting") || shownPixels() == 170 * 170);
         assertThat(stage.getTitle()).startsWith("other.jen");
         assertThat(wrong).isEmpty();
     }
@@ -224,7 +225,7 @@ class FilesTest extends EditorFixture {
             model().open(opened);
             model().commands().run(Command.CANCEL);
         });
-        waitFor("nothing is in work", () -> model().editor().editorStateProperty().get().sceneInProgress().isEmpty());
+        waitFor("no render is running", () -> model().editor().editorStateProperty().get().sceneInProgress().isEmpty());
         waitFor("the message is shown", () -> isShown("waiting") && text("waiting").equals("Canceled. Render the image with F5."));
         assertThat(isEnabled(Command.GO)).isTrue();
     }
@@ -239,19 +240,19 @@ class FilesTest extends EditorFixture {
         assertThat(taken).isFalse();
         robot.interact(() -> taken.set(window.openDropped(List.of(folder.resolve("a.png").toFile(), small.toFile()))));
         assertThat(taken).isTrue();
-        waitFor("it is open", () -> model().editor().document().name().equals("small.jen"));
+        waitFor("the scene is open", () -> model().editor().document().name().equals("small.jen"));
     }
 
     @Test
     void droppedMesh_createsSceneNextToIt_andAsksBeforeAnother() throws IOException {
         Path mesh = Files.writeString(folder.resolve("tri.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nl 1 2\n");
         robot.interact(() -> editor.window().openDropped(List.of(mesh.toFile())));
-        waitFor("it is open", () -> model().editor().document().name().equals("tri.jen"));
-        waitFor("it tells", () -> text("message").startsWith("Imported tri.obj; 3 import notes"));
+        waitFor("the scene is open", () -> model().editor().document().name().equals("tri.jen"));
+        waitFor("the message is shown", () -> text("message").startsWith("Imported tri.obj; 3 import notes"));
         String first = Files.readString(folder.resolve("tri.jen"));
         answer = folder.resolve("again.jen");
         robot.interact(() -> editor.window().openDropped(List.of(mesh.toFile())));
-        waitFor("the other is open", () -> model().editor().document().name().equals("again.jen"));
+        waitFor("the other scene is open", () -> model().editor().document().name().equals("again.jen"));
         assertThat(Files.readString(folder.resolve("tri.jen"))).isEqualTo(first);
     }
 
@@ -259,10 +260,10 @@ class FilesTest extends EditorFixture {
     void fileWithoutUnits_offersUnits_andStoresChoice() throws IOException {
         Path gltf = Files.write(folder.resolve("lit.gltf"), GltfFixtures.text(GltfFixtures.LIT_JSON, GltfFixtures.SQUARE));
         robot.interact(() -> editor.window().openDropped(List.of(gltf.toFile())));
-        waitFor("it asks", () -> robot.lookup("#units-watts").tryQuery().isPresent());
+        waitFor("the question is shown", () -> robot.lookup("#units-watts").tryQuery().isPresent());
         assertThat(folder.resolve("lit.jen")).doesNotExist();
         click("units-watts");
-        waitFor("it is open", () -> model().editor().document().name().equals("lit.jen"));
+        waitFor("the scene is open", () -> model().editor().document().name().equals("lit.jen"));
         assertThat(light("bulb").intensity() / light("bulb").attenuation().quadratic())
                 .isCloseTo(100 / (4 * Math.PI * Math.PI), Offset.offset(1e-9));
         assertThat(Files.readString(folder.resolve("lit.jen"))).contains("# light units: the file's numbers were taken as watts");
@@ -272,9 +273,9 @@ class FilesTest extends EditorFixture {
     void unitsDialog_canBeCanceled() throws IOException {
         Path gltf = Files.write(folder.resolve("lit.gltf"), GltfFixtures.text(GltfFixtures.LIT_JSON, GltfFixtures.SQUARE));
         robot.interact(() -> editor.window().openDropped(List.of(gltf.toFile())));
-        waitFor("it asks", () -> robot.lookup("#units-watts").tryQuery().isPresent());
+        waitFor("the question is shown", () -> robot.lookup("#units-watts").tryQuery().isPresent());
         robot.type(javafx.scene.input.KeyCode.ESCAPE);
-        waitFor("it is gone", () -> robot.lookup("#units-watts").tryQuery().isEmpty());
+        waitFor("the dialog is closed", () -> robot.lookup("#units-watts").tryQuery().isEmpty());
         assertThat(text("message")).isEmpty();
         assertThat(model().editor().document().name()).isEqualTo("desk.jen");
         assertThat(folder.resolve("lit.jen")).doesNotExist();
@@ -284,7 +285,7 @@ class FilesTest extends EditorFixture {
     void brokenMesh_showsErrorAndKeepsScene() throws IOException {
         answer = Files.writeString(folder.resolve("bad.obj"), "v 0 0 0\nf 1 2 3\n");
         startCommand(Command.LOAD_FILE);
-        waitFor("it tells", () -> isMessageShown("bad.obj could not be opened"));
+        waitFor("the error is shown", () -> isMessageShown("bad.obj could not be opened"));
         assertThat(robot.lookup(".dialog-pane .label").queryAllAs(Label.class)).extracting(Label::getText)
                 .anyMatch(text -> text.startsWith(folder.resolve("bad.obj") + ": line 2: "));
         assertThat(text("message")).isEmpty();
@@ -298,7 +299,7 @@ class FilesTest extends EditorFixture {
         Path deep = Files.createDirectories(folder.resolve("a folder of meshes ".repeat(10).strip()));
         answer = Files.writeString(deep.resolve("bad.obj"), "v 0 0 0\nf 1 2 3\n");
         startCommand(Command.LOAD_FILE);
-        waitFor("it tells", () -> isMessageShown("bad.obj could not be opened"));
+        waitFor("the error is shown", () -> isMessageShown("bad.obj could not be opened"));
         Window dialog = robot.lookup(".dialog-pane").query().getScene().getWindow();
         assertThat(dialog.getX() + dialog.getWidth() / 2).isCloseTo(stage.getX() + stage.getWidth() / 2, Offset.offset(2.0));
         robot.type(javafx.scene.input.KeyCode.ESCAPE);
@@ -308,11 +309,12 @@ class FilesTest extends EditorFixture {
     void recentScene_isOpenedFromTheMenu() throws IOException {
         answer = Files.writeString(folder.resolve("other.jen"), Files.readString(folder.resolve("desk.jen")));
         startCommand(Command.LOAD_FILE);
-        waitFor("it is open", () -> model().editor().document().name().equals("other.jen"));
-        waitFor("the first is listed", () -> editor.files().recentItems().stream().anyMatch(i -> i.getText().endsWith("desk.jen")));
+        waitFor("the scene is open", () -> model().editor().document().name().equals("other.jen"));
+        waitFor("the menu lists the first scene",
+                () -> editor.files().recentItems().stream().anyMatch(i -> i.getText().endsWith("desk.jen")));
         robot.interact(() -> editor.files().recentItems().stream().filter(i -> i.getText().equals(folder.resolve("desk.jen").toString()))
                 .findFirst().orElseThrow().fire());
-        waitFor("the first is open again", () -> model().editor().document().name().equals("desk.jen"));
+        waitFor("the first scene is open again", () -> model().editor().document().name().equals("desk.jen"));
     }
 
     @Test
@@ -320,9 +322,9 @@ class FilesTest extends EditorFixture {
         dim();
         answer = Files.writeString(folder.resolve("other.jen"), Files.readString(folder.resolve("desk.jen")));
         startCommand(Command.LOAD_FILE);
-        waitFor("it asks", () -> isMessageShown("Save changes to desk.jen?"));
+        waitFor("the question is shown", () -> isMessageShown("Save changes to desk.jen?"));
         robot.clickOn("Don't Save");
-        waitFor("it is open", () -> model().editor().document().name().equals("other.jen"));
+        waitFor("the scene is open", () -> model().editor().document().name().equals("other.jen"));
         assertThat(JenReader.read(folder.resolve("desk.jen")).scene().light("lamp").orElseThrow().intensity()).isEqualTo(1);
     }
 
@@ -330,7 +332,7 @@ class FilesTest extends EditorFixture {
     void reload_revertsAndCanBeUndone() {
         dim();
         click("reload");
-        waitFor("it is reloaded", () -> light("lamp").intensity() == 1);
+        waitFor("the scene is reloaded", () -> light("lamp").intensity() == 1);
         click("undo");
         assertThat(light("lamp").intensity()).isEqualTo(0.25);
     }
@@ -339,7 +341,7 @@ class FilesTest extends EditorFixture {
     void closing_withUnsavedEdits_asksAndCancelKeepsOpen() {
         dim();
         Platform.runLater(() -> stage.fireEvent(new WindowEvent(stage, WindowEvent.WINDOW_CLOSE_REQUEST)));
-        waitFor("it asks", () -> isMessageShown("Save changes to desk.jen?"));
+        waitFor("the question is shown", () -> isMessageShown("Save changes to desk.jen?"));
         robot.clickOn("Cancel");
         assertThat(stage.isShowing()).isTrue();
         assertThat(model().editor().document().isDirty()).isTrue();
@@ -352,7 +354,7 @@ class FilesTest extends EditorFixture {
             model().commands().run(Command.SAVE_SCENE);
             stage.fireEvent(new WindowEvent(stage, WindowEvent.WINDOW_CLOSE_REQUEST));
         });
-        waitFor("it is closed", () -> !stage.isShowing());
+        waitFor("the window is closed", () -> !stage.isShowing());
         assertThat(JenReader.read(folder.resolve("desk.jen")).scene().light("lamp").orElseThrow().intensity()).isEqualTo(0.25);
     }
 
@@ -363,7 +365,7 @@ class FilesTest extends EditorFixture {
             editor.files().load(other);
             model().editor().edit(scene -> DeskScene.parameter("intensity").set(scene, "lamp", 0.25));
         });
-        waitFor("it asks", () -> isMessageShown("Save changes to desk.jen?"));
+        waitFor("the question is shown", () -> isMessageShown("Save changes to desk.jen?"));
         robot.clickOn("Cancel");
         assertThat(model().editor().document().name()).isEqualTo("desk.jen");
         assertThat(light("lamp").intensity()).isEqualTo(0.25);
@@ -380,7 +382,7 @@ class FilesTest extends EditorFixture {
         List<String> opened = new ArrayList<>();
         robot.interact(() -> model().editor().documentProperty().addListener((_, _, now) -> opened.add(now.name())));
         robot.interact(() -> editor.files().load(third));
-        waitFor("the third is open", () -> model().editor().document().name().equals("third.jen"));
+        waitFor("the third scene is open", () -> model().editor().document().name().equals("third.jen"));
         assertThat(opened).containsExactly("third.jen");
     }
 
@@ -398,7 +400,7 @@ class FilesTest extends EditorFixture {
     @Test
     void accuracyChoice_isSavedImmediately() {
         robot.interact(() -> model().accuracyModeProperty().set(AccuracyMode.RATIO));
-        waitFor("it is kept",
+        waitFor("the preference is saved",
                 () -> new Preferences(folder.resolve("own"), Runnable::run).enumValue("precision", AccuracyMode.EXACT)
                         == AccuracyMode.RATIO);
     }
@@ -407,9 +409,9 @@ class FilesTest extends EditorFixture {
     void saveOnClosing_writesTheScene() throws IOException, JenException {
         dim();
         Platform.runLater(() -> stage.fireEvent(new WindowEvent(stage, WindowEvent.WINDOW_CLOSE_REQUEST)));
-        waitFor("it asks", () -> isMessageShown("Save changes to desk.jen?"));
+        waitFor("the question is shown", () -> isMessageShown("Save changes to desk.jen?"));
         robot.clickOn("Save");
-        waitFor("it is saved", () -> !model().editor().document().isDirty());
+        waitFor("the scene is saved", () -> !model().editor().document().isDirty());
         Path file = folder.resolve("desk.jen");
         assertThat(JenReader.read(file).scene().light("lamp").orElseThrow().intensity()).isEqualTo(0.25);
     }

@@ -88,7 +88,7 @@ class GoTest extends EditorFixture {
         assertThat(isShown("pending")).isFalse();
         assertThat(text("status")).matches("Updated in [0-9.]+ m?s, exact");
         assertThat(telemetry()).contains("lamp: weight").contains("0 shadow rays");
-        waitFor("its saving is measured", () -> model().picture().renderStateProperty().get().saving().isPresent());
+        waitFor("the saving is measured", () -> model().picture().renderStateProperty().get().saving().isPresent());
         // Either is possible, depending on the machine: the picture is tiny.
         assertThat(telemetry()).contains("for a full trace").containsPattern("% (saved|slower)");
     }
@@ -109,12 +109,12 @@ class GoTest extends EditorFixture {
         dim();
         click("go");
         waitForPicture();
-        waitFor("its saving is measured", () -> model().picture().renderStateProperty().get().saving().isPresent());
+        waitFor("the saving is measured", () -> model().picture().renderStateProperty().get().saving().isPresent());
         WarmSaving firstSaving = model().picture().renderStateProperty().get().measuredSaving();
         robot.interact(() -> model().editor().edit(scene -> new EditOutcome.Applied(scene.withPicture(scene.picture().withSampling(
                 new SamplingSettings(AntialiasMode.EDGES, 2))))));
         click("go");
-        waitFor("the saving is another", () -> model().picture().renderStateProperty().get().measuredSaving() != firstSaving);
+        waitFor("the saving is measured again", () -> model().picture().renderStateProperty().get().measuredSaving() != firstSaving);
         assertThat(model().picture().renderStateProperty().get().measuredSaving().isOf(model().picture().frame().update())).isTrue();
         assertThat(model().picture().frame().update().plan().description()).contains("samples");
     }
@@ -221,14 +221,14 @@ class GoTest extends EditorFixture {
     @Test
     void typedSize_isRetraced() {
         typeSize("50 x 40");
-        waitFor("it is traced", () -> model().picture().frame().film().width() == 50);
+        waitFor("the picture is traced", () -> model().picture().frame().film().width() == 50);
         assertThat(model().picture().frame().film().height()).isEqualTo(40);
     }
 
     @Test
     void typedNonsense_showsError() {
         typeSize("large");
-        waitFor("it tells", () -> text("message").contains("640 × 480, was 'large'"));
+        waitFor("the error is shown", () -> text("message").contains("640 × 480, was 'large'"));
         assertThat(isEnabled(Command.UNDO)).isFalse();
     }
 
@@ -240,7 +240,7 @@ class GoTest extends EditorFixture {
         waitFor("progress is shown", () -> isShown("progress"));
         assertThat(WaitForAsyncUtils.asyncFx(() -> true).get(Await.TIMEOUT_SECONDS, TimeUnit.SECONDS)).isTrue();
         robot.interact(robot.lookup("#cancel-progress").<Button>query()::fire);
-        waitFor("it is over", () -> !isShown("progress"));
+        waitFor("the progress bar is hidden", () -> !isShown("progress"));
         assertThat(model().picture().frame().scene()).isEqualTo(before);
         assertThat(isEnabled(Command.GO)).isTrue();
     }
@@ -248,7 +248,7 @@ class GoTest extends EditorFixture {
     @Test
     void verify_confirmsFullTraceEquality() {
         click("verify");
-        waitFor("it is verified", () -> model().picture().renderStateProperty().get().verification() != null);
+        waitFor("the picture is verified", () -> model().picture().renderStateProperty().get().verification() != null);
         assertThat(text("status")).startsWith("Verified: equal to a full trace in every bit");
         assertThat(isShown("difference")).isTrue();
     }
@@ -260,7 +260,7 @@ class GoTest extends EditorFixture {
         click("go");
         waitForPicture();
         click("verify");
-        waitFor("it is verified", () -> model().picture().renderStateProperty().get().verification() != null);
+        waitFor("the picture is verified", () -> model().picture().renderStateProperty().get().verification() != null);
         assertThat(text("status")).startsWith("Verified: equal to a full trace with outdated reflections in every bit")
                 .contains("would change with current reflections");
     }
@@ -272,7 +272,7 @@ class GoTest extends EditorFixture {
         click("go");
         waitForPicture();
         click("verify");
-        waitFor("it is verified", () -> model().picture().renderStateProperty().get().verification() != null);
+        waitFor("the picture is verified", () -> model().picture().renderStateProperty().get().verification() != null);
         click("difference");
         Object verified = model().picture().frame();
         click("update-reflections");
@@ -287,7 +287,7 @@ class GoTest extends EditorFixture {
         for (AccuracyMode precision : new AccuracyMode[] {AccuracyMode.RATIO, AccuracyMode.EXACT, AccuracyMode.ON_DEMAND}) {
             Object before = model().picture().frame();
             robot.interact(() -> model().accuracyModeProperty().set(precision));
-            waitFor("it is rendered", () -> model().picture().frame() != before);
+            waitFor("the picture is rendered", () -> model().picture().frame() != before);
             assertThat(model().picture().frame().update().rays()).as(precision.toString()).isEqualTo(RayCounts.NONE);
             assertFilmIs(new ReferenceTracer(model().editor().scene()).trace());
         }
@@ -301,7 +301,7 @@ class GoTest extends EditorFixture {
         waitFor("the message is shown", () -> isShown("mirrors"));
         assertThat(text("mirrors")).isEqualTo("Reflections out of date. Click to update");
         click("mirrors");
-        waitFor("they are updated", () -> !isShown("mirrors"));
+        waitFor("the mirrors are updated", () -> !isShown("mirrors"));
         assertFilmIs(new ReferenceTracer(model().editor().scene()).trace());
     }
 
@@ -322,7 +322,7 @@ class GoTest extends EditorFixture {
         waitFor("the look is shown", () -> !model().picture().frame().displayMode().isFullPicture());
         waitFor("the message is shown", () -> isShown("mirrors"));
         click("mirrors");
-        waitFor("it is updated", () -> !isShown("mirrors"));
+        waitFor("the mirrors are updated", () -> !isShown("mirrors"));
         assertFilmIs(new ReferenceTracer(model().editor().scene()).trace());
         assertThat(isEnabled(Command.UPDATE_REFLECTIONS)).isFalse();
     }
@@ -335,7 +335,7 @@ class GoTest extends EditorFixture {
         waitFor("the message is shown", () -> isShown("mirrors"));
         assertThat(text("mirrors")).isEqualTo("No lights on; reflections out of date. Click to update");
         robot.interact(() -> model().accuracyModeProperty().set(AccuracyMode.EXACT));
-        waitFor("no ghost is left", () -> !isShown("mirrors"));
+        waitFor("the mirrors are updated", () -> !isShown("mirrors"));
         assertFilmIs(new ReferenceTracer(model().editor().scene()).trace());
     }
 

@@ -106,7 +106,7 @@ class PanelAccessibilityTest extends EditorFixture {
         }
         assertThat(reached).containsAll(wanted);
         robot.push(KeyCode.ESCAPE);
-        waitFor("it is gone", () -> panels().isEmpty());
+        waitFor("all panels are closed", () -> panels().isEmpty());
         assertThat(stage.isShowing()).isTrue();
     }
 

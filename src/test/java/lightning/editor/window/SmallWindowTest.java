@@ -114,7 +114,7 @@ class SmallWindowTest extends EditorFixture {
         assertThat(screenBounds(overflow).getWidth()).isGreaterThan(8);
         robot.clickOn(overflow);
         // A layout of the tool bar removes its buttons from the menu and adds them again, so only the window's thread sees them reliably.
-        waitFor("its menu shows what has no room", () -> robot.lookup("#effects-panel").tryQuery().isPresent());
+        waitFor("the overflow menu shows hidden items", () -> robot.lookup("#effects-panel").tryQuery().isPresent());
         robot.push(KeyCode.ESCAPE);
     }
 
@@ -160,7 +160,7 @@ class SmallWindowTest extends EditorFixture {
         for (double width : new double[] {1000, 960}) {
             resize(width, 540);
             robot.interact(() -> model().commands().run(Command.VERIFY));
-            waitFor("it is verified", () -> isShown("difference"));
+            waitFor("the picture is verified", () -> isShown("difference"));
             FastRobot.settle();
             Set<String> cut = robot.lookup(n -> n instanceof Labeled && isIn(n, "pane-header", "tool-bar", "lights-tools"))
                     .queryAllAs(Labeled.class).stream().filter(SmallWindowTest::isClipped).map(Labeled::getText)

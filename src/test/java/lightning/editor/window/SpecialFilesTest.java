@@ -19,7 +19,7 @@ class SpecialFilesTest extends EditorFixture {
         Path before = model().editor().document().file();
         answer = path;
         WaitForAsyncUtils.asyncFx(() -> model().commands().run(Command.LOAD_FILE));
-        waitFor("it is refused", () -> robot.lookup(".dialog-pane").tryQuery().isPresent());
+        waitFor("the refusal is shown", () -> robot.lookup(".dialog-pane").tryQuery().isPresent());
         assertThat(robot.lookup(".dialog-pane").<DialogPane>query().getContent().toString()).contains(message);
         robot.type(KeyCode.ESCAPE);
         waitFor("the refusal is gone", () -> robot.lookup(".dialog-pane").tryQuery().isEmpty());

@@ -19,7 +19,7 @@ class TooLargeWindowTest extends EditorFixture {
             model().editor().edit(scene -> new EditOutcome.Applied(scene.withPicture(huge)));
             model().commands().run(Command.GO);
         });
-        waitFor("the refusal is told", () -> text("status").startsWith("Too large"));
+        waitFor("the refusal is shown", () -> text("status").startsWith("Too large"));
         assertThat(text("status")).contains("GB; it would fit with a size of ").doesNotContain("--");
     }
 }

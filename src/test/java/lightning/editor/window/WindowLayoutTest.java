@@ -110,15 +110,16 @@ class WindowLayoutTest extends EditorFixture {
     void arrangement_afterRestart_isRestoredButHiddenPanelsAreNot() {
         arrange(CanvasLayout.PICTURE_LARGE);
         robot.interact(() -> model().commands().run(Command.HIDE_PANELS));
-        waitFor("it is written", () -> Files.exists(folder.resolve("own/preferences.properties")));
-        waitFor("it is kept", () -> new Preferences(folder.resolve("own"), Runnable::run).hasValue("arrangement", "PICTURE_LARGE"));
+        waitFor("the preferences are written", () -> Files.exists(folder.resolve("own/preferences.properties")));
+        waitFor("the preference is saved",
+                () -> new Preferences(folder.resolve("own"), Runnable::run).hasValue("arrangement", "PICTURE_LARGE"));
     }
 
     @Test
     void newScene_isWrittenAndOpenedAtScreenSize() throws Exception {
         answer = folder.resolve("fresh");
         robot.interact(() -> model().commands().run(Command.NEW_SCENE));
-        waitFor("it is open", () -> model().editor().document().name().equals("fresh.jen"));
+        waitFor("the scene is open", () -> model().editor().document().name().equals("fresh.jen"));
         robot.interact(() -> model().commands().run(Command.CANCEL));
         var read = JenReader.read(folder.resolve("fresh.jen")).scene();
         assertThat(read).isEqualTo(model().editor().scene());

@@ -9,7 +9,7 @@ import lightning.scene.Solid;
  * Reference intersection of the canonical solids with 130 digits, for tests of {@link SolidGeometry}.
  *
  * <p>A solid may be grown or shrunk by a margin. A distance is correct if it is correct for any solid between the shrunk and
- * the grown one: then it is the exact result for a ray, or a shape, that differs from the given one by no more than the margin.
+ * the grown one: then it is the exact result for a ray, or a shape, that differs from the given one by at most the margin.
  */
 final class ExactSolids {
     private static final MathContext DIGITS = new MathContext(130);

@@ -17,7 +17,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 /**
  * Tests lights on surfaces: such a surface does not block at the end of a shadow ray, but anything before it does. Compares
  * each result with one in arbitrary precision, computed from the numbers of the scene. It must be correct for a solid that is
- * larger or smaller by no more than the bound of {@link PrimitiveTable#placementError}. {@code -Dlightning.places=100000} tests
+ * larger or smaller by at most the bound of {@link PrimitiveTable#placementError}. {@code -Dlightning.places=100000} tests
  * as many lights for each kind of solid.
  */
 @Slow

@@ -47,7 +47,7 @@ public final class FileActions {
     private final PictureExport export;
     private List<Path> recent = List.of();
 
-    /** @param quit  closes the window, which then asks about unsaved edits */
+    /** @param quit  closes the window, which then shows a dialog for unsaved edits */
     public FileActions(EditorModel model, FilePrompt prompt, EditorDialogs notices, Preferences preferences, Runnable quit) {
         this.model = model;
         editor = model.editor();
@@ -208,7 +208,7 @@ public final class FileActions {
                         () -> message.show(Messages.tr("Reverted to the saved file; Undo restores the edits"))));
     }
 
-    /** Shows the differences between the open scene and its externally changed file, and asks which to keep. */
+    /** Shows the differences between the open scene and its externally changed file, in a dialog to keep one of them. */
     public void compareWithDisk() {
         saver.resolveConflict();
     }
@@ -258,7 +258,7 @@ public final class FileActions {
                 });
     }
 
-    /** Updates the recent scenes with those that still exist. */
+    /** Updates the recent scenes from the preferences, without missing files. */
     private void refreshRecent() {
         List<Path> all = preferences.recent();
         model.files().runConcurrently(() -> all.stream().filter(Files::isRegularFile).toList(), existing -> recent = existing, _ -> {});

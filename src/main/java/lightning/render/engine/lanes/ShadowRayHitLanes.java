@@ -15,7 +15,7 @@ import lightning.render.trace.solid.SolidGeometryLanes;
 import lightning.render.trace.tree.CandidateList;
 
 /**
- * Lane version of {@link ShadowRayHitFinder}. Tests 64 shadow rays at a time against the box of a shape; those that enter it
+ * Lane version of {@link ShadowRayHitFinder}. Tests 64 shadow rays at a time against the box of a shape. Rays that enter it
  * traverse a mesh together, or are tested against a solid in lanes.
  *
  * <p>Rows with the same sample rotation form packets: their shadow rays end at the same position of an area light, so they are

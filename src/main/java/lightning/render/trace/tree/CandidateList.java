@@ -86,7 +86,7 @@ public final class CandidateList {
         }
     }
 
-    /** Inserts a primitive before those that the beam enters later. */
+    /** Inserts a primitive, sorted by the time when the beam enters it. */
     private void add(Bvh bvh, int s, double time) {
         if (!(time < Double.POSITIVE_INFINITY)) {
             return;

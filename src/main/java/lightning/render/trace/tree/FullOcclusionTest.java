@@ -12,7 +12,7 @@ import lightning.render.trace.solid.SolidGeometry;
  * t, the points of all rays lie in the box, scaled and translated, and extended by a ball around the ends or directions. If all
  * of these are inside a convex solid by a margin, and the ball of ends is outside by a margin, then each ray leaves the solid
  * before it ends. {@link SolidGeometry#insideDepth} is concave inside a solid, so over a box its minimum is at a corner. It
- * changes by no more than a point moves, so a ball subtracts its radius.
+ * changes by at most the distance that a point moves, so a ball subtracts its radius.
  *
  * <p>Lights inside a solid, meshes, solids with cutouts, and primitives that contact the eye or the light are never reported.
  * Proof of the {@link #MARGIN}: docs/numerics.md, "Proof: full occlusion". Reused; not thread-safe.

@@ -44,7 +44,7 @@ class ContributionPaneTest extends EditorFixture {
         assertThat(rows()).extracting(LightContribution::light).containsExactly("lamp", "sun", "stage", "below");
         assertThat(ContributionPane.changeText(rows().getLast())).isEqualTo("bit-identical");
         click("switch-off-idle");
-        waitFor("it is proved", () -> text("contribution-proof").contains("bit-identical to the old one"));
+        waitFor("the proof is shown", () -> text("contribution-proof").contains("bit-identical to the old one"));
         assertThat(light("below").on()).isFalse();
         assertFilmIs(new ReferenceTracer(model().editor().scene()).trace());
         assertFilmIs(old);
@@ -57,7 +57,7 @@ class ContributionPaneTest extends EditorFixture {
     void invisibleLight_switchedOff_reportsLargestDifference() {
         openWith(light("lamp").withName("dim").withIntensity(1e-6));
         click("switch-off-idle");
-        waitFor("it is proved", () -> text("contribution-proof").contains("no displayed pixel changed"));
+        waitFor("the proof is shown", () -> text("contribution-proof").contains("no displayed pixel changed"));
         assertThat(light("dim").on()).isFalse();
     }
 
@@ -72,7 +72,7 @@ class ContributionPaneTest extends EditorFixture {
         robot.interact(() -> picture.getScene().getWindow().requestFocus());
         robot.moveTo(at.getMinX() + 12, at.getCenterY() - 20).press(MouseButton.PRIMARY).moveBy(40, 30).release(MouseButton.PRIMARY);
         waitFor("the region is set", () -> text("contribution-region-text").contains("pixels at"));
-        waitFor("its shares are there", () -> rows().get(1).regionShare() != whole);
+        waitFor("the shares of the region are shown", () -> rows().get(1).regionShare() != whole);
         assertThat(rows().get(1).imageShare()).isEqualTo(whole);
         robot.moveTo(at.getMinX() + 30, at.getCenterY());
         waitFor("the share at the cursor is shown", () -> robot.lookup(".table-cell").queryAll().stream()
@@ -81,6 +81,6 @@ class ContributionPaneTest extends EditorFixture {
                 .anyMatch(c -> ((javafx.scene.control.TableCell<?, ?>) c).getText() != null
                         && ((javafx.scene.control.TableCell<?, ?>) c).getText().endsWith("%")));
         click("contribution-whole");
-        waitFor("the whole frame is set", () -> rows().get(1).regionShare() == whole);
+        waitFor("the shares of the whole frame are shown", () -> rows().get(1).regionShare() == whole);
     }
 }

@@ -68,11 +68,11 @@ class CuePaneTest extends EditorFixture {
         robot.clickOn("#cue-name-day");
         robot.interact(() -> robot.lookup("#cue-name-day").<TextField>query().setText("noon"));
         robot.push(KeyCode.ENTER);
-        waitFor("it is renamed", () -> robot.lookup("#cue-noon").tryQuery().isPresent());
+        waitFor("the cue is renamed", () -> robot.lookup("#cue-noon").tryQuery().isPresent());
         click("cue-remove-noon");
-        waitFor("it is gone", () -> robot.lookup("#cue-noon").tryQuery().isEmpty());
+        waitFor("the cue is removed", () -> robot.lookup("#cue-noon").tryQuery().isEmpty());
         click("cue-back");
-        waitFor("it is back", () -> robot.lookup("#cue-noon").tryQuery().isPresent());
+        waitFor("the cue is restored", () -> robot.lookup("#cue-noon").tryQuery().isPresent());
         assertThat(Files.exists(folder.resolve("desk.cues/noon.png"))).isTrue();
     }
 
@@ -134,14 +134,14 @@ class CuePaneTest extends EditorFixture {
         Scene before = model().editor().scene();
         answer = folder.resolve("three.jen");
         robot.interact(() -> model().commands().run(Command.SAVE_RIG));
-        waitFor("it is written", () -> Files.exists(answer));
+        waitFor("the file is written", () -> Files.exists(answer));
         assertThat(Files.readString(answer)).contains("light lamp point").doesNotContain("sphere");
         robot.interact(() -> model().editor().edit(s -> LightEdits.delete(s, "lamp")));
         robot.interact(() -> model().commands().run(Command.LOAD_RIG));
-        waitFor("it is loaded", () -> model().editor().scene().lights().size() == 3);
+        waitFor("the lights are loaded", () -> model().editor().scene().lights().size() == 3);
         assertThat(model().editor().scene()).isEqualTo(before);
         robot.interact(() -> model().commands().run(Command.ADD_RIG));
-        waitFor("it is added", () -> model().editor().scene().lights().size() == 6);
+        waitFor("the lights are added", () -> model().editor().scene().lights().size() == 6);
         go();
         robot.interact(() -> model().commands().run(Command.UNDO));
         assertThat(model().editor().scene()).isEqualTo(before);

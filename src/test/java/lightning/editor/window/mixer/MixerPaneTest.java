@@ -38,7 +38,7 @@ class MixerPaneTest extends EditorFixture {
     void openMixer() {
         first = model().editor().scene();
         robot.push(KeyCode.F4);
-        waitFor("the strips have pictures", () -> robot.lookup("#thumbnail-stage").<ImageView>query().getImage() != null);
+        waitFor("the strips have thumbnails", () -> robot.lookup("#thumbnail-stage").<ImageView>query().getImage() != null);
     }
 
     private Fader fader(String name) {
@@ -184,7 +184,7 @@ class MixerPaneTest extends EditorFixture {
         var ofLamp = robot.lookup("#thumbnail-lamp").<ImageView>query().getImage();
         drag("lamp", 0, 1);
         waitForPicture();
-        waitFor("the lamp has another picture", () -> robot.lookup("#thumbnail-lamp").<ImageView>query().getImage() != ofLamp);
+        waitFor("the thumbnail of the lamp is updated", () -> robot.lookup("#thumbnail-lamp").<ImageView>query().getImage() != ofLamp);
         assertThat(robot.lookup("#thumbnail-stage").<ImageView>query().getImage()).isSameAs(ofStage);
     }
 
@@ -326,7 +326,7 @@ class MixerPaneTest extends EditorFixture {
         robot.clickOn(head("lamp"));
         ctrlClick("sun");
         click("color-sun");
-        waitFor("the color is there", () -> robot.lookup("#color-popup").tryQuery().isPresent());
+        waitFor("the color popup is open", () -> robot.lookup("#color-popup").tryQuery().isPresent());
         TextField red = robot.lookup("#color-popup .text-field").queryAllAs(TextField.class).stream()
                 .filter(n -> "red".equals(n.getAccessibleText())).findFirst().orElseThrow();
         robot.clickOn(red);

@@ -294,7 +294,7 @@ class PreviewTest extends EditorFixture {
     @Test
     void clickOnAShape_selectsItAndAnArrowMovesIt() {
         robot.clickOn(toScreen(new Vec3(0, 0.6, 0)));
-        waitFor("it is selected", () -> model().editor().selection().node().isPresent());
+        waitFor("the object is selected", () -> model().editor().selection().node().isPresent());
         SceneNode ball = model().editor().selection().node().orElseThrow();
         assertThat(ball.name()).isEqualTo("ball");
         PreviewCamera view = model().previewSettings().cameraProperty().get();

@@ -48,7 +48,7 @@ class OutlinePaneTest extends EditorFixture {
     private void select(String name) {
         robot.interact(() -> model().editor().selection().selectNode(name));
         // The row exists only after layout.
-        waitFor("its row is laid out", () -> robot.lookup("#shape-list .list-cell").queryAllAs(ListCell.class).stream()
+        waitFor("the row is laid out", () -> robot.lookup("#shape-list .list-cell").queryAllAs(ListCell.class).stream()
                 .anyMatch(cell -> cell.isSelected() && cell.getGraphic() != null && name.equals(selectedName())));
     }
 

@@ -38,7 +38,7 @@ class FilmStripPaneTest extends EditorFixture {
     }
 
     private void waitForStrip() {
-        waitFor("all frames are current", () -> text("strip-progress").isEmpty() && pixels(1).length > 0
+        waitFor("all frames are up to date", () -> text("strip-progress").isEmpty() && pixels(1).length > 0
                 && robot.lookup(".strip-slot").queryAll().stream().noneMatch(FilmStripPaneTest::isStale));
     }
 

@@ -87,6 +87,6 @@ class MachinesPaneTest extends EditorFixture {
             field("machines-certificate").setText("c.p12");
         });
         click("machines-begin");
-        waitFor("it is told", () -> text("machines-status").startsWith("unknown host 'no-such-machine.invalid'"));
+        waitFor("the error is shown", () -> text("machines-status").startsWith("unknown host 'no-such-machine.invalid'"));
     }
 }

@@ -114,7 +114,7 @@ class RemoteFramesTest extends EditorFixture {
             Film exact = new ReferenceTracer(scene).trace();
             assertThat(film(frame).hasSameBits(exact)).as("every bit of frame " + frame).isTrue();
             int number = frame;
-            waitFor("the small picture is there", () -> strip().isUpToDate(number));
+            waitFor("the thumbnail is up to date", () -> strip().isUpToDate(number));
             Film small = strip().thumbnail(frame).orElseThrow().film();
             assertThat(small.hasSameBits(Downscale.fit(exact.width(), exact.height(), small.width(), small.height()).apply(exact)))
                     .isTrue();

@@ -119,9 +119,9 @@ class ShotExportPaneTest extends EditorFixture {
         pathAnswer = folder.resolve("out");
         type("shot-last", "5000");
         begin("Exporting");
-        waitFor("some are there", () -> Files.exists(pathAnswer.resolve("desk-0003.png")));
+        waitFor("the third frame is written", () -> Files.exists(pathAnswer.resolve("desk-0003.png")));
         click("shot-cancel");
-        waitFor("it ended", () -> text("shot-status").startsWith("Canceled; "));
+        waitFor("the export is canceled", () -> text("shot-status").startsWith("Canceled; "));
         assertThat(text("shot-status")).endsWith(" of 5000 images saved");
         Await.untilThreadEnded("lightning-shot-export");
     }

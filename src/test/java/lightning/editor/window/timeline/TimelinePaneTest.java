@@ -107,7 +107,7 @@ class TimelinePaneTest extends EditorFixture {
         assertThat(model().editor().document().history().undoLabel()).contains("lamp: intensity at frame 13");
         assertGoShowsTheScene();
         robot.interact(() -> model().commands().run(Command.SAVE_SCENE));
-        waitFor("it is saved", () -> !model().editor().document().isDirty());
+        waitFor("the scene is saved", () -> !model().editor().document().isDirty());
         assertThat(JenReader.read(folder.resolve("desk.jen")).animatedScene()).isEqualTo(model().editor().document().content());
         press(KeyCode.CONTROL, KeyCode.Z);
         assertThat(keys()).hasSize(2);
@@ -187,7 +187,7 @@ class TimelinePaneTest extends EditorFixture {
         click("play-shot");
         waitFor("frames are shown", () -> frame() > 3);
         dial(3);
-        waitFor("it stops", () -> !model().commands().toggleState(Command.PLAY_SHOT).orElseThrow().getValue());
+        waitFor("playback stops", () -> !model().commands().toggleState(Command.PLAY_SHOT).orElseThrow().getValue());
         int stopped = frame();
         assertThat(keys()).anySatisfy(k -> assertThat(k.value()).isEqualTo(new KeyframeValue.Numbers(List.of(3.0))));
         assertGoShowsTheScene();

@@ -73,7 +73,7 @@ class TracedPaneTest extends EditorFixture {
         waitForPicture();
         robot.interact(() -> model().editor().selection().selectLight("sun"));
         robot.clickOn(pixel(36, 22));
-        waitFor("it is selected", () -> model().editor().selection().light().name().equals("stage"));
+        waitFor("the light is selected", () -> model().editor().selection().light().name().equals("stage"));
     }
 
     @Test
@@ -94,10 +94,10 @@ class TracedPaneTest extends EditorFixture {
             model().commands().run(Command.AIM);
         });
         robot.clickOn(pixel(32, 24));
-        waitFor("it is aimed", () -> model().commands().isEnabled(Command.UNDO));
-        Vec3 way = light("stage").direction().normalized();
+        waitFor("the light is aimed", () -> model().commands().isEnabled(Command.UNDO));
+        Vec3 direction = light("stage").direction().normalized();
         Vec3 toBall = new Vec3(0, 1, 0).minus(light("stage").position()).normalized();
-        assertThat(way.dot(toBall)).isGreaterThan(0.85);
+        assertThat(direction.dot(toBall)).isGreaterThan(0.85);
     }
 
     @Test
@@ -108,7 +108,7 @@ class TracedPaneTest extends EditorFixture {
         });
         assertThat(text("prompt")).startsWith("Click or drag where the highlight");
         robot.clickOn(pixel(28, 22));
-        waitFor("it is placed", () -> model().commands().isEnabled(Command.UNDO));
+        waitFor("the light is placed", () -> model().commands().isEnabled(Command.UNDO));
         var placed = new PixelExplainer(model().editor().scene()).explainPixel(28, 22).lights().getFirst();
         assertThat(placed.light().name()).isEqualTo("lamp");
         assertThat(placed.specular()).isGreaterThan(0.99f);
@@ -123,7 +123,7 @@ class TracedPaneTest extends EditorFixture {
         robot.clickOn(pixel(32, 22));
         waitFor("the prompt requests the shadow's position", () -> text("prompt").startsWith("Click or drag where the shadow"));
         robot.clickOn(pixel(46, 36));
-        waitFor("it is placed", () -> model().commands().isEnabled(Command.UNDO));
+        waitFor("the light is placed", () -> model().commands().isEnabled(Command.UNDO));
         var placed = new PixelExplainer(model().editor().scene()).explainPixel(46, 36).lights().getFirst();
         assertThat(placed.state()).isEqualTo(LightReport.State.SHADOWED);
     }
@@ -246,7 +246,7 @@ class TracedPaneTest extends EditorFixture {
         assertThat(model().picture().raster().pixels().pixels()).isEqualTo(inverse.toPixels(model().picture().frame().film()))
                 .isNotEqualTo(before);
         assertThat(model().editor().message().textProperty().get()).isEqualTo("Shown through inverse.cube, 3 × 2");
-        waitFor("it is kept", () -> Files.readString(folder.resolve("own/preferences.properties")).contains("inverse.cube"));
+        waitFor("the preference is saved", () -> Files.readString(folder.resolve("own/preferences.properties")).contains("inverse.cube"));
         choose("view-color-table");
         assertThat(model().picture().raster().pixels().pixels()).isEqualTo(before);
     }
@@ -277,29 +277,29 @@ class TracedPaneTest extends EditorFixture {
     void onlySelected_showsSelectedLightsContribution() {
         robot.interact(() -> model().editor().selection().selectLight("stage"));
         click("only-selected");
-        waitFor("it is shown", () -> isShown("look"));
+        waitFor("the look is shown", () -> isShown("look"));
         assertThat(text("look")).isEqualTo("View: Only stage");
         assertCanvasShows(new ReferenceTracer(LightImage.scene(model().editor().scene(), "stage")).trace());
         robot.interact(() -> model().editor().selection().selectLight("sun"));
-        waitFor("the other is shown", () -> text("look").equals("View: Only sun"));
+        waitFor("the other look is shown", () -> text("look").equals("View: Only sun"));
         assertCanvasShows(new ReferenceTracer(LightImage.scene(model().editor().scene(), "sun")).trace());
         click("only-selected");
-        waitFor("all is shown", () -> !isShown("look"));
+        waitFor("the full picture is shown", () -> !isShown("look"));
         assertCanvasShows(new ReferenceTracer(model().editor().scene()).trace());
     }
 
     @Test
     void onlySelected_affectsNeitherSceneNorSavingNorVerify() throws IOException {
         click("only-selected");
-        waitFor("it is shown", () -> isShown("look"));
+        waitFor("the look is shown", () -> isShown("look"));
         assertThat(model().editor().document().isDirty()).isFalse();
         assertThat(isEnabled(Command.GO)).isFalse();
         answer = folder.resolve("whole.pfm");
         click("save-image");
-        waitFor("it is written", () -> text("message").equals("Saved whole.pfm"));
+        waitFor("the file is written", () -> text("message").equals("Saved whole.pfm"));
         assertThat(ImageFile.read(answer).hasSameBits(new ReferenceTracer(model().editor().scene()).trace())).isTrue();
         click("verify");
-        waitFor("it is verified", () -> model().picture().renderStateProperty().get().verification() != null);
+        waitFor("the picture is verified", () -> model().picture().renderStateProperty().get().verification() != null);
         assertThat(text("status")).startsWith("Verified: equal to a full trace in every bit");
     }
 
@@ -307,7 +307,7 @@ class TracedPaneTest extends EditorFixture {
     void onlySelected_afterRename_keepsLight() {
         robot.interact(() -> model().editor().selection().selectLight("stage"));
         click("only-selected");
-        waitFor("it is shown", () -> isShown("look"));
+        waitFor("the look is shown", () -> isShown("look"));
         robot.interact(() -> model().editor().edit(scene -> LightEdits.rename(scene, "stage", "rim")));
         assertCanvasShows(new ReferenceTracer(LightImage.scene(model().picture().frame().scene(), "stage")).trace());
     }
@@ -315,7 +315,7 @@ class TracedPaneTest extends EditorFixture {
     @Test
     void hiddenEffect_isLabeledAndAffectsOnlyCanvas() {
         choose("view-reflections");
-        waitFor("it is shown", () -> isShown("look"));
+        waitFor("the look is shown", () -> isShown("look"));
         assertThat(text("look")).isEqualTo("View: No reflections");
         assertCanvasShows(
                 new ReferenceTracer(ViewEffects.ALL.with(RenderEffect.REFLECTION, false).apply(model().editor().scene())).trace());
@@ -330,7 +330,7 @@ class TracedPaneTest extends EditorFixture {
         click("region");
         robot.drag(pixel(28, 20), MouseButton.PRIMARY);
         robot.dropTo(pixel(36, 28));
-        waitFor("it is traced", () -> model().picture().raster().isPatched());
+        waitFor("the region is traced", () -> model().picture().raster().isPatched());
         int[] after = model().picture().raster().pixels().pixels();
         assertThat(after[24 * 64 + 32]).isNotEqualTo(before[24 * 64 + 32]);
         assertThat(after[40 * 64 + 10]).isEqualTo(before[40 * 64 + 10]);
@@ -350,7 +350,7 @@ class TracedPaneTest extends EditorFixture {
         click("region");
         robot.drag(pixel(28, 20), MouseButton.PRIMARY);
         robot.dropTo(pixel(36, 28));
-        waitFor("it is traced", () -> model().picture().raster().isPatched());
+        waitFor("the region is traced", () -> model().picture().raster().isPatched());
         robot.interact(model().picture()::repaint);
         assertThat(isShown("pending")).isFalse();
     }
