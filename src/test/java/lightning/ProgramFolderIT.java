@@ -99,7 +99,7 @@ class ProgramFolderIT {
         builder.environment().put("LC_ALL", "C");
         builder.environment().put("XDG_CACHE_HOME", NO_CACHE.toString());
         assertThat(builder.start().waitFor()).as(Files.readString(err)).isZero();
-        assertThat(Files.readString(out)).startsWith(name + ": no problems; 1 shape (1 sphere)");
+        assertThat(Files.readString(out)).startsWith(name + ": no problems; 1 object (1 sphere)");
     }
 
     @Test

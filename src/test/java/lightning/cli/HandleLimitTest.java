@@ -43,7 +43,7 @@ final class HandleLimitTest {
         } finally {
             process.destroyForcibly();
         }
-        assertThat(Files.readString(output)).contains("file handles", "ulimit -n").doesNotContain("\tat ", "internal error");
+        assertThat(Files.readString(output)).contains("too many files are open", "ulimit -n").doesNotContain("\tat ", "internal error");
         assertThat(process.exitValue()).isEqualTo(ExitCode.BAD_INPUT);
     }
 
