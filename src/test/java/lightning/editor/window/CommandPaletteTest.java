@@ -41,7 +41,7 @@ class CommandPaletteTest extends EditorFixture {
 
     @Test
     void commandValue_isFoundByItsMenu() {
-        find("accuracy ratio");
+        find("accuracy approximate");
         robot.push(KeyCode.ENTER);
         assertThat(model().accuracyModeProperty().get()).isEqualTo(AccuracyMode.RATIO);
     }
