@@ -56,7 +56,7 @@ class PanelShortcutsTest extends EditorFixture {
 
     @Test
     void keyOfDisabledCommand_showsReason() {
-        String why = "Go: nothing to render";
+        String why = "Render: nothing to render";
         robot.push(KeyCode.F5);
         assertThat(model().editor().message().textProperty().get()).isEqualTo(why);
         robot.push(KeyCode.ESCAPE);

@@ -20,6 +20,6 @@ class TooLargeWindowTest extends EditorFixture {
             model().commands().run(Command.GO);
         });
         waitFor("the refusal is shown", () -> text("status").startsWith("Too large"));
-        assertThat(text("status")).contains("GB; it would fit with a size of ").doesNotContain("--");
+        assertThat(text("status")).contains("GB is available; it would fit with a size of ").doesNotContain("--");
     }
 }
