@@ -127,7 +127,7 @@ class FilesTest extends EditorFixture {
         dim();
         answer = folder.resolve("picture.png");
         startCommand(Command.SAVE_IMAGE);
-        waitFor("the question is shown", () -> isMessageShown("The picture does not show the edits since the last Go."));
+        waitFor("the question is shown", () -> isMessageShown("The image is out of date."));
         robot.clickOn("Save Anyway");
         waitFor("the file is written", () -> Files.exists(answer));
         assertThat(isEnabled(Command.GO)).isTrue();

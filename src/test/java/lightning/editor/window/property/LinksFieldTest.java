@@ -59,7 +59,7 @@ class LinksFieldTest extends EditorFixture {
     void lightDroppedOnShape_togglesItsIllumination() {
         robot.interact(() -> LinkDrop.toggleLink("lamp", "ball", false, model().editor()));
         assertThat(light("lamp").illuminates()).isEqualTo(ShapeLinks.except("ball"));
-        assertThat(model().editor().message().textProperty().get()).isEqualTo("lamp does not shine on ball");
+        assertThat(model().editor().message().textProperty().get()).isEqualTo("lamp does not illuminate ball");
         assertThat(model().editor().editorStateProperty().get().undoLabel()).contains("lamp: illuminates all → all except 'ball'");
         assertGoShowsTheScene();
         robot.interact(() -> LinkDrop.toggleLink("lamp", "ball", false, model().editor()));

@@ -74,7 +74,7 @@ class FilmStripPaneTest extends EditorFixture {
 
     @Test
     void strip_beforeStart_showsMemoryAndCachesNothing() {
-        assertThat(text("strip-cost")).contains("keeps 4 small frames", "at most", "MB");
+        assertThat(text("strip-cost")).contains("Caches 4 thumbnails", "up to", "MB");
         assertThat(robot.lookup("#strip-1").tryQuery()).isEmpty();
         startStrip();
         assertThat(robot.lookup("#strip-cost").query().getParent().isVisible()).isFalse();
@@ -111,6 +111,6 @@ class FilmStripPaneTest extends EditorFixture {
         startStrip();
         robot.interact(() -> model().editor().editShot(s -> s.withShot(s.shot().orElseThrow().withFrames(1, 30)), null));
         assertThat(robot.lookup("#strip-1").tryQuery()).isEmpty();
-        assertThat(text("strip-cost")).contains("keeps 30 small frames");
+        assertThat(text("strip-cost")).contains("Caches 30 thumbnails");
     }
 }
