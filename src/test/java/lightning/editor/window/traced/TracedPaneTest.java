@@ -245,7 +245,7 @@ class TracedPaneTest extends EditorFixture {
         ViewTransform inverse = ViewTransform.DEFAULT.withLut(Optional.of(CubeLutReader.read(answer)));
         assertThat(model().picture().raster().pixels().pixels()).isEqualTo(inverse.toPixels(model().picture().frame().film()))
                 .isNotEqualTo(before);
-        assertThat(model().editor().message().textProperty().get()).isEqualTo("Shown through inverse.cube, 3 × 2");
+        assertThat(model().editor().message().textProperty().get()).isEqualTo("Loaded LUT inverse.cube, 3 × 2");
         waitFor("the preference is saved", () -> Files.readString(folder.resolve("own/preferences.properties")).contains("inverse.cube"));
         choose("view-color-table");
         assertThat(model().picture().raster().pixels().pixels()).isEqualTo(before);
