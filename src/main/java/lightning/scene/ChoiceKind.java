@@ -10,7 +10,8 @@ import java.util.Locale;
  * @param words  the word of each in a file, in the same order
  * @param labels the word of each in the editor, in the same order
  */
-public record ChoiceKind<V>(List<V> values, List<String> words, List<String> labels) implements ValueKind.LightKind<V>, ValueKind.MaterialKind<V> {
+public record ChoiceKind<V>(List<V> values, List<String> words, List<String> labels)
+        implements ValueKind.LightKind<V>, ValueKind.MaterialKind<V> {
     static final ChoiceKind<Boolean> YES_OR_NO = new ChoiceKind<>(List.of(true, false), List.of("yes", "no"));
 
     /** Creates a kind whose labels are its words. */

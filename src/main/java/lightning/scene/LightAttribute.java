@@ -51,8 +51,8 @@ public final class LightAttribute<V> extends SceneAttribute<Light, V> {
             "linear red, green, blue", Light::color, Light::withColor, Section.COLOR, forAllTypes(LightTerm.WEIGHT));
     public static final LightAttribute<Double> INTENSITY = of("intensity", NumericKind.number(0, SceneLimits.MAX_INTENSITY, 0.1), 1.0, "",
             Light::intensity, Light::withIntensity, Section.COLOR, forAllTypes(LightTerm.WEIGHT));
-    public static final LightAttribute<Vec3> POSITION = new LightAttribute<>("at", "position", "position", NumericKind.position(), Vec3.ZERO,
-            "scene units", Light::position, Light::withPosition, Section.PLACE,
+    public static final LightAttribute<Vec3> POSITION = new LightAttribute<>("at", "position", "position", NumericKind.position(),
+            Vec3.ZERO, "scene units", Light::position, Light::withPosition, Section.PLACE,
             Map.of(POINT, LightTerm.SOURCE, SPOT, LightTerm.SOURCE, RECT, LightTerm.SOURCE, DISC, LightTerm.SOURCE));
     public static final LightAttribute<Vec3> DIRECTION = of("direction", NumericKind.direction(), new Vec3(0, -1, 0),
             "any nonzero vector", Light::direction, Light::withDirection, Section.PLACE,
@@ -60,10 +60,10 @@ public final class LightAttribute<V> extends SceneAttribute<Light, V> {
     public static final LightAttribute<Attenuation> ATTENUATION = of("attenuation", NumericKind.attenuation(), Attenuation.NONE,
             "per scene unit to the power 0, 1, 2", Light::attenuation, Light::withAttenuation, Section.ATTENUATION,
             Map.of(POINT, LightTerm.FALLOFF, SPOT, LightTerm.FALLOFF, RECT, LightTerm.FALLOFF, DISC, LightTerm.FALLOFF));
-    public static final LightAttribute<Double> ANGLE = of("angle", "cone half-angle", NumericKind.degrees(0, SceneLimits.MAX_ANGLE, 1), 30.0,
-            "degrees, half-angle", Light::angle, Light::withAngle, Section.CONE, Map.of(SPOT, LightTerm.CONE_ANGLE));
-    public static final LightAttribute<Double> DROPOFF = of("dropoff", "edge falloff", NumericKind.number(0, SceneLimits.MAX_DROPOFF, 0.1), 0.0,
-            "exponent", Light::dropoff, Light::withDropoff, Section.CONE, Map.of(SPOT, LightTerm.FALLOFF));
+    public static final LightAttribute<Double> ANGLE = of("angle", "cone half-angle", NumericKind.degrees(0, SceneLimits.MAX_ANGLE, 1),
+            30.0, "degrees, half-angle", Light::angle, Light::withAngle, Section.CONE, Map.of(SPOT, LightTerm.CONE_ANGLE));
+    public static final LightAttribute<Double> DROPOFF = of("dropoff", "edge falloff", NumericKind.number(0, SceneLimits.MAX_DROPOFF, 0.1),
+            0.0, "exponent", Light::dropoff, Light::withDropoff, Section.CONE, Map.of(SPOT, LightTerm.FALLOFF));
     public static final LightAttribute<BarnDoors> DOORS =
             of("doors", "barn doors", NumericKind.doors(), BarnDoors.OPEN, "degrees from the axis, 90 = open",
                     Light::doors, Light::withDoors, Section.CONE, Map.of(SPOT, LightTerm.FALLOFF, RECT, LightTerm.FALLOFF));
@@ -92,7 +92,8 @@ public final class LightAttribute<V> extends SceneAttribute<Light, V> {
                     "scene units", l -> l.area().height(), (l, v) -> l.withArea(l.area().withHeight(v)), Section.AREA,
                     Map.of(RECT, LightTerm.SOURCE));
     public static final LightAttribute<Vec3> UP = of("up", "roll axis", NumericKind.direction(), AreaShape.DEFAULT.up(),
-            "any nonzero vector", l -> l.area().up(), (l, v) -> l.withArea(l.area().withUp(v)), Section.AREA, Map.of(RECT, LightTerm.SOURCE));
+            "any nonzero vector", l -> l.area().up(), (l, v) -> l.withArea(l.area().withUp(v)), Section.AREA,
+            Map.of(RECT, LightTerm.SOURCE));
     public static final LightAttribute<Integer> SAMPLES =
             of("samples", NumericKind.integer(SceneLimits.MIN_LIGHT_SAMPLES, SceneLimits.MAX_LIGHT_SAMPLES),
                     AreaShape.DEFAULT.samples(), "soft shadow samples", l -> l.area().samples(),
@@ -109,8 +110,9 @@ public final class LightAttribute<V> extends SceneAttribute<Light, V> {
             Messages.key("Illuminates"), Messages.key("Objects and groups that the light illuminates")),
             ShapeLinks.ALL, "shapes and groups", Light::illuminates, Light::withIlluminates, Section.LINKS,
             forAllTypes(LightTerm.ILLUMINATION_LINKS));
-    public static final LightAttribute<ShapeLinks> SHADOWED_BY = new LightAttribute<>("shadowed_by", "shadowed by", "shadowed by", new ValueKind.LinksKind(
-            Messages.key("Casts shadows from"), Messages.key("Objects and groups that cast shadows from this light")),
+    public static final LightAttribute<ShapeLinks> SHADOWED_BY = new LightAttribute<>("shadowed_by", "shadowed by", "shadowed by",
+            new ValueKind.LinksKind(Messages.key("Casts shadows from"),
+                    Messages.key("Objects and groups that cast shadows from this light")),
             ShapeLinks.ALL, "shapes and groups", Light::shadowedBy, Light::withShadowedBy, Section.LINKS,
             forAllTypes(LightTerm.SHADOW_LINKS));
 

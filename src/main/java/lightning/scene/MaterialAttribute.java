@@ -96,8 +96,9 @@ public final class MaterialAttribute<V> extends SceneAttribute<Material, V> {
     public static final MaterialAttribute<Rgb> REFLECTIVE = colorAttribute("reflective", 1, Rgb.BLACK, Material::reflective,
             Material::withReflective, null, Section.REFLECTIVE, "Mirror reflection per channel; black for none");
 
-    public static final MaterialAttribute<Rgb> TRANSMISSION_COLOR = new MaterialAttribute<>("clear", "transparency", NumericKind.color(1), Rgb.BLACK,
-            "linear red, green, blue", m -> m.transmission().color(), (m, v) -> m.withTransmission(m.transmission().withColor(v)),
+    public static final MaterialAttribute<Rgb> TRANSMISSION_COLOR = new MaterialAttribute<>("clear", "transparency", NumericKind.color(1),
+            Rgb.BLACK, "linear red, green, blue", m -> m.transmission().color(),
+            (m, v) -> m.withTransmission(m.transmission().withColor(v)),
             MaterialTerm.COLOR, null, Section.CLEAR, "Transmission color; black for an opaque surface");
     public static final MaterialAttribute<Double> IOR =
             transmissionAttribute("ior", "IOR", NumericKind.number(1, SceneLimits.MAX_IOR, 0.01), 1.5,
@@ -116,7 +117,8 @@ public final class MaterialAttribute<V> extends SceneAttribute<Material, V> {
             Transmission::withTintDistance, MaterialTerm.COLOR, "Distance inside the material after which white light has the tint color");
     public static final MaterialAttribute<ShadowCasting> SHADOWS =
             transmissionAttribute("shadows", "shadows",
-                    ChoiceKind.of(ShadowCasting.class).withLabels(List.of(Messages.key("opaque"), Messages.key("tinted"), Messages.key("off"))),
+                    ChoiceKind.of(ShadowCasting.class)
+                            .withLabels(List.of(Messages.key("opaque"), Messages.key("tinted"), Messages.key("off"))),
                     ShadowCasting.FULL, "", Transmission::shadows, Transmission::withShadows, MaterialTerm.SHADOW,
                     "Shadows of objects with this material: opaque, tinted by the transmitted color, or off");
 

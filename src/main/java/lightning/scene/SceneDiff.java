@@ -36,7 +36,9 @@ public final class SceneDiff {
         this.brief = brief;
     }
 
-    /** Describes all changes for benchmarks, by the attributes' stable ids: {@code key: color 1 1 1 → 1 0 0, angle 30 → 20}. Never empty. */
+    /**
+     * Describes all changes for benchmarks, with the attributes' stable ids: {@code key: color 1 1 1 → 1 0 0, angle 30 → 20}. Never empty.
+     */
     public static String describe(Scene before, Scene after) {
         return new SceneDiff(false).describeChanges(before, after);
     }

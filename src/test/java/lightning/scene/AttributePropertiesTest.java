@@ -30,8 +30,9 @@ class AttributePropertiesTest {
     private static final String MATT = "matt";
     /** Components whose title, or word in scene files, is another. */
     private static final Map<String, String> KEYWORDS = Map.of("World.lightCount", "lamps", "Transmission.color", "transparency",
-            "BumpMapping.normalMap", "normals", "AlphaCutout.map", "cutout", "Light.angle", "cone half-angle", "Light.dropoff", "edge falloff",
-            "Light.doors", "barn doors", "Light.profile", "IES profile", "AreaShape.up", "roll axis", "Transmission.ior", "IOR");
+            "BumpMapping.normalMap", "normals", "AlphaCutout.map", "cutout", "Light.angle", "cone half-angle",
+            "Light.dropoff", "edge falloff", "Light.doors", "barn doors", "Light.profile", "IES profile",
+            "AreaShape.up", "roll axis", "Transmission.ior", "IOR");
 
     @Provide
     Arbitrary<Changed<Light>> lights() {

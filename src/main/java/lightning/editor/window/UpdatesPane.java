@@ -32,15 +32,15 @@ final class UpdatesPane extends VBox {
         table.setPlaceholder(new Label(Messages.tr("No image yet")));
         table.setColumnResizePolicy(TableView.CONSTRAINED_RESIZE_POLICY_ALL_COLUMNS);
         // In a narrow window the description is truncated; the line below the table shows all of it.
-        addTextColumn(Messages.tr("Time"), 80, e -> TIME_FORMAT.format(e.shownAt()));
+        addTextColumn(Messages.tr("At"), 80, e -> TIME_FORMAT.format(e.shownAt()));
         addTextColumn(Messages.tr("Change"), 270, e -> e.update().plan().description());
         table.getColumns().getLast().setMinWidth(MIN_TEXT_WIDTH);
         addNumberColumn(Messages.tr("Points"), 92, e -> StatusText.number(e.update().rowsTouched()));
         addNumberColumn(Messages.tr("Shadow rays"), 162, e -> StatusText.number(e.update().rays().shadow()));
         addNumberColumn(Messages.tr("All rays"), 126, e -> StatusText.number(e.update().rays().total()));
-        addNumberColumn(Messages.tr("Time"), 86, e -> StatusText.time(e.update().milliseconds()));
+        addNumberColumn(Messages.tr("Render time"), 110, e -> StatusText.time(e.update().milliseconds()));
         addNumberColumn(Messages.tr("Saved"), 92, e -> e.saving().map(s -> StatusText.savingText(s.percent() / 100)).orElse("–"));
-        addTextColumn(Messages.tr("Picture"), 92, e -> e.isFinished() ? e.accuracyText() : Messages.tr("not anti-aliased yet"));
+        addTextColumn(Messages.tr("Accuracy"), 92, e -> e.isFinished() ? e.accuracyText() : Messages.tr("not anti-aliased yet"));
         table.setItems(log.entries());
         details.setId("updates-whole");
         details.getStyleClass().add("about-lines");

@@ -111,8 +111,10 @@ class NumericParameterTest {
 
     @Test
     void pointLight_hasNoConeAndNoDirection() {
-        assertThat(DeskScene.parameter("angle").disabledReason(scene, scene.light("fill"))).contains("a point light has no cone half-angle");
-        assertThat(DeskScene.parameter("dropoff").disabledReason(scene, scene.light("fill"))).contains("a point light has no edge falloff");
+        assertThat(DeskScene.parameter("angle").disabledReason(scene, scene.light("fill")))
+                .contains("a point light has no cone half-angle");
+        assertThat(DeskScene.parameter("dropoff").disabledReason(scene, scene.light("fill")))
+                .contains("a point light has no edge falloff");
         assertThat(DeskScene.parameter("attenuation linear").disabledReason(scene, scene.light("fill"))).isEmpty();
         assertThat(LightAttribute.DIRECTION.inactiveReason(LightType.POINT)).contains("a point light has no direction");
     }

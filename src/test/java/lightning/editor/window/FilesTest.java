@@ -126,7 +126,7 @@ class FilesTest extends EditorFixture {
         dim();
         answer = folder.resolve("picture.png");
         startCommand(Command.SAVE_IMAGE);
-        waitFor("it asks", () -> isMessageShown("The picture does not show the edits since the last Go."));
+        waitFor("it asks", () -> isMessageShown("The image is out of date."));
         robot.clickOn("Save Anyway");
         waitFor("it is written", () -> Files.exists(answer));
         assertThat(isEnabled(Command.GO)).isTrue();

@@ -60,7 +60,7 @@ class HistoryPaneTest extends EditorFixture {
         type("ambience", "0.5");
         robot.interact(() -> model().commands().run(Command.HISTORY_PANEL));
         click("history-light");
-        robot.clickOn("Initial state");
+        robot.clickOn("Opened");
         assertThat(light("lamp").intensity()).isEqualTo(1);
         assertThat(model().editor().scene().world().ambience()).isEqualTo(0.5);
         assertThat(listedTexts(true)).containsExactly("lamp: intensity 1 → 2", "lamp: intensity 2 → 3");

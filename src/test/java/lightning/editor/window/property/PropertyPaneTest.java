@@ -279,7 +279,8 @@ class PropertyPaneTest {
         choose(robot, "#intensity .label", "Copy Intensity");
         robot.rightClickOn("#angle .label");
         MenuItem paste = Window.getWindows().stream().filter(ContextMenu.class::isInstance)
-                .flatMap(w -> ((ContextMenu) w).getItems().stream()).filter(i -> i.getText().startsWith("Paste Cone half-angle")).findFirst()
+                .flatMap(w -> ((ContextMenu) w).getItems().stream()).filter(i -> i.getText().startsWith("Paste Cone half-angle"))
+                .findFirst()
                 .orElseThrow();
         assertThat(paste.isDisable()).isTrue();
     }
