@@ -71,7 +71,7 @@ class CueFolderTest {
         Files.writeString(cues.path().resolve("bad.jen"), "jen 1\nlight key spot { bank none }\n");
         assertThat(list()).extracting(Cue::name).containsExactly("bad", "good");
         assertThat(list().getFirst().lighting()).isEmpty();
-        assertThat(list().getFirst().problem()).contains("there is no light group").contains(":2:");
+        assertThat(list().getFirst().problem()).contains("there is no bank").contains(":2:");
     }
 
     @Test
