@@ -38,9 +38,9 @@ final class UpdatesPane extends VBox {
         addNumberColumn(Messages.tr("Points"), 92, e -> StatusText.number(e.update().rowsTouched()));
         addNumberColumn(Messages.tr("Shadow rays"), 162, e -> StatusText.number(e.update().rays().shadow()));
         addNumberColumn(Messages.tr("All rays"), 126, e -> StatusText.number(e.update().rays().total()));
-        addNumberColumn(Messages.tr("Render time"), 110, e -> StatusText.time(e.update().milliseconds()));
+        addNumberColumn(Messages.tr("Time"), 86, e -> StatusText.time(e.update().milliseconds()));
         addNumberColumn(Messages.tr("Saved"), 92, e -> e.saving().map(s -> StatusText.savingText(s.percent() / 100)).orElse("–"));
-        addTextColumn(Messages.tr("Accuracy"), 92, e -> e.isFinished() ? e.accuracyText() : Messages.tr("not anti-aliased yet"));
+        addTextColumn(Messages.tr("Image"), 92, e -> e.isFinished() ? e.accuracyText() : Messages.tr("not anti-aliased yet"));
         table.setItems(log.entries());
         details.setId("updates-whole");
         details.getStyleClass().add("about-lines");

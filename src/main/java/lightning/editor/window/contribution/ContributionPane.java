@@ -124,7 +124,7 @@ public final class ContributionPane extends VBox {
         table.setColumnResizePolicy(TableView.CONSTRAINED_RESIZE_POLICY_FLEX_LAST_COLUMN);
         table.getColumns().setAll(List.of(
                 column(Messages.tr("Light"), LightContribution::light, Function.identity(), 130),
-                column(Messages.tr("Whole Frame"), LightContribution::imageShare, PercentText::format, 100),
+                column(Messages.tr("Whole Frame"), LightContribution::imageShare, PercentText::format, 120),
                 column(Messages.tr("Region"), LightContribution::regionShare, PercentText::format, 80),
                 column(Messages.tr("Cursor"), c -> sharesAtPointer.getOrDefault(c.light(), Double.NaN),
                         p -> p.isNaN() ? "–" : PercentText.format(p), 80),
