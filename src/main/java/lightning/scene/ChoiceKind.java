@@ -8,9 +8,20 @@ import java.util.Locale;
  *
  * @param values the values
  * @param words  the word of each in a file, in the same order
+ * @param labels the word of each in the editor, in the same order
  */
-public record ChoiceKind<V>(List<V> values, List<String> words) implements ValueKind.LightKind<V>, ValueKind.MaterialKind<V> {
+public record ChoiceKind<V>(List<V> values, List<String> words, List<String> labels)
+        implements ValueKind.LightKind<V>, ValueKind.MaterialKind<V> {
     static final ChoiceKind<Boolean> YES_OR_NO = new ChoiceKind<>(List.of(true, false), List.of("yes", "no"));
+
+    /** Creates a kind whose labels are its words. */
+    ChoiceKind(List<V> values, List<String> words) {
+        this(values, words, words);
+    }
+
+    ChoiceKind<V> withLabels(List<String> newLabels) {
+        return new ChoiceKind<>(values, words, newLabels);
+    }
 
     /** Returns a kind for an enum's constants, in lower case. */
     static <E extends Enum<E>> ChoiceKind<E> of(Class<E> type) {
@@ -21,6 +32,11 @@ public record ChoiceKind<V>(List<V> values, List<String> words) implements Value
     /** Returns the value of a word. */
     public V parse(String word) {
         return values.get(words.indexOf(word));
+    }
+
+    /** Returns the label of a value in the editor. */
+    public String label(V value) {
+        return labels.get(values.indexOf(value));
     }
 
     @Override

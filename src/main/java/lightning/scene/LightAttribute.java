@@ -22,15 +22,25 @@ public final class LightAttribute<V> extends SceneAttribute<Light, V> {
     /** Section of the attribute in the editor. */
     public enum Section {
         /** Type of the light. */
-        KIND,
+        KIND(Messages.key("kind")),
         /** On, solo and light group. */
-        SWITCHES,
-        COLOR,
-        CONE,
-        AREA,
-        ATTENUATION,
-        PLACE,
-        LINKS
+        SWITCHES(Messages.key("switches")),
+        COLOR(Messages.key("color")),
+        CONE(Messages.key("cone")),
+        AREA(Messages.key("area")),
+        ATTENUATION(Messages.key("attenuation")),
+        PLACE(Messages.key("Position and Direction")),
+        LINKS(Messages.key("Light Linking"));
+
+        private final String title;
+
+        Section(String title) {
+            this.title = title;
+        }
+
+        public String title() {
+            return title;
+        }
     }
 
     private static final List<LightAttribute<?>> REGISTRY = new ArrayList<>();
@@ -41,8 +51,8 @@ public final class LightAttribute<V> extends SceneAttribute<Light, V> {
             "linear red, green, blue", Light::color, Light::withColor, Section.COLOR, forAllTypes(LightTerm.WEIGHT));
     public static final LightAttribute<Double> INTENSITY = of("intensity", NumericKind.number(0, SceneLimits.MAX_INTENSITY, 0.1), 1.0, "",
             Light::intensity, Light::withIntensity, Section.COLOR, forAllTypes(LightTerm.WEIGHT));
-    public static final LightAttribute<Vec3> POSITION = new LightAttribute<>("at", "position", NumericKind.position(), Vec3.ZERO,
-            "scene units", Light::position, Light::withPosition, Section.PLACE,
+    public static final LightAttribute<Vec3> POSITION = new LightAttribute<>("at", "position", "position", NumericKind.position(),
+            Vec3.ZERO, "scene units", Light::position, Light::withPosition, Section.PLACE,
             Map.of(POINT, LightTerm.SOURCE, SPOT, LightTerm.SOURCE, RECT, LightTerm.SOURCE, DISC, LightTerm.SOURCE));
     public static final LightAttribute<Vec3> DIRECTION = of("direction", NumericKind.direction(), new Vec3(0, -1, 0),
             "any nonzero vector", Light::direction, Light::withDirection, Section.PLACE,
@@ -50,12 +60,12 @@ public final class LightAttribute<V> extends SceneAttribute<Light, V> {
     public static final LightAttribute<Attenuation> ATTENUATION = of("attenuation", NumericKind.attenuation(), Attenuation.NONE,
             "per scene unit to the power 0, 1, 2", Light::attenuation, Light::withAttenuation, Section.ATTENUATION,
             Map.of(POINT, LightTerm.FALLOFF, SPOT, LightTerm.FALLOFF, RECT, LightTerm.FALLOFF, DISC, LightTerm.FALLOFF));
-    public static final LightAttribute<Double> ANGLE = of("angle", NumericKind.degrees(0, SceneLimits.MAX_ANGLE, 1), 30.0,
-            "degrees, half-angle", Light::angle, Light::withAngle, Section.CONE, Map.of(SPOT, LightTerm.CONE_ANGLE));
-    public static final LightAttribute<Double> DROPOFF = of("dropoff", NumericKind.number(0, SceneLimits.MAX_DROPOFF, 0.1), 0.0,
-            "exponent", Light::dropoff, Light::withDropoff, Section.CONE, Map.of(SPOT, LightTerm.FALLOFF));
+    public static final LightAttribute<Double> ANGLE = of("angle", "cone half-angle", NumericKind.degrees(0, SceneLimits.MAX_ANGLE, 1),
+            30.0, "degrees, half-angle", Light::angle, Light::withAngle, Section.CONE, Map.of(SPOT, LightTerm.CONE_ANGLE));
+    public static final LightAttribute<Double> DROPOFF = of("dropoff", "edge falloff", NumericKind.number(0, SceneLimits.MAX_DROPOFF, 0.1),
+            0.0, "exponent", Light::dropoff, Light::withDropoff, Section.CONE, Map.of(SPOT, LightTerm.FALLOFF));
     public static final LightAttribute<BarnDoors> DOORS =
-            of("doors", NumericKind.doors(), BarnDoors.OPEN, "degrees from the axis, 90 = open",
+            of("doors", "barn doors", NumericKind.doors(), BarnDoors.OPEN, "degrees from the axis, 90 = open",
                     Light::doors, Light::withDoors, Section.CONE, Map.of(SPOT, LightTerm.FALLOFF, RECT, LightTerm.FALLOFF));
     public static final LightAttribute<Double> FEATHER = of("feather", NumericKind.degrees(0, SceneLimits.MAX_FEATHER, 1), 0.0,
             "degrees inside the door's edge", Light::feather, Light::withFeather, Section.CONE,
@@ -63,7 +73,7 @@ public final class LightAttribute<V> extends SceneAttribute<Light, V> {
     public static final LightAttribute<Optional<Gobo>> GOBO = of("gobo", new ValueKind.GoboKind(), Optional.empty(), "a PNG or JPEG file",
             Light::gobo, Light::withGobo, Section.CONE, Map.of(SPOT, LightTerm.FALLOFF));
     public static final LightAttribute<Optional<IesProfile>> PROFILE =
-            of("profile", new ValueKind.ProfileKind(), Optional.empty(), "an IES file",
+            of("profile", "IES profile", new ValueKind.ProfileKind(), Optional.empty(), "an IES file",
                     Light::profile, Light::withProfile, Section.CONE, Map.of(POINT, LightTerm.FALLOFF, SPOT, LightTerm.FALLOFF));
     public static final LightAttribute<Double> RADIUS =
             of("radius", NumericKind.number(0, SceneLimits.MAX_EXTENT, 0.1), AreaShape.DEFAULT.radius(),
@@ -81,8 +91,9 @@ public final class LightAttribute<V> extends SceneAttribute<Light, V> {
             of("height", NumericKind.number(0, SceneLimits.MAX_EXTENT, 0.1), AreaShape.DEFAULT.height(),
                     "scene units", l -> l.area().height(), (l, v) -> l.withArea(l.area().withHeight(v)), Section.AREA,
                     Map.of(RECT, LightTerm.SOURCE));
-    public static final LightAttribute<Vec3> UP = of("up", NumericKind.direction(), AreaShape.DEFAULT.up(), "any nonzero vector",
-            l -> l.area().up(), (l, v) -> l.withArea(l.area().withUp(v)), Section.AREA, Map.of(RECT, LightTerm.SOURCE));
+    public static final LightAttribute<Vec3> UP = of("up", "roll axis", NumericKind.direction(), AreaShape.DEFAULT.up(),
+            "any nonzero vector", l -> l.area().up(), (l, v) -> l.withArea(l.area().withUp(v)), Section.AREA,
+            Map.of(RECT, LightTerm.SOURCE));
     public static final LightAttribute<Integer> SAMPLES =
             of("samples", NumericKind.integer(SceneLimits.MIN_LIGHT_SAMPLES, SceneLimits.MAX_LIGHT_SAMPLES),
                     AreaShape.DEFAULT.samples(), "soft shadow samples", l -> l.area().samples(),
@@ -92,15 +103,16 @@ public final class LightAttribute<V> extends SceneAttribute<Light, V> {
     public static final LightAttribute<Boolean> SOLO = of("solo", ChoiceKind.YES_OR_NO, false, "", Light::solo, Light::withSolo,
             Section.SWITCHES, Map.of());
     public static final LightAttribute<String> LIGHT_GROUP =
-            of("bank", new ValueKind.NameKind(scene -> scene.rig().lightGroups().stream().map(LightGroup::name).toList(),
-                    Messages.key("Light group of this light")), "", "name of a bank", Light::lightGroup, Light::withLightGroup,
+            of("bank", "light group", new ValueKind.NameKind(scene -> scene.rig().lightGroups().stream().map(LightGroup::name).toList(),
+                    Messages.key("Light group of this light")), "", "name of a light group", Light::lightGroup, Light::withLightGroup,
                     Section.SWITCHES, Map.of());
     public static final LightAttribute<ShapeLinks> ILLUMINATES = of("illuminates", new ValueKind.LinksKind(
             Messages.key("Illuminates"), Messages.key("Objects and groups that the light illuminates")),
             ShapeLinks.ALL, "shapes and groups", Light::illuminates, Light::withIlluminates, Section.LINKS,
             forAllTypes(LightTerm.ILLUMINATION_LINKS));
-    public static final LightAttribute<ShapeLinks> SHADOWED_BY = new LightAttribute<>("shadowed_by", "shadowed by", new ValueKind.LinksKind(
-            Messages.key("Casts shadows from"), Messages.key("Objects and groups that cast shadows from this light")),
+    public static final LightAttribute<ShapeLinks> SHADOWED_BY = new LightAttribute<>("shadowed_by", "shadowed by", "shadowed by",
+            new ValueKind.LinksKind(Messages.key("Casts shadows from"),
+                    Messages.key("Objects and groups that cast shadows from this light")),
             ShapeLinks.ALL, "shapes and groups", Light::shadowedBy, Light::withShadowedBy, Section.LINKS,
             forAllTypes(LightTerm.SHADOW_LINKS));
 
@@ -115,9 +127,9 @@ public final class LightAttribute<V> extends SceneAttribute<Light, V> {
      * @param terms terms that it changes for each type of light that has it; none for attributes that only decide which others or which
      *     lights act
      */
-    private LightAttribute(String name, String title, ValueKind.LightKind<V> kind, V initial, String unit, Function<Light, V> get,
-            BiFunction<Light, V, Light> with, Section section, Map<LightType, LightTerm> terms) {
-        super(name, title, kind, initial, unit, get, with);
+    private LightAttribute(String name, String id, String title, ValueKind.LightKind<V> kind, V initial, String unit,
+            Function<Light, V> get, BiFunction<Light, V, Light> with, Section section, Map<LightType, LightTerm> terms) {
+        super(name, id, title, kind, initial, unit, get, with);
         this.kind = kind;
         this.section = section;
         this.terms = terms;
@@ -126,7 +138,12 @@ public final class LightAttribute<V> extends SceneAttribute<Light, V> {
 
     private static <V> LightAttribute<V> of(String name, ValueKind.LightKind<V> kind, V initial, String unit, Function<Light, V> get,
             BiFunction<Light, V, Light> with, Section section, Map<LightType, LightTerm> terms) {
-        return new LightAttribute<>(name, name, kind, initial, unit, get, with, section, terms);
+        return of(name, name, kind, initial, unit, get, with, section, terms);
+    }
+
+    private static <V> LightAttribute<V> of(String name, String title, ValueKind.LightKind<V> kind, V initial, String unit,
+            Function<Light, V> get, BiFunction<Light, V, Light> with, Section section, Map<LightType, LightTerm> terms) {
+        return new LightAttribute<>(name, name, title, kind, initial, unit, get, with, section, terms);
     }
 
     private static Map<LightType, LightTerm> forAllTypes(LightTerm term) {

@@ -50,7 +50,7 @@ public final class LightRig {
         List<Light> lightList = List.copyOf(lights);
         List<LightGroup> groups = List.copyOf(lightGroups);
         SceneLimits.checkRange("the number of lights", lightList.size(), 0, SceneLimits.MAX_LIGHTS);
-        SceneLimits.checkRange("the number of banks", groups.size(), 0, SceneLimits.MAX_LIGHT_GROUPS);
+        SceneLimits.checkRange("the number of light groups", groups.size(), 0, SceneLimits.MAX_LIGHT_GROUPS);
         return new LightRig(lightList, groups, new LightRigNames(lightList, groups), List.of());
     }
 
@@ -86,7 +86,7 @@ public final class LightRig {
             return light;
         }
         return lightGroup(light.lightGroup()).orElseThrow(() -> new IllegalArgumentException(
-                "light " + Quote.of(light.name()) + ": there is no bank " + Quote.of(light.lightGroup()))).applyTo(light);
+                "light " + Quote.of(light.name()) + ": there is no light group " + Quote.of(light.lightGroup()))).applyTo(light);
     }
 
     LightRigNames names() {
@@ -217,7 +217,7 @@ public final class LightRig {
     private int groupIndex(String group) {
         int index = names.groupIndex(group);
         if (index < 0) {
-            throw new IllegalArgumentException("there is no bank " + Quote.of(group));
+            throw new IllegalArgumentException("there is no light group " + Quote.of(group));
         }
         return index;
     }

@@ -27,7 +27,7 @@ final class LightRigNames {
         }
         for (LightGroup group : lightGroups) {
             if (lightIndices.containsKey(group.name()) || groupIndices.putIfAbsent(group.name(), groupIndices.size()) != null) {
-                throw duplicateName("bank", group.name());
+                throw duplicateName("light group", group.name());
             }
         }
     }
@@ -59,7 +59,7 @@ final class LightRigNames {
         }
         for (LightGroup group : lightGroups) {
             if (stage.hasNode(group.name())) {
-                throw duplicateName("bank", group.name());
+                throw duplicateName("light group", group.name());
             }
         }
         disjointStage = stage;

@@ -2,6 +2,7 @@ package lightning.scene;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.function.BiFunction;
 import java.util.function.Function;
@@ -22,14 +23,28 @@ public final class MaterialAttribute<V> extends SceneAttribute<Material, V> {
         SPECULAR,
         SURFACE,
         REFLECTIVE,
-        CLEAR,
-        AMBIENT
+        CLEAR(Messages.key("transparency")),
+        AMBIENT;
+
+        private final String title;
+
+        Section() {
+            title = name().toLowerCase(Locale.ROOT);
+        }
+
+        Section(String title) {
+            this.title = title;
+        }
+
+        public String title() {
+            return title;
+        }
     }
 
     private static final List<MaterialAttribute<?>> REGISTRY = new ArrayList<>();
 
     public static final MaterialAttribute<Rgb> AMBIENT = colorAttribute("ambient", SceneLimits.MAX_EMISSION, Rgb.BLACK, Material::ambient,
-            Material::withAmbient, null, Section.AMBIENT, "Color emitted without any light; multiplied by the scene's ambience");
+            Material::withAmbient, null, Section.AMBIENT, "Color emitted without any light; multiplied by the scene's ambient light");
     public static final MaterialAttribute<ShadingModel> MODEL = new MaterialAttribute<>("model", ChoiceKind.of(ShadingModel.class),
             ShadingModel.PHONG, "", Material::model, Material::withModel, MaterialTerm.MODEL, null, Section.MODEL,
             "Shading model: Phong, or base color with metalness and roughness");
@@ -81,11 +96,12 @@ public final class MaterialAttribute<V> extends SceneAttribute<Material, V> {
     public static final MaterialAttribute<Rgb> REFLECTIVE = colorAttribute("reflective", 1, Rgb.BLACK, Material::reflective,
             Material::withReflective, null, Section.REFLECTIVE, "Mirror reflection per channel; black for none");
 
-    public static final MaterialAttribute<Rgb> TRANSMISSION_COLOR = colorAttribute("clear", 1, Rgb.BLACK, m -> m.transmission().color(),
-            (m, v) -> m.withTransmission(m.transmission().withColor(v)), null, Section.CLEAR,
-            "Transmission color; black for an opaque surface");
+    public static final MaterialAttribute<Rgb> TRANSMISSION_COLOR = new MaterialAttribute<>("clear", "transparency", NumericKind.color(1),
+            Rgb.BLACK, "linear red, green, blue", m -> m.transmission().color(),
+            (m, v) -> m.withTransmission(m.transmission().withColor(v)),
+            MaterialTerm.COLOR, null, Section.CLEAR, "Transmission color; black for an opaque surface");
     public static final MaterialAttribute<Double> IOR =
-            transmissionAttribute("ior", "ior", NumericKind.number(1, SceneLimits.MAX_IOR, 0.01), 1.5,
+            transmissionAttribute("ior", "IOR", NumericKind.number(1, SceneLimits.MAX_IOR, 0.01), 1.5,
                     "index of refraction", Transmission::ior, Transmission::withIor, MaterialTerm.REFRACTION,
                     "Index of refraction: 1.33 for water, 1.5 for glass, 2.42 for diamond");
     public static final MaterialAttribute<Boolean> THIN =
@@ -100,9 +116,11 @@ public final class MaterialAttribute<V> extends SceneAttribute<Material, V> {
             Transmission::tintDistance,
             Transmission::withTintDistance, MaterialTerm.COLOR, "Distance inside the material after which white light has the tint color");
     public static final MaterialAttribute<ShadowCasting> SHADOWS =
-            transmissionAttribute("shadows", "shadows", ChoiceKind.of(ShadowCasting.class),
+            transmissionAttribute("shadows", "shadows",
+                    ChoiceKind.of(ShadowCasting.class)
+                            .withLabels(List.of(Messages.key("opaque"), Messages.key("tinted"), Messages.key("off"))),
                     ShadowCasting.FULL, "", Transmission::shadows, Transmission::withShadows, MaterialTerm.SHADOW,
-                    "Shadows of objects with this material: full, tinted by the transmitted color, or none");
+                    "Shadows of objects with this material: opaque, tinted by the transmitted color, or off");
 
     /** All attributes, in declaration order; the model comes before the attributes that depend on it. */
     public static final List<MaterialAttribute<?>> ALL = List.copyOf(REGISTRY);

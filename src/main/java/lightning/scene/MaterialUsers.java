@@ -56,7 +56,7 @@ final class MaterialUsers {
     void check(Set<String> materialNames) {
         users.forEach((material, shape) -> {
             if (!materialNames.contains(material)) {
-                throw new IllegalArgumentException("shape " + Quote.of(shape) + ": there is no material " + Quote.of(material));
+                throw new IllegalArgumentException("object " + Quote.of(shape) + ": there is no material " + Quote.of(material));
             }
         });
     }

@@ -82,6 +82,6 @@ final class NodeNames {
     }
 
     private static IllegalArgumentException duplicateName(String name) {
-        return new IllegalArgumentException("shape " + Quote.of(name) + ": the name is already taken");
+        return new IllegalArgumentException("object " + Quote.of(name) + ": the name is already taken");
     }
 }

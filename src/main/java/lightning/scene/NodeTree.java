@@ -25,7 +25,7 @@ final class NodeTree {
     NodeTree(List<SceneNode> nodes) {
         this.nodes = BlockList.copyOf(nodes);
         var summary = new NodeSummary(this.nodes, 0, 1, 1);
-        shapeCount = SceneLimits.checkRange("the number of shapes", summary.shapes.size(), 0, SceneLimits.MAX_SHAPES);
+        shapeCount = SceneLimits.checkRange("the number of objects", summary.shapes.size(), 0, SceneLimits.MAX_SHAPES);
         names = NodeNames.of(summary.names);
         materialUsers = MaterialUsers.of(summary.shapes);
         hiddenCount = summary.hiddenCount;
@@ -43,7 +43,7 @@ final class NodeTree {
         nodes = splice.applyTo(before.nodes);
         var removed = new NodeSummary(List.of(splice.removed), splice.nesting(), splice.minScale, splice.maxScale);
         var added = new NodeSummary(splice.replacement, splice.nesting(), splice.minScale, splice.maxScale);
-        shapeCount = SceneLimits.checkRange("the number of shapes", before.shapeCount - removed.shapes.size() + added.shapes.size(), 0,
+        shapeCount = SceneLimits.checkRange("the number of objects", before.shapeCount - removed.shapes.size() + added.shapes.size(), 0,
                 SceneLimits.MAX_SHAPES);
         names = before.names.replace(removed.names, added.names);
         materialUsers = before.materialUsers.replace(MaterialUsers.of(removed.shapes), MaterialUsers.of(added.shapes))

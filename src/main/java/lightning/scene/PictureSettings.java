@@ -9,7 +9,7 @@ package lightning.scene;
  * @param sampling samples per pixel
  */
 public record PictureSettings(int width, int height, int depth, SamplingSettings sampling) {
-    public static final SceneAttribute<PictureSettings, Integer> DEPTH = new SceneAttribute<>("depth", "depth",
+    public static final SceneAttribute<PictureSettings, Integer> DEPTH = new SceneAttribute<>("depth", "depth", "reflection bounces",
             NumericKind.integer(0, SceneLimits.MAX_DEPTH), 3, "reflection bounces", PictureSettings::depth, PictureSettings::withDepth);
 
     public static final PictureSettings DEFAULT = new PictureSettings(200, 200, DEPTH.initial());

@@ -12,6 +12,7 @@ import java.util.function.Function;
  */
 public sealed class SceneAttribute<T, V> permits LightAttribute, MaterialAttribute {
     private final String name;
+    private final String id;
     private final String title;
     private final ValueKind<V> kind;
     private final V initial;
@@ -27,7 +28,14 @@ public sealed class SceneAttribute<T, V> permits LightAttribute, MaterialAttribu
      */
     SceneAttribute(String name, String title, ValueKind<V> kind, V initial, String unit, Function<T, V> getter,
             BiFunction<T, V, T> setter) {
+        this(name, title, title, kind, initial, unit, getter, setter);
+    }
+
+    /** @param id  stable name that does not follow changes of the title */
+    SceneAttribute(String name, String id, String title, ValueKind<V> kind, V initial, String unit, Function<T, V> getter,
+            BiFunction<T, V, T> setter) {
         this.name = name;
+        this.id = id;
         this.title = title;
         this.kind = kind;
         this.initial = initial;
@@ -38,6 +46,11 @@ public sealed class SceneAttribute<T, V> permits LightAttribute, MaterialAttribu
 
     public final String name() {
         return name;
+    }
+
+    /** Returns the stable name that ids of controls, range errors and benchmark results use. */
+    public final String id() {
+        return id;
     }
 
     public final String title() {
@@ -86,7 +99,7 @@ public sealed class SceneAttribute<T, V> permits LightAttribute, MaterialAttribu
 
     /** @throws IllegalArgumentException if no record may have the value; the message says why */
     final void check(V value) {
-        kind.check(title, value);
+        kind.check(id, value);
     }
 
     @Override

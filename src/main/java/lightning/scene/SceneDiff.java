@@ -36,7 +36,9 @@ public final class SceneDiff {
         this.brief = brief;
     }
 
-    /** Describes all changes: {@code key: color 1 1 1 → 1 0 0, intensity 1 → 0.3}. Never empty. */
+    /**
+     * Describes all changes for benchmarks, with the attributes' stable ids: {@code key: color 1 1 1 → 1 0 0, angle 30 → 20}. Never empty.
+     */
     public static String describe(Scene before, Scene after) {
         return new SceneDiff(false).describeChanges(before, after);
     }
@@ -216,8 +218,8 @@ public final class SceneDiff {
         if (a instanceof Shape s && b instanceof Shape t && !s.material().equals(t.material())) {
             changes.add(new Change(Messages.key("material"), s.material(), t.material()));
         }
-        change(Messages.key("at"), a.placement().position(), b.placement().position(), changes);
-        change(Messages.key("rotate"), a.placement().rotation(), b.placement().rotation(), changes);
+        change(Messages.key("position"), a.placement().position(), b.placement().position(), changes);
+        change(Messages.key("rotation"), a.placement().rotation(), b.placement().rotation(), changes);
         change(Messages.key("scale"), a.placement().scale(), b.placement().scale(), changes);
         if (a.visible() != b.visible()) {
             changes.add(new Change(Messages.key("visible"), a.visible() ? "yes" : "no", b.visible() ? "yes" : "no"));
@@ -245,21 +247,21 @@ public final class SceneDiff {
         return scene.materials().stream().map(Material::name).toList();
     }
 
-    private static <T> List<Change> changes(List<? extends SceneAttribute<T, ?>> attributes, T before, T after) {
+    private <T> List<Change> changes(List<? extends SceneAttribute<T, ?>> attributes, T before, T after) {
         List<Change> changes = new ArrayList<>();
         attributes.forEach(a -> change(a, before, after).ifPresent(changes::add));
         return changes;
     }
 
     /** Returns empty for an unchanged value, before formatting its numbers. */
-    private static <T> Optional<Change> change(SceneAttribute<T, ?> attribute, T before, T after) {
+    private <T> Optional<Change> change(SceneAttribute<T, ?> attribute, T before, T after) {
         return attribute.get(before).equals(attribute.get(after)) ? Optional.empty()
-                : Optional.of(new Change(attribute.title(), attribute.format(before), attribute.format(after)));
+                : Optional.of(new Change(brief ? attribute.title() : attribute.id(), attribute.format(before), attribute.format(after)));
     }
 
     private String join(String name, List<Change> candidates) {
         List<Change> changes = candidates.stream().filter(Change::isVisible).toList();
-        return name + ": " + (changes.isEmpty() ? Messages.tr("a little")
+        return name + ": " + (changes.isEmpty() ? Messages.tr("small change")
                 : changes.stream().map(brief && changes.size() > 1 ? Change::name : Change::text).collect(Collectors.joining(", ")));
     }
 

@@ -24,7 +24,7 @@ public record ShapeLinks(boolean exclusive, List<String> names) {
     /** @throws IllegalArgumentException if a name is invalid, or if there are more than {@link SceneLimits#MAX_LINKS} */
     public ShapeLinks {
         names = List.copyOf(new LinkedHashSet<>(names));
-        SceneLimits.checkRange("the number of linked shapes", names.size(), 0, SceneLimits.MAX_LINKS);
+        SceneLimits.checkRange("the number of linked objects", names.size(), 0, SceneLimits.MAX_LINKS);
         names.forEach(SceneLimits::checkName);
     }
 

@@ -24,7 +24,7 @@ import lightning.base.text.Messages;
 @RecordBuilder
 public record World(double ambience, Rgb background, Optional<Environment> environment, double rotation, double intensity, int lightCount,
         double softness) implements WorldBuilder.With {
-    public static final SceneAttribute<World, Double> AMBIENCE = new SceneAttribute<>("ambience", "ambience",
+    public static final SceneAttribute<World, Double> AMBIENCE = new SceneAttribute<>("ambience", "ambience", "ambient light",
             NumericKind.number(0, SceneLimits.MAX_AMBIENCE, 0.1), 1.0, "", World::ambience, World::withAmbience);
     public static final SceneAttribute<World, Rgb> BACKGROUND = new SceneAttribute<>("background", "background",
             NumericKind.color(SceneLimits.MAX_EMISSION), Rgb.BLACK, "linear red, green, blue", World::background, World::withBackground);

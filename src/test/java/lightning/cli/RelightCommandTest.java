@@ -98,7 +98,7 @@ class RelightCommandTest {
                 CliResult.run("relight", path, "-o", picture, "--set", "sun.at=1 2 3", "--set", "lamp.intensity=2", "--then", "--set",
                         "lamp.angle=20", "--no-savings").assertSuccess();
         assertThat(run.err().lines()).containsExactly("sun.at has no effect: a directional light has no position",
-                "lamp.angle has no effect: a point light has no angle");
+                "lamp.angle has no effect: a point light has no cone half-angle");
         assertThat(run.out().lines().skip(1)).hasSize(2);
     }
 

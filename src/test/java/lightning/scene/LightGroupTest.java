@@ -70,17 +70,17 @@ class LightGroupTest {
 
     @Test
     void lightOfMissingGroup_isRejected() {
-        assertThatThrownBy(() -> rig(LightGroup.of("right"))).hasMessage("light 'key': there is no bank 'left'");
+        assertThatThrownBy(() -> rig(LightGroup.of("right"))).hasMessage("light 'key': there is no light group 'left'");
     }
 
     @Test
     void duplicateName_isRejected() {
-        assertThatThrownBy(() -> rig(LEFT, LEFT)).hasMessage("bank 'left': the name is already taken");
-        assertThatThrownBy(() -> rig(LEFT, LightGroup.of("free"))).hasMessage("bank 'free': the name is already taken");
+        assertThatThrownBy(() -> rig(LEFT, LEFT)).hasMessage("light group 'left': the name is already taken");
+        assertThatThrownBy(() -> rig(LEFT, LightGroup.of("free"))).hasMessage("light group 'free': the name is already taken");
         Scene studio = StudioScene.of(LightType.POINT);
         String shape = studio.nodes().getFirst().name();
         assertThatThrownBy(() -> studio.withRig(studio.rig().addLightGroup(LightGroup.of(shape))))
-                .hasMessage("bank '" + shape + "': the name is already taken");
+                .hasMessage("light group '" + shape + "': the name is already taken");
     }
 
     @Test

@@ -107,10 +107,10 @@ class NodeReplacementTest {
     void duplicateName_isRejected() {
         for (String duplicate : List.of("a", "c")) {
             assertThatIllegalArgumentException().isThrownBy(() -> STAGE.replaceNode("b", List.of(sphere(duplicate))))
-                    .withMessage("shape '%s': the name is already taken", duplicate);
+                    .withMessage("object '%s': the name is already taken", duplicate);
         }
         assertThatIllegalArgumentException().isThrownBy(() -> STAGE.replaceNode("b", List.of(sphere("d"), sphere("d"))))
-                .withMessage("shape 'd': the name is already taken");
+                .withMessage("object 'd': the name is already taken");
     }
 
     @Test
@@ -159,7 +159,7 @@ class NodeReplacementTest {
                 assertThat(names).allMatch(edited::hasNode);
                 assertThat(all(nodes)).allMatch(n -> edited.hasNode(n.name()) == names.contains(n.name()));
                 assertThatIllegalArgumentException().isThrownBy(() -> edited.replaceNode("s5", List.of(sphere("s5"), sphere("s6"))))
-                        .withMessage("shape 's6': the name is already taken");
+                        .withMessage("object 's6': the name is already taken");
             }
         }
     }

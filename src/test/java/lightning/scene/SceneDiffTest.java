@@ -65,7 +65,8 @@ class SceneDiffTest {
         SceneNode node = scene.nodes().getFirst();
         Placement p = node.placement();
         SceneNode moved = node.withPlacement(new Placement(new Vec3(1, 2, 3), p.rotation(), p.scale())).withVisible(false);
-        assertThat(diffTo(scene.withNode(node.name(), moved))).startsWith(node.name() + ": at ").endsWith(" → 1 2 3, visible yes → no");
+        assertThat(diffTo(scene.withNode(node.name(), moved))).startsWith(node.name() + ": position ")
+                .endsWith(" → 1 2 3, visible yes → no");
         assertThat(diffTo(scene.withNodes(List.of()))).isEqualTo("delete ground, delete ball");
         assertThat(diffTo(scene.withNodes(scene.nodes().reversed()))).isEqualTo("the scene");
     }
@@ -81,6 +82,6 @@ class SceneDiffTest {
 
     @Test
     void changeBelowDisplayPrecision_isALittle() {
-        assertThat(diffTo(scene.withLight(sun.withIntensity(sun.intensity() + 1e-9)))).isEqualTo("sun: a little");
+        assertThat(diffTo(scene.withLight(sun.withIntensity(sun.intensity() + 1e-9)))).isEqualTo("sun: small change");
     }
 }

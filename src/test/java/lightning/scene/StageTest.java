@@ -54,7 +54,7 @@ class StageTest {
     void duplicateShapeName_isRejected() {
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> STAGE.withNodes(List.of(group("g", sphere("a")), sphere("a"))))
-                .withMessage("shape 'a': the name is already taken");
+                .withMessage("object 'a': the name is already taken");
     }
 
     @Test
@@ -63,7 +63,7 @@ class StageTest {
                 .withShininess(1).withReflective(GOLD.reflective()).withTexture(GOLD.texture());
         Stage wooden = new Stage(List.of(wood), List.of(new Shape(Solid.CONE, "hat", "wood", Placement.IDENTITY)));
         assertThatIllegalArgumentException().isThrownBy(() -> wooden.withMaterials(List.of()))
-                .withMessage("shape 'hat': there is no material 'wood'");
+                .withMessage("object 'hat': there is no material 'wood'");
     }
 
     @Test

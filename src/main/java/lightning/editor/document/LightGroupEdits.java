@@ -38,7 +38,7 @@ public final class LightGroupEdits {
     /** Moves a light to a new group with a unique name. */
     public static EditOutcome create(Scene scene, String light) {
         return EditOutcome.of(() -> {
-            LightGroup group = LightGroup.of(LightEdits.freeName(scene, "bank"));
+            LightGroup group = LightGroup.of(LightEdits.freeName(scene, "group"));
             Scene extended = scene.withRig(scene.rig().addLightGroup(group));
             return extended.withLight(LightEdits.light(scene, light).withLightGroup(group.name()));
         });

@@ -36,6 +36,9 @@ public final class NumericParameter {
             Stream.concat(LightAttribute.ALL.stream().flatMap(a -> of(a).stream()), Stream.of(AMBIENCE, ENVIRONMENT_INTENSITY,
                     ENVIRONMENT_ROTATION, ENVIRONMENT_LAMPS, ENVIRONMENT_SOFTNESS, DEPTH)).toList();
 
+    private static final String ENVIRONMENT = "environment ";
+
+    private final String id;
     private final String title;
     private final String label;
     private final NumericKind<?> quantity;
@@ -60,8 +63,9 @@ public final class NumericParameter {
         Scene set(Scene scene, T part);
     }
 
-    private NumericParameter(String title, String label, NumericKind<?> quantity, boolean isOfScene,
+    private NumericParameter(String id, String title, String label, NumericKind<?> quantity, boolean isOfScene,
             BiFunction<Scene, Optional<Light>, Optional<String>> disabledReason, Getter getter, Setter setter) {
+        this.id = id;
         this.title = title;
         this.label = label;
         this.quantity = quantity;
@@ -83,8 +87,11 @@ public final class NumericParameter {
         String label = quantity.labels().get(index);
         // A color or position next to the field shows which channel or axis it is.
         String title = label.isEmpty() ? attribute.title()
-                : quantity.form() == NumericKind.Form.COLOR ? label : attribute.title() + " " + label;
-        return new NumericParameter(title, label.isEmpty() ? title : label, quantity, false,
+                : quantity.form() == NumericKind.Form.COLOR ? label
+                : attribute == LightAttribute.DOORS ? "barn door " + label : attribute.title() + " " + label;
+        // The section of the cone does not show that a number is one of a barn door.
+        String shownLabel = label.isEmpty() || attribute == LightAttribute.DOORS ? title : label;
+        return new NumericParameter(label.isEmpty() ? attribute.id() : label, title, shownLabel, quantity, false,
                 (_, selected) -> selected.isEmpty() ? Optional.of(Messages.tr("no light is selected"))
                         : attribute.inactiveReason(selected.get().type()),
                 (scene, light) -> quantity.number(attribute.get(LightEdits.light(scene, light)), index),
@@ -104,11 +111,17 @@ public final class NumericParameter {
             throw new IllegalArgumentException(attribute.title() + " is no number");
         }
         String title = attribute.title();
-        return new NumericParameter(title, title.substring(title.lastIndexOf(' ') + 1), quantity, true,
+        String label = title.startsWith(ENVIRONMENT) ? title.substring(title.lastIndexOf(' ') + 1) : title;
+        return new NumericParameter(attribute.id().replace(' ', '-'), title, label, quantity, true,
                 (scene, _) -> disabledReason.apply(scene),
                 (scene, _) -> quantity.number(attribute.get(getPart.get(scene)), 0),
                 (scene, _, value) -> setPart.set(scene,
                         attribute.with(getPart.get(scene), quantity.with(attribute.get(getPart.get(scene)), 0, value))));
+    }
+
+    /** Returns the stable id of the parameter's control: {@code linear}. */
+    public String id() {
+        return id;
     }
 
     /** Returns the title for people in lower case: {@code attenuation linear}. */
@@ -116,7 +129,7 @@ public final class NumericParameter {
         return title;
     }
 
-    /** Returns the last word of the title: {@code linear}. */
+    /** Returns the label next to the control, the title without the section's name: {@code linear}. */
     public String label() {
         return label;
     }

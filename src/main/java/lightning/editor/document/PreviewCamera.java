@@ -40,7 +40,7 @@ public final class PreviewCamera {
         return camera;
     }
 
-    /** Returns the scene's own camera: button −Z (Reset). */
+    /** Returns the scene's own camera: button Camera. */
     public static PreviewCamera of(Scene scene) {
         return new PreviewCamera(scene.camera());
     }
@@ -50,7 +50,7 @@ public final class PreviewCamera {
         return along(scene, new Vec3(1, 0, 0), Vec3.Y);
     }
 
-    /** Returns a view from above, along the negative y axis, with −z up: button −Y. */
+    /** Returns a view from above, along the negative y axis, with −z up: button Top. */
     public static PreviewCamera alongMinusY(Scene scene) {
         return along(scene, new Vec3(0, -1, 0), new Vec3(0, 0, -1));
     }

@@ -87,9 +87,7 @@ final class HistoryPane extends VBox {
         lightName.setText(lightToggle.isSelected() ? name : "");
         List<Row> rows = IntStream.rangeClosed(0, steps.size())
                 .mapToObj(i -> new Row(i,
-                        i == 0 ? lightToggle.isSelected() ? Messages.tr("Initial state") : Messages.tr("Opened")
-                                : steps.get(i - 1),
-                        i > position))
+                        i == 0 ? Messages.tr("Opened") : steps.get(i - 1), i > position))
                 .toList();
         if (!list.getItems().equals(rows)) {
             list.getItems().setAll(rows);

@@ -37,8 +37,8 @@ final class ShortcutsPane extends GridPane {
             new Row(Messages.key("Pan"), Messages.key("Shift + drag left or right"), Messages.key("Shift + left, right")),
             new Row(Messages.key("Rotate the scene"), Messages.key("Shift + drag from near the edge"),
                     Messages.key("Shift + Ctrl + arrows")),
-            new Row(Messages.key("Side view, top view, scene camera"), "X, −Y, −Z", "X, Y, Z"),
-            new Row(Messages.key("Frame all lights"), Messages.key("All"), "A"),
+            new Row(Messages.key("Side view, top view, scene camera"), Messages.key("Side, Top, Camera"), "X, Y, Z"),
+            new Row(Messages.key("Frame all lights"), Messages.key("Frame All"), "A"),
             new Row(Messages.key("Look through the selected light"), Messages.key("eye button"), "L"),
             new Row(Messages.key("Hide or show light handles"), Messages.key("cone button"), "G"));
     private static final List<Row> PICTURE = List.of(
@@ -68,7 +68,7 @@ final class ShortcutsPane extends GridPane {
             new Row(Messages.key("One step up or down"), Messages.key("click the upper or lower arrow"), Messages.key("up, down")),
             new Row(Messages.key("Large steps (× 10)"), Messages.key("with Ctrl"), Messages.key("Page Up, Page Down")),
             new Row(Messages.key("Small steps (× 0.1)"), Messages.key("with Shift"), Messages.key("Shift + up, down")),
-            new Row(Messages.key("Restore the previous value"), "", Messages.key("Escape")));
+            new Row(Messages.key("Restore the previous value"), "", Messages.key("Esc")));
 
     /** Width of the message about a pressed key, pixels. */
     private static final double MESSAGE_WIDTH = 300;

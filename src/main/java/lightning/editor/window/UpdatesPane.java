@@ -32,7 +32,7 @@ final class UpdatesPane extends VBox {
         table.setPlaceholder(new Label(Messages.tr("No image yet")));
         table.setColumnResizePolicy(TableView.CONSTRAINED_RESIZE_POLICY_ALL_COLUMNS);
         // In a narrow window the description is truncated; the line below the table shows all of it.
-        addTextColumn(Messages.tr("Time"), 80, e -> TIME_FORMAT.format(e.shownAt()));
+        addTextColumn(Messages.tr("At"), 80, e -> TIME_FORMAT.format(e.shownAt()));
         addTextColumn(Messages.tr("Change"), 270, e -> e.update().plan().description());
         table.getColumns().getLast().setMinWidth(MIN_TEXT_WIDTH);
         addNumberColumn(Messages.tr("Points"), 92, e -> StatusText.number(e.update().rowsTouched()));
@@ -40,7 +40,7 @@ final class UpdatesPane extends VBox {
         addNumberColumn(Messages.tr("All rays"), 126, e -> StatusText.number(e.update().rays().total()));
         addNumberColumn(Messages.tr("Time"), 86, e -> StatusText.time(e.update().milliseconds()));
         addNumberColumn(Messages.tr("Saved"), 92, e -> e.saving().map(s -> StatusText.savingText(s.percent() / 100)).orElse("–"));
-        addTextColumn(Messages.tr("Picture"), 92, e -> e.isFinished() ? e.accuracyText() : Messages.tr("not anti-aliased yet"));
+        addTextColumn(Messages.tr("Image"), 92, e -> e.isFinished() ? e.accuracyText() : Messages.tr("not anti-aliased yet"));
         table.setItems(log.entries());
         details.setId("updates-whole");
         details.getStyleClass().add("about-lines");

@@ -118,8 +118,8 @@ public record TrackTarget(Kind kind, String name) {
         return switch (kind) {
             case CAMERA -> "camera";
             case LIGHT -> "light " + Quote.of(name);
-            case LIGHT_GROUP -> "bank " + Quote.of(name);
-            case NODE -> "shape or group " + Quote.of(name);
+            case LIGHT_GROUP -> "light group " + Quote.of(name);
+            case NODE -> "object or group " + Quote.of(name);
         };
     }
 }

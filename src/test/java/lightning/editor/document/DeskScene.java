@@ -47,8 +47,8 @@ public final class DeskScene {
     }
 
     /** Returns the parameter with that title. */
-    public static NumericParameter parameter(String title) {
-        return NumericParameter.ALL.stream().filter(d -> d.title().equals(title)).findFirst().orElseThrow();
+    public static NumericParameter parameter(String name) {
+        return NumericParameter.ALL.stream().filter(d -> d.id().equals(name) || d.title().equals(name)).findFirst().orElseThrow();
     }
 
     static Light spot(Vec3 position, Vec3 direction) {

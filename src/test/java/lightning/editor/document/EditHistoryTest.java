@@ -50,7 +50,7 @@ class EditHistoryTest {
         Scene one = history.scene();
         set(NumericParameter.AMBIENCE, "", 0.5);
         Scene two = history.scene();
-        assertThat(history.steps()).containsExactly("key: intensity 1 → 1.2", "ambience 1 → 0.5");
+        assertThat(history.steps()).containsExactly("key: intensity 1 → 1.2", "ambient light 1 → 0.5");
         history.goTo(0);
         assertThat(history.scene()).isEqualTo(scene);
         history.goTo(1);
@@ -58,7 +58,7 @@ class EditHistoryTest {
         assertThat(history.position()).isEqualTo(1);
         history.goTo(9);
         assertThat(history.scene()).isEqualTo(two);
-        assertThat(history.steps()).containsExactly("key: intensity 1 → 1.2", "ambience 1 → 0.5");
+        assertThat(history.steps()).containsExactly("key: intensity 1 → 1.2", "ambient light 1 → 0.5");
     }
 
     @Test
@@ -86,8 +86,8 @@ class EditHistoryTest {
         assertThat(label(LightEdits.setOn(scene, "sun", false))).isEqualTo("sun: on yes → no");
         assertThat(label(LightEdits.pasteSettings(scene, "fill", DeskScene.light(scene, "sun"))))
                 .isEqualTo("fill: type, intensity, attenuation");
-        assertThat(label(NumericParameter.AMBIENCE.set(scene, "", 0.5))).isEqualTo("ambience 1 → 0.5");
-        assertThat(label(NumericParameter.DEPTH.set(scene, "", 3))).isEqualTo("depth 2 → 3");
+        assertThat(label(NumericParameter.AMBIENCE.set(scene, "", 0.5))).isEqualTo("ambient light 1 → 0.5");
+        assertThat(label(NumericParameter.DEPTH.set(scene, "", 3))).isEqualTo("reflection bounces 2 → 3");
     }
 
     private String label(EditOutcome change) {

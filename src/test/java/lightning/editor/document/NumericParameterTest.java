@@ -74,7 +74,7 @@ class NumericParameterTest {
 
     @Test
     void fractionalDepth_isRefused() {
-        assertThat(NumericParameter.DEPTH.set(scene, "", 2.5).refusal()).contains("depth must be a whole number, was 2.5");
+        assertThat(NumericParameter.DEPTH.set(scene, "", 2.5).refusal()).contains("reflection bounces must be a whole number, was 2.5");
     }
 
     @Test
@@ -111,8 +111,10 @@ class NumericParameterTest {
 
     @Test
     void pointLight_hasNoConeAndNoDirection() {
-        assertThat(DeskScene.parameter("angle").disabledReason(scene, scene.light("fill"))).contains("a point light has no angle");
-        assertThat(DeskScene.parameter("dropoff").disabledReason(scene, scene.light("fill"))).contains("a point light has no dropoff");
+        assertThat(DeskScene.parameter("angle").disabledReason(scene, scene.light("fill")))
+                .contains("a point light has no cone half-angle");
+        assertThat(DeskScene.parameter("dropoff").disabledReason(scene, scene.light("fill")))
+                .contains("a point light has no edge falloff");
         assertThat(DeskScene.parameter("attenuation linear").disabledReason(scene, scene.light("fill"))).isEmpty();
         assertThat(LightAttribute.DIRECTION.inactiveReason(LightType.POINT)).contains("a point light has no direction");
     }

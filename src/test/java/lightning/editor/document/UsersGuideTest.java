@@ -6,13 +6,13 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Locale;
 import java.util.Set;
 import java.util.stream.Collectors;
 import lightning.scene.LightAttribute;
 import lightning.scene.MaterialAttribute;
 import lightning.scene.NumericKind;
-import lightning.scene.SceneAttribute;
 import org.junit.jupiter.api.Test;
 
 /** Tests that the user's guide lists the parameters of the property editor. */
@@ -22,15 +22,15 @@ class UsersGuideTest {
         Set<String> listed = listedNames();
         for (LightAttribute<?> attribute : LightAttribute.ALL) {
             if (attribute.kind() instanceof NumericKind<?> quantity && quantity.form() != NumericKind.Form.COLOR) {
-                assertThat(listed).containsAll(quantity.labels().size() == 1 || quantity.isVector() ? Set.of(attribute.title())
-                        : Set.copyOf(quantity.labels()));
+                assertThat(listed).containsAll(quantity.isVector() ? List.of(attribute.title())
+                        : NumericParameter.of(attribute).stream().map(NumericParameter::label).toList());
             }
         }
     }
 
     @Test
     void everyMaterialAttribute_isInTable() throws IOException {
-        assertThat(listedNames()).containsAll(MaterialAttribute.ALL.stream().map(SceneAttribute::title).toList());
+        assertThat(listedNames()).containsAll(MaterialAttribute.ALL.stream().map(a -> a.title().toLowerCase(Locale.ROOT)).toList());
     }
 
     /** Returns the names in the first column of all tables, in lower case. */

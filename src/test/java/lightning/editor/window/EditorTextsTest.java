@@ -60,10 +60,10 @@ class EditorTextsTest {
         NumericParameter.ALL.forEach(d -> usedTexts.addAll(List.of(d.title().strip(), d.label())));
         RenderEffect.ALL.forEach(e -> usedTexts.add(e.title()));
         for (var section : LightAttribute.Section.values()) {
-            usedTexts.add(section.name().toLowerCase(java.util.Locale.ROOT));
+            usedTexts.add(section.title());
         }
         for (var section : MaterialAttribute.Section.values()) {
-            usedTexts.add(section.name().toLowerCase(java.util.Locale.ROOT));
+            usedTexts.add(section.title());
         }
         for (DisplayCurve curve : DisplayCurve.values()) {
             usedTexts.add(curve.title());
@@ -80,11 +80,12 @@ class EditorTextsTest {
 
     private static void addTexts(SceneAttribute<?, ?> attribute) {
         usedTexts.add(attribute.title());
-        if (attribute.kind() instanceof NumericKind<?> quantity) {
+        // Each number of the barn doors has a title of its own, which the numeric parameters list.
+        if (attribute != LightAttribute.DOORS && attribute.kind() instanceof NumericKind<?> quantity) {
             quantity.labels().forEach(label -> usedTexts.addAll(List.of(label, (attribute.title() + " " + label).strip())));
         }
         if (attribute.kind() instanceof ChoiceKind<?> choice) {
-            usedTexts.addAll(choice.words());
+            usedTexts.addAll(choice.labels());
         }
     }
 

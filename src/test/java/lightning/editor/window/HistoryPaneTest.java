@@ -41,14 +41,14 @@ class HistoryPaneTest extends EditorFixture {
         type("ambience", "0.5");
         robot.interact(() -> model().commands().run(Command.HISTORY_PANEL));
         assertThat(listedTexts(false)).containsExactly("Opened", "lamp: intensity 1 → 2", "lamp: intensity 2 → 3",
-                "ambience 0.2 → 0.5");
+                "ambient light 0.2 → 0.5");
         robot.clickOn("lamp: intensity 1 → 2");
         assertThat(model().editor().scene()).isEqualTo(two);
-        assertThat(listedTexts(true)).containsExactly("lamp: intensity 2 → 3", "ambience 0.2 → 0.5");
+        assertThat(listedTexts(true)).containsExactly("lamp: intensity 2 → 3", "ambient light 0.2 → 0.5");
         click("go");
         waitForPicture();
         assertCanvasShows(new ReferenceTracer(two).trace());
-        robot.clickOn("ambience 0.2 → 0.5");
+        robot.clickOn("ambient light 0.2 → 0.5");
         assertThat(model().editor().scene().world().ambience()).isEqualTo(0.5);
         assertThat(light("lamp").intensity()).isEqualTo(3);
     }
@@ -60,7 +60,7 @@ class HistoryPaneTest extends EditorFixture {
         type("ambience", "0.5");
         robot.interact(() -> model().commands().run(Command.HISTORY_PANEL));
         click("history-light");
-        robot.clickOn("Initial state");
+        robot.clickOn("Opened");
         assertThat(light("lamp").intensity()).isEqualTo(1);
         assertThat(model().editor().scene().world().ambience()).isEqualTo(0.5);
         assertThat(listedTexts(true)).containsExactly("lamp: intensity 1 → 2", "lamp: intensity 2 → 3");

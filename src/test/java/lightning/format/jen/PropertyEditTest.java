@@ -41,7 +41,7 @@ class PropertyEditTest {
         assertThat(PropertyEdit.add(grouped, "rim spot bank=left").lights().getLast().lightGroup()).isEqualTo("left");
         assertThat(PropertyEdit.delete(grouped, "left")).isEqualTo(scene);
         assertThat(PropertyEdit.apply(grouped, "key.bank=none")).isEqualTo(PropertyEdit.add(scene, "bank left { intensity 0.5 }"));
-        assertThatThrownBy(() -> PropertyEdit.apply(grouped, "key.bank=lefd")).hasMessageContaining("there is no bank 'lefd'");
+        assertThatThrownBy(() -> PropertyEdit.apply(grouped, "key.bank=lefd")).hasMessageContaining("there is no light group 'lefd'");
     }
 
     @Test
@@ -156,7 +156,7 @@ class PropertyEditTest {
         "\"key\".on | an edit must be written as NAME.PROPERTY=VALUE, was '\"key\".on'",
         "\"picture\".depth=1 | the scene has nothing named 'picture'",
         "key.direction=0 0 0 | light 'key': direction must not be zero, was 0 0 0",
-        "ball.material=flor | shape 'ball': there is no material 'flor'",
+        "ball.material=flor | object 'ball': there is no material 'flor'",
         "floor.repeat=2 2 | material 'floor': repeat needs a texture, found none",
         "floor.texture=\"a.png\" | material 'floor': texture must be one that the scene already has, was 'a.png'",
         "material:flor.shininess=1 | there is no material 'flor', did you mean 'floor'?",

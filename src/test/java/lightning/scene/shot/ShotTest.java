@@ -149,7 +149,7 @@ class ShotTest {
         Track through = new Track(TrackTarget.node("ball"), "scale",
                 List.of(key(0, Interpolation.LINEAR, 1, 1, 1), key(2, Interpolation.LINEAR, -1, 1, 1)));
         assertThatThrownBy(() -> valueAt(1, through)).isInstanceOf(IllegalArgumentException.class).hasMessage(
-                "frame 1: shape or group 'ball': scale must be at least 1e-9 in absolute value on every axis, was 0");
+                "frame 1: object or group 'ball': scale must be at least 1e-9 in absolute value on every axis, was 0");
         Track blind = new Track(TrackTarget.CAMERA, "from", List.of(key(0, Interpolation.LINEAR, 0, 0, 0)));
         assertThatThrownBy(() -> valueAt(7, blind)).hasMessage("frame 7: from and to must be different points");
     }

@@ -108,7 +108,7 @@ public final class CueFolder {
         }
         try {
             checkInsideSceneFolder(file);
-            RegularFile.check(file, "a PNG picture");
+            RegularFile.check(file, "a PNG image");
             return Optional.of(ImageFile.read(file));
         } catch (IOException e) {
             return Optional.empty();

@@ -27,7 +27,7 @@ public record MotionExport(Scene scene, RecordedShot recordedShot, int pictureCo
     private static final int MIN_DIGITS = 4;
 
     public MotionExport {
-        SceneLimits.checkRange("the number of pictures", pictureCount, 1, MAX_PICTURES);
+        SceneLimits.checkRange("the number of frames", pictureCount, 1, MAX_PICTURES);
         recordedShot.shot().check(scene);
     }
 

@@ -14,7 +14,7 @@ public final class MotionRecorder {
 
     /** @param interval frames between keyframes, 1…{@value RecordedShot#MAX_INTERVAL} */
     public MotionRecorder(int interval) {
-        SceneLimits.checkRange("resolution", interval, 1, RecordedShot.MAX_INTERVAL);
+        SceneLimits.checkRange("keyframe interval", interval, 1, RecordedShot.MAX_INTERVAL);
         this.interval = interval;
     }
 

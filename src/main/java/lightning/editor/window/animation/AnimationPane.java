@@ -39,9 +39,9 @@ final class AnimationPane extends VBox {
     private final PathPrompt pathPrompt;
     private final String sceneName;
     private final IntegerField resolution = new IntegerField("resolution", Messages.tr("Keyframe every N frames"),
-            "resolution", RecordedShot.MAX_INTERVAL, RecordedShot.DEFAULT_INTERVAL);
+            Messages.tr("keyframe interval"), RecordedShot.MAX_INTERVAL, RecordedShot.DEFAULT_INTERVAL);
     private final IntegerField pictures =
-            new IntegerField("pictures", Messages.tr("Frames to export"), Messages.tr("the number of pictures"),
+            new IntegerField("pictures", Messages.tr("Frames to export"), Messages.tr("the number of frames"),
                     MotionExport.MAX_PICTURES, 1);
     private final Slider scrub = new Slider(0, 1, 0);
     private final Label status = new Label();
@@ -155,7 +155,7 @@ final class AnimationPane extends VBox {
 
     private Optional<String> needsPath() {
         return animation.isRecording() ? Optional.of(Messages.tr("recording is in progress"))
-                : reasonUnless(animation.recorded().isPresent(), Messages.tr("nothing is recorded or loaded yet"));
+                : reasonUnless(animation.recorded().isPresent(), Messages.tr("nothing is recorded or opened yet"));
     }
 
     private static Optional<String> reasonUnless(boolean isPossible, String reason) {
@@ -201,7 +201,7 @@ final class AnimationPane extends VBox {
 
     private void load() {
         pathPrompt.fileToOpen(Messages.tr("Open Motion Path"), EXTENSION).ifPresent(file -> {
-            animation.load(file, failure -> status.setText(Messages.tr("Not loaded: {0}", ErrorMessage.of(failure))));
+            animation.load(file, failure -> status.setText(Messages.tr("Not opened: {0}", ErrorMessage.of(failure))));
         });
     }
 

@@ -49,7 +49,7 @@ public final class AnimationWindow extends Stage {
             animation.convertToKeys();
             close();
         });
-        setTitle(Messages.tr("Animate Light “{0}”", animation.light()));
+        setTitle(Messages.tr("Make Animation: {0}", animation.light()));
         String name = model.editor().document().name().replaceFirst("\\.[^.]*$", "") + "-" + animation.light();
         AnimationPane pane = new AnimationPane(animation, name, pathPrompt, this::close,
                 CommandButton.titledButton(model.commands(), Command.WAY_TO_KEYS));

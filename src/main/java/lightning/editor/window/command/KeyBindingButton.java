@@ -38,7 +38,7 @@ public final class KeyBindingButton extends Button {
         setId("key-" + command.id());
         getStyleClass().addAll("small", "key-button");
         setMinWidth(USE_PREF_SIZE);
-        setTooltip(new Tooltip(Messages.tr("Click, then press the new shortcut.\nDelete: none. Home: default. Escape: cancel.")));
+        setTooltip(new Tooltip(Messages.tr("Click, then press the new shortcut.\nDelete: none. Home: default. Esc: cancel.")));
         setOnAction(_ -> startRecording());
         addEventFilter(KeyEvent.KEY_PRESSED, this::press);
         focusedProperty().subscribe(is -> {

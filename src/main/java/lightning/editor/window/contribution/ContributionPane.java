@@ -94,7 +94,7 @@ public final class ContributionPane extends VBox {
         switchOffReason.set(Optional.of(Messages.tr("no results yet")));
         var head = new HBox(summary, offBox);
         head.getStyleClass().add("mixer-tools");
-        var regionButton = new Button(Messages.tr("Region…"));
+        var regionButton = new Button(Messages.tr("Select Region…"));
         regionButton.setId("contribution-region");
         regionButton.setTooltip(new Tooltip(Messages.tr("Drag a rectangle in the rendered image")));
         regionButton.setMinWidth(Region.USE_PREF_SIZE);
@@ -124,7 +124,7 @@ public final class ContributionPane extends VBox {
         table.setColumnResizePolicy(TableView.CONSTRAINED_RESIZE_POLICY_FLEX_LAST_COLUMN);
         table.getColumns().setAll(List.of(
                 column(Messages.tr("Light"), LightContribution::light, Function.identity(), 130),
-                column(Messages.tr("Picture"), LightContribution::imageShare, PercentText::format, 80),
+                column(Messages.tr("Whole Frame"), LightContribution::imageShare, PercentText::format, 120),
                 column(Messages.tr("Region"), LightContribution::regionShare, PercentText::format, 80),
                 column(Messages.tr("Cursor"), c -> sharesAtPointer.getOrDefault(c.light(), Double.NaN),
                         p -> p.isNaN() ? "–" : PercentText.format(p), 80),

@@ -55,7 +55,7 @@ final class CueCard extends VBox {
         frame.setMinSize(WIDTH, HEIGHT);
         frame.setMaxSize(WIDTH, HEIGHT);
         if (thumbnail == null) {
-            frame.getChildren().add(new Label(Messages.tr("no picture")));
+            frame.getChildren().add(new Label(Messages.tr("no image")));
         } else {
             frame.getChildren().add(new ImageView(PixelImage.of(thumbnail.width, thumbnail.height, thumbnail.pixels)));
         }
@@ -88,8 +88,8 @@ final class CueCard extends VBox {
         b.setOnAction(_ -> callbacks.chooseB(cue));
         var remove = new Button("", new FontIcon(MaterialDesignT.TRASH_CAN_OUTLINE));
         remove.setId("cue-remove-" + cue.name());
-        remove.setAccessibleText(Messages.tr("remove look {0}", cue.name()));
-        remove.setTooltip(new Tooltip(Messages.tr("Remove")));
+        remove.setAccessibleText(Messages.tr("delete look {0}", cue.name()));
+        remove.setTooltip(new Tooltip(Messages.tr("Delete Look")));
         remove.setOnAction(_ -> callbacks.remove(cue));
         for (var control : new ButtonBase[] {restore, a, b}) {
             control.setDisable(cue.lighting().isEmpty());

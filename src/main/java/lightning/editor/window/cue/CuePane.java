@@ -51,7 +51,7 @@ public final class CuePane extends VBox {
     private final DisabledReason saveReason;
     private final FlowPane gallery = new FlowPane();
     private final Label message = new Label();
-    private final Button restoreButton = new Button(Messages.tr("Undo Remove"));
+    private final Button restoreButton = new Button(Messages.tr("Undo Delete"));
     private final CueCompare compare = new CueCompare();
     private final Slider blend = new Slider(0, PERCENT, 0);
     private final DisabledReason blendReason;
@@ -84,7 +84,7 @@ public final class CuePane extends VBox {
         name.setOnAction(_ -> saveButton.fire());
         var saveBox = new StackPane(saveButton);
         saveReason = new DisabledReason(saveBox, saveButton,
-                Messages.tr("Save the lighting and a thumbnail in the scene's folder"));
+                Messages.tr("Save the look and a thumbnail in the scene's folder"));
         message.setId("cue-message");
         message.getStyleClass().add("pane-note");
         message.setMaxWidth(Double.MAX_VALUE);
@@ -291,7 +291,7 @@ public final class CuePane extends VBox {
             }, cueName -> {
                 removedName = cueName;
                 restoreButton.setVisible(true);
-                showMessage(Messages.tr("Removed {0}", Quote.of(cueName)));
+                showMessage(Messages.tr("Deleted {0}", Quote.of(cueName)));
                 loadCues();
             });
         }

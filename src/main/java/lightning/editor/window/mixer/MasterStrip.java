@@ -32,7 +32,7 @@ final class MasterStrip extends VBox {
         stops.setTooltip(new Tooltip(Messages.tr("Exposure offset for all lights and the environment, in stops")));
         stops.show(0);
         VBox.setVgrow(fader, Priority.ALWAYS);
-        var note = new Label(Messages.tr("master (stops)"));
+        var note = new Label(Messages.tr("stops"));
         note.getStyleClass().add("part");
         getChildren().addAll(name, thumbnail, fader, stops, note);
     }

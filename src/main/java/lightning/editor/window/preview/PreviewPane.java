@@ -58,12 +58,14 @@ public final class PreviewPane extends BorderPane implements AutoCloseable {
         var sizes = new MenuButton(Messages.tr(canvas.sizeProperty().get().title()));
         sizes.setId("preview-size");
         sizes.getStyleClass().add("flat");
-        sizes.setTooltip(new Tooltip(Messages.tr("Preview resolution")));
+        sizes.setTooltip(new Tooltip(Messages.tr("Preview Resolution")));
         sizes.getItems().setAll(SizeMenu.previewSizeItems(commands, canvas.sizeProperty()));
         canvas.sizeProperty().subscribe(v -> sizes.setText(Messages.tr(v.title())));
-        return new PaneHeader(Messages.tr("Preview"), sizes, CommandButton.viewButton(commands, Command.VIEW_ALL, Messages.tr("All")),
-                CommandButton.viewButton(commands, Command.VIEW_X, "X"), CommandButton.viewButton(commands, Command.VIEW_Y, "−Y"),
-                CommandButton.viewButton(commands, Command.VIEW_Z, "−Z"), CommandButton.viewButton(commands, Command.HIDE_GIZMOS),
+        return new PaneHeader(Messages.tr("Preview"), sizes, CommandButton.viewButton(commands, Command.VIEW_ALL, Messages.tr("Frame All")),
+                CommandButton.viewButton(commands, Command.VIEW_X, Messages.tr("Side")),
+                CommandButton.viewButton(commands, Command.VIEW_Y, Messages.tr("Top")),
+                CommandButton.viewButton(commands, Command.VIEW_Z, Messages.tr("Camera")),
+                CommandButton.viewButton(commands, Command.HIDE_GIZMOS),
                 CommandButton.viewButton(commands, Command.LOOK_THROUGH_LIGHT));
     }
 

@@ -22,10 +22,10 @@ final class AttributeChoiceBox<V> extends StackPane {
      */
     AttributeChoiceBox(SceneAttribute<?, V> attribute, ChoiceKind<V> choice, String help, Consumer<V> onChosen) {
         this.choice = choice;
-        box.setId(attribute.title());
+        box.setId(attribute.id());
         box.setAccessibleText(Messages.tr(attribute.title()));
         box.setMaxWidth(Double.MAX_VALUE);
-        choice.words().forEach(word -> box.getItems().add(SectionLayout.title(word)));
+        choice.labels().forEach(label -> box.getItems().add(SectionLayout.title(label)));
         getChildren().add(box);
         disabledReason = new DisabledReason(this, box, help);
         box.valueProperty().addListener((_, _, now) -> {
@@ -37,7 +37,7 @@ final class AttributeChoiceBox<V> extends StackPane {
 
     /** Returns the value of a displayed title. */
     private V value(String title) {
-        return choice.parse(choice.words().stream().filter(w -> SectionLayout.title(w).equals(title)).findFirst().orElseThrow());
+        return choice.values().stream().filter(v -> SectionLayout.title(choice.label(v)).equals(title)).findFirst().orElseThrow();
     }
 
     ComboBox<String> box() {
@@ -45,7 +45,7 @@ final class AttributeChoiceBox<V> extends StackPane {
     }
 
     void show(V value) {
-        setWord(SectionLayout.title(choice.format(value)));
+        setWord(SectionLayout.title(choice.label(value)));
     }
 
     void showNothing() {

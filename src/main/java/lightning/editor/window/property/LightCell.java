@@ -121,7 +121,7 @@ final class LightCell extends NamedCell<LightListRow> {
             name.setText(light.name());
             describe(solo, Messages.tr("{0} solo", light.name()), Messages.tr("Mute all lights that are not solo"));
             bulb.setIconCode(LightTypes.onIcon(light.on()));
-            describe(onToggle, Messages.tr("{0} on", light.name()), light.on() ? Messages.tr("Switch off") : Messages.tr("Switch on"));
+            describe(onToggle, Messages.tr("{0} on", light.name()), Messages.tr("Switch the light on or off"));
             setAccessibleText(light.name() + ", " + LightTypes.phrase(light.type())
                     + (light.on() ? "" : Messages.tr(", off")) + (light.solo() ? Messages.tr(", solo") : ""));
         }

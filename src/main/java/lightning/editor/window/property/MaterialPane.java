@@ -131,7 +131,7 @@ final class MaterialPane extends VBox {
 
     /** Returns steps that create a section and then its widgets one by one. */
     private Stream<Runnable> sectionSteps(VBox box, Section section) {
-        var propertySection = new PropertySection(SectionLayout.section(SectionLayout.title(section.name())), new ArrayList<>());
+        var propertySection = new PropertySection(SectionLayout.section(SectionLayout.title(section.title())), new ArrayList<>());
         return Stream.concat(Stream.of(() -> {
             sections.add(propertySection);
             propertySection.showApplicable(materials.material());
@@ -184,7 +184,7 @@ final class MaterialPane extends VBox {
                 NumberSetting.of(title, new StepRange(q.step(), q.min(), q.max()), q.unit(),
                         (v, gesture) -> editor.edit(scene -> MaterialEdits.edit(scene, shownName,
                                 m -> attribute.with(m, q.with(attribute.get(m), index, v))), gesture)));
-        widget.setId(title);
+        widget.setId(label.isEmpty() ? attribute.id() : attribute.id() + " " + label);
         return new Row(attribute, widget, widget::setDisabledReason, m -> widget.show(q.number(attribute.get(m), index)),
                 widget::showNothing,
                 widget::revert);
@@ -193,7 +193,7 @@ final class MaterialPane extends VBox {
     private <V> Row vector(MaterialAttribute<V> attribute, NumericKind<V> q) {
         var field = new VectorField(attribute.title(), (v, gesture) -> editor.edit(scene -> MaterialEdits.edit(scene, shownName,
                 m -> attribute.with(m, q.compose().apply(List.of(v.x(), v.y(), v.z())))), gesture));
-        field.setId(attribute.title());
+        field.setId(attribute.id());
         return new Row(attribute, field, field::setDisabledReason, m -> field.show(q.vector(attribute.get(m))), field::showNothing,
                 field::revert);
     }

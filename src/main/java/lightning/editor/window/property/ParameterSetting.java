@@ -18,7 +18,7 @@ record ParameterSetting(SceneEditor editor, NumericParameter parameter) implemen
     static ArrowWidget widget(SceneEditor editor, NumericParameter parameter, ObservableValue<EditorState> visibleState) {
         ArrowWidget widget = new ArrowWidget(SectionLayout.title(parameter.label()), parameter.title(),
                 new ParameterSetting(editor, parameter));
-        widget.setId(parameter.isOfScene() ? parameter.title().replace(' ', '-') : parameter.label());
+        widget.setId(parameter.id());
         visibleState.subscribe(state -> show(state, parameter, widget));
         return widget;
     }

@@ -101,7 +101,7 @@ public final class PropertyPane extends VBox {
         if (section == Section.PLACE) {
             widgets.add(aim());
         }
-        return SectionLayout.section(SectionLayout.title(section.name()), widgets.toArray(Node[]::new));
+        return SectionLayout.section(SectionLayout.title(section.title()), widgets.toArray(Node[]::new));
     }
 
     /** Returns the widgets of an attribute, from top to bottom. */
@@ -160,7 +160,7 @@ public final class PropertyPane extends VBox {
         VectorField field = new VectorField(attribute.title(), (v, gesture) -> editor.edit(scene -> LightEdits.edit(scene,
                 editor.selection().lightName(), light -> attribute.with(light, quantity.compose().apply(List.of(v.x(), v.y(), v.z())))),
                 gesture));
-        field.setId(attribute.title());
+        field.setId(attribute.id());
         rows.add(
                 new Row(attribute, field::setDisabledReason, light -> field.show(quantity.vector(attribute.get(light))), field::showNothing,
                         field::revert));

@@ -59,7 +59,7 @@ final class SectionLayout {
 
     /** Returns the translated word with a capital first letter. */
     static String title(String word) {
-        String local = Messages.tr(word.toLowerCase(Locale.ROOT));
+        String local = Messages.tr(word);
         return local.substring(0, 1).toUpperCase(Locale.ROOT) + local.substring(1);
     }
 

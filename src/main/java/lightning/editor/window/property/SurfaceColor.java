@@ -22,7 +22,7 @@ record SurfaceColor<V>(SceneEditor editor, MaterialSelection materials, Material
     /** Creates the sliders of the color. The caller updates them. */
     ColorSliders sliders() {
         var sliders = ColorSliders.forSurface(attribute.title(), Messages.tr(attribute.help()), quantity.max(), this);
-        sliders.setId(attribute.title());
+        sliders.setId(attribute.id());
         return sliders;
     }
 

@@ -52,7 +52,7 @@ final class TextureField extends VBox {
         String title = attribute.title();
         missingReason = Optional.of(Messages.tr("the material has no {0}", title));
         getStyleClass().add("texture-part");
-        file.setId(title);
+        file.setId(attribute.id());
         file.setAccessibleText(Messages.tr("{0}: file name", title));
         file.setPromptText(Messages.tr("none"));
         file.setOnAction(_ -> commit());
@@ -69,10 +69,10 @@ final class TextureField extends VBox {
         });
         HBox.setHgrow(file, Priority.ALWAYS);
         fileMenu = new FileMenu(commands, files, Messages.tr("Choose"), Command.CHOOSE_TEXTURE, FileKind.TEXTURE, this::set, this::browse);
-        fileMenu.setId(title + "-found");
+        fileMenu.setId(attribute.id() + "-found");
         fileMenu.setAccessibleText(Messages.tr("Choose an image: {0}", title));
         fileMenu.setMinWidth(USE_PREF_SIZE);
-        refusal.setId(title + "-refusal");
+        refusal.setId(attribute.id() + "-refusal");
         refusal.getStyleClass().add("refusal");
         refusal.setWrapText(true);
         refusal.managedProperty().bind(refusal.visibleProperty());

@@ -192,7 +192,7 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
     private MenuButton viewMenu() {
         var menu = new MenuButton("", new FontIcon(MaterialDesignE.EYE_SETTINGS_OUTLINE));
         menu.setId("view-options");
-        menu.setAccessibleText(Messages.tr("View options"));
+        menu.setAccessibleText(Messages.tr("View Options"));
         menu.setTooltip(
                 new Tooltip(Messages.tr("View transform and visible effects (not saved in the scene)")));
         menu.getStyleClass().addAll("button-icon", "flat");

@@ -22,7 +22,7 @@ final class PlanDescription {
             steps.add(Messages.tr("shapes"));
         }
         if (plan.newDepth() != plan.oldDepth()) {
-            steps.add(Messages.tr("depth {0} → {1}", plan.oldDepth(), plan.newDepth()));
+            steps.add(Messages.tr("reflection bounces {0} → {1}", plan.oldDepth(), plan.newDepth()));
         }
         if (plan.resampled()) {
             steps.add(Messages.tr("samples"));

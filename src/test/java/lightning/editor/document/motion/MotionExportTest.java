@@ -81,7 +81,7 @@ class MotionExportTest {
 
     @Test
     void zeroPictures_areRejected() {
-        assertThatThrownBy(() -> export(0)).hasMessage("the number of pictures must be from 1 to 100000, was 0");
+        assertThatThrownBy(() -> export(0)).hasMessage("the number of frames must be from 1 to 100000, was 0");
     }
 
     private static Light light(double x) {

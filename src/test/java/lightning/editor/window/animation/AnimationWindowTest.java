@@ -107,7 +107,7 @@ class AnimationWindowTest {
         assertThat(field(robot, "resolution").getText()).isEqualTo("10");
         type(robot, "resolution", "0");
         assertThat(robot.lookup("#resolution .refusal").queryAs(Label.class).getText())
-                .isEqualTo("resolution must be from 1 to 10000, was 0");
+                .isEqualTo("keyframe interval must be from 1 to 10000, was 0");
     }
 
     @Test
@@ -160,7 +160,7 @@ class AnimationWindowTest {
     void invalidPathFile_showsErrorAndChangesNothing(FxRobot robot) throws Exception {
         Files.writeString(folder.resolve("way.path"), "lightning-path 1\nat 1 2\n");
         robot.clickOn("#load-animation");
-        TestEditors.await(() -> status(robot).startsWith("Not loaded: "));
+        TestEditors.await(() -> status(robot).startsWith("Not opened: "));
         assertThat(status(robot)).contains("way.path:2");
         assertThat(robot.lookup("#play").query().isDisabled()).isTrue();
     }

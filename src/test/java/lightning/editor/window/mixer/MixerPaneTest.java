@@ -293,32 +293,32 @@ class MixerPaneTest extends EditorFixture {
             model().editor().edit(scene -> LightGroupEdits.create(scene, "sun"));
             model().editor().edit(scene -> LightGroupEdits.create(scene, "stage"));
         });
-        assertThat(strips()).containsExactly("lamp", "bank", "sun", "bank2", "stage");
-        Bounds to = head("bank").localToScreen(head("bank").getBoundsInLocal());
-        robot.moveTo(head("bank2")).press(MouseButton.PRIMARY).moveBy(-20, 0).moveTo(to.getMinX() + 2, to.getCenterY())
+        assertThat(strips()).containsExactly("lamp", "group", "sun", "group2", "stage");
+        Bounds to = head("group").localToScreen(head("group").getBoundsInLocal());
+        robot.moveTo(head("group2")).press(MouseButton.PRIMARY).moveBy(-20, 0).moveTo(to.getMinX() + 2, to.getCenterY())
                 .release(MouseButton.PRIMARY);
-        assertThat(strips()).containsExactly("lamp", "bank2", "stage", "bank", "sun");
+        assertThat(strips()).containsExactly("lamp", "group2", "stage", "group", "sun");
         assertThat(model().editor().editorStateProperty().get().undoLabel()).hasValue("order of light groups");
         String text = model().editor().document().text(model().editor().document().content());
-        assertThat(text.indexOf("\nbank bank2")).isPositive().isLessThan(text.indexOf("\nbank bank "));
+        assertThat(text.indexOf("\nbank group2")).isPositive().isLessThan(text.indexOf("\nbank group "));
         assertPictureShowsTheScene();
         click("undo");
-        assertThat(strips()).containsExactly("lamp", "bank", "sun", "bank2", "stage");
+        assertThat(strips()).containsExactly("lamp", "group", "sun", "group2", "stage");
     }
 
     @Test
     void lightGroup_hasMasterStripAndAcceptsLights() {
         robot.interact(() -> model().editor().edit(scene -> LightGroupEdits.create(scene, "stage")));
-        assertThat(strips()).containsExactly("lamp", "sun", "bank", "stage");
-        type("stops-bank", "1");
-        assertThat(model().editor().scene().rig().lightGroup("bank").orElseThrow().intensity()).isEqualTo(2);
+        assertThat(strips()).containsExactly("lamp", "sun", "group", "stage");
+        type("stops-group", "1");
+        assertThat(model().editor().scene().rig().lightGroup("group").orElseThrow().intensity()).isEqualTo(2);
         assertThat(light("stage").intensity()).isEqualTo(1.5);
         assertPictureShowsTheScene();
         Bounds to = head("stage").localToScreen(head("stage").getBoundsInLocal());
         robot.moveTo(head("lamp")).press(MouseButton.PRIMARY).moveBy(20, 0).moveTo(to.getMaxX() - 4, to.getCenterY())
                 .release(MouseButton.PRIMARY);
-        assertThat(light("lamp").lightGroup()).isEqualTo("bank");
-        assertThat(strips()).containsExactly("sun", "bank", "stage", "lamp");
+        assertThat(light("lamp").lightGroup()).isEqualTo("group");
+        assertThat(strips()).containsExactly("sun", "group", "stage", "lamp");
     }
 
     @Test

@@ -178,46 +178,46 @@ class LightListPaneTest {
     void lightGroups_areListedAfterUngroupedLights(FxRobot robot) {
         robot.clickOn("key");
         robot.interact(() -> model.commands().run(Command.NEW_BANK));
-        assertThat(names(robot)).containsExactly("fill", "sun", "bank", "key");
+        assertThat(names(robot)).containsExactly("fill", "sun", "group", "key");
         assertThat(selected(robot)).isEqualTo("key");
         robot.interact(() -> model.commands().run(Command.DELETE_BANK));
         assertThat(names(robot)).containsExactly("key", "fill", "sun");
         robot.interact(() -> model.commands().run(Command.UNDO));
-        assertThat(names(robot)).containsExactly("fill", "sun", "bank", "key");
+        assertThat(names(robot)).containsExactly("fill", "sun", "group", "key");
     }
 
     @Test
     void collapsedGroup_hidesItsLights(FxRobot robot) {
         robot.interact(() -> model.commands().run(Command.NEW_BANK));
         robot.clickOn(".bank-row .fold");
-        assertThat(names(robot)).containsExactly("fill", "sun", "bank");
+        assertThat(names(robot)).containsExactly("fill", "sun", "group");
         robot.clickOn(".bank-row .fold");
-        assertThat(names(robot)).containsExactly("fill", "sun", "bank", "key");
+        assertThat(names(robot)).containsExactly("fill", "sun", "group", "key");
     }
 
     @Test
     void groupToggles_applyToAllItsLights(FxRobot robot) {
         robot.interact(() -> model.commands().run(Command.NEW_BANK));
-        robot.clickOn(toggle(robot, "bank on"));
-        assertThat(model.editor().scene().rig().lightGroup("bank").orElseThrow().on()).isFalse();
+        robot.clickOn(toggle(robot, "group on"));
+        assertThat(model.editor().scene().rig().lightGroup("group").orElseThrow().on()).isFalse();
         assertThat(model.editor().scene().isActive(TestEditors.light(model, "key"))).isFalse();
-        robot.clickOn(toggle(robot, "bank on")).clickOn(toggle(robot, "bank solo"));
+        robot.clickOn(toggle(robot, "group on")).clickOn(toggle(robot, "group solo"));
         assertThat(model.editor().scene().isActive(TestEditors.light(model, "sun"))).isFalse();
     }
 
     @Test
     void lightDroppedOnGroup_joinsIt(FxRobot robot) {
         robot.interact(() -> model.commands().run(Command.NEW_BANK));
-        robot.interact(() -> LightGroupDrop.moveLight("sun", "bank", model.editor()));
-        assertThat(names(robot)).containsExactly("fill", "bank", "key", "sun");
+        robot.interact(() -> LightGroupDrop.moveLight("sun", "group", model.editor()));
+        assertThat(names(robot)).containsExactly("fill", "group", "key", "sun");
         robot.interact(() -> LightGroupDrop.moveLight("key", "", model.editor()));
-        assertThat(names(robot)).containsExactly("key", "fill", "bank", "sun");
+        assertThat(names(robot)).containsExactly("key", "fill", "group", "sun");
     }
 
     @Test
     void groupKeys_renameToggleAndDeleteIt(FxRobot robot) {
         robot.interact(() -> model.commands().run(Command.NEW_BANK));
-        robot.clickOn("bank").push(KeyCode.F2).write("left").push(KeyCode.ENTER);
+        robot.clickOn("group").push(KeyCode.F2).write("left").push(KeyCode.ENTER);
         assertThat(TestEditors.light(model, "key").lightGroup()).isEqualTo("left");
         robot.push(KeyCode.SPACE);
         assertThat(model.editor().scene().rig().lightGroup("left").orElseThrow().on()).isFalse();

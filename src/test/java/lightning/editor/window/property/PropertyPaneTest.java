@@ -221,7 +221,7 @@ class PropertyPaneTest {
                 .filter(d -> d != NumericParameter.DEPTH && !d.title().startsWith("environment") && !others.contains(d.title())
                         && !List.of("red", "green", "blue").contains(d.title()))
                 .toList()) {
-            type(robot, dial.label(), "1.5");
+            type(robot, dial.id(), "1.5");
             assertThat(dial.value(model.editor().scene(), TestEditors.SPOT)).as(dial.title()).isEqualTo(1.5);
         }
     }
@@ -247,7 +247,7 @@ class PropertyPaneTest {
     void invalidValue_showsReasonAndChangesNothing(FxRobot robot) {
         Scene before = model.editor().scene();
         type(robot, "angle", "200");
-        assertThat(RefusalTexts.shown(robot)).containsExactly("angle must be from 0 to 180, was 200");
+        assertThat(RefusalTexts.shown(robot)).containsExactly("cone half-angle must be from 0 to 180, was 200");
         assertThat(model.editor().scene()).isEqualTo(before);
         assertThat(model.commands().isEnabled(Command.UNDO)).isFalse();
     }
@@ -279,7 +279,8 @@ class PropertyPaneTest {
         choose(robot, "#intensity .label", "Copy Intensity");
         robot.rightClickOn("#angle .label");
         MenuItem paste = Window.getWindows().stream().filter(ContextMenu.class::isInstance)
-                .flatMap(w -> ((ContextMenu) w).getItems().stream()).filter(i -> i.getText().startsWith("Paste Angle")).findFirst()
+                .flatMap(w -> ((ContextMenu) w).getItems().stream()).filter(i -> i.getText().startsWith("Paste Cone half-angle"))
+                .findFirst()
                 .orElseThrow();
         assertThat(paste.isDisable()).isTrue();
     }
