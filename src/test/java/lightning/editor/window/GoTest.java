@@ -90,7 +90,7 @@ class GoTest extends EditorFixture {
         assertThat(telemetry()).contains("lamp: weight").contains("0 shadow rays");
         waitFor("the saving is measured", () -> model().picture().renderStateProperty().get().saving().isPresent());
         // Either is possible, depending on the machine: the picture is tiny.
-        assertThat(telemetry()).contains("for a full trace").containsPattern("% (saved|slower)");
+        assertThat(telemetry()).contains("full trace ").containsPattern("% (saved|slower)");
     }
 
     @Test
@@ -228,7 +228,7 @@ class GoTest extends EditorFixture {
     @Test
     void typedNonsense_showsError() {
         typeSize("large");
-        waitFor("the error is shown", () -> text("message").contains("640 × 480, was 'large'"));
+        waitFor("the error is shown", () -> text("message").contains("640 × 480, found 'large'"));
         assertThat(isEnabled(Command.UNDO)).isFalse();
     }
 

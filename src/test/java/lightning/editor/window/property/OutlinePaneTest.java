@@ -190,7 +190,7 @@ class OutlinePaneTest extends EditorFixture {
         select("ball");
         TextTyping.replace(robot, robot.lookup("#shape-at .number-field").queryAs(TextField.class), "1.5").push(KeyCode.ENTER);
         assertThat(node("ball").placement().position()).isEqualTo(new Vec3(1.5, 1, 0));
-        assertThat(model().editor().editorStateProperty().get().undoLabel()).contains("ball: at 0 1 0 → 1.5 1 0");
+        assertThat(model().editor().editorStateProperty().get().undoLabel()).contains("ball: position 0 1 0 → 1.5 1 0");
         assertGoShowsTheScene();
         click("undo");
         assertThat(model().editor().scene()).isEqualTo(before);
