@@ -31,8 +31,8 @@ public final class LightTypes {
             case POINT -> Messages.tr("Point");
             case SPOT -> Messages.tr("Spot");
             case DIRECTIONAL -> Messages.tr("Directional");
-            case RECT -> Messages.tr("Rectangle Area");
-            case DISC -> Messages.tr("Disc Area");
+            case RECT -> Messages.tr("Rectangle");
+            case DISC -> Messages.tr("Disc");
         };
     }
 
