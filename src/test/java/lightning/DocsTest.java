@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import lightning.DocCommands.Command;
 import org.junit.jupiter.api.Test;
@@ -16,6 +17,9 @@ import org.junit.jupiter.api.Test;
 /** Tests that the commands of README.md and docs are parsed as intended, and that the {@code mvn …} lines are the expected ones. */
 class DocsTest {
     private static final Path README = Path.of("README.md");
+    private static final Path DECISIONS = Path.of("docs", "decisions");
+    /** A link in Markdown; the group is its target without the heading. */
+    private static final Pattern LINK = Pattern.compile("\\]\\(([^)#\\s]+)(?:#[^)\\s]*)?\\)");
     /** Without {@code -q}, which only hides Maven's own output. */
     private static final Set<List<String>> REQUIRED_COMMANDS = Set.of(
             List.of("mvn", "compile", "exec:exec"),
@@ -77,6 +81,24 @@ class DocsTest {
     private static List<String> withoutOptions(Command command) {
         return command.words().stream()
                 .filter(word -> !word.equals("-q") && !word.startsWith("-Dlightning.") && !word.startsWith("-Djqwik.")).toList();
+    }
+
+    @Test
+    void everyRelativeLink_leadsToAFile() throws IOException {
+        for (Path page : pages()) {
+            assertThat(LINK.matcher(Files.readString(page)).results().map(link -> link.group(1)).filter(target -> !target.contains(":")))
+                    .as(page.toString()).allSatisfy(target -> assertThat(page.resolveSibling(target)).exists());
+        }
+    }
+
+    @Test
+    void everyDecision_isListed() throws IOException {
+        Path index = DECISIONS.resolve("README.md");
+        try (Stream<Path> decisions = Files.list(DECISIONS)) {
+            String links = Files.readString(index);
+            assertThat(decisions.filter(page -> page.toString().endsWith(".md") && !page.equals(index))).isNotEmpty()
+                    .allSatisfy(page -> assertThat(links).contains("](" + page.getFileName() + ")"));
+        }
     }
 
     static List<Path> pages() {
