@@ -84,7 +84,7 @@ public final class LightingEquation {
     /**
      * Returns max(V·R, 0)<sup>shininess</sup> with R = 2N(N·−L) + L, both normalized.
      *
-     * @param v the unit direction of the ray that hit the row
+     * @param vx component x, as {@code vy} and {@code vz}, of the unit direction of the ray that hit the row
      */
     float specular(float nx, float ny, float nz, float vx, float vy, float vz, double shininess) {
         double twice = 2 * (nx * lx + ny * ly + nz * lz);
@@ -102,7 +102,7 @@ public final class LightingEquation {
     /**
      * Returns N·L·(1 − (1 − N·L)⁵)·(1 − (1 − N·V)⁵): the diffuse term of a metallic material, for a row that faces the light.
      *
-     * @param v the unit direction of the ray that hit the row
+     * @param vx component x, as {@code vy} and {@code vz}, of the unit direction of the ray that hit the row
      */
     float metallicDiffuse(float nx, float ny, float nz, float vx, float vy, float vz) {
         double nl = nx * lx + ny * ly + nz * lz;
