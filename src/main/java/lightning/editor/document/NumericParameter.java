@@ -85,12 +85,11 @@ public final class NumericParameter {
 
     private static <V> NumericParameter of(LightAttribute<V> attribute, NumericKind<V> quantity, int index) {
         String label = quantity.labels().get(index);
-        // A color or position next to the field shows which channel or axis it is.
+        // A color next to the field shows which channel it is.
         String title = label.isEmpty() ? attribute.title()
-                : quantity.form() == NumericKind.Form.COLOR ? label
-                : attribute == LightAttribute.DOORS ? "barn door " + label : attribute.title() + " " + label;
-        // The section of the cone does not show that a number is one of a barn door.
-        String shownLabel = label.isEmpty() || attribute == LightAttribute.DOORS ? title : label;
+                : quantity.form() == NumericKind.Form.COLOR ? label : attribute.title() + " " + label;
+        // A section that has the attribute's name says the rest.
+        String shownLabel = attribute.title().equals(attribute.section().title()) && !label.isEmpty() ? label : title;
         return new NumericParameter(label.isEmpty() ? attribute.id() : label, title, shownLabel, quantity, false,
                 (_, selected) -> selected.isEmpty() ? Optional.of(Messages.tr("no light is selected"))
                         : attribute.inactiveReason(selected.get().type()),

@@ -80,8 +80,9 @@ class EditorTextsTest {
 
     private static void addTexts(SceneAttribute<?, ?> attribute) {
         usedTexts.add(attribute.title());
-        // Each number of the barn doors has a title of its own, which the numeric parameters list.
-        if (attribute != LightAttribute.DOORS && attribute.kind() instanceof NumericKind<?> quantity) {
+        // Numbers that have numeric parameters show the texts of these.
+        boolean hasParameters = attribute instanceof LightAttribute<?> ofLight && !NumericParameter.of(ofLight).isEmpty();
+        if (!hasParameters && attribute.kind() instanceof NumericKind<?> quantity) {
             quantity.labels().forEach(label -> usedTexts.addAll(List.of(label, (attribute.title() + " " + label).strip())));
         }
         if (attribute.kind() instanceof ChoiceKind<?> choice) {
