@@ -119,7 +119,7 @@ final class EffectsCommand implements Callable<Integer> {
         return switch (part) {
             case HIT -> "point, normal, view, position";
             case TEXEL -> "texture colors";
-            case CODE -> "edge detection";
+            case PATTERN -> "anti-aliasing";
             case OWNER -> "pixel of each row";
             case TRANSPARENT -> "seen through transparent surfaces";
         };

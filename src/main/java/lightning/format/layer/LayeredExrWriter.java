@@ -193,12 +193,12 @@ public final class LayeredExrWriter {
     private float[][] layerPixels(LayerCompositor painter, Layer layer, int tile, SamplePositions samplePositions) {
         CachedTile center = cache.tileCount() == 0 ? null : composeLayer(painter, layer, cache.tile(tile), samplePositions);
         return cache.fineCount() == 0 ? center.film : cache.fineTile(tile)
-                .map(center, samplePositions, (at, block) -> composeLayer(painter, layer, block, at), scene.picture().sampling().grid())
+                .map(center, samplePositions, (at, block) -> composeLayer(painter, layer, block, at))
                 .film();
     }
 
     private static CachedTile composeLayer(LayerCompositor painter, Layer layer, CachedTile tile, SamplePositions samplePositions) {
-        return new CachedTile(tile.levels, tile.hitShapes, tile.images, painter.colors(layer, tile, samplePositions), tile.codes);
+        return new CachedTile(tile.levels, tile.hitShapes, tile.images, painter.colors(layer, tile, samplePositions), tile.edges);
     }
 
     private void put(float[][] values, int[] channels, SamplePositions samplePositions, ExrChunk[] chunks) {

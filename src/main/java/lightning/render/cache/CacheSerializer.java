@@ -5,13 +5,14 @@ import java.util.Arrays;
 import lightning.render.column.ColumnReader;
 import lightning.render.column.ColumnWriter;
 import lightning.render.shading.BounceImages;
-import lightning.render.shading.EdgeCodes;
+import lightning.render.shading.EdgeColors;
 import lightning.render.shading.LightLayer;
 import lightning.render.shading.LightRows;
 import lightning.render.trace.HitRows;
+import lightning.render.trace.SampleCells;
 
 /**
- * Serializer of a cached image's columns, in two parts: rows, layers and codes, which edits of weights do not change; and
+ * Serializer of a cached image's columns, in two parts: rows, layers and edge colors, which edits of weights do not change; and
  * colors, which nearly every edit changes. For images of accuracy exact.
  */
 public final class CacheSerializer {
@@ -24,17 +25,21 @@ public final class CacheSerializer {
         }
         out.writeInt(cache.fineCount());
         for (int i = 0; i < cache.fineCount(); i++) {
-            write(cache.fineTile(i).shapes(), out);
-            write(cache.fineTile(i).lights(), out);
+            for (FineSamples samples : cache.fineTile(i).stages()) {
+                write(samples, out);
+            }
         }
         out.writeChecksum();
     }
 
     private static void write(FineSamples samples, ColumnWriter out) throws IOException {
+        out.writeInt(samples.cells().grid());
+        out.writeArray(samples.cells().cells());
         out.writeArray(samples.pixels());
         out.writeInt(samples.blocks().length);
-        for (CachedTile block : samples.blocks()) {
-            write(block, out);
+        for (SampleBlock block : samples.blocks()) {
+            out.writeArray(block.pixels());
+            write(block.rows(), out);
         }
     }
 
@@ -54,26 +59,30 @@ public final class CacheSerializer {
         for (int[] shapes : tile.hitShapes) {
             out.writeArray(shapes);
         }
-        EdgeCodes codes = tile.codes;
-        out.writeInt(codes == null ? 0 : 1);
-        if (codes != null) {
-            out.writeArray(codes.shapes());
-            out.writeArray(codes.lights());
-            out.writeArray(codes.mirroredShapes());
-            out.writeArray(codes.mirroredLights());
+        out.writeInt(tile.edges == null ? 0 : 1);
+        if (tile.edges != null) {
+            out.writeArray(tile.edges.colors());
+            write(tile.edges.images(), out);
         }
     }
 
     public static void writeColors(PixelCache cache, ColumnWriter out) throws IOException {
         for (CachedTile tile : cache.allTiles()) {
             out.writeFloatArrays(tile.film);
-            out.writeFloatArrays(tile.images == null ? null : tile.images.mirrored());
-            out.writeFloatArrays(tile.images == null ? null : tile.images.refracted());
+            write(tile.images, out);
         }
         for (int i = 0; i < cache.fineCount(); i++) {
+            for (SampleBlock block : cache.fineTile(i).blocks().toList()) {
+                out.writeFloatArrays(block.means());
+            }
             out.writeFloatArrays(cache.fineTile(i).film());
         }
         out.writeChecksum();
+    }
+
+    private static void write(BounceImages images, ColumnWriter out) throws IOException {
+        out.writeFloatArrays(images == null ? null : images.mirrored());
+        out.writeFloatArrays(images == null ? null : images.refracted());
     }
 
     /** Reads the image of these columns. */
@@ -91,22 +100,23 @@ public final class CacheSerializer {
             tiles[i] = withColors(tiles[i], colors);
         }
         for (int i = 0; i < fine.length; i++) {
-            fine[i] = new FineTile(withColors(fine[i].shapes(), colors), withColors(fine[i].lights(), colors), null);
+            fine[i] = new FineTile(withColors(fine[i].first(), colors), withColors(fine[i].rest(), colors), null);
         }
         for (int i = 0; i < fine.length; i++) {
-            fine[i] = new FineTile(fine[i].shapes(), fine[i].lights(), colors.readFloatArrays());
+            fine[i] = new FineTile(withMeans(fine[i].first(), colors), withMeans(fine[i].rest(), colors), colors.readFloatArrays());
         }
         colors.expectEnd();
         return new PixelCache(outline.geometry(), tiles, fine, outline.scenes(), outline.lights(), outline.mirroredLights());
     }
 
     private static FineSamples readSamples(ColumnReader in) throws IOException {
+        SampleCells cells = new SampleCells(in.readInt(), in.readInts());
         short[] pixels = in.readShorts();
-        CachedTile[] blocks = new CachedTile[in.readCount()];
+        SampleBlock[] blocks = new SampleBlock[in.readCount()];
         for (int b = 0; b < blocks.length; b++) {
-            blocks[b] = readTile(in);
+            blocks[b] = new SampleBlock(in.readShorts(), readTile(in), null);
         }
-        return new FineSamples(pixels, blocks);
+        return new FineSamples(cells, pixels, blocks);
     }
 
     private static CachedTile readTile(ColumnReader in) throws IOException {
@@ -123,27 +133,40 @@ public final class CacheSerializer {
         for (int i = 0; i < hitShapes.length; i++) {
             hitShapes[i] = in.readInts();
         }
-        EdgeCodes codes = in.readInt() == 0 ? null : new EdgeCodes(in.readInts(), in.readInts(), in.readInts(), in.readInts());
-        return new CachedTile(levels, hitShapes, null, null, codes);
+        EdgeColors edges = in.readInt() == 0 ? null : new EdgeColors(in.readInts(), readImages(in));
+        return new CachedTile(levels, hitShapes, null, null, edges);
     }
 
     private static FineSamples withColors(FineSamples samples, ColumnReader in) throws IOException {
-        CachedTile[] blocks = new CachedTile[samples.blocks().length];
+        SampleBlock[] blocks = new SampleBlock[samples.blocks().length];
         for (int b = 0; b < blocks.length; b++) {
-            blocks[b] = withColors(samples.blocks()[b], in);
+            SampleBlock block = samples.blocks()[b];
+            blocks[b] = new SampleBlock(block.pixels(), withColors(block.rows(), in), null);
         }
-        return new FineSamples(samples.pixels(), blocks);
+        return new FineSamples(samples.cells(), samples.pixels(), blocks);
+    }
+
+    private static FineSamples withMeans(FineSamples samples, ColumnReader in) throws IOException {
+        SampleBlock[] blocks = new SampleBlock[samples.blocks().length];
+        for (int b = 0; b < blocks.length; b++) {
+            SampleBlock block = samples.blocks()[b];
+            blocks[b] = new SampleBlock(block.pixels(), block.rows(), in.readFloatArrays());
+        }
+        return new FineSamples(samples.cells(), samples.pixels(), blocks);
     }
 
     private static CachedTile withColors(CachedTile tile, ColumnReader in) throws IOException {
         float[][] film = in.readFloatArrays();
-        float[][] mirrored = in.readFloatArrays();
-        float[][] refracted = in.readFloatArrays();
-        return new CachedTile(tile.levels, tile.hitShapes, mirrored == null ? null : new BounceImages(mirrored, refracted), film,
-                tile.codes);
+        return new CachedTile(tile.levels, tile.hitShapes, readImages(in), film, tile.edges);
     }
 
-    /** Returns true if two images share the same rows, layers and codes, and differ at most in colors. */
+    private static BounceImages readImages(ColumnReader in) throws IOException {
+        float[][] mirrored = in.readFloatArrays();
+        float[][] refracted = in.readFloatArrays();
+        return mirrored == null ? null : new BounceImages(mirrored, refracted);
+    }
+
+    /** Returns true if two images share the same rows, layers and edge colors, and differ at most in colors. */
     public static boolean hasSameRows(PixelCache a, PixelCache b) {
         if (a.tileCount() != b.tileCount() || a.fineCount() != b.fineCount()) {
             return false;
@@ -154,8 +177,7 @@ public final class CacheSerializer {
             }
         }
         for (int i = 0; i < a.fineCount(); i++) {
-            if (!hasSameRows(a.fineTile(i).shapes(), b.fineTile(i).shapes())
-                    || !hasSameRows(a.fineTile(i).lights(), b.fineTile(i).lights())) {
+            if (!hasSameRows(a.fineTile(i).first(), b.fineTile(i).first()) || !hasSameRows(a.fineTile(i).rest(), b.fineTile(i).rest())) {
                 return false;
             }
         }
@@ -165,13 +187,13 @@ public final class CacheSerializer {
     private static boolean hasSameRows(FineSamples a, FineSamples b) {
         boolean same = a.pixels() == b.pixels() && a.blocks().length == b.blocks().length;
         for (int i = 0; same && i < a.blocks().length; i++) {
-            same = hasSameRows(a.blocks()[i], b.blocks()[i]);
+            same = a.blocks()[i].pixels() == b.blocks()[i].pixels() && hasSameRows(a.blocks()[i].rows(), b.blocks()[i].rows());
         }
         return same;
     }
 
     private static boolean hasSameRows(CachedTile a, CachedTile b) {
-        boolean same = a.levels.length == b.levels.length && Arrays.deepEquals(a.hitShapes, b.hitShapes) && a.codes == b.codes;
+        boolean same = a.levels.length == b.levels.length && Arrays.deepEquals(a.hitShapes, b.hitShapes) && a.edges == b.edges;
         for (int l = 0; same && l < a.levels.length; l++) {
             LightLayer[] before = a.levels[l].layers();
             LightLayer[] after = b.levels[l].layers();

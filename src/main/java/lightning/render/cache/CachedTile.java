@@ -2,7 +2,7 @@ package lightning.render.cache;
 
 import lightning.render.image.Film;
 import lightning.render.shading.BounceImages;
-import lightning.render.shading.EdgeCodes;
+import lightning.render.shading.EdgeColors;
 import lightning.render.trace.HitRows;
 
 /**
@@ -27,15 +27,15 @@ public final class CachedTile {
      * for which only the resulting pixels are stored.
      */
     public final float[][] film;
-    /** Edge detection codes of the pixel centers; null if edges are not detected. */
-    public final EdgeCodes codes;
+    /** Colors by which edges are detected; null if they are not. */
+    public final EdgeColors edges;
 
-    public CachedTile(TileLevel[] levels, int[][] hitShapes, BounceImages images, float[][] film, EdgeCodes codes) {
+    public CachedTile(TileLevel[] levels, int[][] hitShapes, BounceImages images, float[][] film, EdgeColors edges) {
         this.levels = levels;
         this.hitShapes = hitShapes;
         this.images = images;
         this.film = film;
-        this.codes = codes;
+        this.edges = edges;
     }
 
     /** Returns the maximum of the stored colors, linear. */
@@ -59,7 +59,7 @@ public final class CachedTile {
         return levels[0].rows();
     }
 
-    /** Returns the bytes of rows, layers, stored hits, Cr and codes, without colors. */
+    /** Returns the bytes of rows, layers, stored hits, Cr and edge colors, without colors. */
     public long bytes() {
         long bytes = 0;
         for (TileLevel level : levels) {
@@ -68,7 +68,7 @@ public final class CachedTile {
         for (int[] shapes : hitShapes) {
             bytes += 4L * shapes.length;
         }
-        return bytes + (images == null ? 0 : images.bytes()) + (codes == null ? 0 : codes.bytes());
+        return bytes + (images == null ? 0 : images.bytes()) + (edges == null ? 0 : edges.bytes());
     }
 
     /** Returns the bytes of the stored colors. */
@@ -78,7 +78,7 @@ public final class CachedTile {
 
     /** Returns the same tile without its colors. */
     CachedTile withoutColors() {
-        return new CachedTile(levels, hitShapes, images, null, codes);
+        return new CachedTile(levels, hitShapes, images, null, edges);
     }
 
     /** Returns the number of hit rows of all levels. */

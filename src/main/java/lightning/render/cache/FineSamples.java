@@ -1,45 +1,84 @@
 package lightning.render.cache;
 
 import java.util.Arrays;
+import java.util.BitSet;
 import java.util.function.BiFunction;
 import java.util.function.Function;
 import lightning.render.shading.SampleMean;
+import lightning.render.trace.SampleCells;
 import lightning.render.trace.SamplePositions;
 
 /**
- * Samples of some pixels of a tile.
+ * Samples of some pixels of a tile. Blocks may contain other pixels, too, whose samples were needed before and may be needed again;
+ * no pixel is in two blocks.
  *
- * @param pixels indices of the pixels in the tile, ascending
- * @param blocks samples, in blocks of as many whole pixels as fit into 1024 rows
+ * @param cells  samples of each pixel
+ * @param pixels indices of the pixels that use their samples, ascending
+ * @param blocks samples of these pixels and possibly others, at most 1024 in each block
  */
-public record FineSamples(short[] pixels, CachedTile[] blocks) {
+public record FineSamples(SampleCells cells, short[] pixels, SampleBlock[] blocks) {
     // Arrays in a record: written once by their creator.
 
-    /** Averages the samples of each pixel into the film; {@code colors} returns the colors of a block. */
-    void write(Function<CachedTile, float[][]> colors, int perPixel, float[][] film) {
-        int blockPixels = SampleMean.pixelsPerBatch(perPixel);
-        for (int b = 0; b < blocks.length; b++) {
-            int to = Math.min(pixels.length, (b + 1) * blockPixels);
-            SampleMean.write(pixels, b * blockPixels, to, perPixel, colors.apply(blocks[b]), film);
+    private static final short[] NO_PIXELS = {};
+
+    /** Returns samples of no pixel. */
+    public static FineSamples none(SampleCells cells) {
+        return new FineSamples(cells, NO_PIXELS, new SampleBlock[0]);
+    }
+
+    /** Returns the pixels as a set. */
+    public BitSet pixelSet() {
+        BitSet set = new BitSet();
+        for (short pixel : pixels) {
+            set.set(pixel);
         }
+        return set;
+    }
+
+    /** Receives the mean color of a pixel's samples. */
+    @FunctionalInterface
+    interface MeanConsumer {
+        void accept(int pixel, float red, float green, float blue);
+    }
+
+    /** Passes on the mean of each pixel that uses its samples; {@code means} returns those of a block. */
+    void forEachMean(Function<SampleBlock, float[][]> means, MeanConsumer consumer) {
+        BitSet used = pixelSet();
+        for (SampleBlock block : blocks) {
+            float[][] colors = means.apply(block);
+            for (int i = 0; i < block.pixels().length; i++) {
+                if (used.get(block.pixels()[i])) {
+                    consumer.accept(block.pixels()[i], colors[0][i], colors[1][i], colors[2][i]);
+                }
+            }
+        }
+    }
+
+    /** Returns the means of a block's pixels whose samples have the given colors. */
+    float[][] means(SampleBlock block, float[][] colors) {
+        return SampleMean.ofPixels(block.pixels().length, cells.count(), colors);
     }
 
     /**
-     * Returns the same samples with other blocks, each computed from its sample positions and its old block; {@code centers}
-     * are the positions of the tile.
+     * Returns the same samples with other rows, each computed from its sample positions and its old rows; the new rows have colors.
+     *
+     * @param centers positions of the tile
      */
-    FineSamples map(SamplePositions centers, int grid, BiFunction<SamplePositions, CachedTile, CachedTile> change) {
-        int blockPixels = SampleMean.pixelsPerBatch(grid * grid);
-        CachedTile[] changed = new CachedTile[blocks.length];
-        for (int b = 0; b < blocks.length; b++) {
-            int to = Math.min(pixels.length, (b + 1) * blockPixels);
-            changed[b] = change.apply(new SamplePositions(centers.x0(), centers.y0(), pixels, b * blockPixels, to, grid), blocks[b]);
-        }
-        return new FineSamples(pixels, changed);
+    FineSamples map(SamplePositions centers, BiFunction<SamplePositions, CachedTile, CachedTile> change) {
+        return new FineSamples(cells, pixels, Arrays.stream(blocks).map(block -> {
+            CachedTile rows = change.apply(block.positions(centers, cells), block.rows());
+            return new SampleBlock(block.pixels(), rows, means(block, rows.film));
+        }).toArray(SampleBlock[]::new));
     }
 
-    /** Returns the same samples with other blocks. */
-    FineSamples map(Function<CachedTile, CachedTile> change) {
-        return new FineSamples(pixels, Arrays.stream(blocks).map(change).toArray(CachedTile[]::new));
+    /** Returns the same samples without the colors of single samples. */
+    FineSamples withoutColors() {
+        return new FineSamples(cells, pixels, Arrays.stream(blocks)
+                .map(block -> new SampleBlock(block.pixels(), block.rows().withoutColors(), block.means())).toArray(SampleBlock[]::new));
+    }
+
+    /** Returns the bytes of the mean colors. */
+    public long meanBytes() {
+        return Arrays.stream(blocks).mapToLong(SampleBlock::meanBytes).sum();
     }
 }

@@ -1,51 +1,83 @@
 package lightning.render.cache;
 
+import java.util.List;
 import java.util.function.BiFunction;
 import java.util.function.Function;
+import java.util.stream.Stream;
 import lightning.render.image.Film;
+import lightning.render.shading.SampleMean;
 import lightning.render.trace.SamplePositions;
 
 /**
  * Anti-aliased tile of the image: its finer samples and the resulting pixels.
  *
- * @param shapes samples of pixels at a geometry edge, or of all pixels; edits of lights keep them
- * @param lights samples of other pixels at a lighting edge: a shadow, a cone, a highlight
- * @param film tile of the film: red, green, blue, {@code float[1024]} each
+ * @param first samples of the pixels at an edge, or of all pixels
+ * @param rest  further samples of those of these pixels whose first samples differ visibly
+ * @param film  tile of the film: red, green, blue, {@code float[1024]} each
  */
-public record FineTile(FineSamples shapes, FineSamples lights, float[][] film) {
+public record FineTile(FineSamples first, FineSamples rest, float[][] film) {
 
     /**
-     * Creates the tile of samples, with their colors, and centers.
+     * Creates the tile of samples and centers.
      *
-     * @param center centers of the tile's pixels, or null if all pixels have several samples
-     * @param perPixel number of samples per pixel
+     * @param center colors of the tile's pixel centers; null if all pixels have several samples
      */
-    private static FineTile of(CachedTile center, FineSamples shapes, FineSamples lights, int perPixel) {
-        FineTile tile = new FineTile(shapes, lights, null);
-        return new FineTile(shapes, lights, tile.film(center, t -> t.film, perPixel));
+    public static FineTile of(float[][] center, FineSamples first, FineSamples rest) {
+        return new FineTile(first, rest, film(center, first, SampleBlock::means, rest, SampleBlock::means));
     }
 
-    /** Returns the film of the same samples in other colors, which {@code colors} returns. */
-    public float[][] film(CachedTile center, Function<CachedTile, float[][]> colors, int perPixel) {
-        float[][] film = new float[3][Film.TILE_PIXELS];
-        if (center != null) {
-            float[][] centers = colors.apply(center);
-            for (int c = 0; c < 3; c++) {
-                film[c] = centers[c].clone();
-            }
-        }
-        shapes.write(colors, perPixel, film);
-        lights.write(colors, perPixel, film);
+    private static float[][] film(float[][] center, FineSamples first, Function<SampleBlock, float[][]> firstMeans, FineSamples rest,
+            Function<SampleBlock, float[][]> restMeans) {
+        float[][] film = center == null ? new float[3][Film.TILE_PIXELS]
+                : new float[][] {center[0].clone(), center[1].clone(), center[2].clone()};
+        first.forEachMean(firstMeans, (pixel, red, green, blue) -> {
+            film[0][pixel] = red;
+            film[1][pixel] = green;
+            film[2][pixel] = blue;
+        });
+        int count = first.cells().count();
+        int restCount = rest.cells().count();
+        rest.forEachMean(restMeans, (pixel, red, green, blue) -> {
+            film[0][pixel] = SampleMean.combine(film[0][pixel], count, red, restCount);
+            film[1][pixel] = SampleMean.combine(film[1][pixel], count, green, restCount);
+            film[2][pixel] = SampleMean.combine(film[2][pixel], count, blue, restCount);
+        });
         return film;
     }
 
-    /** Returns the same tile without the colors of its samples. */
-    public FineTile withoutColors() {
-        return new FineTile(shapes.map(CachedTile::withoutColors), lights.map(CachedTile::withoutColors), film);
+    /**
+     * Returns the film of the same samples in other colors.
+     *
+     * @param center rows of the pixel centers, or null if all pixels have several samples
+     * @param colors returns the colors of rows
+     */
+    public float[][] film(CachedTile center, Function<CachedTile, float[][]> colors) {
+        return film(center == null ? null : colors.apply(center), first, block -> first.means(block, colors.apply(block.rows())), rest,
+                block -> rest.means(block, colors.apply(block.rows())));
     }
 
-    /** Returns the tile with changed rows, which then have colors; {@code center} is already changed. */
-    public FineTile map(CachedTile center, SamplePositions centers, BiFunction<SamplePositions, CachedTile, CachedTile> change, int grid) {
-        return of(center, shapes.map(centers, grid, change), lights.map(centers, grid, change), grid * grid);
+    /** Returns all samples. */
+    public List<FineSamples> stages() {
+        return List.of(first, rest);
+    }
+
+    /** Returns all blocks of samples. */
+    public Stream<SampleBlock> blocks() {
+        return stages().stream().flatMap(samples -> Stream.of(samples.blocks()));
+    }
+
+    /** Returns the same tile without the colors of single samples. */
+    public FineTile withoutColors() {
+        return new FineTile(first.withoutColors(), rest.withoutColors(), film);
+    }
+
+    /**
+     * Returns the tile with changed rows, which then have colors.
+     *
+     * @param center  the changed rows of the pixel centers, or null
+     * @param centers positions of the tile
+     */
+    public FineTile map(CachedTile center, SamplePositions centers, BiFunction<SamplePositions, CachedTile, CachedTile> change) {
+        return of(center == null ? null : center.film, first.map(centers, change), rest.map(centers, change));
     }
 }

@@ -1,6 +1,7 @@
 package lightning.render.cache;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import lightning.render.image.Film;
 import lightning.render.shading.RenderedScenes;
@@ -77,8 +78,7 @@ public final class PixelCache {
     public List<CachedTile> allTiles() {
         List<CachedTile> result = new ArrayList<>(List.of(tiles));
         for (FineTile tile : fineTiles) {
-            result.addAll(List.of(tile.shapes().blocks()));
-            result.addAll(List.of(tile.lights().blocks()));
+            tile.blocks().map(SampleBlock::rows).forEach(result::add);
         }
         return result;
     }
@@ -134,7 +134,8 @@ public final class PixelCache {
 
     /** Returns the bytes of the stored colors of all centers and samples, without the film. */
     public long colorBytes() {
-        return allTiles().stream().mapToLong(CachedTile::colorBytes).sum();
+        return allTiles().stream().mapToLong(CachedTile::colorBytes).sum()
+                + Arrays.stream(fineTiles).flatMap(FineTile::blocks).mapToLong(SampleBlock::meanBytes).sum();
     }
 
     /** Returns the bytes of all rows, without colors. */

@@ -25,11 +25,6 @@ public record TileLevel(HitRows rows, LightLayer[] layers, BranchSums branches) 
         return new TileLevel(rows, layers, sums);
     }
 
-    /** Returns this level with other edge detection codes, {@code int[rows]}, or none. */
-    public TileLevel withCode(int[] code) {
-        return new TileLevel(rows.withCode(code), layers, branches);
-    }
-
     /** Returns this level with other owners of its rows, or none. */
     public TileLevel withOwner(int[] owner) {
         return new TileLevel(rows.withOwner(owner), layers, branches);

@@ -1,14 +1,15 @@
 package lightning.render.fulltrace;
 
+import java.util.Arrays;
+import java.util.BitSet;
+import java.util.function.BiConsumer;
 import lightning.base.work.Progress;
 import lightning.render.engine.Engine;
 import lightning.render.image.Film;
 import lightning.render.shading.BounceImages;
-import lightning.render.shading.EdgeCodeBuilder;
-import lightning.render.shading.EdgeCodes;
+import lightning.render.shading.EdgeColors;
 import lightning.render.shading.LightKernel;
 import lightning.render.shading.LightLayer;
-import lightning.render.shading.LightRows;
 import lightning.render.shading.RayCounts;
 import lightning.render.shading.RenderedScenes;
 import lightning.render.shading.SampleMean;
@@ -19,6 +20,7 @@ import lightning.render.trace.BounceKind;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.MaterialTable;
+import lightning.render.trace.SampleCells;
 import lightning.render.trace.SamplePositions;
 import lightning.render.trace.TileVisibility;
 import lightning.render.trace.Tracer;
@@ -34,34 +36,53 @@ final class TileTracer {
     private final int depth;
     private final LevelContext eyeLevel;
     private final LevelContext mirrorLevels;
-    private final EdgeCodeBuilder coder = new EdgeCodeBuilder();
     private final ScratchColumns columns = new ScratchColumns();
-    private final HitRows[] levels;
+    /** Rows of each level, of pixel centers and of finer samples; allocated on first use. */
+    private final HitRows[] centerLevels;
+    private final HitRows[] sampleLevels;
+    /** Those of the current rays. */
+    private HitRows[] levels;
     private final LightLayer[] layers;
     private final float[][] samples;
+    /** Colors by which edges are detected; null without edge detection. */
+    private final float[][] edgeColors;
+    private final SampleCells firstCells;
+    private final SampleCells restCells;
     private long eyeRays;
     private long bounceRays;
 
     /** Data needed for the first level, or for the levels in mirrors. */
     private static final class LevelContext {
         private final WeightedLight[] lights;
+        private final WeightedLight[] edgeLights;
         private final Scene scene;
         private final World world;
         private final MaterialTable materials;
         private final TileVisibility visibility;
         private final LightKernel kernel;
         private final TileComposer composer;
+        /** Composes the colors by which edges are detected. */
+        private final TileComposer edgeComposer;
 
         LevelContext(Geometry geometry, Scene scene, Engine engine, Tracer tracer) {
             lights = WeightedLight.ofScene(scene);
+            edgeLights = Arrays.stream(lights).map(WeightedLight::forEdges).toArray(WeightedLight[]::new);
             this.scene = scene;
             world = scene.world();
             materials = geometry.materials();
             visibility = new TileVisibility(geometry, scene, tracer);
             kernel = new LightKernel(geometry, tracer, engine.terms(), ViewEffects.ALL);
             composer = new TileComposer(materials, engine.sums(), ViewEffects.ALL);
+            edgeComposer = new TileComposer(materials, engine.sums(), ViewEffects.ALL);
         }
     }
+
+    /**
+     * Colors of the rays that bounce from the rows of a level.
+     *
+     * @param edges the same as edge detection sees them; null without edge detection
+     */
+    private record BouncedColors(BounceImages colors, BounceImages edges) {}
 
     TileTracer(Geometry geometry, Geometry mirroredGeometry, RenderedScenes scenes, SamplingSettings sampling, Engine engine) {
         this.sampling = sampling;
@@ -70,9 +91,14 @@ final class TileTracer {
         eyeLevel = new LevelContext(geometry, scenes.scene(), engine, tracer);
         mirrorLevels =
                 scenes.mirrored() == scenes.scene() ? eyeLevel : new LevelContext(mirroredGeometry, scenes.mirrored(), engine, tracer);
-        levels = new HitRows[depth + 1];
+        centerLevels = new HitRows[depth + 1];
+        sampleLevels = new HitRows[depth + 1];
         layers = new LightLayer[Math.max(eyeLevel.lights.length, mirrorLevels.lights.length)];
         samples = sampling.isSupersampled() ? new float[3][Film.TILE_PIXELS] : null;
+        boolean detectsEdges = sampling.antialias() == AntialiasMode.EDGES;
+        edgeColors = detectsEdges ? new float[3][Film.TILE_PIXELS] : null;
+        firstCells = detectsEdges ? SampleCells.first(sampling.grid()) : SampleCells.all(sampling.grid());
+        restCells = SampleCells.rest(sampling.grid());
     }
 
     /** Returns the rays cast so far. */
@@ -86,82 +112,112 @@ final class TileTracer {
         traceCenters(film, tile, false, progress);
     }
 
-    /** Traces the centers of a tile's pixels; returns their edge codes. */
-    EdgeCodes traceCentersWithCodes(Film film, int tile, Progress progress) {
-        coder.begin();
+    /** Traces the centers of a tile's pixels; returns the colors by which edges are detected. */
+    EdgeColors traceCentersWithEdges(Film film, int tile, Progress progress) {
         traceCenters(film, tile, true, progress);
-        return coder.build();
+        return new EdgeColors(EdgeColors.pack(edgeColors), null);
     }
 
     private void traceCenters(Film film, int tile, boolean detectEdges, Progress progress) {
         int x0 = tile % film.tilesX() * Film.TILE_SIZE;
         int y0 = tile / film.tilesX() * Film.TILE_SIZE;
+        levels = centerLevels;
         eyeLevel.visibility.traceEyeRays(x0, y0, Film.TILE_SIZE, (count, textured, clear) -> levelRows(0));
         eyeRays += (long) Math.min(Film.TILE_SIZE, film.width() - x0) * Math.min(Film.TILE_SIZE, film.height() - y0);
-        composeTile(SamplePositions.centers(x0, y0), detectEdges, new float[][] {film.red(tile), film.green(tile), film.blue(tile)},
-                progress);
+        composeTile(SamplePositions.centers(x0, y0), detectEdges, tileColors(film, tile), progress);
     }
 
-    /** Traces all samples of some pixels of a tile; {@code pixels} are ascending indices in the tile. */
+    private static float[][] tileColors(Film film, int tile) {
+        return new float[][] {film.red(tile), film.green(tile), film.blue(tile)};
+    }
+
+    /** Traces the samples of some pixels of a tile; {@code pixels} are ascending indices in the tile. */
     void traceSamples(Film film, int tile, short[] pixels, Progress progress) {
-        int x0 = tile % film.tilesX() * Film.TILE_SIZE;
-        int y0 = tile / film.tilesX() * Film.TILE_SIZE;
-        float[][] pixel = {film.red(tile), film.green(tile), film.blue(tile)};
-        int batchSize = SampleMean.pixelsPerBatch(sampling.samplesPerPixel());
+        boolean refines = edgeColors != null && restCells.count() > 0;
+        BitSet refined = new BitSet();
+        forEachBatch(film, tile, pixels, firstCells, refines, (batch, colors) -> {
+            float[][] pixel = tileColors(film, tile);
+            float[][] means = SampleMean.ofPixels(batch.length, firstCells.count(), colors);
+            int[] packed = refines ? EdgeColors.pack(edgeColors) : null;
+            for (int i = 0; i < batch.length; i++) {
+                for (int c = 0; c < 3; c++) {
+                    pixel[c][batch[i]] = means[c][i];
+                }
+                refined.set(batch[i], refines && EdgeColors.differ(packed, i * firstCells.count(), firstCells.count()));
+            }
+        }, progress);
+        short[] rest = new short[refined.cardinality()];
+        for (int i = 0, pixel = refined.nextSetBit(0); pixel >= 0; pixel = refined.nextSetBit(pixel + 1)) {
+            rest[i++] = (short) pixel;
+        }
+        forEachBatch(film, tile, rest, restCells, false, (batch, colors) -> {
+            float[][] pixel = tileColors(film, tile);
+            float[][] means = SampleMean.ofPixels(batch.length, restCells.count(), colors);
+            for (int i = 0; i < batch.length; i++) {
+                for (int c = 0; c < 3; c++) {
+                    pixel[c][batch[i]] =
+                            SampleMean.combine(pixel[c][batch[i]], firstCells.count(), means[c][i], restCells.count());
+                }
+            }
+        }, progress);
+    }
+
+    /** Traces samples of pixels in batches; the consumer receives the pixels of each batch and the colors of their samples. */
+    private void forEachBatch(Film film, int tile, short[] pixels, SampleCells cells, boolean detectEdges,
+            BiConsumer<short[], float[][]> consumer, Progress progress) {
+        int batchSize = pixels.length == 0 ? 0 : SampleMean.pixelsPerBatch(cells.count());
+        levels = sampleLevels;
         for (int from = 0; from < pixels.length && !progress.isCanceled(); from += batchSize) {
-            int to = Math.min(pixels.length, from + batchSize);
-            var places = new SamplePositions(x0, y0, pixels, from, to, sampling.grid());
+            short[] batch = Arrays.copyOfRange(pixels, from, Math.min(pixels.length, from + batchSize));
+            var places = new SamplePositions(tile % film.tilesX() * Film.TILE_SIZE, tile / film.tilesX() * Film.TILE_SIZE, batch, cells);
             eyeLevel.visibility.traceSamples(places, (count, textured, clear) -> levelRows(0));
-            eyeRays += (long) (to - from) * sampling.samplesPerPixel();
-            composeTile(places, false, samples, progress);
-            SampleMean.write(pixels, from, to, sampling.samplesPerPixel(), samples, pixel);
+            eyeRays += places.count();
+            composeTile(places, detectEdges, samples, progress);
+            consumer.accept(batch, samples);
         }
     }
 
     /** Composes the colors of the first level's rows. */
     private void composeTile(SamplePositions places, boolean detectEdges, float[][] colors, Progress progress) {
-        if (detectEdges) {
-            coder.addShapes(0, 0, levels[0], eyeLevel.materials);
-        }
-        BounceImages images = traceImages(0, 0, detectEdges, progress);
+        BouncedColors images = traceImages(0, detectEdges, progress);
         eyeLevel.composer.fillBackground(levels[0], eyeLevel.scene, places, colors);
-        compose(eyeLevel, 0, 0, detectEdges, images, colors, progress);
+        if (detectEdges) {
+            eyeLevel.edgeComposer.fillBackground(levels[0], eyeLevel.scene, places, edgeColors);
+        }
+        compose(eyeLevel, 0, images, colors, detectEdges ? edgeColors : null, progress);
     }
 
     /** Traces the rays that bounce from the rows of a level; returns their colors. */
-    private BounceImages traceImages(int level, int nodeIndex, boolean detectEdges, Progress progress) {
+    private BouncedColors traceImages(int level, boolean detectEdges, Progress progress) {
         HitRows rows = levels[level];
         if (level == depth || rows.reflectiveCount == 0) {
-            return mirrorLevels.composer.blackImages(rows, level);
+            return new BouncedColors(mirrorLevels.composer.blackImages(rows, level),
+                    detectEdges ? mirrorLevels.edgeComposer.blackImages(rows, level) : null);
         }
         BounceImages images = mirrorLevels.composer.backgroundImages(rows, mirrorLevels.world, level);
+        BounceImages edges = detectEdges ? mirrorLevels.edgeComposer.backgroundImages(rows, mirrorLevels.world, level) : null;
         for (BounceKind bounce : BounceKind.values()) {
             if (bounce.rowCount(rows) > 0 && !progress.isCanceled()) {
-                int childIndex = EdgeCodeBuilder.childIndex(nodeIndex, bounce);
                 mirrorLevels.visibility.traceBounceRays(rows, bounce, null, (count, textured, clear) -> levelRows(level + 1));
                 bounceRays += mirrorLevels.visibility.rayCount();
-                if (detectEdges) {
-                    coder.addShapes(level + 1, childIndex, levels[level + 1], mirrorLevels.materials);
-                }
-                BounceImages below = traceImages(level + 1, childIndex, detectEdges, progress);
-                compose(mirrorLevels, level + 1, childIndex, detectEdges, below, images.forBounce(bounce), progress);
+                BouncedColors below = traceImages(level + 1, detectEdges, progress);
+                compose(mirrorLevels, level + 1, below, images.forBounce(bounce), detectEdges ? edges.forBounce(bounce) : null, progress);
             }
         }
-        return images;
+        return new BouncedColors(images, edges);
     }
 
-    private void compose(LevelContext side, int level, int nodeIndex, boolean detectEdges, BounceImages images, float[][] to,
-            Progress progress) {
+    /** @param edgeTo receives the colors by which edges are detected; null without edge detection */
+    private void compose(LevelContext side, int level, BouncedColors images, float[][] to, float[][] edgeTo, Progress progress) {
         columns.reset();
         for (int l = 0; l < side.lights.length && !progress.isCanceled(); l++) {
-            LightRows layer = side.lights[l].isDark() ? null : side.kernel.recompute(levels[level], side.lights[l].source(), columns);
-            layers[l] = layer;
-            if (detectEdges && layer != null) {
-                coder.addLight(level, nodeIndex, l, levels[level], layer, side.materials);
-            }
+            layers[l] = side.lights[l].isDark() ? null : side.kernel.recompute(levels[level], side.lights[l].source(), columns);
         }
         if (!progress.isCanceled()) {
-            side.composer.composeLevel(levels[level], side.lights, layers, null, side.world, images, to);
+            side.composer.composeLevel(levels[level], side.lights, layers, null, side.world, images.colors(), to);
+            if (edgeTo != null) {
+                side.edgeComposer.composeLevel(levels[level], side.edgeLights, layers, null, side.world, images.edges(), edgeTo);
+            }
         }
     }
 
@@ -169,7 +225,7 @@ final class TileTracer {
         if (levels[k] == null) {
             levels[k] = new HitRows(Film.TILE_PIXELS, true,
                     eyeLevel.materials.transparentCount() > 0 || mirrorLevels.materials.transparentCount() > 0,
-                    sampling.antialias() == AntialiasMode.EDGES,
+                    levels == sampleLevels,
                     WeightedLight.hasLinked(eyeLevel.lights) || WeightedLight.hasLinked(mirrorLevels.lights));
         }
         return levels[k];

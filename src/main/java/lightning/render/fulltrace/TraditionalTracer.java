@@ -8,7 +8,7 @@ import lightning.render.engine.EngineChoice;
 import lightning.render.engine.EngineWorkers;
 import lightning.render.engine.choice.Engines;
 import lightning.render.image.Film;
-import lightning.render.shading.EdgeCodes;
+import lightning.render.shading.EdgeColors;
 import lightning.render.shading.EdgeDetector;
 import lightning.render.shading.RayCounts;
 import lightning.render.shading.RenderedScenes;
@@ -111,22 +111,22 @@ public final class TraditionalTracer {
 
     /** Traces all centers first, those of neighboring tiles too, to find edges; then traces the pixels on an edge with all samples. */
     private void traceEdges(Film film, WorkerPool workers, List<EngineWorkers<TileTracer>> threads, int[] tiles, Progress progress) {
-        int[] codedTiles = EdgeDetector.addNeighborTiles(film, tiles);
+        int[] edgeTiles = EdgeDetector.addNeighborTiles(film, tiles);
         boolean[] target = new boolean[film.tileCount()];
         for (int tile : tiles) {
             target[tile] = true;
         }
-        EdgeCodes[] codes = new EdgeCodes[film.tileCount()];
-        // Tiles that are traced only for their codes go to a scratch film.
-        Film scratchFilm = codedTiles.length == tiles.length ? film : Film.black(film.width(), film.height());
-        workers.run(codedTiles.length, (worker, i) -> {
-            int tile = codedTiles[i];
-            codes[tile] = threads.get(worker).forTile(tile).traceCentersWithCodes(target[tile] ? film : scratchFilm, tile, progress);
-        }, progress.subProgress(0, codedTiles.length + tiles.length));
-        EdgeDetector map = new EdgeDetector(film.width(), film.height(), codes);
+        EdgeColors[] colors = new EdgeColors[film.tileCount()];
+        // Tiles that are traced only for their colors go to a scratch film.
+        Film scratchFilm = edgeTiles.length == tiles.length ? film : Film.black(film.width(), film.height());
+        workers.run(edgeTiles.length, (worker, i) -> {
+            int tile = edgeTiles[i];
+            colors[tile] = threads.get(worker).forTile(tile).traceCentersWithEdges(target[tile] ? film : scratchFilm, tile, progress);
+        }, progress.subProgress(0, edgeTiles.length + tiles.length));
+        EdgeDetector map = new EdgeDetector(film.width(), film.height(), colors);
         workers.run(tiles.length,
                 (worker, i) -> threads.get(worker).forTile(tiles[i]).traceSamples(film, tiles[i], map.edges(tiles[i]), progress),
-                progress.subProgress(codedTiles.length, codedTiles.length + tiles.length));
+                progress.subProgress(edgeTiles.length, edgeTiles.length + tiles.length));
     }
 
     private List<EngineWorkers<TileTracer>> createTracers(WorkerPool workers) {

@@ -62,7 +62,6 @@ record CacheConversion(PixelCache cache, RenderOptions options) {
                 EngineWorkers.perThread(workers.count(), options.engines(), engine -> new TileConverter(cache, options, engine));
         CachedTile[] tiles = new CachedTile[cache.tileCount()];
         FineTile[] fine = new FineTile[cache.fineCount()];
-        int grid = cache.scene().picture().sampling().grid();
         int tilesX = Film.tilesAlong(cache.scene().picture().width());
         workers.run(Math.max(tiles.length, fine.length), (worker, i) -> {
             SamplePositions centers = SamplePositions.centers(i % tilesX * Film.TILE_SIZE, i / tilesX * Film.TILE_SIZE);
@@ -72,7 +71,7 @@ record CacheConversion(PixelCache cache, RenderOptions options) {
             }
             if (fine.length > 0) {
                 FineTile tile = cache.fineTile(i).map(center, centers,
-                        (places, block) -> threads.get(worker).forTile(i).convert(places, block, top, mirrors), grid);
+                        (places, block) -> threads.get(worker).forTile(i).convert(places, block, top, mirrors));
                 fine[i] = options.accuracy().isExact() ? tile.withoutColors() : tile;
             }
         }, progress);
@@ -141,7 +140,7 @@ record CacheConversion(PixelCache cache, RenderOptions options) {
             BounceImages images = scratch == null ? null : scratch.compact(levels[0].rows());
             return new CachedTile(levels, old.hitShapes, images,
                     recomposer.composeFilm(levels[0], top.lights(), top.scene(), places, images),
-                    old.codes);
+                    old.edges);
         }
 
         WorkCounts work() {

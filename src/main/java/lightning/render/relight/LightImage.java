@@ -52,12 +52,11 @@ public final class LightImage {
         WeightedLight[] mirrors = WeightedLight.ofScene(scene(cache.mirroredScene(), light));
         List<EngineWorkers<TileRecomposer>> recomposers = EngineWorkers.perThread(workers.count(), options.engines(),
                 engine -> new TileRecomposer(cache, engine, options.view()));
-        int perPixel = scene.picture().sampling().samplesPerPixel();
         float[][][] films = new float[Math.max(cache.tileCount(), cache.fineCount())][][];
         workers.run(films.length, (worker, i) -> {
             Function<CachedTile, float[][]> share = tile -> tileImage(tile, recomposers.get(worker).forTile(i), top, mirrors, scene);
             CachedTile center = cache.tileCount() == 0 ? null : cache.tile(i);
-            films[i] = cache.fineCount() == 0 ? share.apply(center) : cache.fineTile(i).film(center, share, perPixel);
+            films[i] = cache.fineCount() == 0 ? share.apply(center) : cache.fineTile(i).film(center, share);
         }, progress);
         return film(scene, films);
     }

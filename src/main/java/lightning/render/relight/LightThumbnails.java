@@ -4,11 +4,11 @@ import java.util.Arrays;
 import lightning.render.cache.CachedTile;
 import lightning.render.cache.FineSamples;
 import lightning.render.cache.PixelCache;
+import lightning.render.cache.SampleBlock;
 import lightning.render.cache.TileLevel;
 import lightning.render.image.Film;
 import lightning.render.shading.LightLayer;
 import lightning.render.shading.RowContribution;
-import lightning.render.shading.SampleMean;
 import lightning.render.shading.WeightedLight;
 import lightning.render.trace.BounceKind;
 import lightning.render.trace.HitRows;
@@ -118,16 +118,14 @@ public final class LightThumbnails {
             levels.renderTile(cache.tile(index), target, part, lightImages);
             return;
         }
-        FineSamples all = cache.fineTile(index).shapes();
-        int perPixel = scene.picture().sampling().samplesPerPixel();
-        int batchSize = SampleMean.pixelsPerBatch(perPixel);
-        for (int b = 0; b < all.blocks().length; b++) {
+        FineSamples all = cache.fineTile(index).first();
+        for (SampleBlock block : all.blocks()) {
             short[] first = new short[Film.TILE_PIXELS];
             Arrays.fill(first, (short) -1);
-            for (int i = b * batchSize; i < Math.min(all.pixels().length, (b + 1) * batchSize); i++) {
-                first[(i - b * batchSize) * perPixel] = target[all.pixels()[i]];
+            for (int i = 0; i < block.pixels().length; i++) {
+                first[i * all.cells().count()] = target[block.pixels()[i]];
             }
-            levels.renderTile(all.blocks()[b], first, part, lightImages);
+            levels.renderTile(block.rows(), first, part, lightImages);
         }
     }
 

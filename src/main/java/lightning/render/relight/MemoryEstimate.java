@@ -8,6 +8,7 @@ import lightning.render.relight.tile.MirrorStorage;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.render.trace.HitRows.ColumnGroup;
 import lightning.render.trace.MeshMemory;
+import lightning.render.trace.SampleCells;
 import lightning.scene.AntialiasMode;
 import lightning.scene.Material;
 import lightning.scene.PictureSettings;
@@ -37,12 +38,12 @@ public final class MemoryEstimate {
         SamplingSettings sampling = picture.sampling();
         boolean mirrors = picture.depth() > 0 && scene.materials().stream().anyMatch(Material::spawnsSecondaryRays);
         boolean clear = mirrors && scene.materials().stream().anyMatch(m -> m.transmission().isTransparent());
-        boolean edges = sampling.antialias() == AntialiasMode.EDGES;
         boolean tinted = scene.materials().stream().anyMatch(m -> m.transmission().tintsShadows());
         boolean metallic = scene.materials().stream().anyMatch(Material::isMetallic);
         long lights =
                 scene.rig().effectiveLights().stream().mapToLong(light -> options.method().bytesPerRow(light, metallic, tinted)).sum();
-        long row = ColumnGroup.HIT.bytesPerRow() + ColumnGroup.TEXEL.bytesPerRow() + (edges ? ColumnGroup.CODE.bytesPerRow() : 0)
+        long row = ColumnGroup.HIT.bytesPerRow() + ColumnGroup.TEXEL.bytesPerRow()
+                + (sampling.isSupersampled() ? ColumnGroup.PATTERN.bytesPerRow() : 0)
                 + (scene.lights().stream().allMatch(l -> l.illuminates().isAll()) ? 0 : ColumnGroup.OWNER.bytesPerRow())
                 + (clear ? ColumnGroup.TRANSPARENT.bytesPerRow() : 0) + lights;
         // A clear surface sends two rays, and each of these may send two again.
@@ -57,8 +58,8 @@ public final class MemoryEstimate {
         // Samples store their colors if errors are bounded.
         long colored = !options.accuracy().isExact() ? samples : sampling.antialias() == AntialiasMode.EVERY ? 0 : 1;
         return pixels(picture)
-                * (samples * (row + mirrored) + colored * BYTES_PER_COLOR + edgeCodeBytes(sampling)
-                        + (sampling.isSupersampled() ? BYTES_PER_COLOR : 0));
+                * (samples * (row + mirrored) + colored * BYTES_PER_COLOR + edgeColorBytes(sampling)
+                        + (sampling.isSupersampled() ? 3 * BYTES_PER_COLOR : 0));
     }
 
     /** Returns the bytes of a cached picture: columns, colors and film. */
@@ -85,9 +86,9 @@ public final class MemoryEstimate {
         return (side + Film.TILE_SIZE - 1L) / Film.TILE_SIZE * Film.TILE_SIZE;
     }
 
-    /** Returns the bytes of edge codes per pixel. */
-    private static long edgeCodeBytes(SamplingSettings sampling) {
-        return sampling.antialias() == AntialiasMode.EDGES ? 4L * Integer.BYTES : 0;
+    /** Returns the bytes of the colors of a pixel's center and of its first samples by which edges are detected. */
+    private static long edgeColorBytes(SamplingSettings sampling) {
+        return sampling.antialias() == AntialiasMode.EDGES ? (1L + SampleCells.first(sampling.grid()).count()) * Integer.BYTES : 0;
     }
 
     /**
@@ -127,7 +128,7 @@ public final class MemoryEstimate {
      * @throws PictureTooLargeException if the film needs more
      */
     public static void checkFilm(PictureSettings picture, long memory) {
-        long each = BYTES_PER_COLOR + edgeCodeBytes(picture.sampling());
+        long each = BYTES_PER_COLOR + edgeColorBytes(picture.sampling());
         long required = pixels(picture) * each;
         if (required > memory) {
             double shrink = Math.sqrt((double) Math.max(memory, 0) / required);

@@ -79,12 +79,12 @@ final class AreaLightKernel {
         shadowCaster = links.shadowCaster(source);
         byte[] state = columns.states(rows.count);
         Arrays.fill(state, 0, rows.count, LightRows.FACING_AWAY);
-        computeRotations(rows);
+        computePatterns(rows);
         if (rows.count > 0 && !source.type().hasCone()) {
             return recomputeWithoutCone(rows, source, state, columns);
         }
         findVisibleSamples(rows, source);
-        for (int s = 0; s < source.samples().samples(); s++) {
+        for (int s = 0; s < source.samples(rows).samples(); s++) {
             Arrays.fill(unblocked[s], 0);
         }
         castAll(rows, source, anyInside);
@@ -97,7 +97,7 @@ final class AreaLightKernel {
         begin(rows, source);
         shadowCaster.aim(rows, source, shadowRays);
         beginTints();
-        for (int s = 0; s < source.samples().samples(); s++) {
+        for (int s = 0; s < source.samples(rows).samples(); s++) {
             aim(rows, source, s, mayFace);
             findVisibleRows(rows, source, s);
             castSample(rows, source, s, inside[s]);
@@ -108,7 +108,7 @@ final class AreaLightKernel {
                 mayFace[b] &= ~(shadowCaster.fullyOccluded()[b] & anyInside[b]);
             }
             if (hasTint) {
-                shadowCaster.accumulateTints(rows, shadowRays, source.samples(), s, unblocked[s], tintSum);
+                shadowCaster.accumulateTints(rows, shadowRays, source.samples(rows), s, unblocked[s], tintSum);
             }
             accumulate(rows, source, s, unblocked[s]);
         }
@@ -147,7 +147,7 @@ final class AreaLightKernel {
             return recomputeTerms(rows, source, before, columns);
         }
         shadowCaster = links.shadowCaster(source);
-        computeRotations(rows);
+        computePatterns(rows);
         findVisibleSamples(rows, source);
         byte[] state = columns.states(rows.count);
         System.arraycopy(before.state, 0, state, 0, rows.count);
@@ -168,21 +168,19 @@ final class AreaLightKernel {
         if (before.litCount() == 0) {
             return LightRows.unlit(before.states(), before.visibleSamples()).withTint(before.tint());
         }
-        computeRotations(rows);
+        computePatterns(rows);
         unpackVisibleSamples(rows, source, before.visibleSamples());
         RowBits.selectState(before.states(), rows.count, LightRows.LIT, anyLit);
         return meanTerms(rows, source, before.states(), before.visibleSamples(), columns).withTint(before.tint());
     }
 
-    private void computeRotations(HitRows rows) {
-        for (int i = 0; i < rows.count; i++) {
-            shadowRays.rotation[i] = AreaSamples.rotation(rows.px[i], rows.py[i], rows.pz[i]);
-        }
+    private void computePatterns(HitRows rows) {
+        AreaSamples.writePatterns(rows, shadowRays);
     }
 
     /** Aims the terms of a set of rows at sample {@code s}; stores the cosines. */
     private void aim(HitRows rows, LightSource source, int s, int[] rowSet) {
-        terms.aim(rows, source, s, shadowRays.rotation, rowSet, cosine, facing[s]);
+        terms.aim(rows, source, s, shadowRays, rowSet, cosine, facing[s]);
         if (source.hasCone()) {
             terms.computeConeCosines(rows, source);
         }
@@ -191,7 +189,7 @@ final class AreaLightKernel {
     /** Finds for each sample the rows that face it and are in its cone. */
     private void findVisibleSamples(HitRows rows, LightSource source) {
         begin(rows, source);
-        for (int s = 0; s < source.samples().samples(); s++) {
+        for (int s = 0; s < source.samples(rows).samples(); s++) {
             aim(rows, source, s, mayFace);
             findVisibleRows(rows, source, s);
         }
@@ -221,7 +219,7 @@ final class AreaLightKernel {
         }
         shadowCaster.aim(rows, source, shadowRays);
         beginTints();
-        for (int s = 0; s < source.samples().samples(); s++) {
+        for (int s = 0; s < source.samples(rows).samples(); s++) {
             for (int b = 0; b < words; b++) {
                 chosen[b] = facing[s][b] & rowSet[b];
             }
@@ -231,7 +229,7 @@ final class AreaLightKernel {
                 unblocked[s][b] |= chosen[b];
             }
             if (hasTint) {
-                shadowCaster.accumulateTints(rows, shadowRays, source.samples(), s, chosen, tintSum);
+                shadowCaster.accumulateTints(rows, shadowRays, source.samples(rows), s, chosen, tintSum);
             }
         }
     }
@@ -254,7 +252,7 @@ final class AreaLightKernel {
         float[][] to = TintTracer.startColumns(rows, before, columns);
         for (int i = 0; i < rows.count; i++) {
             int freeCount = 0;
-            for (int s = 0; s < source.samples().samples() && RowBits.contains(recomputed, i); s++) {
+            for (int s = 0; s < source.samples(rows).samples() && RowBits.contains(recomputed, i); s++) {
                 freeCount += RowBits.contains(unblocked[s], i) ? 1 : 0;
             }
             for (int c = 0; c < 3 && freeCount > 0; c++) {
@@ -267,19 +265,19 @@ final class AreaLightKernel {
     /** Casts shadow rays from chosen rows to sample {@code s}; stores the rows whose ray is blocked. */
     private void castSample(HitRows rows, LightSource source, int s, int[] rowSet) {
         terms.aimShadowRays(rows, source, s, hasTint ? rowSet : shadowCaster.uncertainRows(rows, rowSet), shadowRays);
-        computeTargets(rows, s);
+        computeTargets(rows, source.samples(rows), s);
         shadowCaster.cast(rows, shadowRays, rowSet, blocked);
     }
 
-    private void computeTargets(HitRows rows, int s) {
+    private void computeTargets(HitRows rows, AreaSamples samples, int s) {
         for (int i = 0; i < rows.count && !shadowRays.isOffSurface; i++) {
-            shadowRays.target[i] = shadowCaster.target(AreaSamples.index(s, shadowRays.rotation[i]));
+            shadowRays.target[i] = shadowCaster.target(samples.index(s, shadowRays.pattern[i]));
         }
     }
 
     /** Reads the stored visibility of all samples. */
     private void unpackVisibleSamples(HitRows rows, LightSource source, short[][] visibleSamples) {
-        int samples = source.samples().samples();
+        int samples = source.samples(rows).samples();
         for (int first = 0; first < samples; first += LightRows.SAMPLES_PER_COLUMN) {
             short[] column = visibleSamples == null ? null : visibleSamples[first / LightRows.SAMPLES_PER_COLUMN];
             for (int b = 0; b < RowBits.words(rows.count); b++) {
@@ -310,7 +308,7 @@ final class AreaLightKernel {
         Arrays.fill(anyLit, 0);
         Arrays.fill(anyUnblocked, 0);
         int words = RowBits.words(rows.count);
-        for (int s = 0; s < source.samples().samples(); s++) {
+        for (int s = 0; s < source.samples(rows).samples(); s++) {
             for (int b = 0; b < words; b++) {
                 anyUnblocked[b] |= unblocked[s][b];
                 anyLit[b] |= unblocked[s][b] & inside[s][b];
@@ -327,7 +325,7 @@ final class AreaLightKernel {
     }
 
     private short[][] packVisibleSamples(HitRows rows, LightSource source, ColumnAllocator columns) {
-        int samples = source.samples().samples();
+        int samples = source.samples(rows).samples();
         short[][] visibleSamples = new short[(samples - 1) / LightRows.SAMPLES_PER_COLUMN + 1][];
         for (int k = 0; k < visibleSamples.length; k++) {
             visibleSamples[k] = columns.shorts(rows.count);
@@ -352,7 +350,7 @@ final class AreaLightKernel {
         if (RowBits.count(anyLit, rows.count) == 0) {
             return LightRows.unlit(state, visibleSamples);
         }
-        int samples = source.samples().samples();
+        int samples = source.samples(rows).samples();
         beginSums(rows, source);
         for (int s = 0; s < samples; s++) {
             aim(rows, source, s, anyLit);
@@ -405,11 +403,12 @@ final class AreaLightKernel {
             terms.falloffs(rows, source, falloff);
             return;
         }
-        AngularMask[] doors = new AngularMask[AreaSamples.ROTATIONS];
-        Arrays.setAll(doors, t -> AngularMask.of(source.sample(t, s)));
+        AreaSamples samples = source.samples(rows);
+        AngularMask[] doors = new AngularMask[samples.patterns];
+        Arrays.setAll(doors, t -> AngularMask.of(source.at(samples.position(t, s))));
         terms.unroundedFalloffs(rows, source, factors);
         for (int i = 0; i < rows.count; i++) {
-            falloff[i] = (float) (factors[i] * doors[(int) shadowRays.rotation[i]].factor(rows.px[i], rows.py[i], rows.pz[i]));
+            falloff[i] = (float) (factors[i] * doors[shadowRays.pattern[i]].factor(rows.px[i], rows.py[i], rows.pz[i]));
         }
     }
 
@@ -418,7 +417,7 @@ final class AreaLightKernel {
         if (lit == 0) {
             return LightRows.unlit(state, visibleSamples);
         }
-        int samples = source.samples().samples();
+        int samples = source.samples(rows).samples();
         return new LightRows(state, meanColumn(diffuseSum, samples, rows, columns),
                 hasSpecular ? meanColumn(specularSum, samples, rows, columns) : null,
                 hasMetallic ? meanColumn(grazingSum, samples, rows, columns) : null, null, visibleSamples, lit);

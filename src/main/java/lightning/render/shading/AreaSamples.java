@@ -2,6 +2,9 @@ package lightning.render.shading;
 
 import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
+import lightning.render.trace.HitRows;
+import lightning.render.trace.RowShadowRays;
+import lightning.render.trace.SamplePattern;
 import lightning.scene.AreaShape;
 import lightning.scene.Light;
 import lightning.scene.LightType;
@@ -11,26 +14,34 @@ import lightning.scene.LightType;
  * samples.
  *
  * <p>Sample s of n is a point of the unit square: ((s + ½)/n + a, s·0.618… + b), both modulo 1, where 0.618… is the golden section.
- * Each row uses one of {@link #ROTATIONS} pairs (a, b), its <em>rotation</em> (Cranley and Patterson 1976), chosen by a hash of its
- * point. Neighboring rows use different samples, and the same image always uses the same ones. Rotation t is (t·0.754…, t·0.569…),
- * the first two powers of the reciprocal of the plastic number (Roberts 2018). The square maps to
+ * Each row uses one of several pairs (a, b), its <em>rotation</em> (Cranley and Patterson 1976). Neighboring rows use different
+ * samples, and the same image always uses the same ones. Rotation t is (t·0.754…, t·0.569…), the first two powers of the reciprocal
+ * of the plastic number (Roberts 2018). The square maps to
  * <ul>
  * <li>a rectangle unchanged;
  * <li>a disc by (√u, 2πv) in polar coordinates;
  * <li>the sphere of a point or spot light by height 1 − 2u along y and longitude 2πv (Archimedes);
  * <li>a cap of directions by cosine 1 − u·(1 − cos spread) and longitude 2πv.
  * </ul>
+ *
+ * <p>A row of a pixel center uses all n samples, in one of {@link #ROTATIONS} rotations, chosen by a hash of its point. A finer
+ * sample of a pixel uses a part of the samples: every k-th of k·m, where k is the number of parts and m the smallest number for
+ * which the pixel has at least {@link #FINE_SHARE} times n ({@link SamplePattern}).
  */
 public final class AreaSamples {
-    /** Number of rotations of the sample pattern. */
+    /** Number of rotations of pixel centers. */
     public static final int ROTATIONS = 16;
+    /** All finer samples of a pixel together have at least this many times the samples of its center. */
+    private static final int FINE_SHARE = 2;
 
     private static final double GOLDEN = 0.6180339887498949;
     private static final double PLASTIC = 0.7548776662466927;
     private static final double PLASTIC_SQUARED = 0.5698402909980532;
 
     private final int count;
-    /** Coordinates of sample s in rotation t at {@code ROTATIONS·s + t}; must not be modified. */
+    /** Number of patterns: rotations, for finer samples times parts. */
+    public final int patterns;
+    /** Coordinates of sample s in pattern t at {@code patterns·s + t}; must not be modified. */
     public final double[] x;
     public final double[] y;
     public final double[] z;
@@ -38,8 +49,9 @@ public final class AreaSamples {
     private final Vec3 min;
     private final Vec3 max;
 
-    private AreaSamples(Vec3 center, Vec3[] offsets) {
-        count = offsets.length / ROTATIONS;
+    private AreaSamples(Vec3 center, Vec3[] offsets, int patterns) {
+        this.patterns = patterns;
+        count = offsets.length / patterns;
         x = new double[offsets.length];
         y = new double[offsets.length];
         z = new double[offsets.length];
@@ -61,23 +73,44 @@ public final class AreaSamples {
     }
 
     /**
-     * Creates the samples of a light for which {@link Light#isArea} holds.
+     * Creates the samples that rows of pixel centers use.
      *
+     * @param light  a light for which {@link Light#isArea} holds
      * @param source the light's center, or the unit vector towards a directional light
      * @param axis   the unit direction in which the light shines
      */
-    static AreaSamples of(Light light, Vec3 source, Vec3 axis) {
+    static AreaSamples ofCenters(Light light, Vec3 source, Vec3 axis) {
+        return of(light, source, axis, light.area().samples(), 1, ROTATIONS);
+    }
+
+    /**
+     * Creates the samples that rows of finer samples use.
+     *
+     * @param grid samples along each side of a pixel
+     */
+    static AreaSamples ofFineSamples(Light light, Vec3 source, Vec3 axis, int grid) {
+        int parts = SamplePattern.parts(grid);
+        return of(light, source, axis, Math.ceilDiv(FINE_SHARE * light.area().samples(), parts), parts, SamplePattern.rotations(grid));
+    }
+
+    /**
+     * @param n     samples of a row
+     * @param parts number of parts of the whole sample pattern
+     */
+    private static AreaSamples of(Light light, Vec3 source, Vec3 axis, int n, int parts, int rotations) {
         AreaShape area = light.area();
-        int n = area.samples();
+        int patterns = parts * rotations;
         // Round shapes look the same for every up vector.
         Vec3 right = (light.type() == LightType.RECT ? area : AreaShape.DEFAULT).right(axis);
         Vec3 top = right.cross(axis);
-        Vec3[] offsets = new Vec3[n * ROTATIONS];
-        for (int t = 0; t < ROTATIONS; t++) {
-            for (int s = 0; s < n; s++) {
-                double u = fraction((s + 0.5) / n + t * PLASTIC);
+        Vec3[] offsets = new Vec3[n * patterns];
+        for (int pattern = 0; pattern < patterns; pattern++) {
+            int t = pattern / parts;
+            for (int i = 0; i < n; i++) {
+                int s = parts * i + pattern % parts;
+                double u = fraction((s + 0.5) / (n * parts) + t * PLASTIC);
                 double v = fraction(s * GOLDEN + t * PLASTIC_SQUARED);
-                offsets[ROTATIONS * s + t] = switch (light.type()) {
+                offsets[patterns * i + pattern] = switch (light.type()) {
                     case RECT -> right.times((u - 0.5) * area.width()).plus(top.times((v - 0.5) * area.height()));
                     case DISC -> onCircle(right, top, area.radius() * Math.sqrt(u), v);
                     case POINT, SPOT -> onCircle(new Vec3(1, 0, 0), new Vec3(0, 0, 1), area.radius() * 2 * Math.sqrt(u * (1 - u)), v)
@@ -90,7 +123,7 @@ public final class AreaSamples {
                 };
             }
         }
-        return new AreaSamples(source, offsets);
+        return new AreaSamples(source, offsets, patterns);
     }
 
     private static Vec3 onCircle(Vec3 right, Vec3 top, double radius, double rotation) {
@@ -109,9 +142,18 @@ public final class AreaSamples {
         return (h ^ h >>> 12) * 0x297A2D39 >>> 28;
     }
 
-    /** Returns the index of sample {@code s} in a rotation. */
-    public static int index(int s, double rotation) {
-        return ROTATIONS * s + (int) rotation;
+    /** Writes the pattern of each row, and 0 for lanes beyond the last row. */
+    static void writePatterns(HitRows rows, RowShadowRays rays) {
+        for (int i = 0; i < HitRows.paddedLength(rows.count); i++) {
+            rays.pattern[i] = i >= rows.count ? 0
+                    : rows.pattern == null ? rotation(rows.px[i], rows.py[i], rows.pz[i]) : rows.pattern[i] & 0xFF;
+            rays.patternLanes[i] = rays.pattern[i];
+        }
+    }
+
+    /** Returns the index of sample {@code s} in a pattern. */
+    public int index(int s, int pattern) {
+        return patterns * s + pattern;
     }
 
     /** Returns the number of samples of a row. */
@@ -119,9 +161,9 @@ public final class AreaSamples {
         return count;
     }
 
-    /** Returns the position of sample {@code s} in a rotation. */
-    Vec3 position(int rotation, int s) {
-        int i = ROTATIONS * s + rotation;
+    /** Returns the position of sample {@code s} in a pattern. */
+    Vec3 position(int pattern, int s) {
+        int i = index(s, pattern);
         return new Vec3(x[i], y[i], z[i]);
     }
 

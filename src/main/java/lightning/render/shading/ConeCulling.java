@@ -27,7 +27,7 @@ final class ConeCulling {
         double y = (box.low(1) + (double) box.high(1)) / 2 - position.y();
         double z = (box.low(2) + (double) box.high(2)) / 2 - position.z();
         double distance = Math.sqrt(x * x + y * y + z * z);
-        double extent = source.isArea() ? (1 + MARGIN) * source.samples().extent() : 0;
+        double extent = source.isArea() ? (1 + MARGIN) * source.extent() : 0;
         double sinBeta = (boundingRadius(box) + extent + ROUNDINGS * Math.ulp(maxCoordinate(box, position))) / distance;
         if (!(sinBeta < 1)) {
             return true;

@@ -4,24 +4,24 @@ import java.util.Arrays;
 import java.util.stream.IntStream;
 import lightning.render.image.Film;
 
-/** Finds the pixels that anti-aliasing samples: those with a different neighbor to the left, right, top or bottom. */
+/** Finds the pixels that anti-aliasing samples: those whose color differs visibly from a neighbor's to the left, right, top or bottom. */
 public final class EdgeDetector {
     private static final int SIDE = Film.TILE_SIZE;
 
     private final int width;
     private final int height;
     private final int tilesX;
-    private final EdgeCodes[] codes;
+    private final EdgeColors[] tiles;
 
     /**
      * @param width  width of the picture in pixels
      * @param height height of the picture in pixels
-     * @param codes  codes of its tiles, in the film's order; read on request
+     * @param tiles  colors of its tiles, in the film's order; read on request
      */
-    public EdgeDetector(int width, int height, EdgeCodes[] codes) {
+    public EdgeDetector(int width, int height, EdgeColors[] tiles) {
         this.width = width;
         this.height = height;
-        this.codes = codes;
+        this.tiles = tiles;
         tilesX = (width - 1) / SIDE + 1;
     }
 
@@ -51,56 +51,41 @@ public final class EdgeDetector {
         return IntStream.range(0, target.length).filter(i -> target[i]).toArray();
     }
 
-    /** Returns whether another detector finds the same edges in a tile because both read the same codes. */
+    /** Returns whether another detector finds the same edges in a tile because both read the same colors. */
     public boolean hasSameEdges(int tile, EdgeDetector other) {
         int x = tile % tilesX;
-        return codes[tile] == other.codes[tile] && neighbor(tile, -1, x > 0) == other.neighbor(tile, -1, x > 0)
-                && neighbor(tile, 1, x + 1 < tilesX) == other.neighbor(tile, 1, x + 1 < tilesX)
-                && neighbor(tile, -tilesX, true) == other.neighbor(tile, -tilesX, true)
-                && neighbor(tile, tilesX, true) == other.neighbor(tile, tilesX, true);
+        return colors(tile, true) == other.colors(tile, true) && colors(tile - 1, x > 0) == other.colors(tile - 1, x > 0)
+                && colors(tile + 1, x + 1 < tilesX) == other.colors(tile + 1, x + 1 < tilesX)
+                && colors(tile - tilesX, true) == other.colors(tile - tilesX, true)
+                && colors(tile + tilesX, true) == other.colors(tile + tilesX, true);
     }
 
-    private EdgeCodes neighbor(int tile, int step, boolean inside) {
-        int other = tile + step;
-        return inside && other >= 0 && other < codes.length ? codes[other] : null;
+    /** Returns the packed colors of a tile; null outside the picture. */
+    private int[] colors(int tile, boolean inside) {
+        return inside && tile >= 0 && tile < tiles.length ? tiles[tile].colors() : null;
     }
 
-    /** Returns the pixels of a tile at a shape edge, as ascending indices in the tile. */
-    public short[] shapeEdges(int tile) {
-        return edges(tile, true, false);
-    }
-
-    /** Returns the pixels of a tile at a light edge but not at a shape edge, as ascending indices in the tile. */
-    public short[] lightEdges(int tile) {
-        return edges(tile, false, true);
-    }
-
-    /** Returns the pixels of a tile at any edge, as ascending indices in the tile. */
+    /** Returns the pixels of a tile at an edge, as ascending indices in the tile. */
     public short[] edges(int tile) {
-        return edges(tile, true, true);
-    }
-
-    private short[] edges(int tile, boolean includesShapes, boolean includesLights) {
         int x0 = tile % tilesX * SIDE;
         int y0 = tile / tilesX * SIDE;
         int columns = Math.min(SIDE, width - x0);
         int lines = Math.min(SIDE, height - y0);
-        EdgeCodes own = codes[tile];
-        EdgeCodes left = neighbor(tile, -1, x0 > 0);
-        EdgeCodes right = neighbor(tile, 1, x0 + SIDE < width);
-        EdgeCodes above = neighbor(tile, -tilesX, true);
-        EdgeCodes below = neighbor(tile, tilesX, true);
+        int[] own = colors(tile, true);
+        int[] left = colors(tile - 1, x0 > 0);
+        int[] right = colors(tile + 1, x0 + SIDE < width);
+        int[] above = colors(tile - tilesX, true);
+        int[] below = colors(tile + tilesX, true);
         short[] found = new short[Film.TILE_PIXELS];
         int count = 0;
         for (int y = 0; y < lines; y++) {
             for (int x = 0; x < columns; x++) {
                 int i = y * SIDE + x;
-                boolean shape = differsFromNeighbor(own.shapes(), i, x, y, columns, lines, shapes(left), shapes(right), shapes(above),
-                        shapes(below));
-                boolean target = shape ? includesShapes : includesLights
-                        && differsFromNeighbor(own.lights(), i, x, y, columns, lines, lights(left), lights(right), lights(above),
-                                lights(below));
-                if (target) {
+                boolean isEdge = differ(own, i, x > 0 ? own : left, x > 0 ? i - 1 : i + SIDE - 1)
+                        || differ(own, i, x + 1 < columns ? own : right, x + 1 < columns ? i + 1 : i - x)
+                        || differ(own, i, y > 0 ? own : above, y > 0 ? i - SIDE : i + (SIDE - 1) * SIDE)
+                        || differ(own, i, y + 1 < lines ? own : below, y + 1 < lines ? i + SIDE : x);
+                if (isEdge) {
                     found[count++] = (short) i;
                 }
             }
@@ -108,21 +93,8 @@ public final class EdgeDetector {
         return Arrays.copyOf(found, count);
     }
 
-    private static int[] shapes(EdgeCodes codes) {
-        return codes == null ? null : codes.shapes();
-    }
-
-    private static int[] lights(EdgeCodes codes) {
-        return codes == null ? null : codes.lights();
-    }
-
-    private static boolean differsFromNeighbor(int[] own, int i, int x, int y, int columns, int lines, int[] left, int[] right, int[] above,
-            int[] below) {
-        int code = own[i];
-        boolean toLeft = x > 0 ? own[i - 1] != code : left != null && left[i + SIDE - 1] != code;
-        boolean toRight = x + 1 < columns ? own[i + 1] != code : right != null && right[i - x] != code;
-        boolean toTop = y > 0 ? own[i - SIDE] != code : above != null && above[i + (SIDE - 1) * SIDE] != code;
-        boolean toBottom = y + 1 < lines ? own[i + SIDE] != code : below != null && below[x] != code;
-        return toLeft || toRight || toTop || toBottom;
+    /** @param neighbor colors of the neighbor's tile; null if it is outside the picture */
+    private static boolean differ(int[] own, int i, int[] neighbor, int at) {
+        return neighbor != null && EdgeColors.differ(own[i], neighbor[at]);
     }
 }

@@ -2,6 +2,7 @@ package lightning.render.shading;
 
 import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
+import lightning.render.trace.HitRows;
 import lightning.scene.Light;
 import lightning.scene.LightType;
 import lightning.scene.Scene;
@@ -14,9 +15,12 @@ import lightning.scene.Scene;
  * @param axis     the unit direction in which the light shines
  * @param cosAngle cosine of the cone's half-angle; a surface light has a half-space
  * @param dropoff  exponent of the falloff from the axis; 1 for a surface (Lambert's cosine)
- * @param samples  samples of an area light; null for a point light, whose only sample is its position
+ * @param centerSamples samples of an area light that rows of pixel centers use; null for a point light, whose only sample is its
+ *     position
+ * @param fineSamples   samples that rows of finer samples use; null for a point light, and without anti-aliasing
  */
-public record LightSource(Light light, Vec3 position, Vec3 axis, double cosAngle, double dropoff, AreaSamples samples) {
+public record LightSource(Light light, Vec3 position, Vec3 axis, double cosAngle, double dropoff, AreaSamples centerSamples,
+        AreaSamples fineSamples) {
 
     /** Returns a light's source in the camera's render space. */
     public static LightSource of(Light light, Scene scene) {
@@ -24,7 +28,9 @@ public record LightSource(Light light, Vec3 position, Vec3 axis, double cosAngle
         Vec3 source = light.type().hasPosition() ? light.position().minus(scene.camera().origin()) : axis.negated();
         boolean surface = light.type().isSurface();
         return new LightSource(light, source, axis, surface ? 0 : Transform.cosDegrees(light.angle()), surface ? 1 : light.dropoff(),
-                light.isArea() ? AreaSamples.of(light, source, axis) : null);
+                light.isArea() ? AreaSamples.ofCenters(light, source, axis) : null,
+                light.isArea() && scene.picture().sampling().isSupersampled()
+                        ? AreaSamples.ofFineSamples(light, source, axis, scene.picture().sampling().grid()) : null);
     }
 
     public LightType type() {
@@ -33,7 +39,7 @@ public record LightSource(Light light, Vec3 position, Vec3 axis, double cosAngle
 
     /** Returns whether it is an area light. */
     public boolean isArea() {
-        return samples != null;
+        return centerSamples != null;
     }
 
     /** Returns whether rows may be outside its cone. */
@@ -53,11 +59,21 @@ public record LightSource(Light light, Vec3 position, Vec3 axis, double cosAngle
 
     /** Returns whether it needs a falloff column. The terms of an area light include the falloff of each sample. */
     public boolean needsFalloffColumn() {
-        return samples == null && hasFalloff();
+        return centerSamples == null && hasFalloff();
     }
 
-    /** Returns one sample as a light of its own, for rows of a rotation. */
-    LightSource sample(int rotation, int s) {
-        return new LightSource(light, samples.position(rotation, s), axis, cosAngle, dropoff, null);
+    /** Returns the samples of an area light that some rows use. */
+    public AreaSamples samples(HitRows rows) {
+        return rows.pattern == null ? centerSamples : fineSamples;
+    }
+
+    /** Returns the largest distance of any sample of an area light from its center. */
+    public double extent() {
+        return fineSamples == null ? centerSamples.extent() : Math.max(centerSamples.extent(), fineSamples.extent());
+    }
+
+    /** Returns a sample of an area light at a position as a light of its own. */
+    LightSource at(Vec3 sample) {
+        return new LightSource(light, sample, axis, cosAngle, dropoff, null, null);
     }
 }

@@ -132,7 +132,7 @@ public final class PixelExplainer {
 
     /** Returns the means of a light's samples. If no sample reaches the point, the state is that of the sample that passed most tests. */
     private LightReport areaReport(WeightedLight light, SurfacePoint hit, NormalSteps normals) {
-        int samples = light.source().samples().samples();
+        int samples = light.source().centerSamples().samples();
         double diffuse = 0;
         double specular = 0;
         double grazing = 0;
@@ -144,9 +144,9 @@ public final class PixelExplainer {
         int freeCount = 0;
         for (int s = 0; s < samples; s++) {
             LightReport one =
-                    lightReport(light, light.source().sample(AreaSamples.rotation(hit.px(), hit.py(), hit.pz()), s), hit, normals);
+                    lightReport(light, sample(light.source(), hit, s), hit, normals);
             // A visible sample counts even outside the cone, as in rows, whose shadow rays are not cast again when the cone moves.
-            LightSource sample = light.source().sample(AreaSamples.rotation(hit.px(), hit.py(), hit.pz()), s);
+            LightSource sample = sample(light.source(), hit, s);
             if (one.state() != LightReport.State.AWAY && (one.state() == LightReport.State.LIT || blocker(sample, hit) < 0)) {
                 float[] passed = tint(sample, hit);
                 for (int c = 0; c < 3; c++) {
@@ -238,5 +238,10 @@ public final class PixelExplainer {
             return casting.nearest(new Ray(point, source.position()));
         }
         return casting.blocker(point, shadowRayTargets.computeIfAbsent(source.position(), geometry::shadowRayTarget));
+    }
+
+    /** Returns a sample of an area light as a row of a pixel center uses it. */
+    private static LightSource sample(LightSource area, SurfacePoint hit, int s) {
+        return area.at(area.centerSamples().position(AreaSamples.rotation(hit.px(), hit.py(), hit.pz()), s));
     }
 }

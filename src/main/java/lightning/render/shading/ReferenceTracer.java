@@ -6,13 +6,14 @@ import java.util.Map;
 import lightning.base.math.Ray;
 import lightning.base.math.Vec3;
 import lightning.render.image.Film;
-import lightning.render.trace.BounceKind;
 import lightning.render.trace.Geometry;
-import lightning.render.trace.HitCode;
 import lightning.render.trace.MaterialTable;
 import lightning.render.trace.PixelRays;
+import lightning.render.trace.SampleCells;
+import lightning.render.trace.SamplePattern;
 import lightning.render.trace.SurfacePoint;
 import lightning.render.trace.tree.ShadowRayTarget;
+import lightning.scene.AntialiasMode;
 import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
 
@@ -22,6 +23,8 @@ import lightning.scene.Scene;
  * <p>It tests each ray against every shape, caches nothing, and is slow. Every other renderer must match it in every bit.
  */
 public final class ReferenceTracer {
+    private static final int NO_PATTERN = -1;
+
     private final Scene scene;
     private final Geometry geometry;
     private final MaterialTable materials;
@@ -30,6 +33,9 @@ public final class ReferenceTracer {
     /** Shadow ray targets of area light samples. */
     private final Map<Vec3, ShadowRayTarget> sampleTargets = new HashMap<>();
     private final ReferenceTracer mirrorTracer;
+    /** Samples of a pixel that are traced first, and those that some pixels need besides. */
+    private final SampleCells firstCells;
+    private final SampleCells restCells;
 
     public ReferenceTracer(Scene scene) {
         this(scene, scene);
@@ -40,11 +46,21 @@ public final class ReferenceTracer {
      * The two may differ in lights, world and materials.
      */
     public ReferenceTracer(Scene scene, Scene mirrored) {
+        this(scene, mirrored, false);
+    }
+
+    /** @param forEdges true for the colors by which anti-aliasing decides ({@link EdgeColors}) */
+    private ReferenceTracer(Scene scene, Scene mirrored, boolean forEdges) {
         this.scene = scene;
-        mirrorTracer = scene == mirrored ? this : new ReferenceTracer(mirrored);
+        mirrorTracer = scene == mirrored ? this : new ReferenceTracer(mirrored, mirrored, forEdges);
         geometry = new Geometry(scene);
         materials = geometry.materials();
-        lights = WeightedLight.ofScene(scene);
+        lights = Arrays.stream(WeightedLight.ofScene(scene)).map(light -> forEdges ? light.forEdges() : light)
+                .toArray(WeightedLight[]::new);
+        int grid = scene.picture().sampling().grid();
+        boolean refines = scene.picture().sampling().antialias() == AntialiasMode.EDGES;
+        firstCells = refines ? SampleCells.first(grid) : SampleCells.all(grid);
+        restCells = SampleCells.rest(grid);
         targets = Arrays.stream(lights).map(WeightedLight::source)
                 .map(source -> source.type().hasPosition() ? geometry.shadowRayTargetBruteForce(source.position()) : null)
                 .toArray(ShadowRayTarget[]::new);
@@ -57,33 +73,63 @@ public final class ReferenceTracer {
 
     /** Traces the whole picture with the sample positions of another picture of the same size. */
     public Film trace(ReferenceTracer sampled) {
-        boolean[] fine = sampled.finePixels();
         int width = scene.picture().width();
         int height = scene.picture().height();
+        boolean[] fine = sampled.finePixels();
+        ReferenceTracer edges = sampled.edgeTracer();
         float[] rgb = new float[3 * width * height];
         for (int y = 0; y < height; y++) {
             for (int x = 0; x < width; x++) {
-                float[] color = fine[y * width + x] ? meanPixel(x, y, sampled.scene.picture().sampling().grid()) : pixel(x, y);
+                float[] color = fine[y * width + x] ? finePixel(x, y, sampled, edges) : pixel(x, y);
                 System.arraycopy(color, 0, rgb, 3 * (y * width + x), 3);
             }
         }
         return Film.ofScanlines(width, height, rgb);
     }
 
-    /** Returns the linear color at the center of one pixel, {@code float[3]}. */
-    public float[] pixel(int x, int y) {
-        return color(new PixelRays(scene).ray(x, y), scene.picture().depth());
+    private ReferenceTracer edgeTracer() {
+        return new ReferenceTracer(scene, mirrorTracer.scene, true);
     }
 
-    /** Returns the mean of a pixel's samples. */
-    private float[] meanPixel(int x, int y, int grid) {
-        float[][] samples = new float[3][grid * grid];
-        for (int s = 0; s < grid * grid; s++) {
-            float[] color = color(new PixelRays(scene).ray(x, y, s, grid), scene.picture().depth());
+    /** Returns the linear color at the center of one pixel, {@code float[3]}. */
+    public float[] pixel(int x, int y) {
+        return color(new PixelRays(scene).ray(x, y), scene.picture().depth(), NO_PATTERN);
+    }
+
+    /** Returns the mean of a pixel's samples: the first ones, and if their colors differ visibly, the rest. */
+    private float[] finePixel(int x, int y, ReferenceTracer sampled, ReferenceTracer edges) {
+        float[] first = mean(samples(x, y, sampled.firstCells));
+        if (sampled.firstCells.count() == SamplePattern.parts(sampled.firstCells.grid()) || !edges.differs(x, y, sampled.firstCells)) {
+            return first;
+        }
+        float[] rest = mean(samples(x, y, sampled.restCells));
+        float[] color = new float[3];
+        for (int c = 0; c < 3; c++) {
+            color[c] = SampleMean.combine(first[c], sampled.firstCells.count(), rest[c], sampled.restCells.count());
+        }
+        return color;
+    }
+
+    /** Returns whether the colors of some samples of a pixel differ visibly. */
+    private boolean differs(int x, int y, SampleCells cells) {
+        return EdgeColors.differ(EdgeColors.pack(samples(x, y, cells)), 0, cells.count());
+    }
+
+    /** Returns the colors of some samples of a pixel: red, green and blue columns. */
+    private float[][] samples(int x, int y, SampleCells cells) {
+        float[][] samples = new float[3][cells.count()];
+        for (int s = 0; s < cells.count(); s++) {
+            int cell = cells.cells()[s];
+            int pattern = SamplePattern.of(x, y, cells.part(s), cells.grid()) & 0xFF;
+            float[] color = color(new PixelRays(scene).ray(x, y, cell, cells.grid()), scene.picture().depth(), pattern);
             for (int c = 0; c < 3; c++) {
                 samples[c][s] = color[c];
             }
         }
+        return samples;
+    }
+
+    private static float[] mean(float[][] samples) {
         return new float[] {mean(samples[0]), mean(samples[1]), mean(samples[2])};
     }
 
@@ -92,8 +138,12 @@ public final class ReferenceTracer {
         return Float.isFinite(sum) ? sum / samples.length : SampleMean.meanOfLarge(samples, 0, samples.length);
     }
 
-    /** Returns the color of a ray; {@code depth} more bounces may be followed. */
-    private float[] color(Ray ray, int depth) {
+    /**
+     * Returns the color of a ray; {@code depth} more bounces may be followed.
+     *
+     * @param pattern pattern of area light samples, or {@link #NO_PATTERN} for a pixel center
+     */
+    private float[] color(Ray ray, int depth, int pattern) {
         int primitive = geometry.nearestBruteForce(ray);
         if (primitive < 0) {
             return BackgroundShader.color(scene.world(), ray.direction());
@@ -102,15 +152,15 @@ public final class ReferenceTracer {
         int material = hit.material();
         float[] mirrored = {0, 0, 0};
         if (materials.isReflective(material) && depth > 0) {
-            mirrored = mirrorTracer.color(hit.reflectedRay(), depth - 1);
+            mirrored = mirrorTracer.color(hit.reflectedRay(), depth - 1, pattern);
         }
         Ray through = materials.isTransparent(material) && depth > 0 ? hit.refractedRay() : null;
-        float[] refracted = through == null ? new float[3] : mirrorTracer.color(through, depth - 1);
+        float[] refracted = through == null ? new float[3] : mirrorTracer.color(through, depth - 1, pattern);
         float[] color = new float[3];
         float[] diffuse = new float[lights.length];
         float[] specular = new float[lights.length];
         float[] grazing = new float[lights.length];
-        float[][] terms = terms(hit);
+        float[][] terms = terms(hit, pattern);
         for (int c = 0; c < 3; c++) {
             for (int l = 0; l < lights.length; l++) {
                 float weight = weight(lights[l], c);
@@ -142,11 +192,11 @@ public final class ReferenceTracer {
      * Returns for each light its diffuse and specular term, falloff, grazing term and tint at a point; all 0 if it does not reach
      * the point.
      */
-    private float[][] terms(SurfacePoint hit) {
+    private float[][] terms(SurfacePoint hit, int pattern) {
         float[][] terms = new float[lights.length][7];
         for (int l = 0; l < lights.length; l++) {
             LightSource source = lights[l].source();
-            terms[l] = source.isArea() ? meanTerms(source, hit) : terms(source, hit, targets[l]);
+            terms[l] = source.isArea() ? meanTerms(source, hit, pattern) : terms(source, hit, targets[l]);
         }
         return terms;
     }
@@ -165,15 +215,17 @@ public final class ReferenceTracer {
     }
 
     /** Returns the means over an area light's samples, falloff included. */
-    private float[] meanTerms(LightSource source, SurfacePoint hit) {
-        int samples = source.samples().samples();
+    private float[] meanTerms(LightSource source, SurfacePoint hit, int pattern) {
+        AreaSamples area = pattern == NO_PATTERN ? source.centerSamples() : source.fineSamples();
+        int used = pattern == NO_PATTERN ? AreaSamples.rotation(hit.px(), hit.py(), hit.pz()) : pattern;
+        int samples = area.samples();
         double diffuse = 0;
         double specular = 0;
         double grazing = 0;
         double[] tint = new double[3];
         int freeCount = 0;
         for (int s = 0; s < samples; s++) {
-            LightSource sample = source.sample(AreaSamples.rotation(hit.px(), hit.py(), hit.pz()), s);
+            LightSource sample = source.at(area.position(used, s));
             // A visible sample counts even outside the cone.
             if (equation(sample, hit).cosine(hit.nx(), hit.ny(), hit.nz()) > 0 && isVisible(sample, sampleTarget(sample), hit)) {
                 float[] one = Transmittance.ofShadowRay(geometry, sample, sampleTarget(sample), hit);
@@ -239,63 +291,6 @@ public final class ReferenceTracer {
                 : !casting.isBlockedBruteForce(new Ray(point, source.position()), Double.POSITIVE_INFINITY);
     }
 
-    /**
-     * Adds the edge codes along a ray ({@link EdgeCodes}).
-     *
-     * @param nodeIndex the ray's node ({@link EdgeCodeBuilder#childIndex})
-     * @param sums      the code of shapes and that of lights, {@code int[2]}
-     */
-    private void addEdgeCodes(Ray ray, int depth, int nodeIndex, int[] sums) {
-        int primitive = geometry.nearestBruteForce(ray);
-        if (primitive < 0) {
-            return;
-        }
-        SurfacePoint hit = geometry.surfaceBruteForce(primitive, ray);
-        int hitCode = HitCode.of(geometry.shapeHash(primitive), hit.nx(), hit.ny(), hit.nz());
-        sums[0] += HitCode.atDepth(materials.isTextured(hit.material())
-                ? HitCode.withTexture(hitCode, hit.texel()[0], hit.texel()[1], hit.texel()[2]) : hitCode, nodeIndex);
-        for (int l = 0; l < lights.length; l++) {
-            if (!lights[l].isDark()) {
-                int code = lightCode(l, hit);
-                sums[1] += nodeIndex == 0 ? code : HitCode.atDepth(code, nodeIndex);
-            }
-        }
-        if (materials.isReflective(hit.material()) && depth > 0) {
-            mirrorTracer.addEdgeCodes(hit.reflectedRay(), depth - 1, EdgeCodeBuilder.childIndex(nodeIndex, BounceKind.MIRRORED), sums);
-        }
-        Ray through = materials.isTransparent(hit.material()) && depth > 0 ? hit.refractedRay() : null;
-        if (through != null) {
-            mirrorTracer.addEdgeCodes(through, depth - 1, EdgeCodeBuilder.childIndex(nodeIndex, BounceKind.REFRACTED), sums);
-        }
-    }
-
-    private int lightCode(int light, SurfacePoint hit) {
-        LightSource source = lights[light].source();
-        if (source.isArea()) {
-            return EdgeCodeBuilder.code(light, bestState(source, hit), false, false, 0);
-        }
-        LightingEquation equation = equation(source, hit);
-        int state = state(source, hit, targets[light], equation, equation.cosine(hit.nx(), hit.ny(), hit.nz()));
-        return EdgeCodeBuilder.code(light, state,
-                state == LightRows.LIT && isTinted(Transmittance.ofShadowRay(geometry, source, targets[light], hit)),
-                materials.isSpecular(hit.material()), specular(equation, hit));
-    }
-
-    private static boolean isTinted(float[] tint) {
-        return tint[0] != 1 || tint[1] != 1 || tint[2] != 1;
-    }
-
-    /** Returns the state of the sample that passed most tests: lit if any is, else shadowed if any illuminates the point. */
-    private int bestState(LightSource source, SurfacePoint hit) {
-        int best = LightRows.FACING_AWAY;
-        for (int s = 0; s < source.samples().samples(); s++) {
-            LightSource sample = source.sample(AreaSamples.rotation(hit.px(), hit.py(), hit.pz()), s);
-            LightingEquation equation = equation(sample, hit);
-            best = Math.max(best, state(sample, hit, sampleTarget(sample), equation, equation.cosine(hit.nx(), hit.ny(), hit.nz())));
-        }
-        return best;
-    }
-
     /** Returns the pixels that have several samples: {@code boolean[width * height]}, line by line. */
     private boolean[] finePixels() {
         PictureSettings picture = scene.picture();
@@ -304,17 +299,18 @@ public final class ReferenceTracer {
             case OFF -> Arrays.fill(fine, false);
             case EVERY -> Arrays.fill(fine, true);
             case EDGES -> {
-                PixelRays eye = new PixelRays(scene);
-                int[][] codes = new int[fine.length][2];
+                ReferenceTracer edges = edgeTracer();
+                int[] colors = new int[fine.length];
                 for (int i = 0; i < fine.length; i++) {
-                    addEdgeCodes(eye.ray(i % picture.width(), i / picture.width()), picture.depth(), 0, codes[i]);
+                    float[] color = edges.pixel(i % picture.width(), i / picture.width());
+                    colors[i] = EdgeColors.pack(color[0], color[1], color[2]);
                 }
                 for (int i = 0; i < fine.length; i++) {
                     int x = i % picture.width();
-                    fine[i] = x > 0 && !Arrays.equals(codes[i], codes[i - 1])
-                            || x + 1 < picture.width() && !Arrays.equals(codes[i], codes[i + 1])
-                            || i >= picture.width() && !Arrays.equals(codes[i], codes[i - picture.width()])
-                            || i + picture.width() < fine.length && !Arrays.equals(codes[i], codes[i + picture.width()]);
+                    fine[i] = x > 0 && EdgeColors.differ(colors[i], colors[i - 1])
+                            || x + 1 < picture.width() && EdgeColors.differ(colors[i], colors[i + 1])
+                            || i >= picture.width() && EdgeColors.differ(colors[i], colors[i - picture.width()])
+                            || i + picture.width() < fine.length && EdgeColors.differ(colors[i], colors[i + picture.width()]);
                 }
             }
         }

@@ -36,18 +36,26 @@ public final class SampleMean {
     }
 
     /**
-     * Writes some pixels of a tile.
+     * Writes the means of the pixels of a block.
      *
-     * @param pixels  indices in the tile; those from {@code from} to before {@code to} are written
-     * @param samples red, green and blue columns: the samples of the first of these pixels, then of the next
-     * @param film    red, green and blue of the tile
+     * @param samples red, green and blue columns: the samples of the first pixel, then of the next
+     * @return red, green and blue, {@code float[pixels]} each
      */
-    public static void write(short[] pixels, int from, int to, int perPixel, float[][] samples, float[][] film) {
+    public static float[][] ofPixels(int pixels, int perPixel, float[][] samples) {
+        float[][] means = new float[3][pixels];
         for (int c = 0; c < 3; c++) {
-            for (int i = from; i < to; i++) {
-                film[c][pixels[i]] = mean(samples[c], (i - from) * perPixel, perPixel);
+            for (int i = 0; i < pixels; i++) {
+                means[c][i] = mean(samples[c], i * perPixel, perPixel);
             }
         }
+        return means;
+    }
+
+    /** Returns the mean of all samples of a pixel from the means of two groups of them. */
+    public static float combine(float first, int firstCount, float rest, int restCount) {
+        int count = firstCount + restCount;
+        // The shares may add up to slightly more than 1.
+        return Math.min(first * ((float) firstCount / count) + rest * ((float) restCount / count), Float.MAX_VALUE);
     }
 
     /** Returns the number of pixels with {@code perPixel} samples each that are traced together. */

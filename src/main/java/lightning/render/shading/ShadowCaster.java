@@ -247,7 +247,7 @@ final class ShadowCaster {
      * @param shadowRays receives the data common to all of these rays
      */
     void aim(HitRows rows, LightSource source, RowShadowRays shadowRays) {
-        AreaSamples samples = source.samples();
+        AreaSamples samples = source.samples(rows);
         hasPointTargets = source.type().hasPosition();
         shadowRays.toPoints = hasPointTargets;
         shadowRays.isOffSurface = true;
@@ -314,7 +314,7 @@ final class ShadowCaster {
 
     /** Returns whether one of the collected occluders certainly blocks all rays of the current group. */
     private boolean isFullyOccluded(LightSource source) {
-        occlusionTest.setRays(origins, source.position(), source.samples().extent(), hasPointTargets, isUnderTarget);
+        occlusionTest.setRays(origins, source.position(), source.extent(), hasPointTargets, isUnderTarget);
         boolean isOccluded = false;
         for (int c = 0; !blockers.overflow && c < groupBlockers.count && !isOccluded; c++) {
             isOccluded = occlusionTest.isFullOccluder(geometry.primitives(), groupBlockers.primitive[c]);

@@ -24,7 +24,7 @@ public interface TermKernel {
      * @param cosine    receives their {@link LightingEquation#cosine}
      * @param facing    receives those of the set with a cosine above 0
      */
-    void aim(HitRows rows, LightSource source, int s, double[] rotations, int[] rowSet, float[] cosine, int[] facing);
+    void aim(HitRows rows, LightSource source, int s, RowShadowRays patterns, int[] rowSet, float[] cosine, int[] facing);
 
     /** Sets up shadow rays to sample {@code s} of an area light from the rows of a set and the rows that share a word with them. */
     void aimShadowRays(HitRows rows, LightSource source, int s, int[] rowSet, RowShadowRays shadowRays);

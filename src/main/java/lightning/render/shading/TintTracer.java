@@ -56,7 +56,7 @@ final class TintTracer {
         Arrays.fill(shadowRays.x, 0, end, source.x());
         Arrays.fill(shadowRays.y, 0, end, source.y());
         Arrays.fill(shadowRays.z, 0, end, source.z());
-        Arrays.fill(shadowRays.rotation, 0, end, 0);
+        Arrays.fill(shadowRays.pattern, 0, end, 0);
         shadowRays.toPoints = rays.isPoint();
         ShadowRayTarget target = rays.isPoint() ? pointTargets.computeIfAbsent(source, point -> ShadowRayTarget.find(point, tree))
                 : ShadowRayTarget.OFF_SURFACE;
@@ -71,12 +71,12 @@ final class TintTracer {
         System.arraycopy(rays.x, 0, shadowRays.x, 0, end);
         System.arraycopy(rays.y, 0, shadowRays.y, 0, end);
         System.arraycopy(rays.z, 0, shadowRays.z, 0, end);
-        System.arraycopy(rays.rotation, 0, shadowRays.rotation, 0, end);
+        System.arraycopy(rays.pattern, 0, shadowRays.pattern, 0, end);
         shadowRays.toPoints = rays.toPoints;
         ShadowRayTarget[] places = rays.toPoints ? areaTargets.computeIfAbsent(area, this::createTargets) : OPEN;
         shadowRays.isOffSurface = places == OPEN;
         for (int i = 0; !shadowRays.isOffSurface && i < rows.count; i++) {
-            shadowRays.target[i] = places[AreaSamples.index(s, rays.rotation[i])];
+            shadowRays.target[i] = places[area.index(s, rays.pattern[i])];
         }
         traceCrossings(rows, chosen);
     }

@@ -43,6 +43,18 @@ public record WeightedLight(Light light, float red, float green, float blue, Lig
         return new WeightedLight(light, (float) weight.r(), (float) weight.g(), (float) weight.b(), LightSource.of(light, scene));
     }
 
+    /**
+     * Returns this light as edge detection sees it, with each weight rounded to the nearest power of two (in its logarithm). Edits
+     * of color and intensity change edges only where a weight reaches another power.
+     */
+    public WeightedLight forEdges() {
+        return new WeightedLight(light, nearestPowerOfTwo(red), nearestPowerOfTwo(green), nearestPowerOfTwo(blue), source);
+    }
+
+    private static float nearestPowerOfTwo(float weight) {
+        return weight == 0 ? 0 : Math.scalb(1f, Math.min(Math.getExponent(weight * Math.sqrt(2)), Float.MAX_EXPONENT));
+    }
+
     /** Returns whether it contributes nothing: it is off, or its weight is 0 in every channel. */
     public boolean isDark() {
         return red == 0 && green == 0 && blue == 0;

@@ -334,11 +334,6 @@ public final class Geometry {
         return primitives.owner[primitive];
     }
 
-    /** Returns a hash of the name of a primitive's shape. It does not depend on the other shapes. */
-    public int shapeHash(int primitive) {
-        return HitCode.ofName(shape(primitive).name());
-    }
-
     /** Returns the shape that a primitive belongs to. */
     public Shape shape(int primitive) {
         return shapes.get(owner(primitive));

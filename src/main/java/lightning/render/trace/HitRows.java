@@ -24,8 +24,8 @@ public final class HitRows {
         HIT,
         /** Present if any row's material is textured. */
         TEXEL,
-        /** Present if anti-aliasing detects edges. */
-        CODE,
+        /** Present in rows of finer samples. */
+        PATTERN,
         /** Present if a light of the scene illuminates only some shapes. */
         OWNER,
         /** Present if any row's material is transparent. */
@@ -59,7 +59,7 @@ public final class HitRows {
         TEXEL_GREEN(ColumnGroup.TEXEL, ElementType.FLOAT),
         TEXEL_BLUE(ColumnGroup.TEXEL, ElementType.FLOAT),
         PARENT(ColumnGroup.HIT, ElementType.SHORT),
-        CODE(ColumnGroup.CODE, ElementType.INT),
+        PATTERN(ColumnGroup.PATTERN, ElementType.BYTE),
         OWNER(ColumnGroup.OWNER, ElementType.INT),
         BACK_X(ColumnGroup.TRANSPARENT, ElementType.FLOAT),
         BACK_Y(ColumnGroup.TRANSPARENT, ElementType.FLOAT),
@@ -103,8 +103,8 @@ public final class HitRows {
     public final float[] texelBlue;
     /** Destination of the row's color: a pixel of the tile at the first level, a row of the previous level at others. */
     public final short[] parent;
-    /** Edge detection code of each hit without its texture ({@link HitCode}); null if unused. */
-    public final int[] code;
+    /** Pattern of area light samples of each row of finer samples, unsigned ({@link SamplePattern}); null for pixel centers. */
+    public final byte[] pattern;
     /** Primitive that was hit; null if unused. */
     public final int[] owner;
     /** Points behind the surface for rows of transparent materials, offset from it, render space; null if the tile has none. */
@@ -128,14 +128,14 @@ public final class HitRows {
 
     private final ColumnSet<Column> columns;
 
-    /** Allocates {@code rows} rows without codes and owners. */
+    /** Allocates {@code rows} rows of pixel centers without owners. */
     public HitRows(int rows, boolean textured) {
         this(rows, textured, false, false, false);
     }
 
     /** Allocates {@code rows} rows. */
-    public HitRows(int rows, boolean textured, boolean transparent, boolean hasCodes, boolean hasOwners) {
-        this(ColumnSet.allocate(Column.class, columns(textured, transparent, hasCodes, hasOwners), rows));
+    public HitRows(int rows, boolean textured, boolean transparent, boolean hasPatterns, boolean hasOwners) {
+        this(ColumnSet.allocate(Column.class, columns(textured, transparent, hasPatterns, hasOwners), rows));
     }
 
     /** Wraps columns that are already filled; there are no runs yet. */
@@ -154,7 +154,7 @@ public final class HitRows {
         texelGreen = (float[]) columns.get(Column.TEXEL_GREEN);
         texelBlue = (float[]) columns.get(Column.TEXEL_BLUE);
         parent = (short[]) columns.get(Column.PARENT);
-        code = (int[]) columns.get(Column.CODE);
+        pattern = (byte[]) columns.get(Column.PATTERN);
         owner = (int[]) columns.get(Column.OWNER);
         backX = (float[]) columns.get(Column.BACK_X);
         backY = (float[]) columns.get(Column.BACK_Y);
@@ -162,7 +162,7 @@ public final class HitRows {
         insideDistance = (float[]) columns.get(Column.INSIDE_DISTANCE);
     }
 
-    private static Set<Column> columns(boolean textured, boolean transparent, boolean hasCodes, boolean hasOwners) {
+    private static Set<Column> columns(boolean textured, boolean transparent, boolean hasPatterns, boolean hasOwners) {
         Set<Column> columns = ColumnGroup.HIT.columns();
         if (textured) {
             columns.addAll(ColumnGroup.TEXEL.columns());
@@ -170,8 +170,8 @@ public final class HitRows {
         if (transparent) {
             columns.addAll(ColumnGroup.TRANSPARENT.columns());
         }
-        if (hasCodes) {
-            columns.addAll(ColumnGroup.CODE.columns());
+        if (hasPatterns) {
+            columns.addAll(ColumnGroup.PATTERN.columns());
         }
         if (hasOwners) {
             columns.addAll(ColumnGroup.OWNER.columns());
@@ -208,11 +208,6 @@ public final class HitRows {
         ColumnSet<Column> copies = ColumnSet.allocate(Column.class, ColumnGroup.TEXEL.columns(), count);
         copies.copy(columns, 0, 0, count);
         return withColumns(columns.with(copies), reflectiveCount);
-    }
-
-    /** Returns these rows with other codes, or null for none. */
-    public HitRows withCode(int[] to) {
-        return withColumns(columns.with(Column.CODE, to), reflectiveCount);
     }
 
     /** Returns these rows with other owners, or null for none. */

@@ -11,8 +11,10 @@ public final class RowShadowRays {
     public final double[] x = new double[RayColumns.MAX_RAYS + OVERRUN];
     public final double[] y = new double[RayColumns.MAX_RAYS + OVERRUN];
     public final double[] z = new double[RayColumns.MAX_RAYS + OVERRUN];
-    /** Index of the sample position that each row uses, from 0; stored as double because lanes select by it. */
-    public final double[] rotation = new double[RayColumns.MAX_RAYS + OVERRUN];
+    /** Index of the sample pattern that each row uses, from 0. */
+    public final int[] pattern = new int[RayColumns.MAX_RAYS + OVERRUN];
+    /** The same as doubles, by which lanes select. */
+    public final double[] patternLanes = new double[RayColumns.MAX_RAYS + OVERRUN];
     /** Shadow ray target of each row; unused if {@link #isOffSurface}. */
     public final ShadowRayTarget[] target = new ShadowRayTarget[RayColumns.MAX_RAYS + OVERRUN];
     /** True if all targets are {@link ShadowRayTarget#isOffSurface}. */

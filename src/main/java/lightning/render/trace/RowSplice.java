@@ -73,7 +73,7 @@ public final class RowSplice {
             textured |= ends[r + 1] > ends[r] && materials.isTextured(materials.materialAtRank(r));
         }
         boolean texels = old.texelRed != null || added != null && added.texelRed != null;
-        HitRows allocated = new HitRows(source.length, textured && texels, transparentCount > 0, old.code != null, old.owner != null);
+        HitRows allocated = new HitRows(source.length, textured && texels, transparentCount > 0, old.pattern != null, old.owner != null);
         allocated.count = source.length;
         allocated.reflectiveCount = reflectiveCount;
         allocated.transparentCount = transparentCount;

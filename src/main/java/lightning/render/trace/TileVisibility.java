@@ -32,6 +32,8 @@ public final class TileVisibility {
     private final int[] starts;
     /** Rank of the material that each ray hit, −1 for a miss. */
     private final int[] ranks = new int[RayColumns.MAX_RAYS];
+    /** Sample patterns by the slots of the rays; undefined for rays of pixel centers. */
+    private byte[] patterns = {};
     private final double[] direction = new double[3];
     /** Created on first use. */
     private SurfaceHit surface;
@@ -82,9 +84,11 @@ public final class TileVisibility {
         rays.startAtEye();
         rays.count = positions.count();
         rays.columns = 0;
+        patterns = new byte[rays.count];
         for (int ray = 0; ray < rays.count; ray++) {
             rays.slot[ray] = (short) ray;
         }
+        positions.writePatterns(patterns);
         tracer.directSampleRays(camera, positions, rays);
     }
 
@@ -234,6 +238,7 @@ public final class TileVisibility {
     private void setBounceRays(HitRows parentRows, BounceKind bounce, int count) {
         rays.startAtRows(parentRows, bounce);
         rays.columns = 0;
+        patterns = parentRows.pattern;
         int castCount = 0;
         for (int i = 0; i < count; i++) {
             if (bounce.writeDirection(parentRows, rays.slot[i], materials, direction)) {
@@ -310,20 +315,6 @@ public final class TileVisibility {
         return rows;
     }
 
-    /** Writes the edge detection codes. Adjacent rows mostly have the same primitive, whose hash is computed once. */
-    private void writeCodes(HitRows rows) {
-        int last = -1;
-        int number = 0;
-        for (int row = 0; row < rows.count; row++) {
-            int primitive = rays.primitive[rays.order[row]];
-            if (primitive != last) {
-                last = primitive;
-                number = geometry.shapeHash(primitive);
-            }
-            rows.code[row] = HitCode.of(number, rows.nx[row], rows.ny[row], rows.nz[row]);
-        }
-    }
-
     private void writeRows(HitRows rows, boolean textured) {
         tracer.writeSurfaces(rays, rows, textured);
         for (int row = 0; row < rows.count; row++) {
@@ -339,8 +330,8 @@ public final class TileVisibility {
         if (textured) {
             texels.write(rows, 0, rays);
         }
-        if (rows.code != null) {
-            writeCodes(rows);
+        for (int row = 0; rows.pattern != null && row < rows.count; row++) {
+            rows.pattern[row] = patterns[rows.parent[row]];
         }
         for (int row = 0; rows.owner != null && row < rows.count; row++) {
             rows.owner[row] = rays.primitive[rays.order[row]];

@@ -6,6 +6,8 @@ import java.util.Arrays;
 import java.util.HashMap;
 import java.util.Map;
 import lightning.base.work.Progress;
+import lightning.render.cache.CachedTile;
+import lightning.render.cache.FineSamples;
 import lightning.render.cache.PixelCache;
 import lightning.render.cache.TileLevel;
 import lightning.render.relight.plan.Accuracy;
@@ -43,16 +45,34 @@ class RowOrderTest {
             fresh.render(session.scenes().getLast(), Progress.NONE);
             PixelCache actual = edited.cache();
             PixelCache expected = fresh.cache();
-            assertThat(actual.allTiles()).hasSameSizeAs(expected.allTiles());
-            for (int t = 0; t < expected.allTiles().size(); t++) {
-                TileLevel[] levels = expected.allTiles().get(t).levels;
-                TileLevel[] known = actual.allTiles().get(t).levels;
-                assertThat(known).hasSameSizeAs(levels);
-                int end = assertSame(known, actual.geometry().materials(), levels, expected.geometry().materials(), 0, null,
-                        expected.scene().picture().depth());
-                assertThat(end).isEqualTo(levels.length);
+            assertThat(actual.tileCount()).isEqualTo(expected.tileCount());
+            for (int t = 0; t < expected.tileCount(); t++) {
+                assertSame(actual.tile(t), actual, expected.tile(t), expected);
+            }
+            assertThat(actual.fineCount()).isEqualTo(expected.fineCount());
+            for (int t = 0; t < expected.fineCount(); t++) {
+                assertSame(actual.fineTile(t).first(), actual, expected.fineTile(t).first(), expected);
+                assertSame(actual.fineTile(t).rest(), actual, expected.fineTile(t).rest(), expected);
             }
         }
+    }
+
+    /** Asserts that the same pixels have samples; if also in the same blocks, that their rows are the same. */
+    private static void assertSame(FineSamples known, PixelCache actual, FineSamples samples, PixelCache expected) {
+        assertThat(known.pixels()).isEqualTo(samples.pixels());
+        boolean sameBlocks = known.blocks().length == samples.blocks().length;
+        for (int b = 0; sameBlocks && b < samples.blocks().length; b++) {
+            if (Arrays.equals(known.blocks()[b].pixels(), samples.blocks()[b].pixels())) {
+                assertSame(known.blocks()[b].rows(), actual, samples.blocks()[b].rows(), expected);
+            }
+        }
+    }
+
+    private static void assertSame(CachedTile known, PixelCache actual, CachedTile tile, PixelCache expected) {
+        assertThat(known.levels).hasSameSizeAs(tile.levels);
+        int end = assertSame(known.levels, actual.geometry().materials(), tile.levels, expected.geometry().materials(), 0, null,
+                expected.scene().picture().depth());
+        assertThat(end).isEqualTo(tile.levels.length);
     }
 
     /**
@@ -103,7 +123,7 @@ class RowOrderTest {
                 assertThat(a).as("row seen from row " + parent).isNotNegative();
                 places[i] = a;
                 assertThat(of[a]).isEqualTo(material);
-                assertThat(actual.code == null ? 0 : actual.code[a]).isEqualTo(expected.code == null ? 0 : expected.code[i]);
+                assertThat(actual.pattern == null ? 0 : actual.pattern[a]).isEqualTo(expected.pattern == null ? 0 : expected.pattern[i]);
                 assertThat(new float[] {actual.px[a], actual.py[a], actual.pz[a], actual.nx[a], actual.ny[a], actual.nz[a],
                     actual.vx[a], actual.vy[a], actual.vz[a]}).containsExactly(expected.px[i], expected.py[i], expected.pz[i],
                             expected.nx[i], expected.ny[i], expected.nz[i], expected.vx[i], expected.vy[i], expected.vz[i]);

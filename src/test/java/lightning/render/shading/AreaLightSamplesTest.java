@@ -85,8 +85,8 @@ class AreaLightSamplesTest {
         assertThat(cut).isPositive().isLessThan(above);
         int facing = 0;
         LightSource source = LightSource.of(half, floor(9, List.of(FLOOR), half));
-        for (int s = 0; s < source.samples().samples(); s++) {
-            facing += source.samples().position(3, s).y() > -0.5 ? 1 : 0;
+        for (int s = 0; s < source.centerSamples().samples(); s++) {
+            facing += source.centerSamples().position(3, s).y() > -0.5 ? 1 : 0;
         }
         assertThat(facing).isBetween(30, 34);
     }
@@ -120,8 +120,8 @@ class AreaLightSamplesTest {
     static double error(LightType type, int samples) {
         Light light = lightAbove(type, a -> a.withRadius(0.6).withSpread(12)).withAngle(80);
         Scene scene = floor(9, List.of(FLOOR), light);
-        AreaSamples few = LightSource.of(light.withArea(light.area().withSamples(samples)), scene).samples();
-        AreaSamples many = LightSource.of(light, scene).samples();
+        AreaSamples few = LightSource.of(light.withArea(light.area().withSamples(samples)), scene).centerSamples();
+        AreaSamples many = LightSource.of(light, scene).centerSamples();
         double squares = 0;
         int points = 0;
         for (int i = 0; i < 400; i++) {

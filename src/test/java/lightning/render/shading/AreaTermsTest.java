@@ -44,14 +44,14 @@ class AreaTermsTest {
         float[] cosine = new float[TermKernel.MAX_ROWS];
         int[] facing = RowBits.allocate();
         Arrays.fill(facing, -1);
-        terms.aim(rows, source, s, ways.rotation, rowSet, cosine, facing);
+        terms.aim(rows, source, s, ways, rowSet, cosine, facing);
         terms.aimShadowRays(rows, source, s, rowSet, ways);
         for (int i = 0; i < COUNT; i++) {
             float expected = cosine(source, i, s);
             assertThat(RowBits.contains(facing, i)).isEqualTo(RowBits.contains(rowSet, i) && expected > 0);
             if (RowBits.contains(rowSet, i)) {
                 assertThat(Float.floatToRawIntBits(cosine[i])).isEqualTo(Float.floatToRawIntBits(expected));
-                assertThat(new Vec3(ways.x[i], ways.y[i], ways.z[i])).isEqualTo(source.samples().position((int) ways.rotation[i], s));
+                assertThat(new Vec3(ways.x[i], ways.y[i], ways.z[i])).isEqualTo(source.centerSamples().position((int) ways.pattern[i], s));
             }
         }
     }
@@ -88,7 +88,8 @@ class AreaTermsTest {
         Arrays.fill(rows.ny, -1);
         Arrays.fill(rows.vz, -1);
         rows.count = COUNT;
-        Arrays.setAll(ways.rotation, _ -> random.nextInt(AreaSamples.ROTATIONS));
+        Arrays.setAll(ways.pattern, _ -> random.nextInt(AreaSamples.ROTATIONS));
+        Arrays.setAll(ways.patternLanes, i -> ways.pattern[i]);
         TermKernel lanes = Engines.LANES.terms();
         lanes.addPossiblyFacing(rows, source, may);
         assertThat(RowBits.count(may, COUNT)).isZero();
@@ -102,7 +103,7 @@ class AreaTermsTest {
     }
 
     private LightingEquation equation(LightSource source, int i, int s) {
-        LightingEquation equation = new LightingEquation(source.sample((int) ways.rotation[i], s));
+        LightingEquation equation = new LightingEquation(source.at(source.centerSamples().position(ways.pattern[i], s)));
         equation.moveTo(rows.px[i], rows.py[i], rows.pz[i], rows.nx[i], rows.ny[i], rows.nz[i]);
         return equation;
     }
@@ -115,9 +116,10 @@ class AreaTermsTest {
         rows.count = COUNT;
         for (int i = 0; i < COUNT; i++) {
             int rotation = random.nextInt(AreaSamples.ROTATIONS);
-            ways.rotation[i] = rotation;
-            Vec3 sample = source.samples().position(rotation, random.nextInt(SAMPLES));
-            Vec3 away = unit(random).times(StrictMath.pow(10, 6 * random.nextDouble() - 3) * source.samples().extent());
+            ways.pattern[i] = rotation;
+            ways.patternLanes[i] = rotation;
+            Vec3 sample = source.centerSamples().position(rotation, random.nextInt(SAMPLES));
+            Vec3 away = unit(random).times(StrictMath.pow(10, 6 * random.nextDouble() - 3) * source.centerSamples().extent());
             boolean directional = type == LightType.DIRECTIONAL;
             Vec3 p = random.nextInt(20) == 0 ? sample : source.position().plus(away);
             rows.px[i] = (float) p.x();

@@ -49,7 +49,7 @@ final class AreaLightLanes {
         x = center.x();
         y = center.y();
         z = center.z();
-        double extent = source.samples().extent();
+        double extent = source.extent();
         this.extent = extent + 0x1p-40 * (extent + Math.abs(x) + Math.abs(y) + Math.abs(z));
         positionFactor = source.type().hasPosition() ? 1 : 0;
     }

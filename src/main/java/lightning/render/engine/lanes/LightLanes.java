@@ -64,15 +64,15 @@ final class LightLanes implements TermKernel {
     }
 
     @Override
-    public void aim(HitRows rows, LightSource source, int s, double[] rotations, int[] rowSet, float[] cosine, int[] facing) {
+    public void aim(HitRows rows, LightSource source, int s, RowShadowRays patterns, int[] rowSet, float[] cosine, int[] facing) {
         int words = RowBits.words(rows.count);
         for (int b = 0; b < words; b++) {
             int first = b;
             b = RowBits.firstEmptyWord(rowSet, b, words);
             if (source.type().hasPosition()) {
-                aimAtPoints(rows, first * RowBits.WIDTH, b * RowBits.WIDTH, source.samples(), s, rotations, cosine);
+                aimAtPoints(rows, first * RowBits.WIDTH, b * RowBits.WIDTH, source.samples(rows), s, patterns, cosine);
             } else {
-                aimAtDirections(rows, first * RowBits.WIDTH, b * RowBits.WIDTH, source.samples(), s, rotations, cosine);
+                aimAtDirections(rows, first * RowBits.WIDTH, b * RowBits.WIDTH, source.samples(rows), s, patterns, cosine);
             }
         }
         for (int b = 0; b < words; b++) {
@@ -88,11 +88,11 @@ final class LightLanes implements TermKernel {
      * Computes unit vectors from rows {@code from … to − 1}, each to a point of its own. A plain loop: the compiler hoists its
      * bounds checks.
      */
-    private void aimAtPoints(HitRows rows, int from, int to, AreaSamples area, int s, double[] rotations, float[] cosine) {
+    private void aimAtPoints(HitRows rows, int from, int to, AreaSamples area, int s, RowShadowRays patterns, float[] cosine) {
         for (int i = from; i < to; i += LANES) {
-            DoubleVector vx = samplePosition(area.x, s, rotations, i).sub(load(rows.px, i));
-            DoubleVector vy = samplePosition(area.y, s, rotations, i).sub(load(rows.py, i));
-            DoubleVector vz = samplePosition(area.z, s, rotations, i).sub(load(rows.pz, i));
+            DoubleVector vx = samplePosition(area, area.x, s, patterns, i).sub(load(rows.px, i));
+            DoubleVector vy = samplePosition(area, area.y, s, patterns, i).sub(load(rows.py, i));
+            DoubleVector vz = samplePosition(area, area.z, s, patterns, i).sub(load(rows.pz, i));
             DoubleVector d = vx.mul(vx).add(vy.mul(vy)).add(vz.mul(vz)).lanewise(VectorOperators.SQRT);
             VectorMask<Double> atLight = d.compare(VectorOperators.LT, LightingEquation.MIN_DISTANCE);
             DoubleVector inverse = DoubleVector.broadcast(D, 1).div(d);
@@ -112,11 +112,11 @@ final class LightLanes implements TermKernel {
         }
     }
 
-    private void aimAtDirections(HitRows rows, int from, int to, AreaSamples area, int s, double[] rotations, float[] cosine) {
+    private void aimAtDirections(HitRows rows, int from, int to, AreaSamples area, int s, RowShadowRays patterns, float[] cosine) {
         for (int i = from; i < to; i += LANES) {
-            DoubleVector x = samplePosition(area.x, s, rotations, i);
-            DoubleVector y = samplePosition(area.y, s, rotations, i);
-            DoubleVector z = samplePosition(area.z, s, rotations, i);
+            DoubleVector x = samplePosition(area, area.x, s, patterns, i);
+            DoubleVector y = samplePosition(area, area.y, s, patterns, i);
+            DoubleVector z = samplePosition(area, area.z, s, patterns, i);
             x.intoArray(lx, i);
             y.intoArray(ly, i);
             z.intoArray(lz, i);
@@ -128,15 +128,15 @@ final class LightLanes implements TermKernel {
 
     @Override
     public void aimShadowRays(HitRows rows, LightSource source, int s, int[] rowSet, RowShadowRays shadowRays) {
-        AreaSamples area = source.samples();
+        AreaSamples area = source.samples(rows);
         int words = RowBits.words(rows.count);
         for (int b = 0; b < words; b++) {
             int first = b;
             b = RowBits.firstEmptyWord(rowSet, b, words);
             for (int i = first * RowBits.WIDTH; i < b * RowBits.WIDTH; i += LANES) {
-                samplePosition(area.x, s, shadowRays.rotation, i).intoArray(shadowRays.x, i);
-                samplePosition(area.y, s, shadowRays.rotation, i).intoArray(shadowRays.y, i);
-                samplePosition(area.z, s, shadowRays.rotation, i).intoArray(shadowRays.z, i);
+                samplePosition(area, area.x, s, shadowRays, i).intoArray(shadowRays.x, i);
+                samplePosition(area, area.y, s, shadowRays, i).intoArray(shadowRays.y, i);
+                samplePosition(area, area.z, s, shadowRays, i).intoArray(shadowRays.z, i);
             }
         }
     }
@@ -145,13 +145,13 @@ final class LightLanes implements TermKernel {
      * Returns one coordinate of the sample positions of a vector of rows. If all positions of a sample fit into two vectors,
      * lanes select among these.
      */
-    private static DoubleVector samplePosition(double[] positions, int s, double[] rotations, int i) {
-        DoubleVector t = DoubleVector.fromArray(D, rotations, i);
-        int at = AreaSamples.ROTATIONS * s;
-        if (2 * LANES == AreaSamples.ROTATIONS) {
-            return t.selectFrom(DoubleVector.fromArray(D, positions, at), DoubleVector.fromArray(D, positions, at + LANES));
+    private static DoubleVector samplePosition(AreaSamples area, double[] positions, int s, RowShadowRays patterns, int i) {
+        int at = area.index(s, 0);
+        if (2 * LANES == area.patterns) {
+            return DoubleVector.fromArray(D, patterns.patternLanes, i).selectFrom(DoubleVector.fromArray(D, positions, at),
+                    DoubleVector.fromArray(D, positions, at + LANES));
         }
-        return DoubleVector.fromArray(D, positions, at, t.toIntArray(), 0);
+        return DoubleVector.fromArray(D, positions, at, patterns.pattern, i);
     }
 
     @Override

@@ -1,10 +1,10 @@
 package lightning.render.engine.lanes;
 
 import java.util.Arrays;
-import lightning.render.shading.AreaSamples;
 import lightning.render.shading.TermKernel;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.RowShadowRays;
+import lightning.render.trace.SamplePattern;
 import lightning.render.trace.ShadowRayHitFinder;
 import lightning.render.trace.Tracer;
 import lightning.render.trace.mesh.MeshPacketTraversal;
@@ -18,7 +18,7 @@ import lightning.render.trace.tree.CandidateList;
  * Lane version of {@link ShadowRayHitFinder}. Tests 64 shadow rays at a time against the box of a shape. Rays that enter it
  * traverse a mesh together, or are tested against a solid in lanes.
  *
- * <p>Rows with the same sample rotation form packets: their shadow rays end at the same position of an area light, so they are
+ * <p>Rows with the same sample pattern form packets: their shadow rays end at the same position of an area light, so they are
  * one beam, unlike those of neighboring rows. Rays are tested one by one if any may end on the shape, if the shape has cutouts,
  * or if the eye is on it. Holds scratch memory: use one per thread.
  */
@@ -38,8 +38,8 @@ final class ShadowRayHitLanes {
     /** Selected rows, and the index there of each packet's first row. */
     private final int[] sortedRows = new int[TermKernel.MAX_ROWS];
     private final int[] first = new int[MAX_PACKETS];
-    /** Start of the rows of each rotation. */
-    private final int[] rotationStarts = new int[AreaSamples.ROTATIONS + 1];
+    /** Start of the rows of each pattern. */
+    private final int[] patternStarts = new int[SamplePattern.MAX_PATTERNS + 1];
     /** Packets to test against a mesh. */
     private final int[] meshPackets = new int[MAX_PACKETS];
     private int count;
@@ -70,24 +70,24 @@ final class ShadowRayHitLanes {
         testCandidates(candidates, shadowRays.limit(), hits);
     }
 
-    /** Writes the selected rows to {@link #sortedRows}, by rotation; returns their number. */
+    /** Writes the selected rows to {@link #sortedRows}, by pattern; returns their number. */
     private int sortRows(HitRows rows, int[] selected, RowShadowRays shadowRays) {
-        Arrays.fill(rotationStarts, 0);
+        Arrays.fill(patternStarts, 0);
         for (int b = 0, first = 0; first < rows.count; b++, first += Tracer.ROWS_PER_WORD) {
             for (int left = selected[b]; left != 0; left &= left - 1) {
-                rotationStarts[(int) shadowRays.rotation[first + Integer.numberOfTrailingZeros(left)] + 1]++;
+                patternStarts[shadowRays.pattern[first + Integer.numberOfTrailingZeros(left)] + 1]++;
             }
         }
-        for (int t = 0; t < AreaSamples.ROTATIONS; t++) {
-            rotationStarts[t + 1] += rotationStarts[t];
+        for (int t = 0; t < SamplePattern.MAX_PATTERNS; t++) {
+            patternStarts[t + 1] += patternStarts[t];
         }
         for (int b = 0, first = 0; first < rows.count; b++, first += Tracer.ROWS_PER_WORD) {
             for (int left = selected[b]; left != 0; left &= left - 1) {
                 int row = first + Integer.numberOfTrailingZeros(left);
-                sortedRows[rotationStarts[(int) shadowRays.rotation[row]]++] = row;
+                sortedRows[patternStarts[shadowRays.pattern[row]]++] = row;
             }
         }
-        return rotationStarts[AreaSamples.ROTATIONS];
+        return patternStarts[SamplePattern.MAX_PATTERNS];
     }
 
     /** Adds a packet of {@code laneCount} rows, starting with index {@code from} of the sorted rows. */

@@ -38,10 +38,10 @@ final class ScalarTerms implements TermKernel {
     }
 
     @Override
-    public void aim(HitRows rows, LightSource source, int s, double[] rotations, int[] rowSet, float[] cosine, int[] facing) {
-        AreaSamples area = source.samples();
+    public void aim(HitRows rows, LightSource source, int s, RowShadowRays patterns, int[] rowSet, float[] cosine, int[] facing) {
+        AreaSamples area = source.samples(rows);
         for (int i = 0; i < rows.count; i++) {
-            int k = AreaSamples.index(s, rotations[i]);
+            int k = area.index(s, patterns.pattern[i]);
             if (source.type().hasPosition()) {
                 aimAtPoint(rows, i, area.x[k], area.y[k], area.z[k]);
             } else {
@@ -59,9 +59,9 @@ final class ScalarTerms implements TermKernel {
 
     @Override
     public void aimShadowRays(HitRows rows, LightSource source, int s, int[] rowSet, RowShadowRays shadowRays) {
-        AreaSamples area = source.samples();
+        AreaSamples area = source.samples(rows);
         for (int i = 0; i < rows.count; i++) {
-            int k = AreaSamples.index(s, shadowRays.rotation[i]);
+            int k = area.index(s, shadowRays.pattern[i]);
             shadowRays.x[i] = area.x[k];
             shadowRays.y[i] = area.y[k];
             shadowRays.z[i] = area.z[k];

@@ -62,10 +62,9 @@ public final class RatioKernel {
                 ColumnAllocator.NEW_ARRAYS.states(rows.count));
     }
 
-    /** Returns the terms of rows whose states are known, in columns that are valid until the next call. Casts no shadow ray. */
+    /** Returns the terms of rows whose states are known. Casts no shadow ray. */
     LightRows terms(HitRows rows, WeightedLight light, RatioRows layer) {
-        scratch.reset();
-        return lightKernel.recomputeTerms(rows, light.source(), layer, scratch);
+        return lightKernel.recomputeTerms(rows, light.source(), layer, ColumnAllocator.NEW_ARRAYS);
     }
 
     /** Computes all contributions from known terms, with the result of {@link #recompute}. Casts no ray. */

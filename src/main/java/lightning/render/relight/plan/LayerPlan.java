@@ -3,7 +3,6 @@ package lightning.render.relight.plan;
 import lightning.render.cache.CachedLight;
 import lightning.render.cache.LayerStamp;
 import lightning.render.cache.TileLevel;
-import lightning.render.shading.ConeChange;
 import lightning.render.shading.LightLayer;
 import lightning.render.shading.WeightedLight;
 import lightning.render.trace.ShapeChange;
@@ -77,18 +76,17 @@ public record LayerPlan(WeightedLight target, CachedLight base, LightUpdate upda
         return changesWeight() || !(update instanceof LightUpdate.Keep) || !shadows.isEmpty();
     }
 
-    /** Returns whether the light's edges for anti-aliasing may change in a tile's rows. Weight and falloff do not count as edges. */
+    /** Returns whether the light may change the colors by which anti-aliasing detects edges in a tile's rows. */
     boolean canChangeEdges(TileLevel old, LightLayer after) {
-        boolean wasDark = previous == null || previous.isDark();
-        return wasDark != target.isDark() || layerBefore(old) != after && !(preservesStates() && shadows.isEmpty());
+        LightLayer before = layerBefore(old);
+        boolean lights = before != null && before.litCount() > 0 || after != null && after.litCount() > 0;
+        return lights && (before != after || changesEdgeWeight());
     }
 
-    private boolean preservesStates() {
-        return switch (update) {
-            case LightUpdate.Keep _,LightUpdate.Reweight _,LightUpdate.Refresh _ -> true;
-            case LightUpdate.Partial p -> p.cone() == ConeChange.NONE;
-            case LightUpdate.FullRecompute _ -> false;
-        };
+    private boolean changesEdgeWeight() {
+        WeightedLight now = target.forEdges();
+        WeightedLight then = previous == null ? null : previous.forEdges();
+        return then == null || then.red() != now.red() || then.green() != now.green() || then.blue() != now.blue();
     }
 
     /** Returns whether the color of any of a tile's rows may change. */

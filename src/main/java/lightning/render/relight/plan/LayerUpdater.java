@@ -34,7 +34,7 @@ public interface LayerUpdater {
      */
     LightLayer join(RowSplice splice, LightLayer before, LightLayer added, WeightedLight light);
 
-    /** Returns the terms of a layer, valid until the next call. Casts no ray. */
+    /** Returns the terms of a layer. Casts no ray. */
     LightRows terms(HitRows rows, WeightedLight light, LightLayer layer);
 
     /** Returns the number of layer rows tested or written since the start. */

@@ -101,7 +101,7 @@ public record LevelPlan(List<LayerPlan> layers, List<String> droppedLights, bool
         return lights;
     }
 
-    /** Returns whether the edges of lights for anti-aliasing may change. */
+    /** Returns whether the colors by which anti-aliasing detects edges may change, apart from mirror images. */
     public boolean canChangeEdges(TileLevel old, LightLayer[] after) {
         boolean recodes = recomposeAll || !materials.isEmpty();
         for (int l = 0; l < after.length && !recodes; l++) {

@@ -1,13 +1,13 @@
 package lightning.render.relight.tile;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.BitSet;
 import java.util.List;
 import lightning.render.cache.CachedTile;
 import lightning.render.cache.TileLevel;
 import lightning.render.relight.paper.ReflectionHitList;
 import lightning.render.shading.BounceImages;
-import lightning.render.shading.EdgeCodeBuilder;
 import lightning.render.trace.BounceKind;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.RowSplice;
@@ -26,12 +26,12 @@ final class BounceLevels {
     private final List<TileLevel> levels = new ArrayList<>();
     /** Hit shapes of the rays, used if rows are not stored. */
     private final ReflectionHitList hitShapes = new ReflectionHitList();
-    /** Collects edge codes; null without edge detection. */
-    private EdgeCodeBuilder edgeCoder;
     /** Old levels, and the index of the next one. */
     private TileLevel[] oldLevels;
     private int nextOldLevel;
     private boolean changed;
+    /** True if the colors by which edges are detected may have changed. */
+    private boolean changedEdges;
     private long rayCount;
 
     BounceLevels(RenderJob job, LevelWorker worker) {
@@ -47,72 +47,72 @@ final class BounceLevels {
     /**
      * Levels that a tile stores.
      *
-     * @param levels all levels; only the first if the others are stored as hit shapes
-     * @param images colors of the rays that bounce from the first level's rows; null if there are none
+     * @param levels       all levels; only the first if the others are stored as hit shapes
+     * @param images       colors of the rays that bounce from the first level's rows; null if there are none
+     * @param changesEdges true if the colors by which edges are detected may differ from those of the old levels
      */
-    record TracedLevels(TileLevel[] levels, int[][] hitShapes, BounceImages images) {}
+    record TracedLevels(TileLevel[] levels, int[][] hitShapes, BounceImages images, boolean changesEdges) {}
 
-    private void begin(TileLevel top, TileLevel[] before, int[][] shapes, EdgeCodeBuilder codeBuilder) {
+    private void begin(TileLevel top, TileLevel[] before, int[][] shapes) {
         levels.clear();
         levels.add(top);
         hitShapes.begin(shapes);
-        edgeCoder = codeBuilder;
         oldLevels = before;
         nextOldLevel = 1;
         changed = false;
+        changedEdges = false;
     }
 
     /**
      * Traces all levels.
      *
-     * @param top         the first level
-     * @param shapes      cached hit shapes of the rays
-     * @param codeBuilder collects edge codes; null without edge detection
+     * @param top    the first level
+     * @param shapes cached hit shapes of the rays
      */
-    TracedLevels traceAll(TileLevel top, int[][] shapes, EdgeCodeBuilder codeBuilder) {
-        begin(top, NONE, shapes, codeBuilder);
-        trace(top.rows(), 0, 0);
+    TracedLevels traceAll(TileLevel top, int[][] shapes) {
+        begin(top, NONE, shapes);
+        trace(top.rows(), 0);
         if (job.progress().isCanceled()) {
-            return new TracedLevels(new TileLevel[] {top}, shapes, null);
+            return new TracedLevels(new TileLevel[] {top}, shapes, null, true);
         }
         BounceImages images = composeImages();
-        return job.storesMirrorRows() ? new TracedLevels(levels.toArray(TileLevel[]::new), ReflectionHitList.NONE, images)
-                : new TracedLevels(new TileLevel[] {top}, hitShapes.list(), images);
+        return job.storesMirrorRows() ? new TracedLevels(levels.toArray(TileLevel[]::new), ReflectionHitList.NONE, images, true)
+                : new TracedLevels(new TileLevel[] {top}, hitShapes.list(), images, true);
     }
 
     /**
      * Updates all levels. Levels stored as rows keep cached rows and cast rays only for the rest; others are traced from their hit
      * shapes.
      *
-     * @param before      the old tile
-     * @param top         its new first level
-     * @param order       splice of that level's rows; null if they are unchanged
-     * @param codeBuilder collects edge codes; null without edge detection
+     * @param before the old tile
+     * @param top    its new first level
+     * @param order  splice of that level's rows; null if they are unchanged
      */
-    TracedLevels updateAll(CachedTile before, TileLevel top, RowSplice order, EdgeCodeBuilder codeBuilder) {
+    TracedLevels updateAll(CachedTile before, TileLevel top, RowSplice order) {
         if (!job.storesMirrorRows()) {
             return traceAll(top,
                     order == null ? ReflectionHitList.validAfter(before.hitShapes, job.plan(), job.mirrorTarget().geometry())
-                            : ReflectionHitList.NONE,
-                    codeBuilder);
+                            : ReflectionHitList.NONE);
         }
-        begin(top, before.levels, ReflectionHitList.NONE, codeBuilder);
+        begin(top, before.levels, ReflectionHitList.NONE);
         changed = order != null || job.mirrorPlan() != null && job.mirrorPlan().recomposeAll();
-        update(top.rows(), order, before.levels[0].rows(), 0, 0);
-        return job.progress().isCanceled() ? new TracedLevels(before.levels, before.hitShapes, null)
-                : new TracedLevels(levels.toArray(TileLevel[]::new), before.hitShapes, changed ? composeImages() : before.images);
+        changedEdges = changed;
+        update(top.rows(), order, before.levels[0].rows(), 0);
+        return job.progress().isCanceled() ? new TracedLevels(before.levels, before.hitShapes, null, true)
+                : new TracedLevels(levels.toArray(TileLevel[]::new), before.hitShapes, changed ? composeImages() : before.images,
+                        changedEdges);
     }
 
     /** Traces everything seen from a level's rows. */
-    private void trace(HitRows rows, int depth, int nodeIndex) {
+    private void trace(HitRows rows, int depth) {
         for (BounceKind bounce : BounceKind.values()) {
             if (depth < job.depth() && bounce.rowCount(rows) > 0 && !job.progress().isCanceled()) {
-                trace(rows, bounce, depth, nodeIndex);
+                trace(rows, bounce, depth);
             }
         }
     }
 
-    private void trace(HitRows rows, BounceKind bounce, int depth, int nodeIndex) {
+    private void trace(HitRows rows, BounceKind bounce, int depth) {
         if (hitShapes.hasNext() && !worker.visibility().raysThroughBoxes(rows, bounce, job.shapeChange().visibleChanges()).isEmpty()) {
             // Other rows may be visible from these rows, so the cached levels seen from them are invalid.
             hitShapes.dropRest();
@@ -124,20 +124,12 @@ final class BounceLevels {
             hitShapes.add(shapes == null ? worker.visibility().hitShapes() : shapes);
         }
         TileLevel level = worker.lightLevel(bounceRows);
-        int childIndex = EdgeCodeBuilder.childIndex(nodeIndex, bounce);
-        add(level, depth + 1, childIndex);
-        trace(level.rows(), depth + 1, childIndex);
-    }
-
-    private void add(TileLevel level, int depth, int nodeIndex) {
         levels.add(level);
-        if (edgeCoder != null && !job.progress().isCanceled()) {
-            worker.addEdgeCodes(edgeCoder, depth, nodeIndex, level);
-        }
+        trace(level.rows(), depth + 1);
     }
 
     private TileVisibility.Allocator allocator(HitRows above) {
-        return (count, textured, clear) -> new HitRows(count, textured, clear, above.code != null, job.needsOwners());
+        return (count, textured, clear) -> new HitRows(count, textured, clear, above.pattern != null, job.needsOwners());
     }
 
     /**
@@ -146,7 +138,7 @@ final class BounceLevels {
      * @param order  splice of the level's rows; null if they are unchanged
      * @param before the level's old rows
      */
-    private void update(HitRows rows, RowSplice order, HitRows before, int depth, int nodeIndex) {
+    private void update(HitRows rows, RowSplice order, HitRows before, int depth) {
         for (BounceKind bounce : BounceKind.values()) {
             boolean existed = depth < job.depthBefore() && bounce.rowCount(before) > 0;
             boolean exists = depth < job.depth() && bounce.rowCount(rows) > 0;
@@ -156,16 +148,17 @@ final class BounceLevels {
             if (existed && exists) {
                 BitSet retraced = worker.visibility().raysThroughBoxes(rows, bounce, job.shapeChange().visibleChanges());
                 if (LevelWorker.isWorthUpdating(retraced, bounce.rowCount(rows))) {
-                    update(rows, bounce, order, retraced, depth, nodeIndex);
+                    update(rows, bounce, order, retraced, depth);
                     continue;
                 }
             }
             changed |= existed || exists;
+            changedEdges |= existed || exists;
             if (existed) {
                 skipSubtree(depth + 1);
             }
             if (exists) {
-                trace(rows, bounce, depth, nodeIndex);
+                trace(rows, bounce, depth);
             }
         }
     }
@@ -181,7 +174,7 @@ final class BounceLevels {
     }
 
     /** @param retraced rows whose rays may have another hit than before */
-    private void update(HitRows rows, BounceKind bounce, RowSplice order, BitSet retraced, int depth, int nodeIndex) {
+    private void update(HitRows rows, BounceKind bounce, RowSplice order, BitSet retraced, int depth) {
         TileLevel before = oldLevels[nextOldLevel++];
         RowSplice rowSplice = !retraced.isEmpty() || reordersRows(order, before.rows())
                 ? RowSplice.mergeBounce(order, bounce.rowCount(rows), before.rows(), retraced, job.mirrorTarget().geometry().materials())
@@ -194,6 +187,7 @@ final class BounceLevels {
                 return;
             }
             changed |= job.mirrorPlan().canChangeColors(textured, updated.layers());
+            changedEdges |= job.mirrorPlan().canChangeEdges(textured, updated.layers());
             level = updated;
         }
         BitSet unknown = order == null ? new BitSet() : order.rowsWithoutRays(bounce);
@@ -205,10 +199,10 @@ final class BounceLevels {
             level = worker.join(all, level, added);
             rowSplice = rowSplice == null ? all : rowSplice.andThen(all);
         }
-        int childIndex = EdgeCodeBuilder.childIndex(nodeIndex, bounce);
-        add(level, depth + 1, childIndex);
+        levels.add(level);
         changed |= rowSplice != null;
-        update(level.rows(), rowSplice, before.rows(), depth + 1, childIndex);
+        changedEdges |= rowSplice != null;
+        update(level.rows(), rowSplice, before.rows(), depth + 1);
     }
 
     /** Returns whether rows seen from other rows move or disappear. */
@@ -239,14 +233,26 @@ final class BounceLevels {
         return images;
     }
 
+    /** Returns all levels of the tile that was traced or updated last, with the terms of the lights in mirrors. */
+    TileLevel[] lastLevelsWithTerms() {
+        return levelsWithTerms(levels.toArray(TileLevel[]::new));
+    }
+
+    /** Returns levels of a tile, below the first with the terms of their lights. */
+    TileLevel[] levelsWithTerms(TileLevel[] all) {
+        TileLevel[] terms = new TileLevel[all.length];
+        Arrays.setAll(terms, i -> i == 0 ? all[0] : worker.withTerms(all[i]));
+        return terms;
+    }
+
     /**
      * Traces all rays that bounce from the rows of an unchanged tile again and lets a handler convert each level.
      *
      * @param top the converted first level
      */
-    TileLevel[] retraceHits(CachedTile tile, TileLevel top, boolean detectEdges, RetraceHandler handler) {
-        begin(top, tile.levels, ReflectionHitList.NONE, null);
-        retrace(top.rows(), 0, detectEdges, handler);
+    TileLevel[] retraceHits(CachedTile tile, TileLevel top, RetraceHandler handler) {
+        begin(top, tile.levels, ReflectionHitList.NONE);
+        retrace(top.rows(), 0, handler);
         return levels.toArray(TileLevel[]::new);
     }
 
@@ -256,15 +262,15 @@ final class BounceLevels {
         TileLevel apply(TileLevel level, HitRows retracedRows);
     }
 
-    private void retrace(HitRows rows, int depth, boolean detectEdges, RetraceHandler handler) {
+    private void retrace(HitRows rows, int depth, RetraceHandler handler) {
         for (BounceKind bounce : BounceKind.values()) {
             if (depth < job.depthBefore() && bounce.rowCount(rows) > 0 && nextOldLevel < oldLevels.length) {
                 HitRows retracedRows = worker.visibility().traceBounceRays(rows, bounce, null,
-                        (count, textured, clear) -> new HitRows(count, textured, clear, detectEdges, job.needsOwners()));
+                        allocator(rows));
                 rayCount += worker.visibility().rayCount();
                 TileLevel level = handler.apply(oldLevels[nextOldLevel++], retracedRows);
                 levels.add(level);
-                retrace(level.rows(), depth + 1, detectEdges, handler);
+                retrace(level.rows(), depth + 1, handler);
             }
         }
     }

@@ -13,7 +13,7 @@ import lightning.render.cache.LayerStamp;
 import lightning.render.cache.PixelCache;
 import lightning.render.engine.EngineWorkers;
 import lightning.render.relight.plan.LevelPlan;
-import lightning.render.shading.EdgeCodes;
+import lightning.render.shading.EdgeColors;
 import lightning.render.shading.EdgeDetector;
 import lightning.render.shading.RenderedScenes;
 import lightning.render.shading.WeightedLight;
@@ -151,8 +151,8 @@ public final class CacheBuilder {
     }
 
     private EdgeDetector edgeDetector(CachedTile[] centers) {
-        EdgeCodes[] codes = Arrays.stream(centers).map(tile -> tile.codes).toArray(EdgeCodes[]::new);
-        return new EdgeDetector(job.scene().picture().width(), job.scene().picture().height(), codes);
+        EdgeColors[] colors = Arrays.stream(centers).map(tile -> tile.edges).toArray(EdgeColors[]::new);
+        return new EdgeDetector(job.scene().picture().width(), job.scene().picture().height(), colors);
     }
 
     private Stream<TileWorker> allWorkers() {

@@ -1,29 +1,43 @@
 package lightning.render.relight.tile;
 
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.BitSet;
+import java.util.List;
 import lightning.render.cache.CachedTile;
 import lightning.render.cache.FineSamples;
 import lightning.render.cache.FineTile;
+import lightning.render.cache.SampleBlock;
 import lightning.render.engine.EngineWorkers;
 import lightning.render.image.Film;
+import lightning.render.shading.EdgeColors;
 import lightning.render.shading.EdgeDetector;
 import lightning.render.shading.SampleMean;
+import lightning.render.trace.SampleCells;
 import lightning.render.trace.SamplePositions;
 import lightning.scene.AntialiasMode;
 
 /**
  * Builds and updates the finer samples of tiles for anti-aliasing, after the pixel centers. Use one instance per thread.
  *
- * <p>The scene alone decides which pixels have them. Samples at shape edges are kept during light edits and updated like other
- * rows. Samples at light edges follow the light: in tiles where other pixels need them than before, they are traced again.
+ * <p>The scene alone decides which pixels have them. Samples are cached and updated like other rows. A pixel that needs no samples
+ * any more keeps them for a while, because a light that moves back needs them again.
  */
 final class FineSampleWorker {
-    private static final short[] NO_PIXELS = new short[0];
+    /** Blocks in which a smaller share of the pixels use their samples are removed. */
+    private static final double MIN_USED_SHARE = 0.5;
+    /** Blocks with a smaller share of the possible pixels are joined if there are many blocks. */
+    private static final double MIN_BLOCK_SHARE = 0.25;
 
     private final RenderJob job;
     private final EngineWorkers<TileWorker> tileWorkers;
     private final EdgeDetector edges;
     private final EdgeDetector previousEdges;
+    private final SampleCells firstCells;
+    private final SampleCells restCells;
+    private final boolean refines;
+    /** True if the colors of any samples changed since the start of a tile. */
+    private boolean hasNewColors;
 
     /**
      * @param edges the current edges; unread if all pixels have several samples
@@ -34,6 +48,10 @@ final class FineSampleWorker {
         this.tileWorkers = tileWorkers;
         this.edges = edges;
         this.previousEdges = known;
+        int grid = job.sampling().grid();
+        refines = job.sampling().antialias() == AntialiasMode.EDGES && SampleCells.canRefine(grid);
+        firstCells = refines ? SampleCells.first(grid) : SampleCells.all(grid);
+        restCells = SampleCells.rest(grid);
     }
 
     /**
@@ -44,49 +62,109 @@ final class FineSampleWorker {
      * @param old       the finer samples before the update, or null
      */
     FineTile buildTile(int tile, CachedTile center, CachedTile oldCenter, FineTile old) {
+        hasNewColors = false;
         boolean reusesPixels = old != null && (!job.detectsEdges() || edges.hasSameEdges(tile, previousEdges));
-        short[] shapePixels = reusesPixels ? old.shapes().pixels() : shapePixels(tile);
-        short[] lightPixels = reusesPixels ? old.lights().pixels() : lightPixels(tile);
-        FineSamples oldShapes = old != null && Arrays.equals(shapePixels, old.shapes().pixels()) ? old.shapes() : null;
-        FineSamples oldLights = old != null && Arrays.equals(lightPixels, old.lights().pixels()) ? old.lights() : null;
-        boolean isUnchanged = oldShapes != null && oldLights != null && (center == null || center.film == oldCenter.film);
-        int perPixel = job.sampling().samplesPerPixel();
-        SampledTile film = isUnchanged ? SampledTile.ofPrevious(old, perPixel) : SampledTile.ofCenters(center, old, perPixel);
-        FineSamples shapes = samples(tile, shapePixels, oldShapes, film);
-        FineSamples lights = samples(tile, lightPixels, oldLights, film);
-        return job.progress().isCanceled() ? null : new FineTile(shapes, lights, film.film());
+        short[] pixels = reusesPixels ? old.first().pixels() : pixels(tile);
+        FineSamples first = update(tile, firstCells, pixels, old == null ? FineSamples.none(firstCells) : old.first());
+        if (job.progress().isCanceled()) {
+            return null;
+        }
+        FineSamples oldRest = old == null ? FineSamples.none(restCells) : old.rest();
+        FineSamples rest = refines ? update(tile, restCells, visiblyDifferent(first), oldRest) : oldRest;
+        if (job.progress().isCanceled()) {
+            return null;
+        }
+        boolean isUnchanged = old != null && !hasNewColors && (center == null || center.film == oldCenter.film)
+                && Arrays.equals(first.pixels(), old.first().pixels()) && Arrays.equals(rest.pixels(), old.rest().pixels());
+        return isUnchanged ? new FineTile(first, rest, old.film()) : FineTile.of(center == null ? null : center.film, first, rest);
     }
 
-    private short[] shapePixels(int tile) {
-        return job.sampling().antialias() == AntialiasMode.EDGES ? edges.shapeEdges(tile)
+    private short[] pixels(int tile) {
+        return job.sampling().antialias() == AntialiasMode.EDGES ? edges.edges(tile)
                 : EdgeDetector.allPixels(job.scene().picture().width(), job.scene().picture().height(), tile);
     }
 
-    private short[] lightPixels(int tile) {
-        return job.sampling().antialias() == AntialiasMode.EDGES ? edges.lightEdges(tile) : NO_PIXELS;
-    }
-
-    /** @param old old samples of the same pixels, or null */
-    private FineSamples samples(int tile, short[] pixels, FineSamples old, SampledTile film) {
-        int batchSize = SampleMean.pixelsPerBatch(job.sampling().samplesPerPixel());
-        TileWorker worker = tileWorkers.forTile(tile);
-        CachedTile[] blocks = new CachedTile[(pixels.length + batchSize - 1) / batchSize];
-        for (int b = 0; b < blocks.length; b++) {
-            int from = b * batchSize;
-            int to = Math.min(pixels.length, from + batchSize);
-            var places = new SamplePositions(tile % job.tilesX() * Film.TILE_SIZE, tile / job.tilesX() * Film.TILE_SIZE, pixels, from, to,
-                    job.sampling().grid());
-            blocks[b] = old == null ? worker.traceSamples(places) : worker.relight(places, old.blocks()[b]);
-            if (job.progress().isCanceled()) {
-                // New samples that were canceled have no colors and no previous film to copy them from.
-                break;
-            }
-            if (worker.hasNewColors()) {
-                film.write(pixels, from, to, worker.colors());
-            } else {
-                film.copyPrevious(pixels, from, to);
+    /** Returns the pixels whose first samples differ visibly. */
+    private static short[] visiblyDifferent(FineSamples first) {
+        BitSet different = new BitSet();
+        BitSet used = first.pixelSet();
+        int perPixel = first.cells().count();
+        for (SampleBlock block : first.blocks()) {
+            for (int i = 0; i < block.pixels().length; i++) {
+                if (used.get(block.pixels()[i]) && EdgeColors.differ(block.rows().edges.colors(), i * perPixel, perPixel)) {
+                    different.set(block.pixels()[i]);
+                }
             }
         }
-        return new FineSamples(old == null ? pixels : old.pixels(), blocks);
+        return toArray(different);
+    }
+
+    private static short[] toArray(BitSet pixels) {
+        short[] array = new short[pixels.cardinality()];
+        for (int i = 0, pixel = pixels.nextSetBit(0); pixel >= 0; pixel = pixels.nextSetBit(pixel + 1)) {
+            array[i++] = (short) pixel;
+        }
+        return array;
+    }
+
+    /** Updates the samples that are known and traces those that are missing. If canceled, the result is incomplete. */
+    private FineSamples update(int tile, SampleCells cells, short[] pixels, FineSamples old) {
+        FineSamples wanted = new FineSamples(cells, pixels, old.blocks());
+        BitSet missing = wanted.pixelSet();
+        List<SampleBlock> blocks = new ArrayList<>();
+        for (SampleBlock block : old.blocks()) {
+            if (job.progress().isCanceled()) {
+                return wanted;
+            }
+            if (isWorthKeeping(block, wanted)) {
+                blocks.add(relight(tile, cells, block));
+                for (short pixel : block.pixels()) {
+                    missing.clear(pixel);
+                }
+            }
+        }
+        short[] added = toArray(missing);
+        int batchSize = SampleMean.pixelsPerBatch(cells.count());
+        for (int from = 0; from < added.length && !job.progress().isCanceled(); from += batchSize) {
+            blocks.add(trace(tile, cells, Arrays.copyOfRange(added, from, Math.min(added.length, from + batchSize))));
+        }
+        return new FineSamples(cells, Arrays.equals(pixels, old.pixels()) ? old.pixels() : pixels, blocks.toArray(SampleBlock[]::new));
+    }
+
+    private static boolean isWorthKeeping(SampleBlock block, FineSamples wanted) {
+        BitSet used = wanted.pixelSet();
+        int count = 0;
+        for (short pixel : block.pixels()) {
+            count += used.get(pixel) ? 1 : 0;
+        }
+        int batchSize = SampleMean.pixelsPerBatch(wanted.cells().count());
+        boolean isFragmented = wanted.blocks().length > 2 + 2 * Math.ceilDiv(wanted.pixels().length, batchSize);
+        return count > 0 && count >= MIN_USED_SHARE * block.pixels().length
+                && !(isFragmented && block.pixels().length < MIN_BLOCK_SHARE * batchSize);
+    }
+
+    private SamplePositions positions(int tile, SampleCells cells, short[] pixels) {
+        return new SamplePositions(tile % job.tilesX() * Film.TILE_SIZE, tile / job.tilesX() * Film.TILE_SIZE, pixels, cells);
+    }
+
+    private boolean decides(SampleCells cells) {
+        return refines && cells == firstCells;
+    }
+
+    private SampleBlock trace(int tile, SampleCells cells, short[] pixels) {
+        TileWorker worker = tileWorkers.forTile(tile);
+        CachedTile rows = worker.traceSamples(positions(tile, cells, pixels), decides(cells));
+        hasNewColors = true;
+        return new SampleBlock(pixels, rows, rows == null ? null : SampleMean.ofPixels(pixels.length, cells.count(), worker.colors()));
+    }
+
+    private SampleBlock relight(int tile, SampleCells cells, SampleBlock old) {
+        TileWorker worker = tileWorkers.forTile(tile);
+        CachedTile rows = worker.relight(positions(tile, cells, old.pixels()), old.rows(), decides(cells));
+        if (rows == null || !worker.hasNewColors()) {
+            return new SampleBlock(old.pixels(), rows, old.means());
+        }
+        hasNewColors = true;
+        return new SampleBlock(old.pixels(), rows, SampleMean.ofPixels(old.pixels().length, cells.count(), worker.colors()));
     }
 }

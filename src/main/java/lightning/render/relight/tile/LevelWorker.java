@@ -11,12 +11,9 @@ import lightning.render.relight.plan.LevelPlan;
 import lightning.render.relight.plan.LightUpdate;
 import lightning.render.shading.BounceImages;
 import lightning.render.shading.BranchSums;
-import lightning.render.shading.EdgeCodeBuilder;
 import lightning.render.shading.LightKernel;
 import lightning.render.shading.LightLayer;
-import lightning.render.shading.LightRows;
 import lightning.render.shading.TileComposer;
-import lightning.render.shading.WeightedLight;
 import lightning.render.trace.BounceKind;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.MaterialSet;
@@ -202,16 +199,13 @@ final class LevelWorker {
         return level;
     }
 
-    /** Adds the edge codes of a level; the levels above must have been added before. */
-    void addEdgeCodes(EdgeCodeBuilder codeBuilder, int depth, int nodeIndex, TileLevel level) {
-        WeightedLight[] shining = target.lights();
-        codeBuilder.addShapes(depth, nodeIndex, level.rows(), target.geometry().materials());
-        for (int l = 0; l < shining.length && !job.progress().isCanceled(); l++) {
-            if (!shining[l].isDark()) {
-                LightRows layer = updater.terms(level.rows(), shining[l], level.layers()[l]);
-                codeBuilder.addLight(depth, nodeIndex, l, level.rows(), layer, target.geometry().materials());
-            }
+    /** Returns a level with the terms of the lights that shine, for {@link PreparedScene#edgeLights}. */
+    TileLevel withTerms(TileLevel level) {
+        LightLayer[] terms = new LightLayer[target.lights().length];
+        for (int l = 0; l < terms.length && !job.progress().isCanceled(); l++) {
+            terms[l] = target.lights()[l].isDark() ? null : updater.terms(level.rows(), target.lights()[l], level.layers()[l]);
         }
+        return new TileLevel(level.rows(), terms);
     }
 
     /**

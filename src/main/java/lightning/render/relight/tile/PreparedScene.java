@@ -1,5 +1,6 @@
 package lightning.render.relight.tile;
 
+import java.util.Arrays;
 import lightning.render.shading.WeightedLight;
 import lightning.render.trace.Geometry;
 import lightning.scene.Scene;
@@ -8,13 +9,16 @@ import lightning.scene.Scene;
  * Scene of a level, prepared for rendering.
  *
  * @param geometry geometry with the scene's materials
- * @param lights   the scene's lights, in its order
+ * @param lights     the scene's lights, in its order
+ * @param edgeLights the same lights as edge detection sees them
  */
-public record PreparedScene(Geometry geometry, Scene scene, WeightedLight[] lights) {
+public record PreparedScene(Geometry geometry, Scene scene, WeightedLight[] lights, WeightedLight[] edgeLights) {
     // An array in a record: written once by its creator, never after.
 
     /** @param geometry geometry of the same shapes, with any materials */
     public static PreparedScene of(Geometry geometry, Scene scene) {
-        return new PreparedScene(geometry.withMaterialsOf(scene), scene, WeightedLight.ofScene(scene));
+        WeightedLight[] lights = WeightedLight.ofScene(scene);
+        return new PreparedScene(geometry.withMaterialsOf(scene), scene, lights,
+                Arrays.stream(lights).map(WeightedLight::forEdges).toArray(WeightedLight[]::new));
     }
 }

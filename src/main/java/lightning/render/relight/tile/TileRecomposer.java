@@ -9,6 +9,7 @@ import lightning.render.shading.TileComposer;
 import lightning.render.shading.WeightedLight;
 import lightning.render.trace.BounceKind;
 import lightning.render.trace.HitRows;
+import lightning.render.trace.MaterialTable;
 import lightning.render.trace.SamplePositions;
 import lightning.scene.Scene;
 import lightning.scene.World;
@@ -26,9 +27,18 @@ public final class TileRecomposer {
     private int nextLevel;
 
     public TileRecomposer(PixelCache cache, Engine engine, ViewEffects view) {
-        depth = cache.scene().picture().depth();
-        eye = new TileComposer(cache.geometry().materials(), engine.sums(), view);
-        mirror = new TileComposer(cache.geometry().withMaterialsOf(cache.mirroredScene()).materials(), engine.sums(), view);
+        this(cache.geometry().materials(), cache.mirroredGeometry().materials(), cache.scene().picture().depth(), engine, view);
+    }
+
+    /**
+     * @param materials materials of the first level
+     * @param mirrored  materials of the other levels
+     * @param depth     maximum recursion depth
+     */
+    TileRecomposer(MaterialTable materials, MaterialTable mirrored, int depth, Engine engine, ViewEffects view) {
+        this.depth = depth;
+        eye = new TileComposer(materials, engine.sums(), view);
+        mirror = new TileComposer(mirrored, engine.sums(), view);
     }
 
     /**

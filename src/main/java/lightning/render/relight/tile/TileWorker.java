@@ -7,8 +7,8 @@ import lightning.render.cache.TileLevel;
 import lightning.render.engine.Engine;
 import lightning.render.image.Film;
 import lightning.render.relight.plan.MaterialUpdate;
-import lightning.render.shading.EdgeCodeBuilder;
-import lightning.render.shading.EdgeCodes;
+import lightning.render.shading.BounceImages;
+import lightning.render.shading.EdgeColors;
 import lightning.render.shading.RayCounts;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.RowSplice;
@@ -29,8 +29,8 @@ final class TileWorker {
     private LevelWorker mirrorWorker;
     /** Created on first use. */
     private BounceLevels bounceLevels;
-    /** Created on first use by anti-aliasing. */
-    private EdgeCodeBuilder edgeCoder;
+    /** Composes the colors by which edges are detected; created on first use. */
+    private TileRecomposer edgeComposer;
     /** Colors of samples whose colors are not stored; allocated on first use. */
     private float[][] sampleColors;
     /** Colors composed last. */
@@ -80,13 +80,17 @@ final class TileWorker {
         eyeRays += (long) Math.min(Film.TILE_SIZE, job.scene().picture().width() - x0)
                 * Math.min(Film.TILE_SIZE, job.scene().picture().height() - y0);
         return buildTraced(SamplePositions.centers(x0, y0),
-                eyeWorker.visibility().traceEyeRays(x0, y0, Film.TILE_SIZE, allocator(job.detectsEdges())), job.detectsEdges(), false);
+                eyeWorker.visibility().traceEyeRays(x0, y0, Film.TILE_SIZE, allocator(false)), job.detectsEdges(), false);
     }
 
-    /** Traces finer samples; null if the work was canceled. */
-    CachedTile traceSamples(SamplePositions places) {
+    /**
+     * Traces finer samples; null if the work was canceled.
+     *
+     * @param detectEdges true if their colors decide about further samples
+     */
+    CachedTile traceSamples(SamplePositions places, boolean detectEdges) {
         eyeRays += places.count();
-        return buildTraced(places, eyeWorker.visibility().traceSamples(places, allocator(false)), false, true);
+        return buildTraced(places, eyeWorker.visibility().traceSamples(places, allocator(true)), detectEdges, true);
     }
 
     /** Returns whether the last samples have other colors than before. */
@@ -101,16 +105,44 @@ final class TileWorker {
 
     private CachedTile buildTraced(SamplePositions places, HitRows rows, boolean detectEdges, boolean fine) {
         TileLevel top = eyeWorker.lightLevel(rows);
-        startEdgeCodes(detectEdges, top);
         BounceLevels.TracedLevels below =
-                top.rows().reflectiveCount == 0 ? new BounceLevels.TracedLevels(new TileLevel[] {top}, new int[0][], null)
-                        : bounceLevels().traceAll(top, new int[0][], detectEdges ? edgeCoder : null);
-        return job.progress().isCanceled() ? null
-                : buildTile(places, top, below, false, null, detectEdges ? edgeCoder.build() : null, fine);
+                top.rows().reflectiveCount == 0 ? new BounceLevels.TracedLevels(new TileLevel[] {top}, new int[0][], null, true)
+                        : bounceLevels().traceAll(top, new int[0][]);
+        if (job.progress().isCanceled()) {
+            return null;
+        }
+        return buildTile(places, top, below, false, null, detectEdges ? edgeColors(places, top, edgeImages(top)) : null, fine);
     }
 
-    private TileVisibility.Allocator allocator(boolean detectEdges) {
-        return (count, textured, clear) -> new HitRows(count, textured, clear, detectEdges, needsOwners);
+    private TileRecomposer edgeComposer() {
+        edgeComposer = edgeComposer == null
+                ? new TileRecomposer(job.target().geometry().materials(), job.mirrorTarget().geometry().materials(), job.depth(), engine,
+                        job.options().view())
+                : edgeComposer;
+        return edgeComposer;
+    }
+
+    /** Returns the colors for edges of the rays that bounce from the first level's rows, of the levels traced or updated last. */
+    private BounceImages edgeImages(TileLevel top) {
+        return top.rows().reflectiveCount == 0 ? null
+                : edgeComposer().composeImages(bounceLevels().lastLevelsWithTerms(), job.mirrorTarget().edgeLights(),
+                        job.mirrorTarget().scene().world());
+    }
+
+    /**
+     * Composes the colors by which edges are detected.
+     *
+     * @param images colors of the rays that bounce from the first level's rows; null if there are none
+     */
+    private EdgeColors edgeColors(SamplePositions places, TileLevel top, BounceImages images) {
+        float[][] film = edgeComposer().composeFilm(eyeWorker.withTerms(top), job.target().edgeLights(), job.scene(), places, images);
+        // Levels that are not stored cannot be composed again.
+        boolean storesImages = images != null && !job.storesMirrorRows();
+        return new EdgeColors(EdgeColors.pack(film), storesImages ? images.compact(top.rows()) : null);
+    }
+
+    private TileVisibility.Allocator allocator(boolean fine) {
+        return (count, textured, clear) -> new HitRows(count, textured, clear, fine, needsOwners);
     }
 
     /** Updates the centers of a tile's pixels as planned; null if the work was canceled. */
@@ -120,10 +152,7 @@ final class TileWorker {
         if (!LevelWorker.isWorthUpdating(retraced, places.count())) {
             return firstPass(tile);
         }
-        boolean seeksEdges = job.sampling().antialias() == AntialiasMode.EDGES;
-        boolean codes = old.codes != null;
-        return relight(places, seeksEdges == codes ? old : seeksEdges ? withCodes(places, old) : withoutCodes(old), retraced, seeksEdges,
-                false);
+        return relight(places, old, retraced, job.sampling().antialias() == AntialiasMode.EDGES, false);
     }
 
     /** Returns the sample positions whose rays may have another hit than before. */
@@ -132,25 +161,15 @@ final class TileWorker {
                 : eyeWorker.visibility().eyeRaysThroughBoxes(places, job.shapeChange().visibleChanges());
     }
 
-    /**
-     * Adds edge codes to a tile when edge detection is enabled. Traces its rays again for the codes, which were not stored; keeps
-     * its rows and layers.
-     */
-    private CachedTile withCodes(SamplePositions places, CachedTile old) {
-        TileLevel top = old.levels[0].withCode(eyeHits(places, true).code);
-        TileLevel[] levels = bounceLevels().retraceHits(old, top, true, (level, retracedRows) -> level.withCode(retracedRows.code));
-        return new CachedTile(levels, old.hitShapes, old.images, old.film, null);
-    }
-
     /** Returns the hits of camera rays through some sample positions. */
-    private HitRows eyeHits(SamplePositions places, boolean detectEdges) {
+    private HitRows eyeHits(SamplePositions places) {
         if (places.pixels() != null) {
             eyeRays += places.count();
-            return eyeWorker.visibility().traceSamples(places, allocator(detectEdges));
+            return eyeWorker.visibility().traceSamples(places, allocator(true));
         }
         eyeRays += (long) Math.min(Film.TILE_SIZE, job.scene().picture().width() - places.x0())
                 * Math.min(Film.TILE_SIZE, job.scene().picture().height() - places.y0());
-        return eyeWorker.visibility().traceEyeRays(places.x0(), places.y0(), Film.TILE_SIZE, allocator(detectEdges));
+        return eyeWorker.visibility().traceEyeRays(places.x0(), places.y0(), Film.TILE_SIZE, allocator(false));
     }
 
     /** Adds, remaps or removes the owner shapes of a tile's rows, depending on whether a light needs them. */
@@ -158,13 +177,13 @@ final class TileWorker {
         boolean known = old.levels[0].rows().owner != null;
         return !needsOwners && !known || needsOwners && known && job.shapeChange().hasSameIndices() ? old
                 : new CachedTile(needsOwners ? known ? reindexOwners(old) : withOwners(places, old) : withoutOwners(old), old.hitShapes,
-                        old.images, old.film, old.codes);
+                        old.images, old.film, old.edges);
     }
 
     /** Traces rays again to find owner shapes; keeps rows and layers. */
     private TileLevel[] withOwners(SamplePositions places, CachedTile old) {
-        TileLevel top = old.levels[0].withOwner(eyeHits(places, false).ownersFor(old.levels[0].rows()));
-        return bounceLevels().retraceHits(old, top, false, (level, retracedRows) -> level.withOwner(retracedRows.ownersFor(level.rows())));
+        TileLevel top = old.levels[0].withOwner(eyeHits(places).ownersFor(old.levels[0].rows()));
+        return bounceLevels().retraceHits(old, top, (level, retracedRows) -> level.withOwner(retracedRows.ownersFor(level.rows())));
     }
 
     private TileLevel[] reindexOwners(CachedTile old) {
@@ -176,23 +195,19 @@ final class TileWorker {
         return Arrays.stream(old.levels).map(level -> level.withOwner(null)).toArray(TileLevel[]::new);
     }
 
-    private static CachedTile withoutCodes(CachedTile old) {
-        TileLevel[] levels = Arrays.stream(old.levels).map(level -> level.withCode(null)).toArray(TileLevel[]::new);
-        return new CachedTile(levels, old.hitShapes, old.images, old.film, null);
-    }
-
     /** Updates finer samples as planned; null if the work was canceled. */
-    CachedTile relight(SamplePositions places, CachedTile old) {
+    CachedTile relight(SamplePositions places, CachedTile old, boolean detectEdges) {
         BitSet retraced = changedRays(places);
-        return LevelWorker.isWorthUpdating(retraced, places.count()) ? relight(places, old, retraced, false, true) : traceSamples(places);
+        return LevelWorker.isWorthUpdating(retraced, places.count()) ? relight(places, old, retraced, detectEdges, true)
+                : traceSamples(places, detectEdges);
     }
 
     /**
-     * @param retraced sample positions whose rays are traced again
-     * @param codes    true if edges are detected in these rows
-     * @param fine     true if they are finer samples
+     * @param retraced    sample positions whose rays are traced again
+     * @param detectEdges true if edges are detected in these rows
+     * @param fine        true if they are finer samples
      */
-    private CachedTile relight(SamplePositions places, CachedTile previous, BitSet retraced, boolean codes, boolean fine) {
+    private CachedTile relight(SamplePositions places, CachedTile previous, BitSet retraced, boolean detectEdges, boolean fine) {
         CachedTile old = updateOwners(places, previous);
         TileLevel known = old.levels[0];
         MaterialUpdate materials = job.topPlan().materials();
@@ -203,7 +218,7 @@ final class TileWorker {
         TileLevel top = eyeWorker.update(sorted, job.topPlan());
         if (!retraced.isEmpty() && !job.progress().isCanceled()) {
             TileLevel added =
-                    eyeWorker.lightLevel(eyeWorker.visibility().traceEyeRays(places, retraced, allocator(known.rows().code != null)));
+                    eyeWorker.lightLevel(eyeWorker.visibility().traceEyeRays(places, retraced, allocator(fine)));
             eyeRays += retraced.cardinality();
             RowSplice all = RowSplice.join(Film.TILE_PIXELS, top.rows(), added.rows(), job.target().geometry().materials());
             top = eyeWorker.join(all, top, added);
@@ -212,27 +227,34 @@ final class TileWorker {
         if (job.progress().isCanceled()) {
             return null;
         }
-        boolean reusesBounces = job.mirrorPlan() == null && order == null;
-        boolean detectEdges = job.detectsEdges() && codes && (!reusesBounces || job.topPlan().canChangeEdges(sorted, top.layers()));
-        startEdgeCodes(detectEdges, top);
+        boolean knowsEdges = !detectEdges || old.edges != null;
+        // Colors for edges that were never composed need levels, which may not be stored.
+        boolean reusesBounces = job.mirrorPlan() == null && order == null
+                && (knowsEdges || job.storesMirrorRows() || top.rows().reflectiveCount == 0);
         BounceLevels.TracedLevels below =
-                reusesBounces ? new BounceLevels.TracedLevels(old.levels, old.hitShapes, old.images)
-                        : updateLower(old, top, order, detectEdges);
+                reusesBounces ? new BounceLevels.TracedLevels(old.levels, old.hitShapes, old.images, false)
+                        : updateLower(old, top, order);
         if (job.progress().isCanceled()) {
             return null;
         }
+        boolean changesEdges = !knowsEdges || order != null || below.changesEdges() || job.topPlan().canChangeEdges(sorted, top.layers());
+        EdgeColors edges = !detectEdges ? null
+                : !changesEdges ? old.edges
+                : edgeColors(places, top, reusesBounces ? knownEdgeImages(old) : edgeImages(top)).reuseIfEqual(old.edges);
         boolean isUnchanged = order == null && below.images() == old.images && !job.topPlan().canChangeColors(sorted, top.layers());
-        EdgeCodes newCodes =
-                !detectEdges ? old.codes : (reusesBounces ? edgeCoder.build(old.codes) : edgeCoder.build()).reuseIfEqual(old.codes);
-        return buildTile(places, top, below, isUnchanged, old.film, newCodes, fine);
+        return buildTile(places, top, below, isUnchanged, old.film, edges, fine);
     }
 
-    private void startEdgeCodes(boolean detectEdges, TileLevel top) {
-        if (detectEdges) {
-            edgeCoder = edgeCoder == null ? new EdgeCodeBuilder() : edgeCoder;
-            edgeCoder.begin();
-            eyeWorker.addEdgeCodes(edgeCoder, 0, 0, top);
+    /** Returns the colors for edges of the rays that bounce in an old tile, whose bounce levels do not change; null if none bounces. */
+    private BounceImages knownEdgeImages(CachedTile old) {
+        if (old.levels[0].rows().reflectiveCount == 0) {
+            return null;
         }
+        if (!job.storesMirrorRows()) {
+            return old.edges.images();
+        }
+        return edgeComposer().composeImages(bounceLevels().levelsWithTerms(old.levels), job.mirrorTarget().edgeLights(),
+                job.mirrorTarget().scene().world());
     }
 
     /**
@@ -242,8 +264,7 @@ final class TileWorker {
      * @param fine true if the rows are finer samples, whose colors only accuracy ratio stores, to bound its errors
      */
     private CachedTile buildTile(SamplePositions places, TileLevel top, BounceLevels.TracedLevels below, boolean isUnchanged,
-            float[][] film, EdgeCodes codes,
-            boolean fine) {
+            float[][] film, EdgeColors edges, boolean fine) {
         TileLevel[] levels = below.levels().clone();
         levels[0] = top;
         boolean storesColors = !fine || !job.options().accuracy().isExact();
@@ -254,7 +275,7 @@ final class TileWorker {
             filmBytes += storesColors ? 12L * Film.TILE_PIXELS : 0;
         }
         hasNewColors = !isUnchanged;
-        return new CachedTile(levels, below.hitShapes(), below.images(), !storesColors ? null : isUnchanged ? film : colors, codes);
+        return new CachedTile(levels, below.hitShapes(), below.images(), !storesColors ? null : isUnchanged ? film : colors, edges);
     }
 
     private float[][] sampleColors() {
@@ -262,14 +283,11 @@ final class TileWorker {
         return sampleColors;
     }
 
-    /**
-     * @param order       splice of the first level's rows; null if they are unchanged
-     * @param detectEdges true if edges are detected in the levels below
-     */
-    private BounceLevels.TracedLevels updateLower(CachedTile old, TileLevel top, RowSplice order, boolean detectEdges) {
+    /** @param order splice of the first level's rows; null if they are unchanged */
+    private BounceLevels.TracedLevels updateLower(CachedTile old, TileLevel top, RowSplice order) {
         if (top.rows().reflectiveCount == 0) {
-            return new BounceLevels.TracedLevels(new TileLevel[] {top}, new int[0][], null);
+            return new BounceLevels.TracedLevels(new TileLevel[] {top}, new int[0][], null, old.levels[0].rows().reflectiveCount > 0);
         }
-        return bounceLevels().updateAll(old, top, order, detectEdges ? edgeCoder : null);
+        return bounceLevels().updateAll(old, top, order);
     }
 }

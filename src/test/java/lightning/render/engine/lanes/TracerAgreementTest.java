@@ -115,7 +115,7 @@ class TracerAgreementTest {
             rows.px[i] = (float) (boxes[box] + (random.nextDouble() * 3 - 1) * (boxes[box + 3] - boxes[box]));
             rows.py[i] = (float) (boxes[box + 1] + (random.nextDouble() * 3 - 1) * (boxes[box + 4] - boxes[box + 1]));
             rows.pz[i] = (float) (boxes[box + 2] + (random.nextDouble() * 3 - 1) * (boxes[box + 5] - boxes[box + 2]));
-            shadowRays.rotation[i] = rotation;
+            shadowRays.pattern[i] = rotation;
             shadowRays.x[i] = positions[3 * rotation] - (toPoints ? 0 : rows.px[i]);
             shadowRays.y[i] = positions[3 * rotation + 1] - (toPoints ? 0 : rows.py[i]);
             shadowRays.z[i] = positions[3 * rotation + 2] - (toPoints ? 0 : rows.pz[i]);

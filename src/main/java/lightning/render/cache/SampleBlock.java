@@ -1,0 +1,25 @@
+package lightning.render.cache;
+
+import lightning.render.trace.SampleCells;
+import lightning.render.trace.SamplePositions;
+
+/**
+ * Samples of some pixels of a tile that are traced together.
+ *
+ * @param pixels indices of the pixels in the tile, ascending
+ * @param rows   the samples; all of the first pixel come first
+ * @param means  mean color of each pixel's samples: red, green and blue, {@code float[pixels]} each
+ */
+public record SampleBlock(short[] pixels, CachedTile rows, float[][] means) {
+    // Arrays in a record: written once by their creator.
+
+    /** Returns the positions of the samples in a tile. */
+    SamplePositions positions(SamplePositions centers, SampleCells cells) {
+        return new SamplePositions(centers.x0(), centers.y0(), pixels, cells);
+    }
+
+    /** Returns the bytes of the mean colors. */
+    public long meanBytes() {
+        return 3L * Float.BYTES * pixels.length;
+    }
+}

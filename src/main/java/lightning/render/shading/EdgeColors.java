@@ -1,0 +1,78 @@
+package lightning.render.shading;
+
+import java.util.Arrays;
+
+/**
+ * Colors of a tile's pixel centers, or of the first samples of some pixels, by which anti-aliasing decides where it needs more
+ * samples. They are composed like the picture, but from lights whose weights are rounded ({@link WeightedLight#forEdges}).
+ *
+ * @param colors packed colors, {@code int[1024]} ({@link #pack})
+ * @param images colors of the rays that bounce from the first level's rows; null if there are none
+ */
+public record EdgeColors(int[] colors, BounceImages images) {
+    // An array in a record: written once by its creator.
+
+    private static final int BITS = 10;
+    private static final int MASK = (1 << BITS) - 1;
+    /** Steps of a packed channel from black to white. */
+    private static final int STEPS = 511;
+    /** Values above this, 4 times white, count as this. */
+    private static final float MAX_VALUE = 4;
+    /** Least visible step of a channel, in steps of a packed channel. */
+    private static final int THRESHOLD = 32;
+
+    /** Packs the linear colors of a tile's positions. */
+    public static int[] pack(float[][] linear) {
+        int[] packed = new int[linear[0].length];
+        for (int i = 0; i < packed.length; i++) {
+            packed[i] = pack(linear[0][i], linear[1][i], linear[2][i]);
+        }
+        return packed;
+    }
+
+    /** Returns a color as three numbers of 10 bits, each proportional to the square root of a channel: steps look equally large. */
+    static int pack(float red, float green, float blue) {
+        return (step(red) << BITS | step(green)) << BITS | step(blue);
+    }
+
+    private static int step(float value) {
+        return (int) (Math.sqrt(Math.min(value, MAX_VALUE)) * STEPS + 0.5);
+    }
+
+    /** Returns whether the step between two packed colors is visible. */
+    static boolean differ(int a, int b) {
+        return a != b
+                && (isStep(a >>> 2 * BITS, b >>> 2 * BITS) || isStep(a >>> BITS & MASK, b >>> BITS & MASK) || isStep(a & MASK, b & MASK));
+    }
+
+    private static boolean isStep(int a, int b) {
+        return Math.abs(a - b) > THRESHOLD;
+    }
+
+    /** Returns whether the step between any two of some colors is visible. */
+    public static boolean differ(int[] packed, int from, int count) {
+        for (int shift = 0; shift <= 2 * BITS; shift += BITS) {
+            int min = MASK;
+            int max = 0;
+            for (int i = from; i < from + count; i++) {
+                int step = packed[i] >>> shift & MASK;
+                min = Math.min(min, step);
+                max = Math.max(max, step);
+            }
+            if (isStep(min, max)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Returns {@code known}, which may be null, if its colors are equal, so that later comparisons can compare references. */
+    public EdgeColors reuseIfEqual(EdgeColors known) {
+        return known != null && Arrays.equals(colors, known.colors) ? new EdgeColors(known.colors, images) : this;
+    }
+
+    /** Returns the bytes of the arrays. */
+    public long bytes() {
+        return 4L * colors.length + (images == null ? 0 : images.bytes());
+    }
+}
