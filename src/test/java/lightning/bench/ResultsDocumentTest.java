@@ -174,7 +174,7 @@ class ResultsDocumentTest {
         BenchResults results = new BenchResults(SampleResults.RUN,
                 List.of(new SceneResult("bird", 300, 200, 3, 10, 3, null, first, scene.edits(), List.of(),
                         null, null)),
-                List.of(), List.of(), List.of(), List.of(), List.of());
+                List.of(), List.of(), List.of(), List.of(), List.of(), List.of());
         // The sample has no image at the default setting, so nothing was compared.
         assertThatThrownBy(() -> new ReportStatements(results, results, results).of("equal pictures"))
                 .isInstanceOf(IllegalStateException.class)

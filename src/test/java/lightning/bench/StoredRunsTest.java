@@ -21,7 +21,7 @@ class StoredRunsTest {
         return new BenchResults(
                 new BenchRun(run.date(), commit, run.arguments(), run.machine(), run.load(), 1, 2, repetitions, false, 1, 1, complete, 40,
                         List.of(40.0)),
-                scenes, List.of(), List.of(), List.of(), List.of(), List.of());
+                scenes, List.of(), List.of(), List.of(), List.of(), List.of(), List.of());
     }
 
     private static List<String> faultsOf(BenchResults first, BenchResults second) {

@@ -69,7 +69,7 @@ public final class ReportStatements {
 
     /** Returns the names of all statements. */
     public static List<String> names() {
-        BenchResults none = new BenchResults(null, List.of(), List.of(), List.of(), List.of(), List.of(), List.of());
+        BenchResults none = new BenchResults(null, List.of(), List.of(), List.of(), List.of(), List.of(), List.of(), List.of());
         return List.copyOf(new ReportStatements(none, none, none).statements.keySet());
     }
 
