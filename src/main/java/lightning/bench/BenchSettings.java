@@ -28,7 +28,8 @@ import lightning.bench.accuracy.PaperCases;
 @RecordBuilder
 public record BenchSettings(List<PictureSize> sizes, int figure, int values, boolean further, int repetitions, double patienceMs,
         int threads,
-        long seed, boolean curves, boolean editing, boolean meshes, boolean modern, boolean effects, boolean peers, int processes, boolean quick)
+        long seed, boolean curves, boolean editing, boolean meshes, boolean modern, boolean effects, boolean peers, int processes,
+        boolean quick)
         implements BenchSettingsBuilder.With {
     /** Size of the paper's images (§4.1), and a current one. */
     private static final List<PictureSize> FULL_SIZES = List.of(new PictureSize(300, 300), new PictureSize(1920, 1080));
@@ -42,7 +43,8 @@ public record BenchSettings(List<PictureSize> sizes, int figure, int values, boo
 
     /** Returns the full selection. */
     public static BenchSettings full(int threads, long seed) {
-        return new BenchSettings(FULL_SIZES, 0, PaperCases.VALUES, true, 5, 300, threads, seed, true, true, true, false, true, true, PROCESSES,
+        return new BenchSettings(FULL_SIZES, 0, PaperCases.VALUES, true, 5, 300, threads, seed, true, true, true, false, true, true,
+                PROCESSES,
                 false);
     }
 

@@ -49,7 +49,8 @@ final class ModernBench {
             String title = scene.name() + ", anti-aliasing " + sampling.label();
             double coldMs = throughput.fullMs(coldSize()) * (sampling == ModernSampling.NONE ? 1 : ANTIALIASING_FACTOR) * COLD_FACTOR;
             ModernEditBench edits = new ModernEditBench(settings, ledger, bytesPerMs);
-            parts.add(new BenchPart(title + ", edits", edits.predictedMs(), progress -> edits.measure(collector, scene, sampling, progress)));
+            parts.add(
+                    new BenchPart(title + ", edits", edits.predictedMs(), progress -> edits.measure(collector, scene, sampling, progress)));
             if (settings.processes() > 0 && scene.file() != null) {
                 parts.add(part(title + ", from cold", PROCESSES * (2 * START_MS + Math.min(2 * coldMs, COLD_MS)),
                         progress -> measureCold(sampling, progress)));
@@ -79,7 +80,8 @@ final class ModernBench {
 
     private void measureCold(ModernSampling sampling, Progress progress) throws IOException, InterruptedException {
         var meter = new ColdStartMeter(settings.threads(), Math.min(settings.processes(), PROCESSES), COLD_MS);
-        collector.setCold(sampling, coldSize(), meter.measure(scene.file(), sampling.of(scene.scene()), coldSize(), sampling.renderOptions(),
-                sampling.povRay(), progress));
+        collector.setCold(sampling, coldSize(),
+                meter.measure(scene.file(), sampling.of(scene.scene()), coldSize(), sampling.renderOptions(),
+                        sampling.povRay(), progress));
     }
 }

@@ -11,8 +11,8 @@ import java.util.stream.Stream;
 import lightning.bench.BenchResults;
 import lightning.bench.DriftPoint;
 import lightning.bench.EditResult;
-import lightning.bench.ErrorCurve;
 import lightning.bench.EditingCost;
+import lightning.bench.ErrorCurve;
 import lightning.bench.FirstPassResult;
 import lightning.bench.MeshPoint;
 import lightning.bench.ModernPicture;
@@ -132,7 +132,8 @@ final class BenchTable {
     private void printModern(ModernScene scene) {
         for (ModernPicture p : scene.pictures()) {
             if (p.firstPass() != null) {
-                console.print("%s at %d x %d, anti-aliasing %s: full trace %.1f ms, first pass %+.1f %%; saves %s", scene.scene(), p.width(),
+                console.print("%s at %d x %d, anti-aliasing %s: full trace %.1f ms, first pass %+.1f %%; saves %s", scene.scene(),
+                        p.width(),
                         p.height(), p.sampling().label(), p.firstPass().fullTrace().median(), p.firstPass().percentSlower(),
                         p.edits().stream().map(edit -> Console.text("%s %s %%", edit.edit(), number(edit.saving(), 1)))
                                 .collect(Collectors.joining(", ")));

@@ -46,7 +46,8 @@ class HtmlReportTest {
     @Test
     void emptyResults_giveAPage() throws Exception {
         Document page =
-                write(new BenchResults(SampleResults.RUN, List.of(), List.of(), List.of(), List.of(), List.of(), List.of(), List.of()), folder);
+                write(new BenchResults(SampleResults.RUN, List.of(), List.of(), List.of(), List.of(), List.of(), List.of(), List.of()),
+                        folder);
 
         assertWellFormed(page);
         assertThat(page.getDocumentElement().getTextContent()).contains("Seed 1", "Java 25");
@@ -177,7 +178,8 @@ class HtmlReportTest {
         var edit = new EditResult("color", "Fig. 6", 98, 70, 90, List.of(new ValueResult("sun: color 1 1 1 → 1 0 0, on yes → no", rungs)));
         var scene = new SceneResult("bird", 1, 1, 3, 10, 3, "before.png", null, List.of(edit), List.of(), null, null);
         Document page =
-                write(new BenchResults(SampleResults.RUN, List.of(scene), List.of(), List.of(), List.of(), List.of(), List.of(), List.of()), folder);
+                write(new BenchResults(SampleResults.RUN, List.of(scene), List.of(), List.of(), List.of(), List.of(), List.of(), List.of()),
+                        folder);
 
         assertWellFormed(page);
         assertThat(texts(byClass(page, "wipe").getFirst(), "option")).containsExactly("before", "exact", "full trace",
@@ -224,7 +226,8 @@ class HtmlReportTest {
 
         public static void main(String[] folder) throws Exception {
             HtmlReport.write(
-                    new BenchResults(SampleResults.RUN, List.of(SampleResults.scene(10)), List.of(), List.of(), List.of(), List.of(), List.of(),
+                    new BenchResults(SampleResults.RUN, List.of(SampleResults.scene(10)), List.of(), List.of(), List.of(), List.of(),
+                            List.of(),
                             List.of()),
                     Path.of(folder[0]));
         }

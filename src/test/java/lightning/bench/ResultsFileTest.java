@@ -86,7 +86,8 @@ class ResultsFileTest {
     void csvOfSceneNamedLikeFormula_storesText() throws IOException {
         SceneResult formula =
                 new SceneResult("=cmd|'/c calc'!A1", 300, 200, 3, 10, 3, null, null, SampleResults.scene(5).edits(), List.of(), null, null);
-        BenchResults results = new BenchResults(SampleResults.RUN, List.of(formula), List.of(), List.of(), List.of(), List.of(), List.of(), List.of());
+        BenchResults results =
+                new BenchResults(SampleResults.RUN, List.of(formula), List.of(), List.of(), List.of(), List.of(), List.of(), List.of());
         Path csv = folder.resolve("results.csv");
         ResultsFile.writeCsv(csv, results);
         assertThat(Files.readString(csv)).contains("edit,\"'=cmd|'/c calc'!A1\",300,");

@@ -173,7 +173,7 @@ public final class ReportStatements {
     }
 
     /** Returns minimum and maximum, or one number if both have the same text. */
-    private static String range(String pattern, Stream<Double> values) {
+    static String range(String pattern, Stream<Double> values) {
         DoubleSummaryStatistics all = values.filter(Double::isFinite).mapToDouble(v -> v).summaryStatistics();
         if (all.getCount() == 0) {
             return NONE;
