@@ -29,8 +29,12 @@ public enum ModernSampling {
         return label;
     }
 
-    /** Returns POV-Ray's nearest settings. */
-    public PovSampling povRay() {
+    /** Returns a label of POV-Ray's nearest settings. */
+    public String povRayLabel() {
+        return povRay.label();
+    }
+
+    PovSampling povRay() {
         return povRay;
     }
 

@@ -25,7 +25,7 @@ record EqualError(String scene, String program, ErrorPoint target, Optional<Erro
         }
         ErrorCurve ours = scene.curves().getFirst();
         ErrorCurve theirs = scene.curves().get(1);
-        return Stream.of(compare(scene, theirs, ModernSampling.EDGES.povRay().label(), ours, false),
+        return Stream.of(compare(scene, theirs, ModernSampling.EDGES.povRayLabel(), ours, false),
                 compare(scene, ours, ModernSampling.EDGES.label(), theirs, true)).flatMap(Optional::stream).toList();
     }
 

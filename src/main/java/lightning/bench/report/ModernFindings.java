@@ -32,11 +32,11 @@ final class ModernFindings {
             items.add("**Cold processes, anti-aliasing " + sampling.label() + "**: `lightning render` takes "
                     + range(scenes, "%.2f", sampling,
                             p -> p.cold() == null || p.cold().rival() == null ? Double.NaN : p.cold().rival().share())
-                    + " of the time of POV-Ray with `" + sampling.povRay().label() + "`"
+                    + " of the time of POV-Ray with `" + sampling.povRayLabel() + "`"
                     + (sampling == ModernSampling.NONE ? "." : ", which is not the same work."));
         }
         List<EqualError> comparisons = scenes.stream().flatMap(s -> EqualError.of(s).stream()).toList();
-        items.add("**At the error of POV-Ray's `" + ModernSampling.EDGES.povRay().label() + "`**, "
+        items.add("**At the error of POV-Ray's `" + ModernSampling.EDGES.povRayLabel() + "`**, "
                 + equalError(comparisons.stream().filter(e -> !e.isOurs()).toList(), "Lightning's"));
         items.add("**At the error of Lightning's `" + ModernSampling.EDGES.label() + "`**, "
                 + equalError(comparisons.stream().filter(EqualError::isOurs).toList(), "POV-Ray's"));

@@ -85,7 +85,7 @@ public final class ModernTables {
                         "its processor ms", "share"),
                 rows(p -> p.cold() != null, (s, p) -> List.of(s.scene(), p.sampling().label(), size(p.coldWidth(), p.coldHeight()),
                         Integer.toString(p.cold().process().samples().size()), MarkdownTables.median(p.cold().process()),
-                        MarkdownTables.median(p.cold().processor()), "`" + p.sampling().povRay().label() + "`",
+                        MarkdownTables.median(p.cold().processor()), "`" + p.sampling().povRayLabel() + "`",
                         rival(p, r -> MarkdownTables.median(r.process())), rival(p, r -> MarkdownTables.median(r.processor())),
                         rival(p, r -> MarkdownTables.number(r.share())))));
     }

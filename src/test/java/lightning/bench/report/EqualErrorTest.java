@@ -13,7 +13,7 @@ import org.junit.jupiter.api.Test;
 
 class EqualErrorTest {
     private static final String OURS = ModernSampling.EDGES.label();
-    private static final String THEIRS = ModernSampling.EDGES.povRay().label();
+    private static final String THEIRS = ModernSampling.EDGES.povRayLabel();
 
     private static ErrorPoint point(String setting, double ms, double error) {
         return new ErrorPoint(setting, new TimeSamples(ms, ms, ms, List.of(ms)), error);
