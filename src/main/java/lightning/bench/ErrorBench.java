@@ -30,17 +30,14 @@ final class ErrorBench {
     private static final PictureSize SIZE = new PictureSize(160, 90);
     private static final PictureSize QUICK_SIZE = new PictureSize(64, 36);
     /**
-     * Images of many samples have this many times the width and height, and are averaged down. So none of our grids of 2, 4 or 8 samples has
-     * a sample at the same place as the reference.
+     * Images of many samples have this many times the width and height, and are averaged down: 10×10 samples per pixel. Our grids of 2×2,
+     * 4×4 or 8×8 have no sample at the same place, which would hide errors.
      */
     private static final int REFERENCE_SCALE = 2;
-    /** Samples along each side of the reference's pixels. POV-Ray's takes longer, so it has fewer. */
-    private static final int REFERENCE_GRID = 8;
-    private static final int POV_RAY_REFERENCE_GRID = 6;
-    private static final int QUICK_REFERENCE_GRID = 3;
+    private static final int REFERENCE_GRID = 5;
     private static final int REPETITIONS = 3;
     /** Time after which a setting is not traced again. */
-    private static final double REPEAT_MS = 3000;
+    private static final double REPEAT_MS = 1500;
     /** Predicted duration relative to a full trace without anti-aliasing. */
     private static final double PREDICTED_TRACES = 300;
 
@@ -76,9 +73,9 @@ final class ErrorBench {
                     new SamplingSettings(AntialiasMode.EVERY, 2), new SamplingSettings(AntialiasMode.EVERY, 4))) {
                 tasks.put(label(sampling), () -> traced(withSampling(scene, sampling), workers, progress));
             }
-            var many = new SamplingSettings(AntialiasMode.EVERY, settings.quick() ? QUICK_REFERENCE_GRID : REFERENCE_GRID);
+            var many = new SamplingSettings(AntialiasMode.EVERY, REFERENCE_GRID);
             Film reference = traced(withSampling(referenceSize().of(original), many), workers, progress).film();
-            return curve(PROGRAM, many.grid(), points(tasks, averaged(reference), true, progress));
+            return curve(PROGRAM, points(tasks, averaged(reference), true, progress));
         }
     }
 
@@ -87,14 +84,13 @@ final class ErrorBench {
         PovScene scene = PovScene.of(size().of(original), "scene");
         Map<String, TraceTask> tasks = new LinkedHashMap<>();
         POV_RAY.forEach(sampling -> tasks.put(sampling.label(), () -> traced(povRay, scene, sampling)));
-        int grid = settings.quick() ? QUICK_REFERENCE_GRID : POV_RAY_REFERENCE_GRID;
         Film reference = povRay.trace(scene, referenceSize().width(), referenceSize().height(), settings.threads(),
-                PovSampling.grid(0, grid)).film();
-        return curve(PovRayBench.PROGRAM, grid, points(tasks, averaged(reference), false, progress));
+                PovSampling.grid(0, REFERENCE_GRID)).film();
+        return curve(PovRayBench.PROGRAM, points(tasks, averaged(reference), false, progress));
     }
 
-    private ErrorCurve curve(String program, int referenceGrid, List<ErrorPoint> points) {
-        int samples = REFERENCE_SCALE * REFERENCE_SCALE * referenceGrid * referenceGrid;
+    private ErrorCurve curve(String program, List<ErrorPoint> points) {
+        int samples = REFERENCE_SCALE * REFERENCE_SCALE * REFERENCE_GRID * REFERENCE_GRID;
         return new ErrorCurve(program, samples, size().width(), size().height(), points);
     }
 

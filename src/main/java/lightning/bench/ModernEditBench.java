@@ -18,7 +18,7 @@ import lightning.scene.Scene;
 final class ModernEditBench {
     /** Sizes from the largest; the first whose full trace is fast enough is measured, otherwise the last. */
     private static final List<PictureSize> SIZES = List.of(new PictureSize(640, 360), new PictureSize(320, 180), new PictureSize(160, 90));
-    private static final double MAX_TRACE_MS = 1000;
+    private static final double MAX_TRACE_MS = 700;
     /** Typical duration in full traces: first passes, verification, warm-up and samples. */
     private static final double PREDICTED_TRACES = 25;
     private static final double PREDICTED_TRACE_MS = 600;
