@@ -28,7 +28,7 @@ public final class ModernCharts {
         return "modern-" + scene.scene().replaceAll("[^\\p{Alnum}_-]", "_") + ".svg";
     }
 
-    /** Returns the chart of a scene: error against milliseconds, a line per program. */
+    /** Returns the chart of a scene: error, in percent of white, against milliseconds; a line per program. */
     static String svg(ModernScene scene) {
         List<CurveChart.Curve> curves = new ArrayList<>();
         for (ErrorCurve curve : scene.curves()) {
@@ -37,6 +37,7 @@ public final class ModernCharts {
                     .sorted(Comparator.comparingDouble(point -> point[0])).toList();
             curves.add(new CurveChart.Curve(curve.program(), PlotColor.of(curves.size()), false, points));
         }
-        return CurveChart.svg("Error against time (ms), " + scene.scene(), curves, WIDTH, HEIGHT, NumberText::tick, NumberText::tick);
+        return CurveChart.svg("Error against time (ms), " + scene.scene(), curves, WIDTH, HEIGHT, NumberText::tick,
+                error -> NumberText.tick(100 * error) + " %");
     }
 }
