@@ -11,17 +11,19 @@ import java.util.List;
  * @param growth   times as a function of size, one curve per dimension
  * @param editing  costs of editing large scenes without rendering
  * @param meshes   ray throughput on meshes
+ * @param modern   results per modern scene
  * @param problems failed measurements
  */
 public record BenchResults(BenchRun run, List<SceneResult> scenes, List<DriftCurve> drift, List<GrowthCurve> growth,
         List<EditingCost> editing,
-        List<MeshPoint> meshes, List<MeasurementFailure> problems) {
+        List<MeshPoint> meshes, List<ModernScene> modern, List<MeasurementFailure> problems) {
     public BenchResults {
         scenes = List.copyOf(scenes);
         drift = List.copyOf(drift);
         growth = List.copyOf(growth);
         editing = List.copyOf(editing);
         meshes = List.copyOf(meshes);
+        modern = List.copyOf(modern);
         problems = List.copyOf(problems);
     }
 }

@@ -19,6 +19,7 @@ import lightning.bench.accuracy.PaperCases;
  * @param curves      whether to measure growth and drift
  * @param editing     whether to measure editing of large scenes
  * @param meshes      whether to measure ray throughput on meshes
+ * @param modern      whether to measure the modern set: anti-aliasing, first pass, edits, cold starts, and time against error
  * @param effects     whether to measure the cost of each effect, at the last size
  * @param peers       whether to measure other installed programs
  * @param processes   number of cold-start processes per image, 0 for none
@@ -27,7 +28,8 @@ import lightning.bench.accuracy.PaperCases;
 @RecordBuilder
 public record BenchSettings(List<PictureSize> sizes, int figure, int values, boolean further, int repetitions, double patienceMs,
         int threads,
-        long seed, boolean curves, boolean editing, boolean meshes, boolean effects, boolean peers, int processes, boolean quick)
+        long seed, boolean curves, boolean editing, boolean meshes, boolean modern, boolean effects, boolean peers, int processes,
+        boolean quick)
         implements BenchSettingsBuilder.With {
     /** Size of the paper's images (§4.1), and a current one. */
     private static final List<PictureSize> FULL_SIZES = List.of(new PictureSize(300, 300), new PictureSize(1920, 1080));
@@ -41,13 +43,14 @@ public record BenchSettings(List<PictureSize> sizes, int figure, int values, boo
 
     /** Returns the full selection. */
     public static BenchSettings full(int threads, long seed) {
-        return new BenchSettings(FULL_SIZES, 0, PaperCases.VALUES, true, 5, 300, threads, seed, true, true, true, true, true, PROCESSES,
+        return new BenchSettings(FULL_SIZES, 0, PaperCases.VALUES, true, 5, 300, threads, seed, true, true, true, false, true, true,
+                PROCESSES,
                 false);
     }
 
     /** Returns a selection for a minute or two: one size and one value, the printed edits, short curves, no other programs. */
     public static BenchSettings quick(int threads, long seed) {
-        return new BenchSettings(QUICK_SIZES, 0, 1, false, 3, 0, threads, seed, true, true, true, false, false, 0, true);
+        return new BenchSettings(QUICK_SIZES, 0, 1, false, 3, 0, threads, seed, true, true, true, false, false, false, 0, true);
     }
 
     /** Returns a selection for edits and curves only: no effects, no cold-start processes. */
@@ -79,6 +82,11 @@ public record BenchSettings(List<PictureSize> sizes, int figure, int values, boo
     /** Returns a selection of ray throughput on meshes only. */
     public BenchSettings meshesOnly() {
         return firstPassOnly().with(s -> s.sizes(List.of()).meshes(true).peers(peers));
+    }
+
+    /** Returns a selection of the modern set only. */
+    public BenchSettings modernOnly() {
+        return firstPassOnly().with(s -> s.sizes(List.of()).modern(true).processes(PROCESSES));
     }
 
     private BenchSettings firstPassOnly() {

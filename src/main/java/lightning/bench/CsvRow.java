@@ -12,7 +12,7 @@ import lightning.bench.accuracy.PictureError;
  *
  * @param kind  {@code first-pass}, {@code full-trace}, {@code edit}, {@code peer}, {@code effect} (added time of the first pass), {@code
  *         growth}, {@code drift}, {@code editing}, {@code mesh} or {@code mesh-peer}. Cold-start processes are {@code cold} (ours) and
- *         {@code cold-peer}, with processor times as {@code …-processor}
+ *         {@code cold-peer}, with processor times as {@code …-processor}. Those of the modern set start with {@code modern-}
  * @param edit  name of the edit; of growth, dimension and edit; of editing, the operation; of a mesh, its BVH or the rays
  * @param value value of the edit; of growth and drift, the number of pixels, lights, … or edits
  * @param grade accuracy setting, called level in the file
@@ -27,8 +27,8 @@ record CsvRow(String kind, String scene, int width, int height, String edit, Str
 
     private static final String FORMULA_STARTS = "=+-@\t\r\n'\uFF1D\uFF0B\uFF0D\uFF20";
     private static final double NONE = Double.NaN;
-    private static final UpdateWork NO_WORK = new UpdateWork("", 0, 0, 0, 0, 0, NONE, NONE, NONE, NONE);
-    private static final PictureError NO_ERROR = new PictureError(0, 0, 0, NONE, NONE, NONE, NONE, NONE, NONE, NONE);
+    static final UpdateWork NO_WORK = new UpdateWork("", 0, 0, 0, 0, 0, NONE, NONE, NONE, NONE);
+    static final PictureError NO_ERROR = new PictureError(0, 0, 0, NONE, NONE, NONE, NONE, NONE, NONE, NONE);
     private static final TimeSamples NO_SAMPLES = new TimeSamples(NONE, NONE, NONE, List.of());
 
     /** Returns the rows of results in order. */
@@ -56,6 +56,7 @@ record CsvRow(String kind, String scene, int width, int height, String edit, Str
         }));
         results.editing().forEach(editing -> editing(rows, editing));
         results.meshes().forEach(mesh -> mesh(rows, mesh));
+        results.modern().forEach(scene -> rows.addAll(ModernCsvRows.of(scene)));
         results.drift().forEach(drift -> drift.points().forEach(point -> rows.add(drift(drift, point))));
         return rows;
     }
@@ -129,7 +130,7 @@ record CsvRow(String kind, String scene, int width, int height, String edit, Str
                 point.accuracy().name().toLowerCase(Locale.ROOT), NO_SAMPLES, NONE, NONE, bound, point.error());
     }
 
-    private static CsvRow row(String kind, String scene, int width, int height, String edit, String value, String setting, TimeSamples time,
+    static CsvRow row(String kind, String scene, int width, int height, String edit, String value, String setting, TimeSamples time,
             double saving, double paper, UpdateWork work, PictureError e) {
         return new CsvRow(cell(kind), cell(scene), width, height, cell(edit), cell(value), cell(setting), time.samples().size(),
                 time.median(), time.lowerQuartile(),

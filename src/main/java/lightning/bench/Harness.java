@@ -94,6 +94,9 @@ public final class Harness {
         if (settings.meshes()) {
             groups.add(new PartGroup(new MeshBench(settings, ledger).parts(), () -> {}));
         }
+        for (int i = 0; settings.modern() && i < scenes.size(); i++) {
+            groups.add(new PartGroup(new ModernBench(settings, ledger, scenes.get(i), bestBytesPerMs).parts(throughputs.get(i)), () -> {}));
+        }
         predictedMs = groups.stream().flatMap(g -> g.parts().stream()).mapToDouble(BenchPart::predictedMs).sum();
         run = new BenchRun(Instant.now().truncatedTo(ChronoUnit.SECONDS).toString(), MachineInfo.commit(), arguments, MachineInfo.machine(),
                 loadMeter.current(),

@@ -14,16 +14,22 @@ final class RenderProcess {
     /**
      * Renders a scene to a file in a separate process.
      *
-     * @param folder folder for its log
+     * @param options further options of {@code lightning render}
+     * @param folder  folder for its log
      * @throws IOException          if it fails; the message ends with the last line of its output
      * @throws InterruptedException if this thread was interrupted; the process is then killed
      */
-    static void render(Path scene, PictureSize size, int threads, Path picture, Path folder) throws IOException, InterruptedException {
+    static void render(Path scene, PictureSize size, int threads, List<String> options, Path picture, Path folder)
+            throws IOException, InterruptedException {
         List<String> commandLine = new ArrayList<>(command());
         commandLine.addAll(List.of("render", scene.toString(), "--size", size.toString(), "--threads", Integer.toString(threads), "-o",
                 picture.toString()));
+        commandLine.addAll(options);
         Path log = folder.resolve("log");
-        Process process = new ProcessBuilder(commandLine).redirectErrorStream(true).redirectOutput(log.toFile()).start();
+        ProcessBuilder builder = new ProcessBuilder(commandLine).redirectErrorStream(true).redirectOutput(log.toFile());
+        // These options of the measuring process would enlarge the heap of the measured one, which a user starts without them.
+        builder.environment().remove("_JAVA_OPTIONS");
+        Process process = builder.start();
         try {
             if (process.waitFor() != 0) {
                 String last = Files.readString(log, StandardCharsets.UTF_8).lines().filter(line -> !line.isBlank())

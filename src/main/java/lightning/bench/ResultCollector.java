@@ -69,6 +69,7 @@ final class ResultCollector {
     private final Map<String, GrowthCurve> growths = new LinkedHashMap<>();
     private final List<EditingCost> editing = new ArrayList<>();
     private final List<MeshPoint> meshes = new ArrayList<>();
+    private final List<ModernCollector> modern = new ArrayList<>();
     private final List<MeasurementFailure> problems = new ArrayList<>();
 
     SceneCollector addScene(NamedScene scene, PictureSize size) {
@@ -94,6 +95,12 @@ final class ResultCollector {
         meshes.add(measured);
     }
 
+    /** @param losses features that POV-Ray does not support exactly */
+    ModernCollector addModern(String scene, List<String> losses) {
+        modern.add(new ModernCollector(scene, losses));
+        return modern.getLast();
+    }
+
     void addProblem(MeasurementFailure problem) {
         problems.add(problem);
     }
@@ -101,7 +108,6 @@ final class ResultCollector {
     /** Returns all results of a run. */
     BenchResults results(BenchRun run) {
         return new BenchResults(run, scenes.stream().map(SceneCollector::result).toList(), drifts, List.copyOf(growths.values()), editing,
-                meshes,
-                problems);
+                meshes, modern.stream().map(ModernCollector::result).toList(), problems);
     }
 }

@@ -54,6 +54,8 @@ final class BenchCommand implements Callable<Integer> {
     private static final double MINUTE = 60;
     /** Scenes of the paper: one with few objects, one with many, and one with mutual reflections. */
     private static final List<String> QUICK_SCENES = List.of("bird", "balls", "house");
+    /** Scenes with area lights, glass, leaves, many lights or an environment. */
+    private static final List<String> MODERN_SCENES = List.of("product", "stage", "window", "hall", "softbox", "night", "arbor");
     private static final int MAX_PROCESSES = 1000;
 
     private final Console console;
@@ -85,6 +87,11 @@ final class BenchCommand implements Callable<Integer> {
     @Option(names = "--meshes",
             description = "Measure only ray tracing of meshes of up to ten million triangles, alternating with Embree if installed.")
     private boolean meshes;
+    @Option(names = "--modern",
+            description = "Measure only the modern scenes with and without anti-aliasing: first pass, edits, cold starts, and time "
+                    + "against error, alternating with POV-Ray if installed (default scenes: product, stage, window, hall, softbox, "
+                    + "night, arbor).")
+    private boolean modern;
     @Option(names = "--size", paramLabel = "WxH", converter = PictureDimensions.Converter.class,
             description = "Image size in pixels; repeat for several sizes (default: 300x300 and 1920x1080).")
     private List<PictureDimensions> sizes = List.of();
@@ -146,7 +153,8 @@ final class BenchCommand implements Callable<Integer> {
             throw new ParameterException(command.commandLine(), "Missing required option: '--output=DIR'");
         }
         BenchResults baselineResults = baseline == null ? null : ResultsFile.readJson(baseline);
-        BenchScenes benchScenes = BenchScenes.read(scenes, figure != null ? figure.scenes() : quick ? QUICK_SCENES : List.of());
+        BenchScenes benchScenes = BenchScenes.read(scenes,
+                figure != null ? figure.scenes() : modern ? MODERN_SCENES : quick ? QUICK_SCENES : List.of());
         benchScenes.problems().forEach(problem -> console.warn("%s", problem.what()));
         if (benchScenes.scenes().isEmpty()) {
             throw new BadInputException("no scene to measure");
@@ -193,6 +201,9 @@ final class BenchCommand implements Callable<Integer> {
         }
         if (meshes) {
             settings = settings.meshesOnly();
+        }
+        if (modern) {
+            settings = settings.modernOnly();
         }
         if (values != null && settings.values() > 0) {
             settings = settings.withValues(values);

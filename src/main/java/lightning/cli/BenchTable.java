@@ -6,13 +6,17 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import java.util.function.ToDoubleFunction;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import lightning.bench.BenchResults;
 import lightning.bench.DriftPoint;
 import lightning.bench.EditResult;
 import lightning.bench.EditingCost;
+import lightning.bench.ErrorCurve;
 import lightning.bench.FirstPassResult;
 import lightning.bench.MeshPoint;
+import lightning.bench.ModernPicture;
+import lightning.bench.ModernScene;
 import lightning.bench.RayThroughput;
 import lightning.bench.SceneResult;
 import lightning.bench.SweepPointResult;
@@ -110,6 +114,7 @@ final class BenchTable {
                                         scene.cold().rival().process().median() / 1e3));
             }
         }
+        results.modern().forEach(this::printModern);
         results.editing().forEach(e -> console.print("%s", editing(e)));
         results.meshes().forEach(m -> m.rays().forEach(pace -> console.print("%s", mesh(m, pace))));
         results.drift().forEach(drift -> drift.points().stream().reduce((_, last) -> last).ifPresent(last -> drift.points().stream()
@@ -122,6 +127,28 @@ final class BenchTable {
         }
         console.print("memory: %.0f GB/s; took %.0f s, predicted %.0f s", results.run().triadGBs(), results.run().actualSeconds(),
                 results.run().predictedSeconds());
+    }
+
+    private void printModern(ModernScene scene) {
+        for (ModernPicture p : scene.pictures()) {
+            if (p.firstPass() != null) {
+                console.print("%s at %d x %d, anti-aliasing %s: full trace %.1f ms, first pass %+.1f %%; saves %s", scene.scene(),
+                        p.width(),
+                        p.height(), p.sampling().label(), p.firstPass().fullTrace().median(), p.firstPass().percentSlower(),
+                        p.edits().stream().map(edit -> Console.text("%s %s %%", edit.edit(), number(edit.saving(), 1)))
+                                .collect(Collectors.joining(", ")));
+            }
+            if (p.cold() != null) {
+                console.print("%s at %d x %d, anti-aliasing %s, cold start: %.2f s%s", scene.scene(), p.coldWidth(), p.coldHeight(),
+                        p.sampling().label(), p.cold().process().median() / 1e3, p.cold().rival() == null ? ""
+                                : Console.text(", %s %.2f s", p.cold().rival().program(), p.cold().rival().process().median() / 1e3));
+            }
+        }
+        for (ErrorCurve curve : scene.curves()) {
+            console.print("%s at %d x %d, %s: %s", scene.scene(), curve.width(), curve.height(), curve.program(),
+                    curve.points().stream().map(point -> Console.text("%s %.1f ms, error %.4f", point.setting(), point.time().median(),
+                            point.error())).collect(Collectors.joining("; ")));
+        }
     }
 
     private static String editing(EditingCost e) {

@@ -10,8 +10,9 @@ import picocli.CommandLine.Option;
 
 /** Exports a scene to POV-Ray. */
 @Command(name = "export", header = "Export a scene to POV-Ray 3.7.", abbreviateSynopsis = true,
-        description = "Writes camera, objects, materials, textures (as PNG files next to the output) and lights, to compare images "
-                + "and times. Features that POV-Ray does not support exactly are listed, also as comments in the file's header.",
+        description = "Writes camera, objects, materials, textures and the environment (as image files next to the output) and lights, to "
+                + "compare images and times. Features that POV-Ray does not support exactly are listed, also as comments in the file's "
+                + "header.",
         footer = {
             "Example:",
             "  lightning export scenes/bird.jen -o bird.pov",

@@ -7,7 +7,7 @@ import org.junit.jupiter.api.Test;
 
 class BaselineComparisonTest {
     private static BenchResults results(SceneResult... scenes) {
-        return new BenchResults(SampleResults.RUN, List.of(scenes), List.of(), List.of(), List.of(), List.of(), List.of());
+        return new BenchResults(SampleResults.RUN, List.of(scenes), List.of(), List.of(), List.of(), List.of(), List.of(), List.of());
     }
 
     private static BaselineComparison compare(SceneResult old, SceneResult now) {

@@ -46,7 +46,8 @@ class HtmlReportTest {
     @Test
     void emptyResults_giveAPage() throws Exception {
         Document page =
-                write(new BenchResults(SampleResults.RUN, List.of(), List.of(), List.of(), List.of(), List.of(), List.of()), folder);
+                write(new BenchResults(SampleResults.RUN, List.of(), List.of(), List.of(), List.of(), List.of(), List.of(), List.of()),
+                        folder);
 
         assertWellFormed(page);
         assertThat(page.getDocumentElement().getTextContent()).contains("Seed 1", "Java 25");
@@ -57,7 +58,7 @@ class HtmlReportTest {
         BenchResults part =
                 new BenchResults(SampleResults.RUN.withOutcome(5, false, SampleResults.RUN.load()), List.of(SampleResults.scene(10)),
                         List.of(), List.of(), List.of(),
-                        List.of(), List.of());
+                        List.of(), List.of(), List.of());
 
         assertThat(write(part, folder).getDocumentElement().getTextContent()).contains("had not ended after 5.00 s: it was canceled",
                 "bird, 300 × 200");
@@ -79,7 +80,7 @@ class HtmlReportTest {
     }
 
     private static BenchResults results(BenchRun run, SceneResult... scenes) {
-        return new BenchResults(run, List.of(scenes), List.of(), List.of(), List.of(), List.of(), List.of());
+        return new BenchResults(run, List.of(scenes), List.of(), List.of(), List.of(), List.of(), List.of(), List.of());
     }
 
     private static BenchRun run(SystemLoad load, int repetitions) {
@@ -141,7 +142,7 @@ class HtmlReportTest {
     @Test
     void failure_hasItsOwnLine() throws Exception {
         BenchResults results =
-                new BenchResults(SampleResults.RUN, List.of(SampleResults.scene(10)), List.of(), List.of(), List.of(), List.of(),
+                new BenchResults(SampleResults.RUN, List.of(SampleResults.scene(10)), List.of(), List.of(), List.of(), List.of(), List.of(),
                         List.of(new MeasurementFailure(MeasurementFailure.Kind.UNREAD, "a.jen:12:8", "intensity must be ≥ 0, was -3"),
                                 new MeasurementFailure(MeasurementFailure.Kind.UNREAD, "b.jen", "no such file")));
         Element problems = byId(write(results, folder), "problems");
@@ -156,7 +157,7 @@ class HtmlReportTest {
         Document page = write(
                 new BenchResults(SampleResults.RUN,
                         List.of(new SceneResult(name, 300, 200, 3, 10, 3, null, null, scene.edits(), List.of(), null, null)),
-                        List.of(), List.of(), List.of(), List.of(), List.of()),
+                        List.of(), List.of(), List.of(), List.of(), List.of(), List.of()),
                 folder);
 
         assertThat(byId(page, "scene-1").getElementsByTagName("h2").item(0).getTextContent()).isEqualTo(name + ", 300 × 200");
@@ -177,7 +178,8 @@ class HtmlReportTest {
         var edit = new EditResult("color", "Fig. 6", 98, 70, 90, List.of(new ValueResult("sun: color 1 1 1 → 1 0 0, on yes → no", rungs)));
         var scene = new SceneResult("bird", 1, 1, 3, 10, 3, "before.png", null, List.of(edit), List.of(), null, null);
         Document page =
-                write(new BenchResults(SampleResults.RUN, List.of(scene), List.of(), List.of(), List.of(), List.of(), List.of()), folder);
+                write(new BenchResults(SampleResults.RUN, List.of(scene), List.of(), List.of(), List.of(), List.of(), List.of(), List.of()),
+                        folder);
 
         assertWellFormed(page);
         assertThat(texts(byClass(page, "wipe").getFirst(), "option")).containsExactly("before", "exact", "full trace",
@@ -193,7 +195,7 @@ class HtmlReportTest {
                 new BenchResults(SampleResults.RUN,
                         List.of(new SceneResult("bird", 300, 200, 3, 10, 3, "gone.png", null, scene.edits(), List.of(),
                                 null, null)),
-                        List.of(), List.of(), List.of(), List.of(), List.of()),
+                        List.of(), List.of(), List.of(), List.of(), List.of(), List.of()),
                 folder);
 
         assertThat(byClass(page, "wipe")).isEmpty();
@@ -225,6 +227,7 @@ class HtmlReportTest {
         public static void main(String[] folder) throws Exception {
             HtmlReport.write(
                     new BenchResults(SampleResults.RUN, List.of(SampleResults.scene(10)), List.of(), List.of(), List.of(), List.of(),
+                            List.of(),
                             List.of()),
                     Path.of(folder[0]));
         }

@@ -16,6 +16,8 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import lightning.bench.report.DocumentCharts;
 import lightning.bench.report.MarkdownTables;
+import lightning.bench.report.ModernCharts;
+import lightning.bench.report.ModernTables;
 import lightning.bench.report.ReportStatements;
 import lightning.sample.Slow;
 import org.junit.jupiter.api.Test;
@@ -23,13 +25,14 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * Tests that the marked tables and values in README.md, docs/results.md and docs/performance.md match the stored runs. {@code -Dlightning.write=true}
+ * Tests that the marked tables and values in README.md, docs/results.md, docs/performance.md and docs/modern.md match the stored runs. {@code -Dlightning.write=true}
  * regenerates them, unless the runs must not be published.
  */
 class ResultsDocumentTest {
     private static final Path RESULTS = Path.of("docs", "results.md");
     private static final Path README = Path.of("README.md");
     private static final Path PERFORMANCE = Path.of("docs", "performance.md");
+    private static final Path MODERN = Path.of("docs", "modern.md");
     private static final Path DECISIONS = Path.of("docs", "decisions");
     private static final Path PICTURES = Path.of("docs", "pictures");
     private static final Pattern MARKED = Pattern.compile("(<!-- (table|value): (.+?) -->\n?)(.*?)(<!-- end -->)", Pattern.DOTALL);
@@ -53,7 +56,7 @@ class ResultsDocumentTest {
     }
 
     static List<Path> documents() {
-        return List.of(RESULTS, README, PERFORMANCE);
+        return List.of(RESULTS, README, PERFORMANCE, MODERN);
     }
 
     @ParameterizedTest
@@ -79,6 +82,9 @@ class ResultsDocumentTest {
         Matcher other = OF_PART.matcher(name);
         if (name.equals("runs")) {
             return MarkdownTables.runs(storedRuns.runs());
+        }
+        if (ModernTables.names().contains(name)) {
+            return storedRuns.find("modern").map(results -> new ModernTables(results).of(name)).orElse("");
         }
         if (other.matches()) {
             return new MarkdownTables(storedRuns.part(other.group(2))).of(other.group(1));
@@ -113,6 +119,27 @@ class ResultsDocumentTest {
         }
     }
 
+    /** Compares the measured build only, as {@link #everyChart_matchesStoredRun}. */
+    @Test
+    @Slow
+    void everyModernChart_matchesStoredRun() throws IOException {
+        StoredRuns kept = StoredRuns.read(StoredRuns.FOLDER);
+        Map<String, String> charts = kept.find("modern").map(ModernCharts::of).orElse(Map.of());
+        if (Boolean.getBoolean("lightning.write") && kept.findFaults().isEmpty()) {
+            for (var chart : charts.entrySet()) {
+                Files.writeString(PICTURES.resolve(chart.getKey()), chart.getValue());
+            }
+        }
+        for (String name : charts.keySet()) {
+            BenchRun run = kept.part("modern").run();
+            assertThat(PICTURES.resolve(name)).content().contains(run.commit(), run.date());
+        }
+        try (Stream<Path> files = Files.list(PICTURES)) {
+            assertThat(files.map(file -> file.getFileName().toString()).filter(name -> name.startsWith("modern-")).sorted().toList())
+                    .isEqualTo(charts.keySet().stream().sorted().toList());
+        }
+    }
+
     @Test
     void everyMeasuredNumberOfResults_isInTableOrMarked() throws IOException {
         String text = Files.readString(RESULTS);
@@ -133,6 +160,11 @@ class ResultsDocumentTest {
     @Test
     void everyMeasuredFigureOfThePerformanceGuide_isMarked() throws IOException {
         assertThat(measuredNumbers(Files.readString(PERFORMANCE))).isEmpty();
+    }
+
+    @Test
+    void everyMeasuredFigureOfTheModernScenes_isMarked() throws IOException {
+        assertThat(measuredNumbers(Files.readString(MODERN))).isEmpty();
     }
 
     private static Stream<String> measuredNumbers(String text) {
@@ -157,6 +189,19 @@ class ResultsDocumentTest {
         }
     }
 
+    static List<String> modernNames() {
+        return ModernTables.names();
+    }
+
+    @ParameterizedTest
+    @MethodSource("modernNames")
+    void everyModernTable_worksForAnyRunAndIsInItsDocument(String name) throws IOException {
+        for (long seed = 0; seed < 20; seed++) {
+            assertThat(new ModernTables(ResultsArbitraries.of(seed)).of(name)).matches("(?s)|.*\n");
+        }
+        assertThat(Files.readString(MODERN)).contains("<!-- table: " + name + " -->");
+    }
+
     @ParameterizedTest
     @MethodSource("statements")
     void everyStatement_isSingleLine(String name) throws IOException {
@@ -174,7 +219,7 @@ class ResultsDocumentTest {
         BenchResults results = new BenchResults(SampleResults.RUN,
                 List.of(new SceneResult("bird", 300, 200, 3, 10, 3, null, first, scene.edits(), List.of(),
                         null, null)),
-                List.of(), List.of(), List.of(), List.of(), List.of());
+                List.of(), List.of(), List.of(), List.of(), List.of(), List.of());
         // The sample has no image at the default setting, so nothing was compared.
         assertThatThrownBy(() -> new ReportStatements(results, results, results).of("equal pictures"))
                 .isInstanceOf(IllegalStateException.class)
@@ -210,6 +255,7 @@ class ResultsDocumentTest {
     void unknownMarkers_areRejected() {
         assertThatThrownBy(() -> new MarkdownTables(ResultsArbitraries.of(1)).of("no such")).isInstanceOf(IllegalArgumentException.class);
         BenchResults any = ResultsArbitraries.of(1);
+        assertThatThrownBy(() -> new ModernTables(any).of("no such")).isInstanceOf(IllegalArgumentException.class);
         assertThatThrownBy(() -> new ReportStatements(any, any, any).of("no such")).isInstanceOf(IllegalArgumentException.class);
     }
 }

@@ -50,6 +50,12 @@ class ResultsFileTest {
         return cold.rival() == null ? ours : ours + (cold.rival().processor() == null ? 1 : 2);
     }
 
+    private static int rows(ModernScene scene) {
+        return scene.pictures().stream()
+                .mapToInt(p -> (p.firstPass() == null ? 0 : 2) + p.edits().size() + processes(p.cold())).sum()
+                + scene.curves().stream().mapToInt(curve -> curve.points().size()).sum();
+    }
+
     private static int rows(MeshPoint mesh) {
         return (mesh.rival() == null ? 1 : 2) + mesh.rays().stream().mapToInt(pace -> pace.rival() == null ? 1 : 2).sum();
     }
@@ -63,6 +69,7 @@ class ResultsFileTest {
                 .sum()
                 + results.growth().stream().flatMap(g -> g.points().stream()).mapToInt(p -> 1 + p.edits().size()).sum()
                 + 5 * results.editing().size() + results.meshes().stream().mapToInt(ResultsFileTest::rows).sum()
+                + results.modern().stream().mapToInt(ResultsFileTest::rows).sum()
                 + results.drift().stream().mapToInt(d -> d.points().size()).sum();
         assertThat(CsvRow.of(results)).hasSize(rows);
     }
@@ -79,7 +86,8 @@ class ResultsFileTest {
     void csvOfSceneNamedLikeFormula_storesText() throws IOException {
         SceneResult formula =
                 new SceneResult("=cmd|'/c calc'!A1", 300, 200, 3, 10, 3, null, null, SampleResults.scene(5).edits(), List.of(), null, null);
-        BenchResults results = new BenchResults(SampleResults.RUN, List.of(formula), List.of(), List.of(), List.of(), List.of(), List.of());
+        BenchResults results =
+                new BenchResults(SampleResults.RUN, List.of(formula), List.of(), List.of(), List.of(), List.of(), List.of(), List.of());
         Path csv = folder.resolve("results.csv");
         ResultsFile.writeCsv(csv, results);
         assertThat(Files.readString(csv)).contains("edit,\"'=cmd|'/c calc'!A1\",300,");
@@ -92,7 +100,7 @@ class ResultsFileTest {
     void csv_hasHeaderAndQuotesCommas() throws IOException {
         Path file = folder.resolve("results.csv");
         ResultsFile.writeCsv(file,
-                new BenchResults(SampleResults.RUN, List.of(SampleResults.scene(5)), List.of(), List.of(), List.of(), List.of(),
+                new BenchResults(SampleResults.RUN, List.of(SampleResults.scene(5)), List.of(), List.of(), List.of(), List.of(), List.of(),
                         List.of()));
         List<String> lines = Files.readAllLines(file);
         assertThat(lines.getFirst()).startsWith("kind,scene,width,height,edit,value,level,n,medianMs,lowerQuartileMs,upperQuartileMs,");
@@ -106,7 +114,7 @@ class ResultsFileTest {
     void json_hasExpectedKeys() throws IOException {
         Path file = folder.resolve("results.json");
         ResultsFile.writeJson(file,
-                new BenchResults(SampleResults.RUN, List.of(SampleResults.scene(5)), List.of(), List.of(), List.of(), List.of(),
+                new BenchResults(SampleResults.RUN, List.of(SampleResults.scene(5)), List.of(), List.of(), List.of(), List.of(), List.of(),
                         List.of()));
         assertThat(Files.readString(file))
                 .contains("\"scene\" : \"bird\"", "\"level\" : \"" + AccuracySetting.EXACT + "\"", "\"median\" : 5.0",

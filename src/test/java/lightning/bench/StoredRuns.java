@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.TreeSet;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
@@ -17,6 +18,8 @@ import lightning.bench.accuracy.AccuracySetting;
 record StoredRuns(Map<String, BenchResults> parts) {
     static final Path FOLDER = Path.of("benchmarks", "results");
     private static final List<String> PARTS = List.of("figures", "grades", "effects", "surfaces", "cold", "editing", "meshes");
+    /** Parts whose tables are empty while no run of them is stored. */
+    private static final List<String> OPTIONAL_PARTS = List.of("modern");
     private static final String EXTENSION = ".json";
     private static final Pattern CLEAN = Pattern.compile("[0-9a-f]{40}");
     private static final int MIN_REPETITIONS = 3;
@@ -26,11 +29,21 @@ record StoredRuns(Map<String, BenchResults> parts) {
         for (String part : PARTS) {
             parts.put(part, ResultsFile.readJson(folder.resolve(part + EXTENSION)));
         }
+        for (String part : OPTIONAL_PARTS) {
+            if (Files.exists(folder.resolve(part + EXTENSION))) {
+                parts.put(part, ResultsFile.readJson(folder.resolve(part + EXTENSION)));
+            }
+        }
         return new StoredRuns(parts);
     }
 
     BenchResults part(String name) {
         return parts.get(name);
+    }
+
+    /** Returns the results of a part; empty if it is optional and not stored. */
+    Optional<BenchResults> find(String name) {
+        return Optional.ofNullable(parts.get(name));
     }
 
     Map<String, BenchRun> runs() {
@@ -63,10 +76,20 @@ record StoredRuns(Map<String, BenchResults> parts) {
     }
 
     private static List<String> differingPictures(String part, BenchResults results) {
+        return Stream.concat(differingEdits(part, results), differingModernEdits(part, results)).toList();
+    }
+
+    private static Stream<String> differingModernEdits(String part, BenchResults results) {
+        return results.modern().stream().flatMap(scene -> scene.pictures().stream().flatMap(picture -> picture.edits().stream()
+                .filter(edit -> !edit.equal())
+                .map(edit -> part + ": " + scene.scene() + ", anti-aliasing " + picture.sampling().label() + ", "
+                        + edit.edit() + ": not equal to the full trace")));
+    }
+
+    private static Stream<String> differingEdits(String part, BenchResults results) {
         return results.scenes().stream().flatMap(scene -> scene.edits().stream().flatMap(edit -> edit.values().stream()
                 .filter(value -> value.point(AccuracySetting.DEFAULT).error().values() != 0)
-                .map(value -> part + ": " + scene.scene() + ", " + edit.edit() + ", " + value.value() + ": not equal to the full trace")))
-                .toList();
+                .map(value -> part + ": " + scene.scene() + ", " + edit.edit() + ", " + value.value() + ": not equal to the full trace")));
     }
 
     private void addIfDifferent(List<String> faults, String name, java.util.function.Function<BenchRun, String> value) {
@@ -82,7 +105,7 @@ record StoredRuns(Map<String, BenchResults> parts) {
     static List<String> otherFiles(Path folder) throws IOException {
         try (Stream<Path> files = Files.list(folder)) {
             return List.copyOf(files.map(file -> file.getFileName().toString())
-                    .filter(name -> !name.endsWith(EXTENSION) || !PARTS.contains(name.substring(0, name.length() - EXTENSION.length())))
+                    .filter(name -> Stream.concat(PARTS.stream(), OPTIONAL_PARTS.stream()).noneMatch(part -> name.equals(part + EXTENSION)))
                     .collect(Collectors.toCollection(TreeSet::new)));
         }
     }

@@ -21,7 +21,7 @@ class StoredRunsTest {
         return new BenchResults(
                 new BenchRun(run.date(), commit, run.arguments(), run.machine(), run.load(), 1, 2, repetitions, false, 1, 1, complete, 40,
                         List.of(40.0)),
-                scenes, List.of(), List.of(), List.of(), List.of(), List.of());
+                scenes, List.of(), List.of(), List.of(), List.of(), List.of(), List.of());
     }
 
     private static List<String> faultsOf(BenchResults first, BenchResults second) {
@@ -79,8 +79,20 @@ class StoredRunsTest {
     }
 
     @Test
+    void differingModernPicture_isAFault() {
+        var edit = new ModernEdit("color", "key: color", SampleResults.samples(1, 2, 3), SampleResults.samples(7, 8, 9), 75, false);
+        var scene = new ModernScene("hall", List.of(new ModernPicture(ModernSampling.EDGES, 10, 10, null, List.of(edit), 0, 0, null)),
+                List.of(), List.of());
+        BenchRun run = validResults().run();
+        var results = new BenchResults(run, List.of(), List.of(), List.of(), List.of(), List.of(), List.of(scene), List.of());
+        assertThat(faultsOf(validResults(), results))
+                .containsExactly("cold: hall, anti-aliasing edges 4×4, color: not equal to the full trace");
+    }
+
+    @Test
     void otherFiles_areListed(@TempDir Path folder) throws IOException {
         Files.writeString(folder.resolve("figures.json"), "");
+        Files.writeString(folder.resolve("modern.json"), "");
         Files.writeString(folder.resolve("editing.txt"), "");
         Files.writeString(folder.resolve("old.json"), "");
         assertThat(StoredRuns.otherFiles(folder)).containsExactly("editing.txt", "old.json");

@@ -38,7 +38,7 @@ final class CurveChart {
         double start = hasZeroX ? left / 2 : left;
         double nameWidth = curves.stream().mapToDouble(c -> ChartSvg.widthOf(c.name)).max().orElse(0) + NAME_GAP;
         DecadeAxis bottom = new DecadeAxis(start / 1.15, right * Math.pow(right / start, nameWidth / (width - nameWidth - AXIS)),
-                x -> x > 1.01 * right ? "" : x < 0.9 * left ? "0" : xLabel.apply(x));
+                x -> x > 1.01 * right ? "" : hasZeroX && x < 0.9 * left ? "0" : xLabel.apply(x));
         XYPlot plot = PlotStyle.xy(bottom,
                 new DecadeAxis(hasZeroY ? zero / 1.6 : zero, high * 2, y -> hasZeroY && y < 1.5 * zero ? "0" : yLabel.apply(y)));
         XYSeriesCollection lines = new XYSeriesCollection();

@@ -119,7 +119,7 @@ public final class MarkdownTables {
                 }));
     }
 
-    private static String percent(double value, String pattern) {
+    static String percent(double value, String pattern) {
         return Double.isNaN(value) ? "–" : String.format(Locale.ROOT, pattern, value) + " %";
     }
 
@@ -253,12 +253,12 @@ public final class MarkdownTables {
         return scene.cold().rival() == null ? "–" : value.apply(scene.cold().rival());
     }
 
-    private static String median(TimeSamples samples) {
+    static String median(TimeSamples samples) {
         return samples == null ? "–" : number(samples.median());
     }
 
     /** Formats three digits without exponent. */
-    private static String number(double v) {
+    static String number(double v) {
         if (Double.isNaN(v)) {
             return "–";
         }
@@ -267,11 +267,11 @@ public final class MarkdownTables {
     }
 
     /** Formats two digits with exponent; 0 for no error. */
-    private static String error(double v) {
+    static String error(double v) {
         return v == 0 ? "0" : Double.isNaN(v) ? "–" : String.format(Locale.ROOT, "%.1e", v);
     }
 
-    private static String table(List<String> head, Stream<List<String>> rows) {
+    static String table(List<String> head, Stream<List<String>> rows) {
         String rule = "|" + "---|".repeat(head.size()) + "\n";
         return line(head) + rule + rows.map(MarkdownTables::line).collect(Collectors.joining());
     }

@@ -69,7 +69,7 @@ public final class ReportStatements {
 
     /** Returns the names of all statements. */
     public static List<String> names() {
-        BenchResults none = new BenchResults(null, List.of(), List.of(), List.of(), List.of(), List.of(), List.of());
+        BenchResults none = new BenchResults(null, List.of(), List.of(), List.of(), List.of(), List.of(), List.of(), List.of());
         return List.copyOf(new ReportStatements(none, none, none).statements.keySet());
     }
 
@@ -173,7 +173,7 @@ public final class ReportStatements {
     }
 
     /** Returns minimum and maximum, or one number if both have the same text. */
-    private static String range(String pattern, Stream<Double> values) {
+    static String range(String pattern, Stream<Double> values) {
         DoubleSummaryStatistics all = values.filter(Double::isFinite).mapToDouble(v -> v).summaryStatistics();
         if (all.getCount() == 0) {
             return NONE;

@@ -45,7 +45,7 @@ public final class PovRayRunner {
      * @throws InterruptedException if this thread was interrupted; POV-Ray is then terminated
      */
     public double traceMs(PovScene scene, int width, int height, int threads) throws IOException, InterruptedException {
-        return inTempFolder(scene, folder -> traceMs(folder, command(width, height, threads, "-F")));
+        return inTempFolder(scene, folder -> traceMs(folder, command(width, height, threads, PovSampling.NONE, "-F")));
     }
 
     /**
@@ -57,8 +57,29 @@ public final class PovRayRunner {
      */
     public Film render(PovScene scene, int width, int height, int threads) throws IOException, InterruptedException {
         return inTempFolder(scene, folder -> {
-            traceMs(folder, command(width, height, threads, "+FN8", "+Opicture.png"));
+            traceMs(folder, command(width, height, threads, PovSampling.NONE, "+FN8", "+Opicture.png"));
             return ImageFile.read(folder.resolve("picture.png"));
+        });
+    }
+
+    /**
+     * Image of a trace.
+     *
+     * @param film linear values, halves
+     * @param ms trace time reported by POV-Ray, in milliseconds
+     */
+    public record Trace(Film film, double ms) {}
+
+    /**
+     * Traces a scene to an OpenEXR image.
+     *
+     * @throws IOException as {@link #traceMs}
+     * @throws InterruptedException as {@link #traceMs}
+     */
+    public Trace trace(PovScene scene, int width, int height, int threads, PovSampling sampling) throws IOException, InterruptedException {
+        return inTempFolder(scene, folder -> {
+            double ms = traceMs(folder, command(width, height, threads, sampling, "+FE", "+Opicture.exr"));
+            return new Trace(ImageFile.read(folder.resolve("picture.exr")), ms);
         });
     }
 
@@ -73,25 +94,26 @@ public final class PovRayRunner {
     }
 
     /**
-     * Traces a scene, without anti-aliasing, to a PNG file that is discarded.
+     * Traces a scene to a PNG file that is discarded.
      *
      * @param wrapper runs the process while nothing else runs
      * @throws IOException as {@link #traceMs}
      * @throws InterruptedException as {@link #traceMs}
      */
-    public void runWrapped(PovScene scene, int width, int height, int threads, ProcessWrapper wrapper)
+    public void runWrapped(PovScene scene, int width, int height, int threads, PovSampling sampling, ProcessWrapper wrapper)
             throws IOException, InterruptedException {
         inTempFolder(scene, folder -> {
-            wrapper.run(() -> traceMs(folder, command(width, height, threads, "+FN8", "+Opicture.png")));
+            wrapper.run(() -> traceMs(folder, command(width, height, threads, sampling, "+FN8", "+Opicture.png")));
             return null;
         });
     }
 
-    private List<String> command(int width, int height, int threads, String... output) {
-        List<String> arguments = new ArrayList<>(List.of(program.toString(), "+Iscene.pov", "+W" + width, "+H" + height, "-A",
-                "+WT" + threads, "-D"));
-        arguments.addAll(List.of(output));
-        return arguments;
+    private List<String> command(int width, int height, int threads, PovSampling sampling, String... output) {
+        List<String> words = new ArrayList<>(List.of(program.toString(), "+Iscene.pov", "+W" + width, "+H" + height));
+        words.addAll(sampling.arguments());
+        words.addAll(List.of("+WT" + threads, "-D"));
+        words.addAll(List.of(output));
+        return words;
     }
 
     /** Task on a folder that contains a scene. */

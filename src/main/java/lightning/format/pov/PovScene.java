@@ -15,6 +15,7 @@ import lightning.render.image.DisplayCurve;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
 import lightning.scene.Camera;
+import lightning.scene.EnvironmentMap;
 import lightning.scene.PlacedShape;
 import lightning.scene.Scene;
 import lightning.scene.Solid;
@@ -30,32 +31,38 @@ public final class PovScene {
     private final List<String> warnings;
     private final Map<String, Texture> images;
     private final Map<String, Texture> bumpMaps;
+    private final Map<String, EnvironmentMap> environments;
 
-    private PovScene(String text, List<String> warnings, Map<String, Texture> images, Map<String, Texture> bumpMaps) {
+    private PovScene(String text, List<String> warnings, Map<String, Texture> images, Map<String, Texture> bumpMaps,
+            Map<String, EnvironmentMap> environments) {
         this.text = text;
         this.warnings = List.copyOf(warnings);
         this.images = images;
         this.bumpMaps = bumpMaps;
+        this.environments = environments;
     }
 
     /**
      * Converts a scene.
      *
-     * @param name prefix of the names of its texture files
+     * @param name prefix of the names of its image files
      */
     public static PovScene of(Scene scene, String name) {
         List<String> warnings = new ArrayList<>();
         Map<String, Texture> images = new LinkedHashMap<>();
         Map<String, Texture> bumpMaps = new LinkedHashMap<>();
+        Map<String, EnvironmentMap> environments = new LinkedHashMap<>();
         var body = new StringBuilder();
         body.append("global_settings {\n  assumed_gamma 1.0\n  max_trace_level ")
                 .append(scene.picture().depth() + 1 + (hasCutouts(scene) ? CUTOUT_LEVELS : 0))
                 .append("\n  adc_bailout 0\n  ambient_light rgb ").append(scene.world().ambience()).append("\n}\n");
         body.append("background { ").append(PovFormat.rgb(scene.world().background())).append(" }\n");
         scene.world().environment().ifPresent(p -> {
-            warnings.add("the environment is exported as sample lights; its image is expected at " + p.file());
+            warnings.add("the environment is exported as sample lights and as an image of the background");
+            String file = fileName(name + "-environment", p.file()) + ".hdr";
+            environments.put(file, p.map());
             // POV-Ray's image starts at the x axis and runs toward z; ours starts a quarter earlier, with its middle at −z.
-            body.append("sky_sphere {\n  pigment { image_map { hdr \"").append(p.file().replaceAll("[\\\\\"]", "\\\\$0"))
+            body.append("sky_sphere {\n  pigment { image_map { hdr \"").append(file)
                     .append("\" map_type 1 interpolate 2 } }\n  rotate <0, ")
                     .append(scene.world().rotation() - 90).append(", 0>\n  emission rgb ").append(scene.world().intensity())
                     .append("\n}\n");
@@ -75,7 +82,7 @@ public final class PovScene {
         }
         var lights = new PovLightWriter(BoundingSphere.of(scene), warnings);
         scene.rig().effectiveLights().forEach(light -> body.append(lights.text(scene, light)));
-        return new PovScene(header(scene, warnings) + body, warnings, images, bumpMaps);
+        return new PovScene(header(scene, warnings) + body, warnings, images, bumpMaps, environments);
     }
 
     private static boolean hasCutouts(Scene scene) {
@@ -111,9 +118,14 @@ public final class PovScene {
     }
 
     private static String addImage(Map<String, Texture> images, TextureMap map, String name) {
-        String file = name.replaceAll("[\"\\\\\\p{C}]", "_") + "-" + map.file().replaceAll("[^\\p{Alnum}_-]", "_") + ".png";
+        String file = fileName(name, map.file()) + ".png";
         images.put(file, map.image());
         return file;
+    }
+
+    /** Returns the name of an image's copy, without its extension. */
+    private static String fileName(String prefix, String imageFile) {
+        return prefix.replaceAll("[\"\\\\\\p{C}]", "_") + "-" + imageFile.replaceAll("[^\\p{Alnum}_-]", "_");
     }
 
     /** Returns the file's content. */
@@ -127,7 +139,7 @@ public final class PovScene {
     }
 
     /**
-     * Writes the scene, and its textures next to it.
+     * Writes the scene, and its textures and environment image next to it.
      *
      * @throws IOException if a file cannot be written
      */
@@ -138,6 +150,9 @@ public final class PovScene {
         for (var image : bumpMaps.entrySet()) {
             // Bump slopes are differences of neighbors, which 8 bits would quantize visibly.
             ImageFile.write(file.resolveSibling(image.getKey()), gray(image.getValue()), new ViewTransform(0, DisplayCurve.LINEAR), 16);
+        }
+        for (var environment : environments.entrySet()) {
+            ImageFile.write(file.resolveSibling(environment.getKey()), film(environment.getValue()), ViewTransform.DEFAULT);
         }
         AtomicFile.write(file, out -> out.write(text.getBytes(StandardCharsets.UTF_8)));
     }
@@ -151,6 +166,15 @@ public final class PovScene {
             rgb[i] = (float) texture.luminance(x, y, x, y, 0, 0);
         }
         return Film.ofScanlines(texture.width(), texture.height(), rgb);
+    }
+
+    private static Film film(EnvironmentMap map) {
+        float[] rgb = new float[3 * map.width() * map.height()];
+        for (int i = 0; i < rgb.length; i++) {
+            int pixel = i / 3;
+            rgb[i] = map.channel(pixel % map.width(), pixel / map.width(), i % 3);
+        }
+        return Film.ofScanlines(map.width(), map.height(), rgb);
     }
 
     private static Film film(Texture texture) {

@@ -66,6 +66,20 @@ class PovRayRunnerTest {
     }
 
     @Test
+    void trace_returnsFloatsAndTimeOfItsSampling() throws Exception {
+        Film film = Film.black(3, 2);
+        film.green(0)[33] = 2.5f;
+        Path written = folder.resolve("drawn.exr");
+        ImageFile.write(written, film, ViewTransform.DEFAULT);
+        PovRayRunner pov = fakeProgram(
+                "echo \"$@\" > " + folder.resolve("seen") + "; cp " + written + " picture.exr; echo 'Trace Time: (0.500 seconds)'");
+        PovRayRunner.Trace trace = pov.trace(scene, 3, 2, 1, PovSampling.adaptive(0.1, 3));
+        assertThat(trace.film().hasSameBits(film)).isTrue();
+        assertThat(trace.ms()).isEqualTo(500);
+        assertThat(folder.resolve("seen")).hasContent("+Iscene.pov +W3 +H2 +A0.1 +AM2 +R3 +WT1 -D +FE +Opicture.exr");
+    }
+
+    @Test
     void failure_reportsTheProgramOutput() throws Exception {
         PovRayRunner pov = fakeProgram("echo 'Parse Error: no such thing'; exit 1");
         assertThatThrownBy(() -> pov.traceMs(scene, 30, 20, 2)).isInstanceOf(IOException.class)

@@ -14,6 +14,7 @@ import java.util.regex.Pattern;
 import javax.imageio.ImageIO;
 import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
+import lightning.format.hdr.HdrReader;
 import lightning.format.jen.JenReader;
 import lightning.sample.SampleMeshes;
 import lightning.sample.SceneArbitraries;
@@ -40,6 +41,8 @@ import net.jqwik.api.Provide;
 import net.jqwik.api.constraints.DoubleRange;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class PovSceneTest {
     @TempDir
@@ -96,9 +99,9 @@ class PovSceneTest {
         EnvironmentMap environment = new EnvironmentMap(4, 1, new float[] {1, 0, 0, 2, 0, 0, 3, 0, 0, 4, 0, 0});
         World world = World.DEFAULT.withEnvironment(Optional.of(new Environment("a\"b.hdr", environment))).withRotation(rotation);
         String text = PovScene.of(new Scene(PictureSettings.DEFAULT, Camera.DEFAULT, world, List.of(), List.of(), List.of()), "x").text();
-        assertThat(text).contains("hdr \"a\\\"b.hdr\" map_type 1");
+        assertThat(text).contains("hdr \"x-environment-a_b_hdr.hdr\" map_type 1");
         Matcher rotationText =
-                Pattern.compile("sky_sphere[^r]*rotate <0, (.*), 0>").matcher(text.replace("hdr", "").replace("interpolate", ""));
+                Pattern.compile("(?s)sky_sphere.*?\n  rotate <0, ([^,]*), 0>").matcher(text);
         assertThat(rotationText.find()).isTrue();
         for (int column = 0; column < 4; column++) {
             // A rotation by +90 degrees about y takes z to x in POV-Ray, so an angle from x toward z becomes smaller.
@@ -107,6 +110,24 @@ class PovSceneTest {
             environment.radiance(Math.cos(angle), 0, Math.sin(angle), rotation, direction);
             assertThat(direction[0]).isEqualTo(column + 1, within(1e-9));
         }
+    }
+
+    @Test
+    void environmentImage_isWrittenNextToTheScene() throws Exception {
+        Scene scene = JenReader.read(Path.of("scenes/window.jen")).scene();
+        PovScene.of(scene, "x").write(folder.resolve("x.pov"));
+        EnvironmentMap written = HdrReader.read(folder.resolve("x-environment-evening_sky_hdr.hdr"));
+        assertThat(written).isEqualTo(scene.world().environment().orElseThrow().map());
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"window", "hall", "arbor", "stage"})
+    void everyNamedImage_isWrittenNextToTheScene(String name) throws Exception {
+        PovScene pov = PovScene.of(JenReader.read(Path.of("scenes", name + ".jen")).scene(), "x");
+        pov.write(folder.resolve("x.pov"));
+        List<String> images =
+                Pattern.compile("\\b(?:png|hdr) \"([^\"]*)\"").matcher(pov.text()).results().map(m -> m.group(1)).distinct().toList();
+        assertThat(images).isNotEmpty().allSatisfy(image -> assertThat(folder.resolve(image)).isNotEmptyFile());
     }
 
     @Test
