@@ -143,7 +143,7 @@ final class TileTracer {
                 for (int c = 0; c < 3; c++) {
                     pixel[c][batch[i]] = means[c][i];
                 }
-                refined.set(batch[i], refines && EdgeColors.differ(packed, i * firstCells.count(), firstCells.count()));
+                refined.set(batch[i], refines && EdgeColors.needMore(packed, i * firstCells.count(), firstCells.count()));
             }
         }, progress);
         short[] rest = new short[refined.cardinality()];

@@ -18,8 +18,10 @@ public record EdgeColors(int[] colors, BounceImages images) {
     private static final int STEPS = 511;
     /** Values above this, 4 times white, count as this. */
     private static final float MAX_VALUE = 4;
-    /** Least visible step of a channel, in steps of a packed channel. */
-    private static final int THRESHOLD = 32;
+    /** Largest invisible step between neighboring pixels, in steps of a packed channel. */
+    private static final int MAX_NEIGHBOR_STEP = 20;
+    /** Largest step between samples of a pixel that their mean hides. */
+    private static final int MAX_SAMPLE_STEP = 48;
 
     /** Packs the linear colors of a tile's positions. */
     public static int[] pack(float[][] linear) {
@@ -39,18 +41,17 @@ public record EdgeColors(int[] colors, BounceImages images) {
         return (int) (Math.sqrt(Math.min(value, MAX_VALUE)) * STEPS + 0.5);
     }
 
-    /** Returns whether the step between two packed colors is visible. */
+    /** Returns whether the step between the packed colors of two neighboring pixels is visible. */
     static boolean differ(int a, int b) {
-        return a != b
-                && (isStep(a >>> 2 * BITS, b >>> 2 * BITS) || isStep(a >>> BITS & MASK, b >>> BITS & MASK) || isStep(a & MASK, b & MASK));
+        return a != b && (isStep(a >>> 2 * BITS, b >>> 2 * BITS) || isStep(a >>> BITS & MASK, b >>> BITS & MASK) || isStep(a & MASK, b & MASK));
     }
 
     private static boolean isStep(int a, int b) {
-        return Math.abs(a - b) > THRESHOLD;
+        return Math.abs(a - b) > MAX_NEIGHBOR_STEP;
     }
 
-    /** Returns whether the step between any two of some colors is visible. */
-    public static boolean differ(int[] packed, int from, int count) {
+    /** Returns whether some samples of a pixel differ so much that it needs more. */
+    public static boolean needMore(int[] packed, int from, int count) {
         for (int shift = 0; shift <= 2 * BITS; shift += BITS) {
             int min = MASK;
             int max = 0;
@@ -59,7 +60,7 @@ public record EdgeColors(int[] colors, BounceImages images) {
                 min = Math.min(min, step);
                 max = Math.max(max, step);
             }
-            if (isStep(min, max)) {
+            if (max - min > MAX_SAMPLE_STEP) {
                 return true;
             }
         }

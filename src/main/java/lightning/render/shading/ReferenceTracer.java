@@ -112,7 +112,7 @@ public final class ReferenceTracer {
 
     /** Returns whether the colors of some samples of a pixel differ visibly. */
     private boolean differs(int x, int y, SampleCells cells) {
-        return EdgeColors.differ(EdgeColors.pack(samples(x, y, cells)), 0, cells.count());
+        return EdgeColors.needMore(EdgeColors.pack(samples(x, y, cells)), 0, cells.count());
     }
 
     /** Returns the colors of some samples of a pixel: red, green and blue columns. */

@@ -91,7 +91,7 @@ final class FineSampleWorker {
         int perPixel = first.cells().count();
         for (SampleBlock block : first.blocks()) {
             for (int i = 0; i < block.pixels().length; i++) {
-                if (used.get(block.pixels()[i]) && EdgeColors.differ(block.rows().edges.colors(), i * perPixel, perPixel)) {
+                if (used.get(block.pixels()[i]) && EdgeColors.needMore(block.rows().edges.colors(), i * perPixel, perPixel)) {
                     different.set(block.pixels()[i]);
                 }
             }
