@@ -78,23 +78,22 @@ class RenderLoopTest {
         return shown;
     }
 
-    /** Returns a scene large enough for one coarse preview, but not for two. */
+    /** Returns a scene large enough for a coarse preview. */
     private Scene large() {
         return scene.withPicture(scene.picture().withSize(240, 160));
     }
 
-    /** Returns the width of the only reported coarse image. */
+    /** Returns the width of the first reported coarse image. */
     private int renderWithPreview(Scene requested, Future<Optional<CoarsePicture>> preview) throws Exception {
         loop.setStartupPreview(preview);
         loop.render(requested);
         Film seen = listener.next(RecordingRenderListener.Coarse.class).film();
         awaitFinished();
-        assertThat(listener.events).noneMatch(RecordingRenderListener.Coarse.class::isInstance);
         return seen.width();
     }
 
     private static Future<Optional<CoarsePicture>> previewOf(Scene of) {
-        return CompletableFuture.completedFuture(Optional.of(new CoarsePicture(of, new Geometry(of), Film.black(3, 2))));
+        return CompletableFuture.completedFuture(Optional.of(new CoarsePicture(of, new Geometry(of), Film.black(3, 2), Double.MAX_VALUE)));
     }
 
     @Test
@@ -116,7 +115,7 @@ class RenderLoopTest {
     @Test
     void tooLargePicture_hasNoPreview() {
         Scene huge = scene.withPicture(scene.picture().withSize(16_384, 16_384));
-        assertThat(CoarsePicture.first(huge, OPTIONS.withMemory(1 << 20))).isEmpty();
+        assertThat(CoarsePicture.first(huge, OPTIONS.withMemory(1 << 20), _ -> {})).isEmpty();
     }
 
     @Test
@@ -573,7 +572,7 @@ class RenderLoopTest {
     void largePicture_showsCoarsePictureFirst() throws Exception {
         loop.render(scene.withPicture(scene.picture().withSize(640, 480).withDepth(0)));
         Film coarse = listener.next(RecordingRenderListener.Coarse.class).film();
-        assertThat(coarse.width() * coarse.height()).isBetween(1900, 2000);
+        assertThat(coarse.width() * coarse.height()).isBetween(200, 250);
         assertThat(listener.next(RecordingRenderListener.Shown.class).film().width()).isEqualTo(640);
     }
 

@@ -1,16 +1,23 @@
 package lightning.editor.window.model;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import lightning.base.text.Messages;
 import lightning.bench.accuracy.Verification;
 import lightning.bench.accuracy.WarmSaving;
 import lightning.editor.loop.Frame;
+import lightning.editor.loop.RenderActivity;
+import lightning.editor.loop.RenderState;
 import lightning.render.relight.UpdateResult;
 import lightning.render.relight.plan.UpdatePlan;
 
 /** Formats updates and verifications for the status line. */
 public final class StatusText {
+    /** Minimum rate that its text does not round to zero, million rays per second. */
+    private static final double MIN_SHOWN_RATE = 0.05;
+
     private StatusText() {}
 
     /**
@@ -48,6 +55,36 @@ public final class StatusText {
         String prefix =
                 update.plan() instanceof UpdatePlan.Relight ? Messages.tr("Updated in {0}", time) : Messages.tr("Traced in {0}", time);
         return prefix + ", " + (frame.isFinished() ? frame.guarantee().text(update) : Messages.tr("not anti-aliased yet"));
+    }
+
+    /**
+     * Formats a running render: {@code Refining… 42 % · 12 s left · 1.3 million rays/s}. Leaves out what is unknown.
+     *
+     * @param remaining estimates the remaining time
+     * @param now       time in nanoseconds of any monotonic clock
+     */
+    public static String progress(RenderState state, RemainingTime remaining, long now) {
+        String stage = stage(state.activity().stage());
+        List<String> parts = new ArrayList<>();
+        parts.add(state.total() == 0 ? stage : stage + " " + percent(state.progress()));
+        remaining.left(stage, state.progress(), now).ifPresent(left -> parts.add(Messages.tr("{0} left", left)));
+        double millions = state.activity().raysPerSecond() / 1e6;
+        if (millions >= MIN_SHOWN_RATE) {
+            parts.add(String.format(Messages.locale(), Messages.tr("%.1f million rays/s"), millions));
+        }
+        return String.join(" · ", parts);
+    }
+
+    /** Returns the name of a stage of an image that is being rendered: {@code Refining…}. */
+    public static String stage(RenderActivity.Stage stage) {
+        return switch (stage) {
+            case CENTERS -> Messages.tr("Refining…");
+            case SAMPLES -> Messages.tr("Anti-aliasing…");
+        };
+    }
+
+    private static String percent(double share) {
+        return String.format(Messages.locale(), "%.0f %%", Math.floor(100 * share));
     }
 
     private static String savingText(WarmSaving measured) {

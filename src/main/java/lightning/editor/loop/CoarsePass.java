@@ -1,0 +1,91 @@
+package lightning.editor.loop;
+
+import java.util.function.Function;
+import lightning.base.work.Progress;
+import lightning.render.image.Film;
+import lightning.render.relight.tile.RenderOptions;
+import lightning.render.shading.RenderedScenes;
+import lightning.render.trace.Geometry;
+import lightning.scene.Scene;
+
+/** Coarse images of a scene, each with more pixels than the last, until its full image follows. Reports each one when it is finished. */
+final class CoarsePass {
+    /** Time for the first images, before the full image is prepared, in seconds. */
+    private static final double FIRST_SECONDS = 0.8;
+
+    private final RenderedScenes scenes;
+    private final Function<Scene, Geometry> geometryOf;
+    private final RenderOptions options;
+    private final RenderListener listener;
+    private final Progress progress;
+    private final CoarseSteps steps;
+    /** Last traced image; null before the first. */
+    private CoarsePicture last;
+    /** Largest number of pixels shown. */
+    private int shownPixels;
+
+    /** @param geometryOf supplies the geometry of a scene */
+    CoarsePass(RenderedScenes scenes, Function<Scene, Geometry> geometryOf, RenderOptions options, RenderListener listener,
+            Progress progress) {
+        this.scenes = scenes;
+        this.geometryOf = geometryOf;
+        this.options = options;
+        this.listener = listener;
+        this.progress = progress;
+        steps = CoarseSteps.of(scenes.scene().picture());
+    }
+
+    /** Shows an image that was traced elsewhere. */
+    void show(CoarsePicture picture) {
+        last = picture;
+        offer(picture.film());
+    }
+
+    /** Shows an image of the scene if it has more pixels than those shown. */
+    void offer(Film film) {
+        int pixels = CoarsePicture.pixels(film);
+        if (pixels > shownPixels) {
+            shownPixels = pixels;
+            listener.coarseRendered(film, scenes.scene());
+        }
+    }
+
+    private void trace(int pixels) {
+        show(CoarsePicture.trace(scenes, pixels, geometryOf, options.threads(), progress));
+    }
+
+    /** Traces images for a short time, one at least; none if the full image is ready as soon. */
+    void showFirst() {
+        long start = System.nanoTime();
+        for (int pixels = last == null ? steps.first() : 0; pixels > 0;
+                pixels = steps.nextWithin(last, FIRST_SECONDS - (System.nanoTime() - start) / 1e9)) {
+            trace(pixels);
+        }
+    }
+
+    /** Traces all further images. */
+    void showRest() {
+        while (last != null) {
+            int pixels = steps.next(Math.max(shownPixels, last.pixels()), last.pixelsPerSecond());
+            if (pixels == 0) {
+                return;
+            }
+            trace(pixels);
+        }
+    }
+
+    /** Tests if an image was shown. */
+    boolean isShown() {
+        return shownPixels > 0;
+    }
+
+    /** Returns the geometry of the images; null if none was traced. */
+    Geometry geometry() {
+        return last == null ? null : last.geometry();
+    }
+
+    /** Returns the pixels that were traced per second; 0 if none were. */
+    double pixelsPerSecond() {
+        return last == null ? 0 : last.pixelsPerSecond();
+    }
+}
