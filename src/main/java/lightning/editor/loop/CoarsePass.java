@@ -1,5 +1,7 @@
 package lightning.editor.loop;
 
+import java.util.Optional;
+import java.util.function.Consumer;
 import java.util.function.Function;
 import lightning.base.work.Progress;
 import lightning.render.image.Film;
@@ -10,13 +12,13 @@ import lightning.scene.Scene;
 
 /** Coarse images of a scene, each with more pixels than the last, until its full image follows. Reports each one when it is finished. */
 final class CoarsePass {
-    /** Time for the first images, before the full image is prepared, in seconds. */
-    private static final double FIRST_SECONDS = 0.8;
+    /** Time for images after the first, before the full image is prepared, in seconds. */
+    private static final double FIRST_SECONDS = 0.3;
 
     private final RenderedScenes scenes;
     private final Function<Scene, Geometry> geometryOf;
     private final RenderOptions options;
-    private final RenderListener listener;
+    private final Consumer<Film> listener;
     private final Progress progress;
     private final CoarseSteps steps;
     /** Last traced image; null before the first. */
@@ -24,8 +26,11 @@ final class CoarsePass {
     /** Largest number of pixels shown. */
     private int shownPixels;
 
-    /** @param geometryOf supplies the geometry of a scene */
-    CoarsePass(RenderedScenes scenes, Function<Scene, Geometry> geometryOf, RenderOptions options, RenderListener listener,
+    /**
+     * @param geometryOf supplies the geometry of a scene
+     * @param listener   receives each image
+     */
+    CoarsePass(RenderedScenes scenes, Function<Scene, Geometry> geometryOf, RenderOptions options, Consumer<Film> listener,
             Progress progress) {
         this.scenes = scenes;
         this.geometryOf = geometryOf;
@@ -46,7 +51,7 @@ final class CoarsePass {
         int pixels = CoarsePicture.pixels(film);
         if (pixels > shownPixels) {
             shownPixels = pixels;
-            listener.coarseRendered(film, scenes.scene());
+            listener.accept(film);
         }
     }
 
@@ -56,22 +61,27 @@ final class CoarsePass {
 
     /** Traces images for a short time, one at least; none if the full image is ready as soon. */
     void showFirst() {
+        if (last == null && steps.first() > 0) {
+            trace(steps.first());
+            showNext(FIRST_SECONDS);
+        }
+    }
+
+    /** Traces further images that are ready within a time, in seconds. */
+    void showNext(double seconds) {
         long start = System.nanoTime();
-        for (int pixels = last == null ? steps.first() : 0; pixels > 0;
-                pixels = steps.nextWithin(last, FIRST_SECONDS - (System.nanoTime() - start) / 1e9)) {
+        for (int pixels = next(seconds); pixels > 0; pixels = next(seconds - (System.nanoTime() - start) / 1e9)) {
             trace(pixels);
         }
     }
 
+    private int next(double seconds) {
+        return last == null ? 0 : steps.nextWithin(Math.max(shownPixels, last.pixels()), last.pixelsPerSecond(), seconds);
+    }
+
     /** Traces all further images. */
     void showRest() {
-        while (last != null) {
-            int pixels = steps.next(Math.max(shownPixels, last.pixels()), last.pixelsPerSecond());
-            if (pixels == 0) {
-                return;
-            }
-            trace(pixels);
-        }
+        showNext(Double.POSITIVE_INFINITY);
     }
 
     /** Tests if an image was shown. */
@@ -79,9 +89,9 @@ final class CoarsePass {
         return shownPixels > 0;
     }
 
-    /** Returns the geometry of the images; null if none was traced. */
-    Geometry geometry() {
-        return last == null ? null : last.geometry();
+    /** Returns the last traced image; empty if none was traced. */
+    Optional<CoarsePicture> last() {
+        return Optional.ofNullable(last);
     }
 
     /** Returns the pixels that were traced per second; 0 if none were. */

@@ -28,9 +28,6 @@ import lightning.scene.SceneLimits;
  * @param pixelsPerSecond pixels that were traced per second
  */
 public record CoarsePicture(Scene scene, Geometry geometry, Film film, double pixelsPerSecond) {
-    /** Time for the previews before anything else renders the scene, in seconds. */
-    private static final double STARTUP_SECONDS = 0.25;
-
     /**
      * Renders the first previews before anything else renders the scene. Pass the result to {@link RenderLoop#setStartupPreview}.
      *
@@ -43,13 +40,9 @@ public record CoarsePicture(Scene scene, Geometry geometry, Film film, double pi
             return Optional.empty();
         }
         try (var renderer = new Renderer(options)) {
-            long start = System.nanoTime();
-            CoarsePicture last = null;
-            for (int pixels = steps.first(); pixels > 0; pixels = steps.nextWithin(last, STARTUP_SECONDS - seconds(start))) {
-                last = trace(new RenderedScenes(scene, scene), pixels, renderer::prepare, options.threads(), Progress.NONE);
-                listener.accept(last.film());
-            }
-            return Optional.of(last);
+            var pass = new CoarsePass(RenderedScenes.of(scene), renderer::prepare, options, listener, Progress.NONE);
+            pass.showFirst();
+            return pass.last();
         }
     }
 

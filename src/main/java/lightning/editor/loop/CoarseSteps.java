@@ -51,10 +51,14 @@ record CoarseSteps(double pixels, double samples) {
         return next < shown * MIN_GROWTH ? 0 : (int) next;
     }
 
-    /** Returns the pixels of the coarse image after another; 0 if the full image is next, or if it would take more than this time. */
-    int nextWithin(CoarsePicture last, double seconds) {
-        int next = next(last.pixels(), last.pixelsPerSecond());
-        return next < seconds * last.pixelsPerSecond() ? next : 0;
+    /**
+     * Returns the pixels of the next coarse image; 0 if the full image is next, or if the coarse one would take longer than a time.
+     *
+     * @param seconds time
+     */
+    int nextWithin(int shown, double perSecond, double seconds) {
+        int next = next(shown, perSecond);
+        return next < seconds * perSecond ? next : 0;
     }
 
     /** Returns the pixels of a coarse image that is traced in a given time; at least those of the first. */

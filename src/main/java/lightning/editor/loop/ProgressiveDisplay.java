@@ -24,10 +24,16 @@ final class ProgressiveDisplay implements Progress {
         void setReplaceable(boolean isReplaceable);
     }
 
+    /** Listener for the first sign that an update is slow, on the thread of a tile. */
+    interface SlowListener {
+        /** @param seconds estimated time of the update */
+        void isSlow(double seconds);
+    }
+
     private final Progress signal;
     private final Scene scene;
     private final RenderListener listener;
-    private final Runnable coarse;
+    private final SlowListener slowListener;
     private final ReplaceableListener replaceable;
     private final boolean canShow;
     private final long startNs = System.nanoTime();
@@ -38,16 +44,16 @@ final class ProgressiveDisplay implements Progress {
 
     /**
      * @param signal      receives progress, and cancels the update
-     * @param coarse      shows a coarse image of the scene, on the thread of a tile
+     * @param slowListener shows a coarse image of the scene
      * @param replaceable notified once the display shows the scene
      * @param canShow     false if the display shows another view than the tiles
      */
-    ProgressiveDisplay(Progress signal, Scene scene, RenderListener listener, Runnable coarse, ReplaceableListener replaceable,
+    ProgressiveDisplay(Progress signal, Scene scene, RenderListener listener, SlowListener slowListener, ReplaceableListener replaceable,
             boolean canShow) {
         this.signal = signal;
         this.scene = scene;
         this.listener = listener;
-        this.coarse = coarse;
+        this.slowListener = slowListener;
         this.replaceable = replaceable;
         this.canShow = canShow;
     }
@@ -66,7 +72,7 @@ final class ProgressiveDisplay implements Progress {
         long elapsed = System.nanoTime() - startNs;
         boolean isLong = elapsed > ESTIMATE_NS && remaining(elapsed, done, total) > SLOW_NS;
         if (isLong && slow.compareAndSet(false, true)) {
-            coarse.run();
+            slowListener.isSlow((elapsed + remaining(elapsed, done, total)) / 1e9);
             if (canShow) {
                 showTiles();
                 showsScene = true;

@@ -27,6 +27,8 @@ import lightning.scene.Scene;
 final class RenderWorker implements RenderJobRunner.RenderJobHandler {
     /** Time for the coarse image of a slow update, which precedes it at each step of a drag, in seconds. */
     private static final double DRAG_SECONDS = 0.06;
+    /** Share of a slow update's time for further coarse images, which appear when a drag rests. */
+    private static final double COARSE_SHARE = 0.1;
 
     private final RenderListener listener;
     private final RenderQueue queue;
@@ -42,6 +44,8 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
     private Scene renderedScene;
     /** Description of the last update if it was slow; else empty. Written by the thread that finds out. */
     private volatile String slowUpdate = "";
+    /** Estimated time of that update, in seconds. */
+    private volatile double slowSeconds;
     /** Pixels of coarse images that all threads trace per second. */
     private volatile double coarsePixelsPerSecond;
     /** Cache of the last reported image, weakly referenced so that readers do not keep it in memory. */
@@ -125,20 +129,23 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
 
     /** Shows the first coarse images, makes sure that the scene fits into memory, and shows further ones. */
     private ProgressiveDisplay startFirstPass(Scene scene, RenderQueue.CancelSignal signal) {
-        CoarsePass coarse = new CoarsePass(RenderedScenes.of(scene), renderer::prepare, renderer.options(), listener, signal);
-        takeStartupPreview().filter(preview -> preview.scene() == scene).ifPresent(coarse::show);
+        CoarsePass coarse = new CoarsePass(RenderedScenes.of(scene), renderer::prepare, renderer.options(),
+                film -> listener.coarseRendered(film, scene), signal);
+        takeStartupPreview().filter(preview -> preview.scene() == scene).ifPresent(preview -> {
+            renderer.setSharedGeometry(preview.geometry());
+            coarse.show(preview);
+        });
         boolean canShow = CoarsePicture.isFilmPossible(scene, renderer.options());
         if (canShow) {
             queue.setReplaceable(signal, coarse.isShown());
             coarse.showFirst();
         }
         queue.setReplaceable(signal, coarse.isShown());
-        renderer.setSharedGeometry(coarse.geometry());
         freeMemory(scene, signal, canShow ? coarse::offer : _ -> {});
-        renderer.setSharedGeometry(coarse.geometry());
+        coarse.last().ifPresent(picture -> renderer.setSharedGeometry(picture.geometry()));
         coarse.showRest();
         coarsePixelsPerSecond = coarse.pixelsPerSecond();
-        return new ProgressiveDisplay(signal, scene, listener, () -> {}, canReplace -> queue.setReplaceable(signal, canReplace), true)
+        return new ProgressiveDisplay(signal, scene, listener, _ -> {}, canReplace -> queue.setReplaceable(signal, canReplace), true)
                 .showingTiles(coarse.isShown());
     }
 
@@ -148,25 +155,31 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
         var scenes = new RenderedScenes(scene,
                 renderer.options().reflections() == ReflectionMode.CURRENT ? scene : renderer.cache().mirroredScene());
         boolean canShow = displayMode.isFullPicture() && CoarseSteps.of(scene.picture()).first() > 0;
-        var display = new ProgressiveDisplay(signal, scene, listener, () -> {
+        var display = new ProgressiveDisplay(signal, scene, listener, seconds -> {
             slowUpdate = kind;
+            slowSeconds = seconds;
             if (canShow) {
-                showCoarse(scenes, 1, signal);
+                listener.coarseRendered(traceCoarse(scenes, 1, signal).film(), scene);
             }
         }, canReplace -> queue.setReplaceable(signal, canReplace), canShow);
         if (canShow && kind.equals(slowUpdate)) {
-            showCoarse(scenes, renderer.options().threads(), signal);
+            var coarse = new CoarsePass(scenes, renderer::geometryOf, renderer.options(), film -> listener.coarseRendered(film, scene),
+                    signal);
+            coarse.show(traceCoarse(scenes, renderer.options().threads(), signal));
+            queue.setReplaceable(signal, true);
+            coarse.showNext(COARSE_SHARE * slowSeconds);
             display.showingTiles(true);
         }
         return display;
     }
 
-    private void showCoarse(RenderedScenes scenes, int threads, RenderQueue.CancelSignal signal) {
-        int pixels = CoarseSteps.of(scenes.scene().picture()).during(DRAG_SECONDS, coarsePixelsPerSecond * threads / renderer.options().threads());
-        CoarsePicture picture = CoarsePicture.trace(scenes, pixels,
-                renderer::geometryOf, threads, signal);
-        coarsePixelsPerSecond = picture.pixelsPerSecond() * renderer.options().threads() / threads;
-        listener.coarseRendered(picture.film(), scenes.scene());
+    /** Traces a coarse image in a short time. */
+    private CoarsePicture traceCoarse(RenderedScenes scenes, int threads, RenderQueue.CancelSignal signal) {
+        double share = (double) threads / renderer.options().threads();
+        int pixels = CoarseSteps.of(scenes.scene().picture()).during(DRAG_SECONDS, coarsePixelsPerSecond * share);
+        CoarsePicture picture = CoarsePicture.trace(scenes, pixels, renderer::geometryOf, threads, signal);
+        coarsePixelsPerSecond = picture.pixelsPerSecond() / share;
+        return picture;
     }
 
     /** Renders the missing samples of the image, if any. */
@@ -174,7 +187,7 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
         if (!renderer.isFinished()) {
             Scene scene = renderer.scene();
             listener.samplesStarted();
-            var display = new ProgressiveDisplay(signal, scene, listener, () -> {}, _ -> {}, displayMode.isFullPicture());
+            var display = new ProgressiveDisplay(signal, scene, listener, _ -> {}, _ -> {}, displayMode.isFullPicture());
             if (renderer.lastFinishedCache() == null) {
                 display.showingTiles(false);
             }

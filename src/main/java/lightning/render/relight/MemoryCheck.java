@@ -35,6 +35,9 @@ final class MemoryCheck {
             throw new PictureTooLargeException(max, memory, List.of());
         }
         if (lastForecast == null || !lastForecast.isOf(scene, options, parts)) {
+            lastForecast = MemoryForecast.upperOf(scene, options, parts, pictures);
+        }
+        if (lastForecast.isUpper() && lastForecast.bytes(scene.picture()) > memory) {
             lastForecast = MemoryForecast.of(scene, options, parts, pictures);
         }
         long required = lastForecast.bytes(scene.picture());
@@ -67,6 +70,9 @@ final class MemoryCheck {
             return;
         }
         if (lastForecast == null || !lastForecast.servesSamples(scene, options)) {
+            lastForecast = MemoryForecast.upperOf(scene, options, PictureParts.ALL, pictures);
+        }
+        if (lastForecast.isUpper() && lastForecast.bytes(scene.picture()) > memory) {
             lastForecast = MemoryForecast.ofSamples(scene, centerBytes, options, pictures);
         }
         long required = lastForecast.bytes(scene.picture());

@@ -25,6 +25,8 @@ import lightning.scene.SceneLimits;
 final class MemoryForecast {
     /** Longer side of the smaller picture, pixels; the other picture is twice as large. */
     private static final int SMALL_SIDE = 192;
+    /** Factor of a tiny picture's bytes that a larger picture hardly exceeds. */
+    private static final double TINY_MARGIN = 1.5;
     private static final int MIN_SAMPLES = SceneLimits.MIN_SAMPLES * SceneLimits.MIN_SAMPLES;
 
     private final Scene scene;
@@ -36,9 +38,10 @@ final class MemoryForecast {
     /** Bytes of edge samples in the small picture, at the minimum number of samples per pixel. */
     private final double edgeBytes;
     private final double edgeExponent;
+    private final boolean isUpper;
 
     private MemoryForecast(Scene scene, RenderOptions options, PictureParts parts, double bytesPerCenter, double borderBytes,
-            double edgeBytes, double edgeExponent) {
+            double edgeBytes, double edgeExponent, boolean isUpper) {
         this.scene = scene;
         this.options = options;
         this.parts = parts;
@@ -46,6 +49,7 @@ final class MemoryForecast {
         this.borderBytes = borderBytes;
         this.edgeBytes = edgeBytes;
         this.edgeExponent = edgeExponent;
+        this.isUpper = isUpper;
     }
 
     /** Renders the small pictures; takes a fraction of a second once the code is warm, unless the scene's rays are slow. */
@@ -61,7 +65,16 @@ final class MemoryForecast {
         double border = Math.max(0, (small.bytesPerCenter() - large.bytesPerCenter()) * 2 * SMALL_SIDE);
         double center = large.bytesPerCenter() - border / (2 * SMALL_SIDE);
         return new MemoryForecast(scene, options, parts, center, border, small.fine,
-                samples ? edgeExponent(scene, options, small, pictures) : 2);
+                samples ? edgeExponent(scene, options, small, pictures) : 2, false);
+    }
+
+    /**
+     * Forecasts from one tiny picture, in a fraction of the time. The result is too large rather than too small.
+     */
+    static MemoryForecast upperOf(Scene scene, RenderOptions options, PictureParts parts, SmallPictures pictures) {
+        boolean edges = scene.picture().sampling().antialias() == AntialiasMode.EDGES;
+        SmallRender tiny = SmallRender.of(scene, options, SMALL_SIDE / 2, edges, edges && parts == PictureParts.ALL, pictures);
+        return new MemoryForecast(scene, options, parts, TINY_MARGIN * tiny.bytesPerCenter(), 0, TINY_MARGIN * 4 * tiny.fine, 2, true);
     }
 
     /**
@@ -72,7 +85,7 @@ final class MemoryForecast {
     static MemoryForecast ofSamples(Scene scene, long centerBytes, RenderOptions options, SmallPictures pictures) {
         double center = (double) centerBytes / scene.picture().width() / scene.picture().height();
         SmallRender small = SmallRender.of(scene, options, SMALL_SIDE, true, true, pictures);
-        return new MemoryForecast(scene, options, PictureParts.ALL, center, 0, small.fine, edgeExponent(scene, options, small, pictures));
+        return new MemoryForecast(scene, options, PictureParts.ALL, center, 0, small.fine, edgeExponent(scene, options, small, pictures), false);
     }
 
     private static double edgeExponent(Scene scene, RenderOptions options, SmallRender small, SmallPictures pictures) {
@@ -92,6 +105,11 @@ final class MemoryForecast {
     boolean servesSamples(Scene other, RenderOptions otherOptions) {
         return parts == PictureParts.ALL && options.equals(otherOptions.withMemory(options.memory())) && scene.hasSameShapes(other)
                 && scene.lights().size() == other.lights().size();
+    }
+
+    /** Returns whether this is a forecast by {@link #upperOf}. */
+    boolean isUpper() {
+        return isUpper;
     }
 
     PictureParts parts() {
