@@ -3,6 +3,7 @@ package lightning.editor.loop;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.LongSupplier;
 import lightning.base.work.Progress;
 import lightning.scene.Scene;
 
@@ -36,7 +37,8 @@ final class ProgressiveDisplay implements Progress {
     private final SlowListener slowListener;
     private final ReplaceableListener replaceable;
     private final boolean canShow;
-    private final long startNs = System.nanoTime();
+    private final LongSupplier clock;
+    private final long startNs;
     private final AtomicBoolean slow = new AtomicBoolean();
     private final List<FinishedTile> waiting = new ArrayList<>();
     private boolean showsTiles;
@@ -50,12 +52,20 @@ final class ProgressiveDisplay implements Progress {
      */
     ProgressiveDisplay(Progress signal, Scene scene, RenderListener listener, SlowListener slowListener, ReplaceableListener replaceable,
             boolean canShow) {
+        this(signal, scene, listener, slowListener, replaceable, canShow, System::nanoTime);
+    }
+
+    /** @param clock time in nanoseconds */
+    ProgressiveDisplay(Progress signal, Scene scene, RenderListener listener, SlowListener slowListener, ReplaceableListener replaceable,
+            boolean canShow, LongSupplier clock) {
         this.signal = signal;
         this.scene = scene;
         this.listener = listener;
         this.slowListener = slowListener;
         this.replaceable = replaceable;
         this.canShow = canShow;
+        this.clock = clock;
+        startNs = clock.getAsLong();
     }
 
     /** Shows tiles from the start: the display shows the scene already, or is empty. */
@@ -69,7 +79,7 @@ final class ProgressiveDisplay implements Progress {
     @Override
     public void report(int done, int total) {
         signal.report(done, total);
-        long elapsed = System.nanoTime() - startNs;
+        long elapsed = clock.getAsLong() - startNs;
         boolean isLong = elapsed > ESTIMATE_NS && remaining(elapsed, done, total) > SLOW_NS;
         if (isLong && slow.compareAndSet(false, true)) {
             slowListener.isSlow((elapsed + remaining(elapsed, done, total)) / 1e9);

@@ -27,7 +27,7 @@ public final class RenderFeed implements RenderListener {
     private final AtomicLong lastReportNs = new AtomicLong(System.nanoTime());
     /** Guards the canvas, so that it is cleared after the last draw of the previous document. */
     private final Object canvasLock = new Object();
-    private final RayCounter rays = new RayCounter();
+    private final RayCounter rays = new RayCounter(System::nanoTime);
     private RenderState state = RenderState.NONE;
     /** Number of the open document, and of the document for which the loop has dropped all earlier ones. */
     private long openDocument;

@@ -85,7 +85,8 @@ final class MemoryForecast {
     static MemoryForecast ofSamples(Scene scene, long centerBytes, RenderOptions options, SmallPictures pictures) {
         double center = (double) centerBytes / scene.picture().width() / scene.picture().height();
         SmallRender small = SmallRender.of(scene, options, SMALL_SIDE, true, true, pictures);
-        return new MemoryForecast(scene, options, PictureParts.ALL, center, 0, small.fine, edgeExponent(scene, options, small, pictures), false);
+        return new MemoryForecast(scene, options, PictureParts.ALL, center, 0, small.fine, edgeExponent(scene, options, small, pictures),
+                false);
     }
 
     private static double edgeExponent(Scene scene, RenderOptions options, SmallRender small, SmallPictures pictures) {
@@ -104,6 +105,7 @@ final class MemoryForecast {
     /** Returns whether this forecast includes a scene's edge samples, possibly under other lights. */
     boolean servesSamples(Scene other, RenderOptions otherOptions) {
         return parts == PictureParts.ALL && options.equals(otherOptions.withMemory(options.memory())) && scene.hasSameShapes(other)
+                && scene.picture().sampling().antialias() == other.picture().sampling().antialias()
                 && scene.lights().size() == other.lights().size();
     }
 

@@ -496,6 +496,34 @@ class RenderLoopTest {
     }
 
     @Test
+    void samplesThatDoNotFit_leaveCentersAndAreReported() throws Exception {
+        Scene sampled = sized(scene, 400, 300).withPicture(
+                scene.picture().withSize(400, 300).withSampling(new SamplingSettings(AntialiasMode.EDGES, 8)));
+        long centerBytes;
+        try (Renderer renderer = new Renderer(OPTIONS)) {
+            renderer.renderCenters(renderer.plan(sampled), Progress.NONE);
+            centerBytes = renderer.bytes();
+        }
+        try (RenderLoop small = loopWithMemory(centerBytes * 5 / 4)) {
+            small.render(sampled);
+            assertThat(listener.next(RecordingRenderListener.Shown.class).frame().isFinished()).isFalse();
+            assertThat(listener.next(PictureTooLargeException.class)).hasMessageContaining("it would fit with");
+        }
+    }
+
+    @Test
+    void editDuringShownFirstPass_replacesItWithoutCancelEvent() throws Exception {
+        RecordingRenderListener.Hold hold = listener.holdNextTile();
+        loop.render(large());
+        hold.awaitReached();
+        Scene edited = large().withLight(DeskScene.light(scene, "key").withIntensity(2));
+        loop.render(edited);
+        hold.release();
+        assertThat(listener.next(RecordingRenderListener.Shown.class).frame().scene()).isEqualTo(edited);
+        assertThat(listener.events).doesNotContain(RecordingRenderListener.Event.CANCELLED);
+    }
+
+    @Test
     void canceledSamples_leaveCentersUntilNextGo() throws Exception {
         Scene sampled = withAntialias(scene, AntialiasMode.EDGES);
         RecordingRenderListener.Hold samples = listener.holdAfterNextPicture();
