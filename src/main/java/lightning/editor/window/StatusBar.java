@@ -11,7 +11,6 @@ import lightning.editor.document.Command;
 import lightning.editor.loop.RenderState;
 import lightning.editor.window.model.CommandRegistry;
 import lightning.editor.window.model.ErrorMessage;
-import lightning.editor.window.model.RemainingTime;
 import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.model.StatusText;
 import lightning.editor.window.model.TracedPicture;
@@ -26,7 +25,6 @@ final class StatusBar extends HBox {
     private final Button status = new Button();
     private final Tooltip details = new Tooltip();
     private final Label message = new Label();
-    private final RemainingTime remaining = new RemainingTime();
 
     StatusBar(SceneEditor editor, TracedPicture picture, CommandRegistry commands) {
         this.editor = editor;
@@ -65,7 +63,7 @@ final class StatusBar extends HBox {
     private String text(RenderState state) {
         boolean isRendering = editor.editorStateProperty().get().sceneInProgress().isPresent();
         if (isRendering && state.total() > 0 && state.activity().nanoseconds() >= LONG_NS) {
-            return StatusText.progress(state, remaining, System.nanoTime());
+            return StatusText.progress(state);
         }
         if (state.problem() != null) {
             return ErrorMessage.of(state.problem());

@@ -1,6 +1,5 @@
 package lightning.editor.window.model;
 
-import java.util.Optional;
 import lightning.base.text.Messages;
 
 /** Estimates the remaining time of a task from its elapsed time and progress. */
@@ -22,18 +21,13 @@ public final class RemainingTime {
      * @param now  time in nanoseconds of any monotonic clock
      */
     public String describe(String currentTask, double share, long now) {
-        return left(currentTask, share, now).map(left -> Messages.tr("{0} · {1} left", currentTask, left)).orElse(currentTask);
-    }
-
-    /** Returns the remaining time of a task, for example {@code 12 s}; empty while the estimate is unreliable. Parameters as above. */
-    Optional<String> left(String currentTask, double share, long now) {
         if (!currentTask.equals(task)) {
             task = currentTask;
             startNs = now;
         }
         long elapsedNs = now - startNs;
-        return currentTask.isEmpty() || elapsedNs < MIN_ELAPSED_NS || !(share >= MIN_SHARE) || share >= 1 ? Optional.empty()
-                : Optional.of(text(elapsedNs / SECOND * (1 - share) / share));
+        return currentTask.isEmpty() || elapsedNs < MIN_ELAPSED_NS || !(share >= MIN_SHARE) || share >= 1 ? currentTask
+                : Messages.tr("{0} · {1} left", currentTask, text(elapsedNs / SECOND * (1 - share) / share));
     }
 
     /** Formats a duration in seconds, rounded up. */

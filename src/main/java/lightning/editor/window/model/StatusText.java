@@ -1,7 +1,5 @@
 package lightning.editor.window.model;
 
-import java.util.ArrayList;
-import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import lightning.base.text.Messages;
@@ -57,22 +55,13 @@ public final class StatusText {
         return prefix + ", " + (frame.isFinished() ? frame.guarantee().text(update) : Messages.tr("not anti-aliased yet"));
     }
 
-    /**
-     * Formats a running render: {@code Refining… 42 % · 12 s left · 1.3 million rays/s}. Leaves out what is unknown.
-     *
-     * @param remaining estimates the remaining time
-     * @param now       time in nanoseconds of any monotonic clock
-     */
-    public static String progress(RenderState state, RemainingTime remaining, long now) {
+    /** Formats a running render: {@code Refining… 42 % · 1.3 million rays/s}. Leaves out what is unknown. */
+    public static String progress(RenderState state) {
         String stage = stage(state.activity().stage());
-        List<String> parts = new ArrayList<>();
-        parts.add(state.total() == 0 ? stage : stage + " " + percent(state.progress()));
-        remaining.left(stage, state.progress(), now).ifPresent(left -> parts.add(Messages.tr("{0} left", left)));
+        String text = state.total() == 0 ? stage : stage + " " + percent(state.progress());
         double millions = state.activity().raysPerSecond() / 1e6;
-        if (millions >= MIN_SHOWN_RATE) {
-            parts.add(String.format(Messages.locale(), Messages.tr("%.1f million rays/s"), millions));
-        }
-        return String.join(" · ", parts);
+        return millions < MIN_SHOWN_RATE ? text
+                : text + " · " + String.format(Messages.locale(), Messages.tr("%.1f million rays/s"), millions);
     }
 
     /** Returns the name of a stage of an image that is being rendered: {@code Refining…}. */
