@@ -17,6 +17,9 @@ public interface Progress {
      */
     default void tileFinished(int tile, float[][] film) {}
 
+    /** Reports rays that were cast since the last report. */
+    default void raysCast(long count) {}
+
     /** Returns the progress of a part of a task: {@code offset} tiles are already finished, {@code total} in all. */
     default Progress subProgress(int offset, int total) {
         Progress parent = this;

@@ -1,70 +1,102 @@
 package lightning.editor.loop;
 
-import java.util.List;
 import java.util.Optional;
+import java.util.function.Consumer;
 import java.util.function.Function;
 import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
 import lightning.render.fulltrace.TraditionalTracer;
 import lightning.render.image.Film;
+import lightning.render.relight.MemoryEstimate;
 import lightning.render.relight.PictureTooLargeException;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.tile.RenderOptions;
+import lightning.render.shading.RenderedScenes;
 import lightning.render.trace.Geometry;
-import lightning.scene.AntialiasMode;
+import lightning.scene.Light;
 import lightning.scene.PictureSettings;
 import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
+import lightning.scene.SceneLimits;
 
 /**
- * Low-resolution preview image of a whole scene.
+ * Low-resolution preview image of a whole scene. Area lights have few samples.
  *
- * @param scene    scene of the image
- * @param geometry primitives and BVH of the scene, reusable by a first pass
- * @param film     image, smaller than the scene's
+ * @param scene           scene of the image
+ * @param geometry        primitives and BVH of the scene, reusable by a first pass
+ * @param film            image, smaller than the scene's
+ * @param pixelsPerSecond pixels that were traced per second
  */
-public record CoarsePicture(Scene scene, Geometry geometry, Film film) {
-    /** Approximate pixel counts of the coarse images. The first is fast enough for a process whose code is not compiled yet. */
-    private static final List<Integer> PIXEL_COUNTS = List.of(2_000, 30_000);
-    /** Minimum ratio of samples in the final image to pixels in a coarse one. Below it, the final image is ready too soon for a preview. */
-    private static final int MIN_SAMPLES_PER_PIXEL = 16;
-
+public record CoarsePicture(Scene scene, Geometry geometry, Film film, double pixelsPerSecond) {
     /**
-     * Renders the first preview before anything else renders the scene. Pass it to {@link RenderLoop#setStartupPreview}.
+     * Renders the first previews before anything else renders the scene. Pass the result to {@link RenderLoop#setStartupPreview}.
      *
-     * @return empty if the final image is ready as soon, or is too large to render
+     * @param listener receives each preview
+     * @return the last one; empty if the final image is ready as soon, or is too large to render
      */
-    public static Optional<CoarsePicture> first(Scene scene, RenderOptions options) {
-        try (var renderer = new Renderer(options)) {
-            renderer.requireMemory(scene, 0);
-            return sizes(scene.picture()).stream().findFirst()
-                    .map(pixels -> trace(scene, pixels, renderer::prepare, options.threads(), Progress.NONE));
-        } catch (PictureTooLargeException e) {
+    public static Optional<CoarsePicture> first(Scene scene, RenderOptions options, Consumer<Film> listener) {
+        CoarseSteps steps = CoarseSteps.of(scene.picture());
+        if (steps.first() == 0 || !isFilmPossible(scene, options)) {
             return Optional.empty();
         }
-    }
-
-    /** Returns the pixel counts of the useful coarse images, smallest first. */
-    static List<Integer> sizes(PictureSettings picture) {
-        SamplingSettings sampling = picture.sampling();
-        double samples = pixels(picture) * (sampling.antialias() == AntialiasMode.EVERY ? sampling.samplesPerPixel() : 1);
-        return PIXEL_COUNTS.stream().filter(pixels -> samples / pixels >= MIN_SAMPLES_PER_PIXEL).toList();
-    }
-
-    /** @param geometryOf supplies the geometry of a scene */
-    static CoarsePicture trace(Scene scene, int pixels, Function<Scene, Geometry> geometryOf, int threads, Progress progress) {
-        PictureSettings picture = scene.picture();
-        double shrink = Math.max(1, Math.sqrt(pixels(picture) / pixels));
-        Scene small = scene.withPicture(picture.withSize(side(picture.width() / shrink), side(picture.height() / shrink))
-                .withSampling(SamplingSettings.DEFAULT));
-        Geometry geometry = geometryOf.apply(small);
-        try (var workers = new WorkerPool(threads)) {
-            return new CoarsePicture(scene, geometry, new TraditionalTracer(small, geometry).trace(workers, progress).film());
+        try (var renderer = new Renderer(options)) {
+            var pass = new CoarsePass(RenderedScenes.of(scene), renderer::prepare, options, listener, Progress.NONE);
+            pass.showFirst();
+            return pass.last();
         }
     }
 
-    private static double pixels(PictureSettings picture) {
-        return (double) picture.width() * picture.height();
+    /** Returns whether memory has room for the film of a scene, which its display needs in any case. */
+    static boolean isFilmPossible(Scene scene, RenderOptions options) {
+        try {
+            MemoryEstimate.checkFilm(scene.picture(), options.memory());
+            return true;
+        } catch (PictureTooLargeException e) {
+            return false;
+        }
+    }
+
+    /**
+     * @param scenes     scene of the image and scene of its reflections
+     * @param pixels     approximate number of pixels
+     * @param geometryOf supplies the geometry of a scene
+     */
+    static CoarsePicture trace(RenderedScenes scenes, int pixels, Function<Scene, Geometry> geometryOf, int threads, Progress progress) {
+        Scene small = shrink(scenes.scene(), pixels);
+        Scene mirrored = scenes.mirrored() == scenes.scene() ? small : shrink(scenes.mirrored(), pixels);
+        Geometry geometry = geometryOf.apply(scenes.scene());
+        long start = System.nanoTime();
+        try (var workers = new WorkerPool(threads)) {
+            TraditionalTracer.Result result = new TraditionalTracer(small, mirrored, geometry).trace(workers, progress.cancellationOnly());
+            progress.raysCast(result.rays().total());
+            return new CoarsePicture(scenes.scene(), geometry, result.film(), pixels(result.film()) / seconds(start));
+        }
+    }
+
+    private static Scene shrink(Scene scene, int pixels) {
+        PictureSettings picture = scene.picture();
+        double shrink = Math.max(1, Math.sqrt((double) picture.width() * picture.height() / pixels));
+        Scene small = scene.withPicture(picture.withSize(side(picture.width() / shrink), side(picture.height() / shrink))
+                .withSampling(SamplingSettings.DEFAULT));
+        for (Light light : scene.lights()) {
+            if (light.area().samples() > SceneLimits.MIN_LIGHT_SAMPLES) {
+                small = small.withLight(light.withArea(light.area().with(area -> area.samples(SceneLimits.MIN_LIGHT_SAMPLES))));
+            }
+        }
+        return small;
+    }
+
+    /** Returns the number of pixels. */
+    int pixels() {
+        return pixels(film);
+    }
+
+    static int pixels(Film film) {
+        return film.width() * film.height();
+    }
+
+    private static double seconds(long startNs) {
+        return Math.max(1, System.nanoTime() - startNs) / 1e9;
     }
 
     private static int side(double pixels) {

@@ -27,6 +27,7 @@ public final class RenderFeed implements RenderListener {
     private final AtomicLong lastReportNs = new AtomicLong(System.nanoTime());
     /** Guards the canvas, so that it is cleared after the last draw of the previous document. */
     private final Object canvasLock = new Object();
+    private final RayCounter rays = new RayCounter(System::nanoTime);
     private RenderState state = RenderState.NONE;
     /** Number of the open document, and of the document for which the loop has dropped all earlier ones. */
     private long openDocument;
@@ -102,8 +103,22 @@ public final class RenderFeed implements RenderListener {
     @Override
     public void started(UpdatePlan plan) {
         lastReportNs.set(System.nanoTime());
+        rays.start(RenderActivity.Stage.CENTERS);
         canvas.started(plan);
-        publish(s -> s.withPlan(plan));
+        publish(s -> s.withPlan(plan).withActivity(rays.activity()));
+    }
+
+    @Override
+    public void samplesStarted() {
+        lastReportNs.set(System.nanoTime());
+        rays.start(RenderActivity.Stage.SAMPLES);
+        canvas.samplesStarted();
+        publish(s -> s.withProgress(0, 0).withActivity(rays.activity()));
+    }
+
+    @Override
+    public void raysCast(long count) {
+        rays.add(count);
     }
 
     @Override
@@ -113,7 +128,7 @@ public final class RenderFeed implements RenderListener {
             // Reported together with the result.
             changeState(s -> s.withProgress(done, total));
         } else if (isReportDue(done, total)) {
-            publish(s -> s.withProgress(done, total));
+            publish(s -> s.withProgress(done, total).withActivity(rays.activity()));
         }
     }
 

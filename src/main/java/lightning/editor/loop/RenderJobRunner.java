@@ -24,6 +24,19 @@ final class RenderJobRunner implements Runnable {
         void close();
     }
 
+    /** Forwards a job's progress. */
+    private record ProgressReport(RenderListener listener) implements RenderQueue.TileListener {
+        @Override
+        public void tiles(int done, int total) {
+            listener.progress(done, total);
+        }
+
+        @Override
+        public void rays(long count) {
+            listener.raysCast(count);
+        }
+    }
+
     private final RenderQueue queue;
     private final RenderJobHandler handler;
     private final RenderListener listener;
@@ -38,7 +51,7 @@ final class RenderJobRunner implements Runnable {
     public void run() {
         try (handler) {
             while (true) {
-                var signal = new RenderQueue.CancelSignal(listener::progress);
+                var signal = new RenderQueue.CancelSignal(new ProgressReport(listener));
                 RenderQueue.RenderJob job = queue.take(signal);
                 if (job == null) {
                     return;

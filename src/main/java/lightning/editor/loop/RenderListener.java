@@ -14,17 +14,23 @@ public interface RenderListener {
     /** Called when an update starts. */
     default void started(UpdatePlan plan) {}
 
+    /** Called when the finer samples of an image start. Their progress follows. */
+    default void samplesStarted() {}
+
+    /** Reports rays that were cast since the last report. Called on any thread. */
+    default void raysCast(long count) {}
+
     /** Reports that {@code done} of {@code total} tiles of the update are finished. Called on any thread. */
     default void progress(int done, int total) {}
 
     /** Reports that {@code done} of {@code total} tiles of a verification are finished. Called on any thread. */
     default void verificationProgress(int done, int total) {}
 
-    /** Receives a coarse image of a scene in its first pass, to show enlarged until the final one is finished. */
+    /** Receives a coarse image of a scene in its first pass or a slow update, to show enlarged until the final one is finished. */
     default void coarseRendered(Film film, Scene scene) {}
 
     /**
-     * Receives a finished tile of a scene in its first pass. Called on any thread.
+     * Receives a finished tile of a scene in its first pass or a slow update. Called on any thread.
      *
      * @param film red, green and blue of the tile, each {@code float[1024]}
      */

@@ -32,6 +32,8 @@ final class RenderQueue {
     /** Listener for the progress of a job. */
     interface TileListener {
         void tiles(int done, int total);
+
+        default void rays(long count) {}
     }
 
     /** Cancellation signal of one job. */
@@ -39,6 +41,8 @@ final class RenderQueue {
         private final TileListener listener;
         private volatile boolean canceled;
         private volatile boolean preempted;
+        /** True while a newer scene replaces the job. Guarded by the queue. */
+        private boolean isReplaceable;
 
         CancelSignal(TileListener listener) {
             this.listener = listener;
@@ -62,6 +66,11 @@ final class RenderQueue {
         @Override
         public void report(int done, int total) {
             listener.tiles(done, total);
+        }
+
+        @Override
+        public void raysCast(long count) {
+            listener.rays(count);
         }
 
         @Override
@@ -93,12 +102,36 @@ final class RenderQueue {
             reflectionsRequested |= running instanceof RenderJob.UpdateReflections;
             cancelSignal.cancel();
         }
+        replaceRunning();
         notifyAll();
     }
 
     /**
-     * Tests if a running job is obsolete for a new scene. An update is not, or dragging would starve the image; a first pass of another
-     * image is.
+     * Sets whether a newer scene replaces a running job without waiting for it, as the display already shows the job's scene coarsely.
+     *
+     * @param signal signal of the job
+     */
+    synchronized void setReplaceable(CancelSignal signal, boolean isReplaceable) {
+        signal.isReplaceable = isReplaceable;
+        if (signal == cancelSignal) {
+            replaceRunning();
+        }
+    }
+
+    private void replaceRunning() {
+        if (scene != null && cancelSignal != null && cancelSignal.isReplaceable
+                && !(running instanceof RenderJob.ChangeOptions || isRunning(scene))) {
+            cancelSignal.preempt();
+        }
+    }
+
+    private boolean isRunning(Scene requested) {
+        return running instanceof RenderJob.Render r && r.scene() == requested;
+    }
+
+    /**
+     * Tests if a running job is obsolete for a new scene. An update is not unless it is replaceable, or dragging would starve the image; a
+     * first pass of another image is.
      */
     private boolean isObsoleteFor(Scene requested) {
         return switch (running) {

@@ -17,11 +17,12 @@ import lightning.render.relight.plan.UpdatePlan;
  * @param verification   last verification of this image or an equal one; null if none
  * @param problem        failure of the last job; null if it succeeded
  * @param canceled       whether the last job was canceled
+ * @param activity       work since the current stage of the image started
  */
 public record RenderState(UpdatePlan plan, int done, int total, int verifiedTiles, int tilesToVerify, Frame frame,
         WarmSaving measuredSaving,
-        Verification verification, Throwable problem, boolean canceled) {
-    public static final RenderState NONE = new RenderState(null, 0, 0, 0, 0, null, null, null, null, false);
+        Verification verification, Throwable problem, boolean canceled, RenderActivity activity) {
+    public static final RenderState NONE = new RenderState(null, 0, 0, 0, 0, null, null, null, null, false, RenderActivity.NONE);
 
     /** Returns the progress, 0…1. */
     public double progress() {
@@ -34,34 +35,39 @@ public record RenderState(UpdatePlan plan, int done, int total, int verifiedTile
     }
 
     public RenderState withPlan(UpdatePlan next) {
-        return new RenderState(next, 0, 0, verifiedTiles, tilesToVerify, frame, measuredSaving, verification, null, false);
+        return new RenderState(next, 0, 0, verifiedTiles, tilesToVerify, frame, measuredSaving, verification, null, false, activity);
     }
 
     public RenderState withSaving(WarmSaving saving) {
-        return new RenderState(plan, done, total, verifiedTiles, tilesToVerify, frame, saving, verification, problem, canceled);
+        return new RenderState(plan, done, total, verifiedTiles, tilesToVerify, frame, saving, verification, problem, canceled, activity);
+    }
+
+    public RenderState withActivity(RenderActivity now) {
+        return new RenderState(plan, done, total, verifiedTiles, tilesToVerify, frame, measuredSaving, verification, problem, canceled,
+                now);
     }
 
     public RenderState withProgress(int tiles, int tileCount) {
         return new RenderState(plan, tiles, tileCount, verifiedTiles, tilesToVerify, frame, measuredSaving, verification, problem,
-                canceled);
+                canceled, activity);
     }
 
     public RenderState withVerificationProgress(int tiles, int tileCount) {
-        return new RenderState(plan, done, total, tiles, tileCount, frame, measuredSaving, verification, null, false);
+        return new RenderState(plan, done, total, tiles, tileCount, frame, measuredSaving, verification, null, false, activity);
     }
 
     /** Sets the image and drops a verification of another one. */
     public RenderState withFrame(Frame newFrame) {
         Verification validVerification = verification != null && verification.appliesTo(newFrame.guarantee()) ? verification : null;
         return new RenderState(plan, done, total, verifiedTiles, tilesToVerify, newFrame, measuredSaving, validVerification, problem,
-                canceled);
+                canceled, activity);
     }
 
     public RenderState withVerification(Verification result) {
-        return new RenderState(plan, done, total, 0, 0, frame, measuredSaving, result, problem, canceled);
+        return new RenderState(plan, done, total, 0, 0, frame, measuredSaving, result, problem, canceled, activity);
     }
 
     public RenderState withStop(Throwable failure) {
-        return new RenderState(plan, done, total, 0, 0, frame, measuredSaving, verification, failure, failure == null);
+        return new RenderState(plan, done, total, 0, 0, frame, measuredSaving, verification, failure, failure == null, activity);
     }
 }

@@ -6,7 +6,7 @@ import java.util.concurrent.CancellationException;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.Future;
-import lightning.base.work.Progress;
+import java.util.function.Consumer;
 import lightning.bench.accuracy.AccuracyGuarantee;
 import lightning.bench.accuracy.WarmSaving;
 import lightning.render.cache.PixelCache;
@@ -17,12 +17,19 @@ import lightning.render.relight.PlannedUpdate;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.UpdateResult;
 import lightning.render.relight.plan.Accuracy;
+import lightning.render.relight.plan.ReflectionMode;
 import lightning.render.relight.plan.UpdatePlan;
 import lightning.render.relight.tile.RenderOptions;
+import lightning.render.shading.RenderedScenes;
 import lightning.scene.Scene;
 
 /** Runs the jobs of a {@link RenderLoop} with a renderer, on the loop's thread. Other threads only set the display mode. */
 final class RenderWorker implements RenderJobRunner.RenderJobHandler {
+    /** Time for the coarse image of a slow update, which precedes it at each step of a drag, in seconds. */
+    private static final double DRAG_SECONDS = 0.06;
+    /** Share of a slow update's time for further coarse images, which appear when a drag rests. */
+    private static final double COARSE_SHARE = 0.1;
+
     private final RenderListener listener;
     private final RenderQueue queue;
     private final PictureVerifier verifier;
@@ -35,6 +42,12 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
     private UpdateResult lastUpdate;
     private Accuracy lastAccuracy;
     private Scene renderedScene;
+    /** Description of the last update if it was slow; else empty. Written by the thread that finds out. */
+    private volatile String slowUpdate = "";
+    /** Estimated time of that update, in seconds. */
+    private volatile double slowSeconds;
+    /** Pixels of coarse images that all threads trace per second. */
+    private volatile double coarsePixelsPerSecond;
     /** Cache of the last reported image, weakly referenced so that readers do not keep it in memory. */
     private volatile WeakReference<PixelCache> publishedCache = new WeakReference<>(null);
 
@@ -102,35 +115,97 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
     private void renderScene(Scene scene, RenderQueue.CancelSignal signal) {
         PlannedUpdate planned = renderer.plan(scene);
         listener.started(planned.update());
-        if (planned.update() instanceof UpdatePlan.FirstPass) {
-            freeMemory(scene);
-            renderCoarse(scene, signal);
+        ProgressiveDisplay display =
+                planned.update() instanceof UpdatePlan.FirstPass ? startFirstPass(scene, signal) : startUpdate(scene, planned, signal);
+        long start = System.nanoTime();
+        update((r, _) -> r.renderCenters(planned, display), (r, progress) -> r.render(scene, progress), signal);
+        if (System.nanoTime() - start < ProgressiveDisplay.SLOW_NS) {
+            slowUpdate = "";
         }
-        update((r, progress) -> r.renderCenters(planned, reportingTiles(scene, progress)), (r, progress) -> r.render(scene, progress),
-                signal);
         if (!renderer.isFinished()) {
             queue.requestSamples();
         }
+    }
+
+    /** Shows the first coarse images, makes sure that the scene fits into memory, and shows further ones. */
+    private ProgressiveDisplay startFirstPass(Scene scene, RenderQueue.CancelSignal signal) {
+        CoarsePass coarse = new CoarsePass(RenderedScenes.of(scene), renderer::prepare, renderer.options(),
+                film -> listener.coarseRendered(film, scene), signal);
+        takeStartupPreview().filter(preview -> preview.scene() == scene).ifPresent(preview -> {
+            renderer.setSharedGeometry(preview.geometry());
+            coarse.show(preview);
+        });
+        boolean canShow = CoarsePicture.isFilmPossible(scene, renderer.options());
+        if (canShow) {
+            queue.setReplaceable(signal, coarse.isShown());
+            coarse.showFirst();
+        }
+        queue.setReplaceable(signal, coarse.isShown());
+        freeMemory(scene, signal, canShow ? coarse::offer : _ -> {});
+        coarse.last().ifPresent(picture -> renderer.setSharedGeometry(picture.geometry()));
+        coarse.showRest();
+        coarsePixelsPerSecond = coarse.pixelsPerSecond();
+        return new ProgressiveDisplay(signal, scene, listener, _ -> {}, canReplace -> queue.setReplaceable(signal, canReplace), true)
+                .showingTiles(coarse.isShown());
+    }
+
+    /** Shows a coarse image if the last update of this kind was slow, and prepares to show one if this update turns out to be slow. */
+    private ProgressiveDisplay startUpdate(Scene scene, PlannedUpdate planned, RenderQueue.CancelSignal signal) {
+        String kind = planned.update().description();
+        var scenes = new RenderedScenes(scene,
+                renderer.options().reflections() == ReflectionMode.CURRENT ? scene : renderer.cache().mirroredScene());
+        boolean canShow = displayMode.isFullPicture() && CoarseSteps.of(scene.picture()).first() > 0;
+        var display = new ProgressiveDisplay(signal, scene, listener, seconds -> {
+            slowUpdate = kind;
+            slowSeconds = seconds;
+            if (canShow) {
+                listener.coarseRendered(traceCoarse(scenes, 1, signal).film(), scene);
+            }
+        }, canReplace -> queue.setReplaceable(signal, canReplace), canShow);
+        if (canShow && kind.equals(slowUpdate)) {
+            var coarse = new CoarsePass(scenes, renderer::geometryOf, renderer.options(), film -> listener.coarseRendered(film, scene),
+                    signal);
+            coarse.show(traceCoarse(scenes, renderer.options().threads(), signal));
+            queue.setReplaceable(signal, true);
+            coarse.showNext(COARSE_SHARE * slowSeconds);
+            display.showingTiles(true);
+        }
+        return display;
+    }
+
+    /** Traces a coarse image in a short time. */
+    private CoarsePicture traceCoarse(RenderedScenes scenes, int threads, RenderQueue.CancelSignal signal) {
+        double share = (double) threads / renderer.options().threads();
+        int pixels = CoarseSteps.of(scenes.scene().picture()).during(DRAG_SECONDS, coarsePixelsPerSecond * share);
+        CoarsePicture picture = CoarsePicture.trace(scenes, pixels, renderer::geometryOf, threads, signal);
+        coarsePixelsPerSecond = picture.pixelsPerSecond() / share;
+        return picture;
     }
 
     /** Renders the missing samples of the image, if any. */
     private void renderSamples(RenderQueue.CancelSignal signal) {
         if (!renderer.isFinished()) {
             Scene scene = renderer.scene();
-            update((r, progress) -> r.finish(reportingTiles(scene, progress)), (r, progress) -> r.render(scene, progress), signal);
+            listener.samplesStarted();
+            var display = new ProgressiveDisplay(signal, scene, listener, _ -> {}, _ -> {}, displayMode.isFullPicture());
+            if (renderer.lastFinishedCache() == null) {
+                display.showingTiles(false);
+            }
+            update((r, _) -> r.finish(display), (r, progress) -> r.render(scene, progress), signal);
         }
     }
 
     /**
      * Frees the current image if a new one does not fit into memory with it. A canceled pass then cannot restore it.
      *
+     * @param previews receives small images of the scene, if the memory is estimated by them
      * @throws PictureTooLargeException if it does not fit at all; nothing is freed then
      */
-    private void freeMemory(Scene scene) {
-        renderer.requireMemory(scene, 0);
+    private void freeMemory(Scene scene, RenderQueue.CancelSignal signal, Consumer<Film> previews) {
+        renderer.requireMemory(scene, 0, signal, previews);
         long usedBytes = renderer.bytes() + displayRenderer.bytes();
         try {
-            renderer.requireMemory(scene, usedBytes);
+            renderer.requireMemory(scene, usedBytes, signal, previews);
         } catch (PictureTooLargeException e) {
             dropPicture();
         }
@@ -206,37 +281,6 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
         publishedCache = new WeakReference<>(renderer.cache());
         listener.rendered(new Frame(renderer.film(), displayed, mode, renderedScene, renderer.cache().mirroredScene(), lastUpdate,
                 renderer.cache().geometry(), renderer.isFinished()));
-    }
-
-    /** Reports finished tiles in a first pass. */
-    private Progress reportingTiles(Scene scene, Progress progress) {
-        return new Progress() {
-            @Override
-            public void report(int done, int total) {
-                progress.report(done, total);
-            }
-
-            @Override
-            public void tileFinished(int tile, float[][] film) {
-                listener.tileRendered(scene, tile, film);
-            }
-
-            @Override
-            public boolean isCanceled() {
-                return progress.isCanceled();
-            }
-        };
-    }
-
-    /** Renders coarse images of increasing resolution, each in a fraction of the full time. */
-    private void renderCoarse(Scene scene, RenderQueue.CancelSignal signal) {
-        Optional<CoarsePicture> startPicture = takeStartupPreview().filter(preview -> preview.scene() == scene);
-        startPicture.ifPresent(preview -> {
-            renderer.setSharedGeometry(preview.geometry());
-            listener.coarseRendered(preview.film(), scene);
-        });
-        CoarsePicture.sizes(scene.picture()).stream().skip(startPicture.isPresent() ? 1 : 0).forEach(pixels -> listener
-                .coarseRendered(CoarsePicture.trace(scene, pixels, renderer::prepare, renderer.options().threads(), signal).film(), scene));
     }
 
     private Optional<CoarsePicture> takeStartupPreview() {

@@ -15,8 +15,11 @@ import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.model.StatusText;
 import lightning.editor.window.model.TracedPicture;
 
-/** Summary of the last update, which opens the render log on click, and the current status message. */
+/** Progress of a long render or summary of the last update, which opens the render log on click, and the current status message. */
 final class StatusBar extends HBox {
+    /** Minimum time of a render whose progress is shown, in nanoseconds. Shorter ones would make the text flash. */
+    private static final long LONG_NS = 250_000_000;
+
     private final SceneEditor editor;
     private final TracedPicture picture;
     private final Button status = new Button();
@@ -58,10 +61,14 @@ final class StatusBar extends HBox {
     }
 
     private String text(RenderState state) {
+        boolean isRendering = editor.editorStateProperty().get().sceneInProgress().isPresent();
+        if (isRendering && state.total() > 0 && state.activity().nanoseconds() >= LONG_NS) {
+            return StatusText.progress(state);
+        }
         if (state.problem() != null) {
             return ErrorMessage.of(state.problem());
         }
-        if (editor.editorStateProperty().get().sceneInProgress().isPresent() && state.plan() != null && state.frame() == null) {
+        if (isRendering && state.plan() != null && state.frame() == null) {
             return Messages.tr("Tracing {0} …", editor.document().name());
         }
         if (state.canceled()) {

@@ -143,6 +143,15 @@ public final class PixelCache {
         return allTiles().stream().mapToLong(CachedTile::bytes).sum();
     }
 
+    /** Returns the bytes of the pixel centers: rows and colors. */
+    public long centerBytes() {
+        long bytes = 0;
+        for (CachedTile tile : tiles) {
+            bytes += tile.bytes() + tile.colorBytes();
+        }
+        return bytes;
+    }
+
     /** Returns the number of hit rows of all samples and levels. */
     public long rowCount() {
         return allTiles().stream().mapToLong(CachedTile::rowCount).sum();

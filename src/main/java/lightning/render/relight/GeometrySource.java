@@ -20,6 +20,11 @@ final class GeometrySource {
         shared = geometry;
     }
 
+    /** Returns the shared geometry; null if there is none. */
+    Geometry shared() {
+        return shared;
+    }
+
     /**
      * Returns the geometry of a scene: the cached or shared geometry if it serves the scene, otherwise a new one.
      *

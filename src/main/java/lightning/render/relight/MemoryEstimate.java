@@ -4,10 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 import lightning.render.cache.PixelCache;
 import lightning.render.image.Film;
-import lightning.render.relight.tile.MirrorStorage;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.render.trace.HitRows.ColumnGroup;
-import lightning.render.trace.MeshMemory;
 import lightning.render.trace.SampleCells;
 import lightning.scene.AntialiasMode;
 import lightning.scene.Material;
@@ -34,6 +32,10 @@ public final class MemoryEstimate {
      * @param scene scene as the view shows it
      */
     public static long upperBound(Scene scene, RenderOptions options) {
+        return upperBound(scene, options, PictureParts.ALL);
+    }
+
+    static long upperBound(Scene scene, RenderOptions options, PictureParts parts) {
         PictureSettings picture = scene.picture();
         SamplingSettings sampling = picture.sampling();
         boolean mirrors = picture.depth() > 0 && scene.materials().stream().anyMatch(Material::spawnsSecondaryRays);
@@ -52,7 +54,7 @@ public final class MemoryEstimate {
                 mirrors ? (clear ? 2 : 1) * BYTES_PER_COLOR + levels * (options.storage().storesRows() ? row : Integer.BYTES) : 0;
         long samples = switch (sampling.antialias()) {
             case OFF -> 1;
-            case EDGES -> 1L + sampling.samplesPerPixel();
+            case EDGES -> parts == PictureParts.CENTERS ? 1 : 1L + sampling.samplesPerPixel();
             case EVERY -> sampling.samplesPerPixel();
         };
         // Samples store their colors if errors are bounded.
@@ -99,26 +101,23 @@ public final class MemoryEstimate {
      *         their trees; the message suggests what would fit
      */
     public static void check(Scene scene, RenderOptions options) {
-        long memory = options.memory() - MeshMemory.bytes(scene);
-        long max = upperBound(scene, options);
-        if (max <= memory) {
-            return;
-        }
-        if (memory <= 0) {
-            throw new PictureTooLargeException(max, memory, List.of());
-        }
-        MemoryForecast forecast = MemoryForecast.of(scene, options);
-        long required = forecast.bytes(scene.picture());
-        if (required > memory) {
-            List<PictureTooLargeException.Suggestion> suggestions = new ArrayList<>();
-            suggestSize(scene, forecast, required, memory, suggestions);
+        new MemoryCheck().requirePicture(scene, options, PictureParts.ALL, SmallPictures.UNSEEN);
+    }
+
+    /**
+     * Returns the changes of a picture that would fit.
+     *
+     * @param forecast forecast of the scene
+     * @param required bytes that do not fit
+     * @param memory   available bytes
+     */
+    static List<PictureTooLargeException.Suggestion> suggestions(Scene scene, MemoryForecast forecast, long required, long memory) {
+        List<PictureTooLargeException.Suggestion> suggestions = new ArrayList<>();
+        suggestSize(scene, forecast, required, memory, suggestions);
+        if (forecast.parts() == PictureParts.ALL) {
             suggestSamples(scene.picture(), forecast, memory, suggestions);
-            RenderOptions shapes = options.withStorage(MirrorStorage.SMALLEST);
-            if (options.storage().storesRows() && MemoryForecast.of(scene, shapes).bytes(scene.picture()) <= memory) {
-                suggestions.add(new PictureTooLargeException.Suggestion.MirrorsAsShapes());
-            }
-            throw new PictureTooLargeException(required, memory, suggestions);
         }
+        return suggestions;
     }
 
     /**

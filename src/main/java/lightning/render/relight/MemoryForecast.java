@@ -1,8 +1,5 @@
 package lightning.render.relight;
 
-import java.util.Arrays;
-import lightning.base.work.Progress;
-import lightning.render.cache.CachedTile;
 import lightning.render.cache.PixelCache;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.AntialiasMode;
@@ -21,41 +18,104 @@ import lightning.scene.SceneLimits;
  *
  * <p>Edge samples grow as a power of the picture's side: 1 for edges of shapes, which are lines, up to 2 for fine textures, which
  * fill areas. They also grow with the samples per pixel, because the centers alone determine the pixels on an edge.
+ *
+ * <p>An editor that renders centers first forecasts in two steps: the centers before the first pass, and their edge samples once
+ * the bytes of the centers are known.
  */
 final class MemoryForecast {
     /** Longer side of the smaller picture, pixels; the other picture is twice as large. */
     private static final int SMALL_SIDE = 192;
+    /** Factor of a tiny picture's bytes that a larger picture hardly exceeds. */
+    private static final double TINY_MARGIN = 1.5;
     private static final int MIN_SAMPLES = SceneLimits.MIN_SAMPLES * SceneLimits.MIN_SAMPLES;
 
     private final Scene scene;
     private final RenderOptions options;
+    private final PictureParts parts;
     /** Bytes per pixel center in a picture of any size, and the additional bytes per center for a longer side of one pixel. */
     private final double bytesPerCenter;
     private final double borderBytes;
     /** Bytes of edge samples in the small picture, at the minimum number of samples per pixel. */
     private final double edgeBytes;
     private final double edgeExponent;
+    private final boolean isUpper;
 
-    private MemoryForecast(Scene scene, RenderOptions options, SmallRender small, SmallRender large, double edges, double power) {
+    private MemoryForecast(Scene scene, RenderOptions options, PictureParts parts, double bytesPerCenter, double borderBytes,
+            double edgeBytes, double edgeExponent, boolean isUpper) {
         this.scene = scene;
         this.options = options;
-        borderBytes = Math.max(0, (small.bytesPerCenter() - large.bytesPerCenter()) * 2 * SMALL_SIDE);
-        bytesPerCenter = large.bytesPerCenter() - borderBytes / (2 * SMALL_SIDE);
-        this.edgeBytes = edges;
-        this.edgeExponent = power;
+        this.parts = parts;
+        this.bytesPerCenter = bytesPerCenter;
+        this.borderBytes = borderBytes;
+        this.edgeBytes = edgeBytes;
+        this.edgeExponent = edgeExponent;
+        this.isUpper = isUpper;
     }
 
-    /** Renders the small pictures; takes a fraction of a second once the code is warm. */
+    /** Renders the small pictures; takes a fraction of a second once the code is warm, unless the scene's rays are slow. */
     static MemoryForecast of(Scene scene, RenderOptions options) {
+        return of(scene, options, PictureParts.ALL, SmallPictures.UNSEEN);
+    }
+
+    static MemoryForecast of(Scene scene, RenderOptions options, PictureParts parts, SmallPictures pictures) {
         boolean edges = scene.picture().sampling().antialias() == AntialiasMode.EDGES;
-        SmallRender small = SmallRender.of(scene, options, SMALL_SIDE, edges);
-        SmallRender large = SmallRender.of(scene, options, 2 * SMALL_SIDE, false);
-        if (!edges || small.fine == 0) {
-            return new MemoryForecast(scene, options, small, large, 0, 2);
+        boolean samples = edges && parts == PictureParts.ALL;
+        SmallRender small = SmallRender.of(scene, options, SMALL_SIDE, edges, samples, pictures);
+        SmallRender large = SmallRender.of(scene, options, 2 * SMALL_SIDE, edges && !samples, false, pictures);
+        double border = Math.max(0, (small.bytesPerCenter() - large.bytesPerCenter()) * 2 * SMALL_SIDE);
+        double center = large.bytesPerCenter() - border / (2 * SMALL_SIDE);
+        return new MemoryForecast(scene, options, parts, center, border, small.fine,
+                samples ? edgeExponent(scene, options, small, pictures) : 2, false);
+    }
+
+    /**
+     * Forecasts from one tiny picture, in a fraction of the time. The result is too large rather than too small.
+     */
+    static MemoryForecast upperOf(Scene scene, RenderOptions options, PictureParts parts, SmallPictures pictures) {
+        boolean edges = scene.picture().sampling().antialias() == AntialiasMode.EDGES;
+        SmallRender tiny = SmallRender.of(scene, options, SMALL_SIDE / 2, edges, edges && parts == PictureParts.ALL, pictures);
+        return new MemoryForecast(scene, options, parts, TINY_MARGIN * tiny.bytesPerCenter(), 0, TINY_MARGIN * 4 * tiny.fine, 2, true);
+    }
+
+    /**
+     * Forecasts the edge samples of existing centers.
+     *
+     * @param centerBytes bytes of these centers
+     */
+    static MemoryForecast ofSamples(Scene scene, long centerBytes, RenderOptions options, SmallPictures pictures) {
+        double center = (double) centerBytes / scene.picture().width() / scene.picture().height();
+        SmallRender small = SmallRender.of(scene, options, SMALL_SIDE, true, true, pictures);
+        return new MemoryForecast(scene, options, PictureParts.ALL, center, 0, small.fine, edgeExponent(scene, options, small, pictures),
+                false);
+    }
+
+    private static double edgeExponent(Scene scene, RenderOptions options, SmallRender small, SmallPictures pictures) {
+        if (small.fine == 0) {
+            return 2;
         }
-        SmallRender half = SmallRender.of(scene, options, SMALL_SIDE / 2, true);
-        double power = half.fine == 0 ? 2 : Math.clamp(Math.log((double) small.fine / half.fine) / Math.log(2), 1, 2);
-        return new MemoryForecast(scene, options, small, large, small.fine, power);
+        SmallRender half = SmallRender.of(scene, options, SMALL_SIDE / 2, true, true, pictures);
+        return half.fine == 0 ? 2 : Math.clamp(Math.log((double) small.fine / half.fine) / Math.log(2), 1, 2);
+    }
+
+    /** Returns whether this is a forecast of that scene with these options, whatever their memory. */
+    boolean isOf(Scene other, RenderOptions otherOptions, PictureParts otherParts) {
+        return parts == otherParts && options.equals(otherOptions.withMemory(options.memory())) && scene.equals(other);
+    }
+
+    /** Returns whether this forecast includes a scene's edge samples, possibly under other lights. */
+    boolean servesSamples(Scene other, RenderOptions otherOptions) {
+        return parts == PictureParts.ALL && options.equals(otherOptions.withMemory(options.memory())) && scene.hasSameShapes(other)
+                && scene.picture().sampling().antialias() == other.picture().sampling().antialias()
+                && scene.lights().size() == other.lights().size();
+    }
+
+    /** Returns whether this is a forecast by {@link #upperOf}. */
+    boolean isUpper() {
+        return isUpper;
+    }
+
+    PictureParts parts() {
+        return parts;
     }
 
     /**
@@ -66,7 +126,7 @@ final class MemoryForecast {
     long bytes(PictureSettings picture) {
         SamplingSettings sampling = picture.sampling();
         double pixels = (double) picture.width() * picture.height();
-        double film = sampling.isSupersampled() ? pixels * MemoryEstimate.BYTES_PER_COLOR : 0;
+        double film = sampling.isSupersampled() && parts == PictureParts.ALL ? pixels * MemoryEstimate.BYTES_PER_COLOR : 0;
         double side = Math.max(picture.width(), picture.height());
         // A picture smaller than the measured ones needs little memory.
         double each = bytesPerCenter + borderBytes / Math.max(side, SMALL_SIDE);
@@ -75,12 +135,16 @@ final class MemoryForecast {
             case EVERY -> pixels * each * sampling.samplesPerPixel();
             case EDGES -> pixels * each + Math.pow(side / SMALL_SIDE, edgeExponent) * edgeBytes * sampling.samplesPerPixel() / MIN_SAMPLES;
         };
-        return Math.min((long) bytes, MemoryEstimate.upperBound(scene.withPicture(picture), options));
+        return Math.min((long) bytes, MemoryEstimate.upperBound(scene.withPicture(picture), options, parts));
     }
 
     /** Small picture: its pixels, and the bytes of centers and of finer samples, colors included. */
     private record SmallRender(long pixels, long centers, long fine) {
-        static SmallRender of(Scene scene, RenderOptions options, int side, boolean edges) {
+        /**
+         * @param edges   true to detect edges
+         * @param samples true to render the samples at these edges
+         */
+        static SmallRender of(Scene scene, RenderOptions options, int side, boolean edges, boolean samples, SmallPictures pictures) {
             PictureSettings picture = scene.picture();
             double shrink = (double) Math.max(picture.width(), picture.height()) / side;
             SamplingSettings coarse = new SamplingSettings(edges ? AntialiasMode.EDGES : AntialiasMode.OFF, SceneLimits.MIN_SAMPLES);
@@ -88,16 +152,19 @@ final class MemoryForecast {
                     picture.withSize(Math.max(1, (int) (picture.width() / shrink)), Math.max(1, (int) (picture.height() / shrink)))
                             .withSampling(coarse);
             try (Renderer renderer = new Renderer(options.withMemory(Long.MAX_VALUE))) {
-                renderer.render(scene.withPicture(small), Progress.NONE);
+                renderer.setSharedGeometry(pictures.geometry());
+                PlannedUpdate plan = renderer.plan(scene.withPicture(small));
+                if (samples) {
+                    renderer.render(plan, pictures.cancellation());
+                } else {
+                    renderer.renderCenters(plan, pictures.cancellation());
+                }
+                pictures.listener().accept(renderer.film());
                 PixelCache cache = renderer.cache();
-                long centers = Arrays.stream(cache.tiles()).mapToLong(SmallRender::bytes).sum();
+                long centers = cache.centerBytes();
                 return new SmallRender((long) small.width() * small.height(), centers,
-                        cache.allTiles().stream().mapToLong(SmallRender::bytes).sum() - centers);
+                        cache.bytes() + cache.colorBytes() - centers);
             }
-        }
-
-        private static long bytes(CachedTile tile) {
-            return tile.bytes() + tile.colorBytes();
         }
 
         double bytesPerCenter() {

@@ -1,6 +1,7 @@
 package lightning.render.relight;
 
 import java.util.concurrent.CancellationException;
+import java.util.function.Consumer;
 import java.util.function.Supplier;
 import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
@@ -29,6 +30,7 @@ public final class Renderer implements AutoCloseable {
     /** Samples missing from the cache if it holds only pixel centers; otherwise null. */
     private PendingSamples pendingSamples;
     private final GeometrySource geometrySource = new GeometrySource();
+    private final MemoryCheck memoryCheck = new MemoryCheck();
     /** Accuracy of the cache. It differs from the options after a change, until the next update. */
     private Accuracy cacheAccuracy;
     private double exposure;
@@ -159,6 +161,7 @@ public final class Renderer implements AutoCloseable {
      *
      * @return all work since the last picture with samples, or since the newest edit if there was none
      * @throws IllegalStateException if the picture is finished
+     * @throws PictureTooLargeException if the first samples of a picture do not fit into memory; the state is then as before the call
      * @throws CancellationException if {@code progress} requested cancellation; the state is then as before the call
      */
     public UpdateResult finish(Progress progress) {
@@ -335,21 +338,26 @@ public final class Renderer implements AutoCloseable {
     }
 
     /**
-     * Rejects a scene whose first pass would not fit into memory.
+     * Rejects a scene whose first pass by {@link #renderCenters} would not fit into memory. May render small pictures to find out.
      *
      * @param reservedBytes bytes in use next to it
+     * @param previews      receives these pictures, for display
      * @throws PictureTooLargeException if it does not fit
+     * @throws CancellationException if {@code progress} requested cancellation
      */
-    public void requireMemory(Scene target, long reservedBytes) {
-        checkMemory(options.view().apply(target), reservedBytes);
+    public void requireMemory(Scene target, long reservedBytes, Progress progress, Consumer<Film> previews) {
+        Scene shown = options.view().apply(target);
+        checkMemory(shown, reservedBytes, canDeferSamples(shown), progress, previews);
     }
 
-    private void checkMemory(Scene target, long reservedBytes) {
-        MemoryEstimate.check(target, options.withMemory(options.memory() - reservedBytes));
+    private void checkMemory(Scene target, long reservedBytes, boolean centersOnly, Progress progress, Consumer<Film> previews) {
+        memoryCheck.requirePicture(target, options.withMemory(options.memory() - reservedBytes),
+                centersOnly ? PictureParts.CENTERS : PictureParts.ALL,
+                new SmallPictures(geometrySource.shared(), progress.cancellationOnly(), previews));
     }
 
     private WorkCounts firstPass(UpdatePlan.FirstPass plan, Scene target, boolean centersOnly, Progress progress) {
-        checkMemory(target, bytes());
+        checkMemory(target, bytes(), centersOnly, progress, _ -> {});
         RenderJob job = RenderJob.firstPass(geometrySource.get(target, cache, options.view()), target, options, progress);
         CacheBuilder.BuildResult result = new CacheBuilder(job, workers, null).build(centersOnly);
         cache = result.cache();
@@ -357,9 +365,14 @@ public final class Renderer implements AutoCloseable {
         return result.work();
     }
 
+    /** Returns the geometry of a scene. Callable from threads of an update. */
+    public Geometry geometryOf(Scene target) {
+        return geometrySource.get(options.view().apply(target), cache, options.view());
+    }
+
     /** Prepares the geometry of a scene for its first pass and caches it. */
     public Geometry prepare(Scene target) {
-        Geometry prepared = geometrySource.get(options.view().apply(target), cache, options.view());
+        Geometry prepared = geometryOf(target);
         geometrySource.set(prepared);
         return prepared;
     }
@@ -369,8 +382,17 @@ public final class Renderer implements AutoCloseable {
         geometrySource.set(geometry);
     }
 
+    /** @param memory bytes that are free for centers and samples */
+    private void checkSampleMemory(Scene target, long memory, Progress progress) {
+        memoryCheck.requireSamples(target, cache, options.withMemory(memory),
+                new SmallPictures(cache.geometry(), progress.cancellationOnly(), _ -> {}));
+    }
+
     private WorkCounts relight(UpdatePlan.Relight plan, Scene target, boolean centersOnly, Progress progress) {
         PixelCache old = cache;
+        if (plan.resampled() && RenderJob.needsEdges(target)) {
+            checkSampleMemory(target, options.memory() - (bytes() - old.centerBytes()), progress);
+        }
         var scenes = new RenderedScenes(target, plan.mirrors() == null ? old.mirroredScene() : target);
         RenderJob job = RenderJob.relight(repeatedEdits.withKeys(plan), plan.shapes().after(old.geometry()), scenes, options, progress);
         CacheBuilder.BuildResult result = new CacheBuilder(job, workers, old).build(centersOnly);
@@ -382,6 +404,9 @@ public final class Renderer implements AutoCloseable {
     /** Renders the finer samples of the cached centers. */
     private WorkCounts renderSamples(UpdatePlan plan, Progress progress) {
         PixelCache finished = pendingSamples.finishedCache();
+        if (finished == null) {
+            checkSampleMemory(cache.scene(), options.memory(), progress);
+        }
         CacheBuilder builder = finished != null && plan instanceof UpdatePlan.Relight relight
                 ? new CacheBuilder(RenderJob.relight(relight, cache.geometry(), cache.scenes(), options, progress), workers, finished)
                 : new CacheBuilder(RenderJob.samples(cache, options, progress), workers, null);

@@ -226,6 +226,38 @@ class RenderQueueModelTest {
     }
 
     @Test
+    void updateWhoseSceneIsShown_isReplacedByNewerSceneWithoutCancelEvent() {
+        explore(() -> {
+            var queue = new RenderQueue();
+            queue.render(FIRST);
+            var update = new RenderQueue.CancelSignal((_, _) -> {});
+            queue.take(update);
+            ScheduleExplorer.ConcurrentRun window = ScheduleExplorer.startConcurrently(() -> queue.render(SECOND));
+            queue.setReplaceable(update, true);
+            window.end();
+            check(update.isCanceled() && update.isPreempted(), "update preempted silently");
+            check(!queue.finishJob(null), "newer scene pending");
+            check(queue.take(new RenderQueue.CancelSignal((_, _) -> {})).equals(new RenderQueue.RenderJob.Render(SECOND)),
+                    "newer scene rendered");
+        });
+    }
+
+    @Test
+    void updateThatIsNotShown_isFinishedBeforeNewerScene() {
+        explore(() -> {
+            var queue = new RenderQueue();
+            queue.render(FIRST);
+            var update = new RenderQueue.CancelSignal((_, _) -> {});
+            queue.take(update);
+            queue.setReplaceable(update, true);
+            queue.setReplaceable(update, false);
+            ScheduleExplorer.ConcurrentRun window = ScheduleExplorer.startConcurrently(() -> queue.render(SECOND));
+            window.end();
+            check(!update.isCanceled(), "update continues");
+        });
+    }
+
+    @Test
     void newPicture_replacesTracedOne() {
         explore(() -> {
             var queue = new RenderQueue();

@@ -14,7 +14,7 @@ import lightning.render.image.ViewTransform;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Scene;
 
-/** Coarse picture of a scene, traced while the window is being created. */
+/** Coarse pictures of a scene, traced while the window is being created. */
 public final class StartupPreview {
     private final TracedRaster raster = new TracedRaster();
     private final Future<Optional<CoarsePicture>> coarse;
@@ -25,17 +25,14 @@ public final class StartupPreview {
     }
 
     /**
-     * Starts tracing the coarse picture on a dedicated thread.
+     * Starts tracing coarse pictures on a dedicated thread.
      *
      * @param view  conversion from linear light to display pixels
      */
     public static StartupPreview start(Scene scene, ViewTransform view) {
         return new StartupPreview(view, raster -> {
-            var trace = new FutureTask<>(() -> {
-                Optional<CoarsePicture> first = CoarsePicture.first(scene, RenderOptions.DEFAULT);
-                first.ifPresent(picture -> raster.coarseRendered(picture.film(), scene));
-                return first;
-            });
+            var trace = new FutureTask<>(
+                    () -> CoarsePicture.first(scene, RenderOptions.DEFAULT, film -> raster.coarseRendered(film, scene)));
             DedicatedThread.create("lightning-startup-preview", trace).start();
             return trace;
         });
@@ -51,7 +48,7 @@ public final class StartupPreview {
         return raster;
     }
 
-    /** Returns the coarse picture; empty if a full picture is as fast, or if the picture is too large. */
+    /** Returns the last coarse picture; empty if a full picture is as fast, or if the picture is too large. */
     Future<Optional<CoarsePicture>> coarse() {
         return coarse;
     }

@@ -6,11 +6,16 @@ import lightning.base.text.Messages;
 import lightning.bench.accuracy.Verification;
 import lightning.bench.accuracy.WarmSaving;
 import lightning.editor.loop.Frame;
+import lightning.editor.loop.RenderActivity;
+import lightning.editor.loop.RenderState;
 import lightning.render.relight.UpdateResult;
 import lightning.render.relight.plan.UpdatePlan;
 
 /** Formats updates and verifications for the status line. */
 public final class StatusText {
+    /** Minimum rate that its text does not round to zero, million rays per second. */
+    private static final double MIN_SHOWN_RATE = 0.05;
+
     private StatusText() {}
 
     /**
@@ -48,6 +53,27 @@ public final class StatusText {
         String prefix =
                 update.plan() instanceof UpdatePlan.Relight ? Messages.tr("Updated in {0}", time) : Messages.tr("Traced in {0}", time);
         return prefix + ", " + (frame.isFinished() ? frame.guarantee().text(update) : Messages.tr("not anti-aliased yet"));
+    }
+
+    /** Formats a running render: {@code Refining… 42 % · 1.3 million rays/s}. Leaves out what is unknown. */
+    public static String progress(RenderState state) {
+        String stage = stage(state.activity().stage());
+        String text = state.total() == 0 ? stage : stage + " " + percent(state.progress());
+        double millions = state.activity().raysPerSecond() / 1e6;
+        return millions < MIN_SHOWN_RATE ? text
+                : text + " · " + String.format(Messages.locale(), Messages.tr("%.1f million rays/s"), millions);
+    }
+
+    /** Returns the name of a stage of an image that is being rendered: {@code Refining…}. */
+    public static String stage(RenderActivity.Stage stage) {
+        return switch (stage) {
+            case CENTERS -> Messages.tr("Refining…");
+            case SAMPLES -> Messages.tr("Anti-aliasing…");
+        };
+    }
+
+    private static String percent(double share) {
+        return String.format(Messages.locale(), "%.0f %%", Math.floor(100 * share));
     }
 
     private static String savingText(WarmSaving measured) {

@@ -1,11 +1,14 @@
 package lightning.editor.window.model;
 
 import java.util.Arrays;
+import java.util.HashMap;
+import java.util.Map;
 import java.util.stream.IntStream;
 import lightning.editor.loop.Frame;
 import lightning.editor.loop.RenderListener;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
+import lightning.render.relight.plan.UpdatePlan;
 import lightning.scene.Scene;
 
 /**
@@ -46,6 +49,10 @@ public final class TracedRaster implements RenderListener {
     private DirtyRect patch = DirtyRect.NONE;
     /** State of an unfinished picture: whether tiles were shown, which tiles are not reported yet, and the time of the last report. */
     private boolean isUnfinished;
+    /** Finished tiles over a coarse or earlier film, by number. */
+    private final Map<Integer, float[][]> tiles = new HashMap<>();
+    /** True after a cancellation, until the next render starts. */
+    private boolean isCanceled;
     private DirtyRect unreported = DirtyRect.NONE;
     private long lastReportNs;
 
@@ -73,7 +80,7 @@ public final class TracedRaster implements RenderListener {
         showCoarse(film, scene.picture().width(), scene.picture().height());
     }
 
-    /** Packs a tile over the coarse picture. Ignored without one, since the whole picture follows soon. */
+    /** Packs a tile over the coarse or previous picture. Ignored without one, since the whole picture follows soon. */
     @Override
     public synchronized void tileRendered(Scene scene, int tile, float[][] film) {
         int width = scene.picture().width();
@@ -85,6 +92,7 @@ public final class TracedRaster implements RenderListener {
         int left = tile % tilesAcross * Film.TILE_SIZE;
         int top = tile / tilesAcross * Film.TILE_SIZE;
         view.packTile(film[0], film[1], film[2], left, top, width, pixels.pixels());
+        tiles.put(tile, film);
         isUnfinished = true;
         unreported = unreported.plus(left, top, Math.min(left + Film.TILE_SIZE, width), Math.min(top + Film.TILE_SIZE, height));
         long now = System.nanoTime();
@@ -95,17 +103,30 @@ public final class TracedRaster implements RenderListener {
         }
     }
 
-    /** Restores the previous picture after a canceled render. */
+    @Override
+    public synchronized void started(UpdatePlan plan) {
+        isCanceled = false;
+    }
+
+    @Override
+    public synchronized void canceled() {
+        isCanceled = true;
+    }
+
+    /** Restores the previous picture after a failed render. After a canceled one, keeps what is shown. */
     @Override
     public synchronized void idle() {
-        if (coarseFilm == null && !isUnfinished) {
+        if (!isUnfinished() || isCanceled) {
             return;
         }
-        if (shownFilm == null) {
-            clear();
-        } else {
+        if (shownFilm != null) {
             show(shownFilm);
         }
+    }
+
+    /** Returns true if a part of the picture is coarse, or newer than the last frame. */
+    public synchronized boolean isUnfinished() {
+        return coarseFilm != null || isUnfinished;
     }
 
     /** Shows a remote film of the scene being traced until the local render is finished or canceled. Ignored if it is finished. */
@@ -120,6 +141,7 @@ public final class TracedRaster implements RenderListener {
         remoteFilm = film;
         remoteScene = scene;
         isUnfinished = true;
+        tiles.clear();
         unreported = DirtyRect.NONE;
         patch = DirtyRect.NONE;
     }
@@ -142,6 +164,8 @@ public final class TracedRaster implements RenderListener {
         clearRemote();
         finishedScene = null;
         isUnfinished = false;
+        isCanceled = false;
+        tiles.clear();
         unreported = DirtyRect.NONE;
         dirty = DirtyRect.NONE;
         patch = DirtyRect.NONE;
@@ -165,6 +189,7 @@ public final class TracedRaster implements RenderListener {
         coarseFilm = null;
         clearRemote();
         isUnfinished = false;
+        tiles.clear();
         unreported = DirtyRect.NONE;
         patch = DirtyRect.NONE;
     }
@@ -194,6 +219,11 @@ public final class TracedRaster implements RenderListener {
         resize(width, height);
         clearRemote();
         coarseFilm = film;
+        tiles.clear();
+        packCoarse(film, width, height);
+    }
+
+    private void packCoarse(Film film, int width, int height) {
         int[] small = view.toPixels(film);
         int[] large = pixels.pixels();
         for (int y = 0; y < height; y++) {
@@ -208,15 +238,19 @@ public final class TracedRaster implements RenderListener {
     /** Sets the view transform and packs everything again. */
     synchronized void setView(ViewTransform v) {
         view = v;
-        if (remoteFilm != null) {
-            pack(remoteFilm, IntStream.range(0, remoteFilm.tileCount()).toArray());
-        } else if (coarseFilm != null) {
-            showCoarse(coarseFilm, pixels.width(), pixels.height());
-        } else if (shownFilm != null) {
-            Film film = shownFilm;
-            shownFilm = null;
-            show(film);
+        if (pixels == null) {
+            return;
         }
+        Film base = remoteFilm != null ? remoteFilm : shownFilm;
+        if (remoteFilm == null && coarseFilm != null) {
+            packCoarse(coarseFilm, pixels.width(), pixels.height());
+        } else if (base != null && hasSize(base.width(), base.height())) {
+            pack(base, IntStream.range(0, base.tileCount()).toArray());
+        }
+        int tilesAcross = Film.tilesAlong(pixels.width());
+        tiles.forEach((tile, film) -> view.packTile(film[0], film[1], film[2], tile % tilesAcross * Film.TILE_SIZE,
+                tile / tilesAcross * Film.TILE_SIZE, pixels.width(), pixels.pixels()));
+        patch = DirtyRect.NONE;
     }
 
     public synchronized ViewTransform view() {

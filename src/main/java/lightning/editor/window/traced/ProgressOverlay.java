@@ -9,11 +9,13 @@ import javafx.util.Duration;
 import lightning.base.text.Messages;
 import lightning.editor.document.Command;
 import lightning.editor.document.EditorState;
+import lightning.editor.loop.RenderActivity;
 import lightning.editor.loop.RenderState;
 import lightning.editor.window.command.CommandButton;
 import lightning.editor.window.model.CommandRegistry;
 import lightning.editor.window.model.FileActivity;
 import lightning.editor.window.model.RemainingTime;
+import lightning.editor.window.model.StatusText;
 import lightning.editor.window.model.TracedPicture;
 import lightning.editor.window.widget.DelayedMessage;
 
@@ -48,12 +50,17 @@ final class ProgressOverlay extends HBox {
         picture.renderStateProperty().subscribe(_ -> update());
     }
 
+    private static String title(RenderState state) {
+        return state.activity().stage() == RenderActivity.Stage.SAMPLES ? StatusText.stage(RenderActivity.Stage.SAMPLES)
+                : Messages.tr("Tracing");
+    }
+
     private void update() {
         RenderState state = picture.renderStateProperty().get();
         EditorState editorState = commands.editorState().get();
         boolean rendering = editorState.sceneInProgress().isPresent();
         String work =
-                editorState.reading() ? files.title() + " " + files.file().getFileName() : rendering ? Messages.tr("Tracing")
+                editorState.reading() ? files.title() + " " + files.file().getFileName() : rendering ? title(state)
                         : editorState.verifying() ? Messages.tr("Verifying") : "";
         double share = editorState.reading() ? ProgressBar.INDETERMINATE_PROGRESS : rendering ? state.progress()
                 : (double) state.verifiedTiles() / state.tilesToVerify();

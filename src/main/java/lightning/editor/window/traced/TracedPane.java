@@ -19,6 +19,7 @@ import lightning.base.text.Messages;
 import lightning.bench.accuracy.Verification;
 import lightning.editor.document.Command;
 import lightning.editor.document.EditorState;
+import lightning.editor.loop.RenderActivity;
 import lightning.editor.loop.RenderState;
 import lightning.editor.window.command.CommandButton;
 import lightning.editor.window.command.CommandMenuItems;
@@ -26,6 +27,7 @@ import lightning.editor.window.model.CommandRegistry;
 import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.model.ErrorMessage;
 import lightning.editor.window.model.SceneEditor;
+import lightning.editor.window.model.StatusText;
 import lightning.editor.window.model.TracedPicture;
 import lightning.editor.window.model.TracedRaster;
 import lightning.editor.window.widget.DelayedMessage;
@@ -175,7 +177,7 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
 
     /** Returns the note on a coarse preview, which is shown before the first full picture. */
     public static String coarseNote() {
-        return Messages.tr("Refining…");
+        return StatusText.stage(RenderActivity.Stage.CENTERS);
     }
 
     private Node header() {
@@ -267,8 +269,11 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
             return VisibleState.isSame(mouse.patchedScene(), state.scene()) ? Messages.tr("The region is newer than the rest of the image")
                     : Messages.tr("The region is out of date");
         }
-        if (state.frame().isEmpty()) {
-            return traced.raster().pixels() == null ? "" : coarseNote();
+        if (traced.raster().pixels() == null) {
+            return "";
+        }
+        if (state.frame().isEmpty() || state.hasPendingEdits() && traced.raster().isUnfinished()) {
+            return isStopped() ? Messages.tr("Unfinished. Render (F5)") : coarseNote();
         }
         // During playback there is always a newer frame in progress.
         boolean isUpdating = state.animating() && state.sceneInProgress().isPresent();
@@ -276,8 +281,14 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
             return "";
         }
         return state.hasPendingEdits() ? Messages.tr("Out of date. Render (F5)")
-                : state.sceneInProgress().isPresent() ? Messages.tr("Anti-aliasing…")
+                : state.sceneInProgress().isPresent() ? StatusText.stage(RenderActivity.Stage.SAMPLES)
                 : Messages.tr("Not anti-aliased");
+    }
+
+    /** Tests if the last render was canceled or failed, and no other one is running. */
+    private boolean isStopped() {
+        RenderState state = traced.renderStateProperty().get();
+        return editor.editorStateProperty().get().sceneInProgress().isEmpty() && (state.canceled() || state.problem() != null);
     }
 
     /** Returns the text shown while there is no picture. */

@@ -33,6 +33,8 @@ public final class CacheBuilder {
     private final PixelCache oldCache;
     private final List<EngineWorkers<TileWorker>> tileWorkers;
     private final int[] tileOrder;
+    /** Rays that each thread reported. */
+    private final long[] reportedRays;
 
     /** @param old the cache to start from, or null for a first pass */
     public CacheBuilder(RenderJob job, WorkerPool workers, PixelCache old) {
@@ -40,6 +42,7 @@ public final class CacheBuilder {
         this.workers = workers;
         this.oldCache = old;
         tileWorkers = EngineWorkers.perThread(workers.count(), job.options().engines(), engine -> new TileWorker(job, engine));
+        reportedRays = new long[workers.count()];
         tileOrder = old == null ? CenterFirstOrder.tileOrder(job.tilesX(), job.tileCount()) : IntStream.range(0, job.tileCount()).toArray();
     }
 
@@ -100,8 +103,21 @@ public final class CacheBuilder {
 
     private void buildTile(CachedTile[] tiles, int worker, int tile) {
         tiles[tile] = tileWorkers.get(worker).forTile(tile).firstPass(tile);
-        if (tiles[tile] != null) {
-            job.progress().tileFinished(tile, tiles[tile].film);
+        reportTile(worker, tile, tiles[tile] == null ? null : tiles[tile].film);
+    }
+
+    /** @param film colors of the tile; null if it was canceled */
+    private void reportTile(int worker, int tile, float[][] film) {
+        long rays = 0;
+        for (TileWorker engineWorker : tileWorkers.get(worker).workers()) {
+            rays += engineWorker.work().rays().total();
+        }
+        if (rays > reportedRays[worker]) {
+            job.progress().raysCast(rays - reportedRays[worker]);
+            reportedRays[worker] = rays;
+        }
+        if (film != null) {
+            job.progress().tileFinished(tile, film);
         }
     }
 
@@ -115,6 +131,7 @@ public final class CacheBuilder {
                 approach[worker].prefetch(known, tile, Math.min(tiles.length, tile + batchSize));
             }
             tiles[tile] = tileWorkers.get(worker).forTile(tile).relight(tile, known[tile]);
+            reportTile(worker, tile, tiles[tile] == null ? null : tiles[tile].film);
         }, progress);
     }
 
@@ -143,9 +160,7 @@ public final class CacheBuilder {
             int tile = tileOrder[i];
             fine[tile] = sampleWorkers[worker].buildTile(tile, centers.length == 0 ? null : centers[tile],
                     !known || centers.length == 0 ? null : oldCache.tile(tile), known ? oldCache.fineTile(tile) : null);
-            if (oldCache == null && fine[tile] != null) {
-                job.progress().tileFinished(tile, fine[tile].film());
-            }
+            reportTile(worker, tile, fine[tile] == null ? null : fine[tile].film());
         }, job.progress().subProgress(before, before + fine.length));
         return fine;
     }

@@ -7,6 +7,7 @@ import lightning.editor.loop.DisplayMode;
 import lightning.editor.loop.Frame;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
+import lightning.render.relight.plan.UpdatePlan;
 import lightning.scene.Camera;
 import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
@@ -46,6 +47,19 @@ class TracedRasterTest {
             blue[t] = first.blue(t);
         }
         return new Film(WIDTH, HEIGHT, red, green, blue);
+    }
+
+    /** Returns a film with all channels of one tile replaced. */
+    private static Film withTile(int tile, float value, Film base) {
+        Film other = filled(value);
+        float[][][] rgb = new float[3][base.tileCount()][];
+        for (int t = 0; t < base.tileCount(); t++) {
+            Film from = t == tile ? other : base;
+            rgb[0][t] = from.red(t);
+            rgb[1][t] = from.green(t);
+            rgb[2][t] = from.blue(t);
+        }
+        return new Film(WIDTH, HEIGHT, rgb[0], rgb[1], rgb[2]);
     }
 
     @BeforeEach
@@ -162,20 +176,57 @@ class TracedRasterTest {
     }
 
     @Test
-    void canceledPicture_isReplacedByPreviousPicture() {
+    void failedPicture_isReplacedByPreviousPicture() {
         raster.showCoarse(filled(4, 2, 0.2f), 100, 50);
         raster.tileRendered(scene(100, 50), 0, tile(0.9f));
         raster.idle();
         assertThat(raster.pixels().width()).isEqualTo(WIDTH);
-        assertThat(pixels()).isEqualTo(ViewTransform.DEFAULT.toPixels(first));
+        assertShows(first);
     }
 
     @Test
-    void canceledFirstPicture_leavesNone() {
+    void failedFirstPicture_keepsItsCoarsePicture() {
         raster.pictureDropped(1);
         raster.showCoarse(filled(4, 2, 0.2f), 100, 50);
         raster.idle();
-        assertThat(raster.pixels()).isNull();
+        assertThat(raster.pixels().width()).isEqualTo(100);
+    }
+
+    @Test
+    void canceledPicture_keepsWhatIsShownUntilNextPicture() {
+        raster.showCoarse(filled(4, 2, 0.2f), WIDTH, HEIGHT);
+        raster.tileRendered(scene(WIDTH, HEIGHT), 4, tile(0.9f));
+        int[] shown = pixels().clone();
+        raster.canceled();
+        raster.idle();
+        raster.idle();
+        assertThat(pixels()).isEqualTo(shown);
+        assertThat(raster.isUnfinished()).isTrue();
+        raster.show(first);
+        assertShows(first);
+        assertThat(raster.isUnfinished()).isFalse();
+    }
+
+    @Test
+    void failureAfterCanceledPicture_restoresPreviousPicture() {
+        raster.showCoarse(filled(4, 2, 0.2f), WIDTH, HEIGHT);
+        raster.canceled();
+        raster.idle();
+        raster.started(new UpdatePlan.Nothing());
+        raster.idle();
+        assertShows(first);
+    }
+
+    @Test
+    void exposureChangeOfUnfinishedPicture_keepsItsTiles() {
+        var brighter = new ViewTransform(1);
+        raster.tileRendered(scene(WIDTH, HEIGHT), 4, tile(0.9f));
+        raster.setView(brighter);
+        assertThat(pixels()).isEqualTo(brighter.toPixels(withTile(4, 0.9f, first)));
+        raster.showCoarse(filled(4, 2, 0.2f), WIDTH, HEIGHT);
+        raster.tileRendered(scene(WIDTH, HEIGHT), 4, tile(0.9f));
+        raster.setView(ViewTransform.DEFAULT);
+        assertShows(withTile(4, 0.9f, filled(0.2f)));
     }
 
     @Test

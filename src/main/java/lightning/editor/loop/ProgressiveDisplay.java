@@ -1,0 +1,127 @@
+package lightning.editor.loop;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.LongSupplier;
+import lightning.base.work.Progress;
+import lightning.scene.Scene;
+
+/**
+ * Display of an image while it is rendered. A fast update appears only when it is complete. A slow one is replaced by a coarse image of its
+ * scene, over which its finished tiles appear, so that no part of the display shows an older scene. Thread-safe.
+ */
+final class ProgressiveDisplay implements Progress {
+    /** Time after which an update's duration is estimated, in nanoseconds. */
+    private static final long ESTIMATE_NS = 80_000_000;
+    /** Minimum remaining time of a slow update, in nanoseconds. */
+    static final long SLOW_NS = 250_000_000;
+
+    /** Finished tile that is not shown yet. */
+    private record FinishedTile(int number, float[][] film) {}
+
+    /** Listener for whether a newer scene should replace the update, rather than wait for it. */
+    interface ReplaceableListener {
+        void setReplaceable(boolean isReplaceable);
+    }
+
+    /** Listener for the first sign that an update is slow, on the thread of a tile. */
+    interface SlowListener {
+        /** @param seconds estimated time of the update */
+        void isSlow(double seconds);
+    }
+
+    private final Progress signal;
+    private final Scene scene;
+    private final RenderListener listener;
+    private final SlowListener slowListener;
+    private final ReplaceableListener replaceable;
+    private final boolean canShow;
+    private final LongSupplier clock;
+    private final long startNs;
+    private final AtomicBoolean slow = new AtomicBoolean();
+    private final List<FinishedTile> waiting = new ArrayList<>();
+    private boolean showsTiles;
+    private volatile boolean showsScene;
+
+    /**
+     * @param signal      receives progress, and cancels the update
+     * @param slowListener shows a coarse image of the scene
+     * @param replaceable notified once the display shows the scene
+     * @param canShow     false if the display shows another view than the tiles
+     */
+    ProgressiveDisplay(Progress signal, Scene scene, RenderListener listener, SlowListener slowListener, ReplaceableListener replaceable,
+            boolean canShow) {
+        this(signal, scene, listener, slowListener, replaceable, canShow, System::nanoTime);
+    }
+
+    /** @param clock time in nanoseconds */
+    ProgressiveDisplay(Progress signal, Scene scene, RenderListener listener, SlowListener slowListener, ReplaceableListener replaceable,
+            boolean canShow, LongSupplier clock) {
+        this.signal = signal;
+        this.scene = scene;
+        this.listener = listener;
+        this.slowListener = slowListener;
+        this.replaceable = replaceable;
+        this.canShow = canShow;
+        this.clock = clock;
+        startNs = clock.getAsLong();
+    }
+
+    /** Shows tiles from the start: the display shows the scene already, or is empty. */
+    ProgressiveDisplay showingTiles(boolean isSceneShown) {
+        slow.set(true);
+        showTiles();
+        showsScene = isSceneShown;
+        return this;
+    }
+
+    @Override
+    public void report(int done, int total) {
+        signal.report(done, total);
+        long elapsed = clock.getAsLong() - startNs;
+        boolean isLong = elapsed > ESTIMATE_NS && remaining(elapsed, done, total) > SLOW_NS;
+        if (isLong && slow.compareAndSet(false, true)) {
+            slowListener.isSlow((elapsed + remaining(elapsed, done, total)) / 1e9);
+            if (canShow) {
+                showTiles();
+                showsScene = true;
+            }
+        }
+        if (showsScene) {
+            replaceable.setReplaceable(remaining(elapsed, done, total) > SLOW_NS);
+        }
+    }
+
+    private static double remaining(long elapsed, int done, int total) {
+        return (double) elapsed * (total - done) / done;
+    }
+
+    private synchronized void showTiles() {
+        showsTiles = true;
+        waiting.forEach(tile -> listener.tileRendered(scene, tile.number, tile.film));
+        waiting.clear();
+    }
+
+    @Override
+    public synchronized void tileFinished(int tile, float[][] film) {
+        if (!canShow) {
+            return;
+        }
+        if (showsTiles) {
+            listener.tileRendered(scene, tile, film);
+        } else {
+            waiting.add(new FinishedTile(tile, film));
+        }
+    }
+
+    @Override
+    public void raysCast(long count) {
+        signal.raysCast(count);
+    }
+
+    @Override
+    public boolean isCanceled() {
+        return signal.isCanceled();
+    }
+}

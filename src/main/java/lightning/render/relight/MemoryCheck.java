@@ -1,0 +1,89 @@
+package lightning.render.relight;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.CancellationException;
+import lightning.render.cache.PixelCache;
+import lightning.render.relight.tile.MirrorStorage;
+import lightning.render.relight.tile.RenderOptions;
+import lightning.render.trace.MeshMemory;
+import lightning.scene.PictureSettings;
+import lightning.scene.Scene;
+
+/**
+ * Check of a renderer's pictures against its memory limit. Stores the last forecast, because an editor checks a picture alone, then
+ * next to the previous one, and once more when its first pass starts.
+ */
+final class MemoryCheck {
+    private MemoryForecast lastForecast;
+
+    /**
+     * Rejects a picture that does not fit.
+     *
+     * @param scene   scene as the view shows it
+     * @param options options with the memory that is free for the picture and the scene's meshes
+     * @throws PictureTooLargeException if it needs more; the message suggests what would fit
+     * @throws CancellationException if the pictures' cancellation requested it
+     */
+    void requirePicture(Scene scene, RenderOptions options, PictureParts parts, SmallPictures pictures) {
+        long memory = options.memory() - MeshMemory.bytes(scene);
+        long max = MemoryEstimate.upperBound(scene, options, parts);
+        if (max <= memory) {
+            return;
+        }
+        if (memory <= 0) {
+            throw new PictureTooLargeException(max, memory, List.of());
+        }
+        if (lastForecast == null || !lastForecast.isOf(scene, options, parts)) {
+            lastForecast = MemoryForecast.upperOf(scene, options, parts, pictures);
+        }
+        if (lastForecast.isUpper() && lastForecast.bytes(scene.picture()) > memory) {
+            lastForecast = MemoryForecast.of(scene, options, parts, pictures);
+        }
+        long required = lastForecast.bytes(scene.picture());
+        if (required > memory) {
+            List<PictureTooLargeException.Suggestion> suggestions =
+                    new ArrayList<>(MemoryEstimate.suggestions(scene, lastForecast, required, memory));
+            RenderOptions shapes = options.withStorage(MirrorStorage.SMALLEST);
+            // Only callers that render all parts in one step offer the storage.
+            if (parts == PictureParts.ALL && options.storage().storesRows()
+                    && MemoryForecast.of(scene, shapes, parts, pictures).bytes(scene.picture()) <= memory) {
+                suggestions.add(new PictureTooLargeException.Suggestion.MirrorsAsShapes());
+            }
+            throw new PictureTooLargeException(required, memory, suggestions);
+        }
+    }
+
+    /**
+     * Rejects finer samples that do not fit next to their centers.
+     *
+     * @param scene   scene of the samples
+     * @param centers cache with its centers
+     * @param options options with the memory that is free for centers, samples and the scene's meshes
+     * @throws PictureTooLargeException if they need more; the message suggests what would fit
+     * @throws CancellationException if the pictures' cancellation requested it
+     */
+    void requireSamples(Scene scene, PixelCache centers, RenderOptions options, SmallPictures pictures) {
+        long memory = options.memory() - MeshMemory.bytes(scene);
+        long centerBytes = centers.centerBytes();
+        if (maxBytes(scene.picture(), centerBytes) <= memory) {
+            return;
+        }
+        if (lastForecast == null || !lastForecast.servesSamples(scene, options)) {
+            lastForecast = MemoryForecast.upperOf(scene, options, PictureParts.ALL, pictures);
+        }
+        if (lastForecast.isUpper() && lastForecast.bytes(scene.picture()) > memory) {
+            lastForecast = MemoryForecast.ofSamples(scene, centerBytes, options, pictures);
+        }
+        long required = lastForecast.bytes(scene.picture());
+        if (required > memory) {
+            throw new PictureTooLargeException(required, memory, MemoryEstimate.suggestions(scene, lastForecast, required, memory));
+        }
+    }
+
+    /** Returns the bytes of a picture with finer samples in every pixel, each of which takes as much as its center. */
+    private static long maxBytes(PictureSettings picture, long centerBytes) {
+        return centerBytes * (1 + picture.sampling().samplesPerPixel())
+                + MemoryEstimate.BYTES_PER_COLOR * picture.width() * picture.height();
+    }
+}

@@ -1,0 +1,82 @@
+package lightning.editor.loop;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.List;
+import lightning.base.work.Progress;
+import lightning.editor.document.DeskScene;
+import lightning.scene.Scene;
+import org.junit.jupiter.api.Test;
+
+/** Display of updates, with a clock that the tests set. */
+class ProgressiveDisplayTest {
+    private static final int TILES = 100;
+    private static final float[][] TILE = new float[3][1024];
+
+    private final List<String> events = new ArrayList<>();
+    private final Scene scene = DeskScene.scene();
+    private final RenderListener listener = new RenderListener() {
+        @Override
+        public void tileRendered(Scene of, int tile, float[][] film) {
+            events.add("tile " + tile);
+        }
+    };
+    private long now;
+
+    private ProgressiveDisplay display(boolean canShow) {
+        return new ProgressiveDisplay(Progress.NONE, scene, listener, seconds -> events.add(Math.round(seconds) + " s"),
+                isReplaceable -> events.add(isReplaceable ? "replaceable" : "not replaceable"), canShow, () -> now);
+    }
+
+    private void finish(ProgressiveDisplay display, int tile, double millisecondsPassed) {
+        now = (long) (millisecondsPassed * 1e6);
+        display.tileFinished(tile, TILE);
+        display.report(tile + 1, TILES);
+    }
+
+    @Test
+    void fastUpdate_appearsOnlyWhenComplete() {
+        ProgressiveDisplay display = display(true);
+        for (int tile = 0; tile < TILES; tile++) {
+            finish(display, tile, 2.5 * (tile + 1));
+        }
+        assertThat(events).isEmpty();
+    }
+
+    @Test
+    void slowUpdate_showsCoarseImageThenItsTiles() {
+        ProgressiveDisplay display = display(true);
+        finish(display, 0, 50);
+        assertThat(events).isEmpty();
+        finish(display, 1, 100);
+        assertThat(events).containsExactly("5 s", "tile 0", "tile 1", "replaceable");
+        finish(display, 2, 150);
+        assertThat(events).endsWith("tile 2", "replaceable");
+    }
+
+    @Test
+    void slowUpdateNearItsEnd_isNotReplaced() {
+        ProgressiveDisplay display = display(true);
+        finish(display, 0, 100);
+        finish(display, TILES - 2, 9900);
+        assertThat(events).endsWith("not replaceable");
+    }
+
+    @Test
+    void slowUpdateInOtherView_isNotShown() {
+        ProgressiveDisplay display = display(false);
+        finish(display, 0, 100);
+        finish(display, 1, 200);
+        assertThat(events).containsExactly("10 s");
+    }
+
+    @Test
+    void sceneThatIsShownAlready_showsTilesFromStart() {
+        ProgressiveDisplay display = display(true).showingTiles(true);
+        finish(display, 0, 1);
+        assertThat(events).containsExactly("tile 0", "not replaceable");
+        finish(display, 1, 100);
+        assertThat(events).endsWith("tile 1", "replaceable").doesNotContain("5 s");
+    }
+}
