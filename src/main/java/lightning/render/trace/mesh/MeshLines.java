@@ -60,7 +60,7 @@ final class MeshLines {
     private final MeshRayLanes rays;
     private final double[][][] forwardLines;
     private final double[][][] reversedLines;
-    /** Origins, directions, and inverse directions of the lines, by axis. */
+    /** Origins, directions, and inverse directions of the lines, by axis; no inverses with a shared start. */
     double[][] origins;
     double[][] directions;
     double[][] inverseDirections;
@@ -121,6 +121,13 @@ final class MeshLines {
         if (hasSharedStart) {
             setSharedStart(tree, active, tooShort, packets);
             return 0;
+        }
+        if (reversed) {
+            for (int k = 0; k < 3; k++) {
+                invertAxis(k, packets);
+            }
+        } else {
+            rays.computeInverses(packets);
         }
         double depth = Double.POSITIVE_INFINITY;
         for (int k = 0; k < packets; k++) {
@@ -252,9 +259,13 @@ final class MeshLines {
         double[] origin = forwardLines[0][axis];
         for (int i = 0; i < packets * RayBatch.WIDTH; i += DoubleLanes.COUNT) {
             broadcast(SPECIES, end).intoArray(origins[axis], i);
-            DoubleVector g = fromArray(SPECIES, origin, i).sub(end);
-            g.intoArray(directions[axis], i);
-            DoubleVector inverseLength = broadcast(SPECIES, 1).div(g);
+            fromArray(SPECIES, origin, i).sub(end).intoArray(directions[axis], i);
+        }
+    }
+
+    private void invertAxis(int axis, int packets) {
+        for (int i = 0; i < packets * RayBatch.WIDTH; i += DoubleLanes.COUNT) {
+            DoubleVector inverseLength = broadcast(SPECIES, 1).div(fromArray(SPECIES, directions[axis], i));
             inverseLength.blend(MeshRay.MAX_INVERSE, inverseLength.compare(GT, MeshRay.MAX_INVERSE))
                     .blend(-MeshRay.MAX_INVERSE, inverseLength.compare(LT, -MeshRay.MAX_INVERSE))
                     .intoArray(inverseDirections[axis], i);

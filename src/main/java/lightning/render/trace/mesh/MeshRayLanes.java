@@ -25,6 +25,7 @@ final class MeshRayLanes {
     final double[] dy;
     final double[] dz;
     final double[] padding;
+    /** Inverse directions, after {@link #computeInverses}. */
     final double[] inverseX;
     final double[] inverseY;
     final double[] inverseZ;
@@ -58,7 +59,7 @@ final class MeshRayLanes {
         }
         for (int h = 0; h < RayBatch.WIDTH; h += DoubleLanes.COUNT) {
             transformRays(m, at, p, h, to + h);
-            computeInverses(tree, to + h);
+            computePadding(tree, to + h);
         }
     }
 
@@ -77,14 +78,20 @@ final class MeshRayLanes {
         x.mul(m[i + 8]).add(y.mul(m[i + 9])).add(z.mul(m[i + 10])).intoArray(dz, to);
     }
 
-    private void computeInverses(MeshTree tree, int h) {
+    private void computePadding(MeshTree tree, int h) {
         // Non-negative doubles are ordered like their bits, which lanes compare faster.
         fromArray(SPECIES, ox, h).abs().reinterpretAsLongs().max(fromArray(SPECIES, oy, h).abs().reinterpretAsLongs())
                 .max(fromArray(SPECIES, oz, h).abs().reinterpretAsLongs()).reinterpretAsDoubles()
                 .add(tree.maxCoordinate).mul(MeshRay.PADDING_SHARE).intoArray(padding, h);
-        inverse(dx, inverseX, h);
-        inverse(dy, inverseY, h);
-        inverse(dz, inverseZ, h);
+    }
+
+    /** Computes the inverse directions of the first packets. */
+    void computeInverses(int packets) {
+        for (int h = 0; h < packets * RayBatch.WIDTH; h += DoubleLanes.COUNT) {
+            inverse(dx, inverseX, h);
+            inverse(dy, inverseY, h);
+            inverse(dz, inverseZ, h);
+        }
     }
 
     private static void inverse(double[] d, double[] to, int h) {
@@ -117,7 +124,7 @@ final class MeshRayLanes {
             double inverseDepth = 1 / z;
             t = MeshRay.planeDistance(v, at, b, c, 0, W, 2 * W, ox[i], oy[i], oz[i], x * inverseDepth, y * inverseDepth, inverseDepth);
         }
-        return t > 0 ? MeshRay.clampToBox(t, v, at, b, c, W, ox[i], oy[i], oz[i], padding[i], inverseX[i], inverseY[i], inverseZ[i])
-                : MeshRay.MISS;
+        return t > 0 ? MeshRay.clampToBox(t, v, at, b, c, W, ox[i], oy[i], oz[i], padding[i], MeshRay.inverse(x), MeshRay.inverse(y),
+                MeshRay.inverse(z)) : MeshRay.MISS;
     }
 }
