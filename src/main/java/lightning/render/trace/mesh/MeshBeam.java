@@ -45,9 +45,29 @@ final class MeshBeam {
         rays = rayMask;
         stepSpread = 0;
         originSpread = 0;
+        if (lines.hasSharedStart) {
+            float width = 2 * lines.lineWidth[i];
+            boundAxis(lines.startX[i] - width, lines.startX[i] + width, lines.stepX, i, end, 0);
+            boundAxis(lines.startY[i] - width, lines.startY[i] + width, lines.stepY, i, end, 8);
+            boundAxis(lines.startZ[i] - width, lines.startZ[i] + width, lines.stepZ, i, end, 16);
+            return;
+        }
         boundAxis(lines.startX, lines.stepX, lines.lineWidth, i, end, 0);
         boundAxis(lines.startY, lines.stepY, lines.lineWidth, i, end, 8);
         boundAxis(lines.startZ, lines.stepZ, lines.lineWidth, i, end, 16);
+    }
+
+    /** Bounds lines that all start at one point, from {@code low} to {@code high} with their width. */
+    private void boundAxis(float low, float high, float[] step, int from, int end, int at) {
+        FloatVector lowStep = FloatVector.broadcast(LANES, Float.POSITIVE_INFINITY);
+        FloatVector highStep = lowStep.neg();
+        for (int i = from; i < end; i += RayBatch.WIDTH) {
+            VectorMask<Float> active = VectorMask.fromLong(LANES, rays >>> i);
+            FloatVector d = FloatVector.fromArray(LANES, step, i);
+            lowStep = lowStep.blend(d, d.compare(LT, lowStep).and(active));
+            highStep = highStep.blend(d, d.compare(GT, highStep).and(active));
+        }
+        setAxis(low, high, min(lowStep), max(highStep), at);
     }
 
     private void boundAxis(float[] start, float[] step, float[] lineWidth, int from, int end, int at) {

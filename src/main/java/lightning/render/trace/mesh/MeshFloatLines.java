@@ -114,7 +114,7 @@ final class MeshFloatLines {
         double depth = lines.setRays(tree, active, tooShort, packets, limits, anyHit);
         hasSharedStart = false;
         if (lines.hasSharedStart) {
-            setSharedStart(tree, active, packets, limits);
+            setSharedStart(tree, active, tooShort, packets, limits);
             return;
         }
         for (int k = 0; k < packets; k++) {
@@ -129,8 +129,8 @@ final class MeshFloatLines {
     }
 
     /** Prepares lines with a common origin, which start there. */
-    private void setSharedStart(MeshTree tree, int[] active, int packets, double[] limits) {
-        float width = (float) ((lines.startCoordinate() + tree.maxCoordinate) * 0x1p-20 + lines.tolerance[0]);
+    private void setSharedStart(MeshTree tree, int[] active, int[] tooShort, int packets, double[] limits) {
+        float width = (float) ((lines.startCoordinate() + tree.maxCoordinate) * 0x1p-20 + lines.sharedTolerance);
         int end = packets * RayBatch.WIDTH;
         Arrays.fill(startX, 0, end, (float) lines.origins[0][lines.firstLine()]);
         Arrays.fill(startY, 0, end, (float) lines.origins[1][lines.firstLine()]);
@@ -138,22 +138,10 @@ final class MeshFloatLines {
         Arrays.fill(lineWidth, 0, end, width);
         Arrays.fill(startDistance, 0, end, 0);
         for (int k = 0; k < packets; k++) {
-            if (active[k] != 0) {
-                int packet = k * RayBatch.WIDTH;
-                computeStep(lines.directions[0], stepX, packet);
-                computeStep(lines.directions[1], stepY, packet);
-                computeStep(lines.directions[2], stepZ, packet);
-            }
+            lines.computeSteps(k, active, tooShort, stepX, stepY, stepZ);
             writeLimits(limits, k * RayBatch.WIDTH, active[k]);
         }
         hasSharedStart = !lines.hasSkewedRays && width < MAX_WIDTH;
-    }
-
-    private void computeStep(double[] direction, float[] step, int packet) {
-        for (int h = packet; h < packet + RayBatch.WIDTH; h += DoubleLanes.COUNT) {
-            ((FloatVector) fromArray(SPECIES, direction, h).mul(fromArray(SPECIES, lines.inverseMaxComponent, h))
-                    .convertShape(D2F, HALF, 0)).intoArray(step, h);
-        }
     }
 
     /**
