@@ -85,7 +85,7 @@ final class LeafTriangleLanes {
             hit |= planeDistances(0, W, 2 * W, rays.ox, rays.oy, rays.oz, rays.dx, rays.dy, rays.dz, h, part, z);
         }
         if (hit != 0) {
-            clampToBoxes(h, part);
+            clampToBoxes(h, part, hit);
         }
     }
 
@@ -125,8 +125,8 @@ final class LeafTriangleLanes {
         return (int) inside.toLong() & mask;
     }
 
-    /** Clamps distances as {@link MeshRay#clampToBox}; infinite ones stay infinite. */
-    private void clampToBoxes(int h, int part) {
+    /** Clamps distances of the rays of {@code mask} as {@link MeshRay#clampToBox}; those of others become infinite. */
+    private void clampToBoxes(int h, int part, int mask) {
         broadcast(SPECIES, 0).intoArray(entry, 0);
         broadcast(SPECIES, MeshRay.MISS).intoArray(exit, 0);
         // One call in a loop: the compiler would not inline all of three.
@@ -138,7 +138,7 @@ final class LeafTriangleLanes {
         DoubleVector leaves = fromArray(SPECIES, exit, 0);
         DoubleVector t = fromArray(SPECIES, distance, h + part);
         DoubleVector clamped = t.blend(leaves, t.compare(GT, leaves)).blend(enters, t.compare(LT, enters));
-        VectorMask<Double> accepted = enters.compare(LE, leaves).and(clamped.compare(GT, 0)).and(t.compare(LT, MeshRay.MISS));
+        VectorMask<Double> accepted = enters.compare(LE, leaves).and(clamped.compare(GT, 0)).and(VectorMask.fromLong(SPECIES, mask));
         broadcast(SPECIES, MeshRay.MISS).blend(clamped, accepted).intoArray(distance, h + part);
     }
 
