@@ -13,6 +13,11 @@ public final class RaySetGenerator {
     private static final int SQUARE = 8;
     /** Offset of secondary rays from the surface, relative to a mesh size of about 1. */
     private static final double SURFACE_OFFSET = 1e-4;
+    /**
+     * Steps per unit of the points on the surface: floats hold the difference of point and light without rounding, so shadow rays
+     * end exactly at the light, as those of a renderer with more precise numbers do.
+     */
+    private static final double POINT_STEPS = 0x1p20;
 
     private final Mesh mesh;
     private final RaySet eyeRays;
@@ -74,7 +79,8 @@ public final class RaySetGenerator {
         double cosine = dot(normal, d) / length;
         for (int k = 0; k < 3; k++) {
             double unit = normal[k] / length;
-            mirroredRays[k][n] = (float) (EYE[k] + t * d[k] - Math.signum(cosine) * SURFACE_OFFSET * unit);
+            double x = EYE[k] + t * d[k] - Math.signum(cosine) * SURFACE_OFFSET * unit;
+            mirroredRays[k][n] = (float) (Math.rint(x * POINT_STEPS) / POINT_STEPS);
             mirroredRays[3 + k][n] = (float) (d[k] - 2 * cosine * unit);
         }
     }

@@ -14,9 +14,11 @@ final class LeafRayFilter {
     private final CommonOriginCulling commonOriginCulling = new CommonOriginCulling();
     /** Rays of each packet that enter the leaf. */
     private final int[] enteringRays;
-    /** Rays that may hit triangles, and the slots of these. */
-    final int[] ray;
+    /** Slots of the triangles that each ray may hit, and the first of these. */
     final int[] slots;
+    private final int[] firstSlot;
+    /** Rays that may hit more than one triangle. */
+    long multipleRays;
     private MeshTree tree;
     private int leaf;
     /** Longest side of the leaf's box. */
@@ -24,11 +26,14 @@ final class LeafRayFilter {
     /** Target of the prefetch loads, so that they are not eliminated. */
     float prefetchSink;
 
-    /** @param capacity number of rays, whole packets */
-    LeafRayFilter(MeshFloatLines lines, int capacity) {
+    /**
+     * @param firstSlot receives the first slot of each ray
+     * @param capacity number of rays, whole packets
+     */
+    LeafRayFilter(MeshFloatLines lines, int[] firstSlot, int capacity) {
         this.lines = lines;
+        this.firstSlot = firstSlot;
         enteringRays = new int[capacity / RayBatch.WIDTH];
-        ray = new int[capacity];
         slots = new int[capacity];
     }
 
@@ -38,12 +43,12 @@ final class LeafRayFilter {
     }
 
     /**
-     * Filters the rays {@code from … end − 1}, whole packets, by a leaf whose box is {@code newTree.box[box]}. Returns the number of
-     * rays that may hit triangles; these are the first entries of {@link #ray}.
+     * Filters the rays {@code from … end − 1}, whole packets, by a leaf whose box is {@code newTree.box[box]}. Returns the rays that
+     * may hit triangles, one bit each; writes {@link #slots}.
      *
      * @param rayMask rays to test, one bit each
      */
-    int findCandidates(MeshTree newTree, int at, int box, long rayMask, int from, int end) {
+    long findCandidates(MeshTree newTree, int at, int box, long rayMask, int from, int end) {
         tree = newTree;
         leaf = at;
         float[] v = newTree.vertex;
@@ -62,33 +67,39 @@ final class LeafRayFilter {
         return lines.hasSharedStart && count >= MIN_COMMON_ORIGIN_RAYS ? testWithCommonOrigin(from, end) : testSeparately(from, end);
     }
 
-    private int testSeparately(int from, int end) {
-        int n = 0;
+    private long testSeparately(int from, int end) {
+        long rays = 0;
+        long multiple = 0;
         for (int i = from; i < end; i += RayBatch.WIDTH) {
             for (int left = enteringRays[i / RayBatch.WIDTH]; left != 0; left &= left - 1) {
                 int k = i + Integer.numberOfTrailingZeros(left);
                 int candidates = lines.candidateSlots(tree.vertex, leaf, extent, k);
-                ray[n] = k;
-                slots[n] = candidates;
-                n += -candidates >>> 31;
+                slots[k] = candidates;
+                firstSlot[k] = Integer.numberOfTrailingZeros(candidates);
+                rays |= (long) (-candidates >>> 31) << k;
+                multiple |= (long) (-(candidates & candidates - 1) >>> 31) << k;
             }
         }
-        return n;
+        multipleRays = multiple;
+        return rays;
     }
 
-    private int testWithCommonOrigin(int from, int end) {
+    private long testWithCommonOrigin(int from, int end) {
         commonOriginCulling.setLeaf(tree.vertex, MeshTree.LEAF_FLOATS * leaf, lines.startX[from], lines.startY[from], lines.startZ[from]);
         float margin = CommonOriginCulling.margin(lines.lineWidth[from], extent);
-        int n = 0;
+        long rays = 0;
+        long multiple = 0;
         for (int i = from; i < end; i += RayBatch.WIDTH) {
             for (int left = enteringRays[i / RayBatch.WIDTH]; left != 0; left &= left - 1) {
                 int k = i + Integer.numberOfTrailingZeros(left);
                 int candidates = commonOriginCulling.candidateSlots(lines.stepX[k], lines.stepY[k], lines.stepZ[k], margin);
-                ray[n] = k;
-                slots[n] = candidates;
-                n += -candidates >>> 31;
+                slots[k] = candidates;
+                firstSlot[k] = Integer.numberOfTrailingZeros(candidates);
+                rays |= (long) (-candidates >>> 31) << k;
+                multiple |= (long) (-(candidates & candidates - 1) >>> 31) << k;
             }
         }
-        return n;
+        multipleRays = multiple;
+        return rays;
     }
 }

@@ -1,8 +1,12 @@
 package lightning.render.trace.mesh;
 
+import static jdk.incubator.vector.VectorOperators.ASHR;
 import static jdk.incubator.vector.VectorOperators.GT;
 import static jdk.incubator.vector.VectorOperators.LE;
 import static jdk.incubator.vector.VectorOperators.LT;
+import static jdk.incubator.vector.VectorOperators.MAX;
+import static jdk.incubator.vector.VectorOperators.MIN;
+import static jdk.incubator.vector.VectorOperators.XOR;
 
 import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.IntVector;
@@ -27,10 +31,6 @@ final class MeshBeam {
 
     /** Factor and summand per axis for: entry by the maximum, exit by it, entry by the minimum, exit by it. */
     private final float[] coefficients = new float[24];
-    private final float[] minStart = new float[RayBatch.WIDTH];
-    private final float[] maxStart = new float[RayBatch.WIDTH];
-    private final float[] minStep = new float[RayBatch.WIDTH];
-    private final float[] maxStep = new float[RayBatch.WIDTH];
     /** Entry distance of the beam into each child, as float bits. */
     final int[] entryBits = new int[MeshTree.WIDTH];
     /** Rays of the beam, one bit each. */
@@ -45,9 +45,29 @@ final class MeshBeam {
         rays = rayMask;
         stepSpread = 0;
         originSpread = 0;
+        if (lines.hasSharedStart) {
+            float width = 2 * lines.lineWidth[i];
+            boundAxis(lines.startX[i] - width, lines.startX[i] + width, lines.stepX, i, end, 0);
+            boundAxis(lines.startY[i] - width, lines.startY[i] + width, lines.stepY, i, end, 8);
+            boundAxis(lines.startZ[i] - width, lines.startZ[i] + width, lines.stepZ, i, end, 16);
+            return;
+        }
         boundAxis(lines.startX, lines.stepX, lines.lineWidth, i, end, 0);
         boundAxis(lines.startY, lines.stepY, lines.lineWidth, i, end, 8);
         boundAxis(lines.startZ, lines.stepZ, lines.lineWidth, i, end, 16);
+    }
+
+    /** Bounds lines that all start at one point, from {@code low} to {@code high} with their width. */
+    private void boundAxis(float low, float high, float[] step, int from, int end, int at) {
+        FloatVector lowStep = FloatVector.broadcast(LANES, Float.POSITIVE_INFINITY);
+        FloatVector highStep = lowStep.neg();
+        for (int i = from; i < end; i += RayBatch.WIDTH) {
+            VectorMask<Float> active = VectorMask.fromLong(LANES, rays >>> i);
+            FloatVector d = FloatVector.fromArray(LANES, step, i);
+            lowStep = lowStep.blend(d, d.compare(LT, lowStep).and(active));
+            highStep = highStep.blend(d, d.compare(GT, highStep).and(active));
+        }
+        setAxis(low, high, min(lowStep), max(highStep), at);
     }
 
     private void boundAxis(float[] start, float[] step, float[] lineWidth, int from, int end, int at) {
@@ -68,24 +88,28 @@ final class MeshBeam {
             lowStep = lowStep.blend(d, d.compare(LT, lowStep).and(active));
             highStep = highStep.blend(d, d.compare(GT, highStep).and(active));
         }
-        low.intoArray(minStart, 0);
-        high.intoArray(maxStart, 0);
-        lowStep.intoArray(minStep, 0);
-        highStep.intoArray(maxStep, 0);
-        reduceAxis(at);
+        setAxis(min(low), max(high), min(lowStep), max(highStep), at);
     }
 
-    private void reduceAxis(int at) {
-        float low = minStart[0];
-        float high = maxStart[0];
-        float lowStep = minStep[0];
-        float highStep = maxStep[0];
-        for (int i = 1; i < RayBatch.WIDTH; i++) {
-            low = minStart[i] < low ? minStart[i] : low;
-            high = maxStart[i] > high ? maxStart[i] : high;
-            lowStep = minStep[i] < lowStep ? minStep[i] : lowStep;
-            highStep = maxStep[i] > highStep ? maxStep[i] : highStep;
-        }
+    /** Returns the smallest lane; compares bits in an order that is that of the numbers. */
+    private static float min(FloatVector v) {
+        int min = ordered(v).reduceLanes(MIN);
+        return Float.intBitsToFloat(min ^ min >> 31 & Integer.MAX_VALUE);
+    }
+
+    private static float max(FloatVector v) {
+        int max = ordered(v).reduceLanes(MAX);
+        return Float.intBitsToFloat(max ^ max >> 31 & Integer.MAX_VALUE);
+    }
+
+    private static IntVector ordered(FloatVector v) {
+        IntVector bits = v.reinterpretAsInts();
+        return bits.lanewise(XOR, bits.lanewise(ASHR, 31).and(Integer.MAX_VALUE));
+    }
+
+    private void setAxis(float low, float high, float minStep, float maxStep, int at) {
+        float lowStep = minStep;
+        float highStep = maxStep;
         originSpread = high - low > originSpread ? high - low : originSpread;
         stepSpread = highStep - lowStep > stepSpread ? highStep - lowStep : stepSpread;
         lowStep -= STEP_PADDING;

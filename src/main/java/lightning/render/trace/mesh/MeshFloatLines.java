@@ -12,6 +12,8 @@ import java.util.Arrays;
 import jdk.incubator.vector.DoubleVector;
 import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.IntVector;
+import jdk.incubator.vector.VectorMask;
+import jdk.incubator.vector.VectorShape;
 import jdk.incubator.vector.VectorSpecies;
 import lightning.render.trace.solid.DoubleLanes;
 import lightning.render.trace.solid.RayBatch;
@@ -30,6 +32,8 @@ import lightning.render.trace.solid.RayBatch;
 final class MeshFloatLines {
     private static final VectorSpecies<Double> SPECIES = DoubleLanes.SPECIES;
     private static final VectorSpecies<Float> HALF = MeshRayLanes.HALF;
+    private static final VectorSpecies<Integer> HALF_INTS =
+            VectorSpecies.of(int.class, VectorShape.forBitSize(SPECIES.vectorBitSize() / 2));
     private static final VectorSpecies<Float> FLOATS = FloatVector.SPECIES_PREFERRED;
     private static final VectorSpecies<Integer> INTS = IntVector.SPECIES_PREFERRED;
     private static final VectorSpecies<Float> EIGHT = FloatVector.SPECIES_256;
@@ -110,7 +114,7 @@ final class MeshFloatLines {
         double depth = lines.setRays(tree, active, tooShort, packets, limits, anyHit);
         hasSharedStart = false;
         if (lines.hasSharedStart) {
-            setSharedStart(tree, active, packets, limits);
+            setSharedStart(tree, active, tooShort, packets, limits);
             return;
         }
         for (int k = 0; k < packets; k++) {
@@ -125,8 +129,8 @@ final class MeshFloatLines {
     }
 
     /** Prepares lines with a common origin, which start there. */
-    private void setSharedStart(MeshTree tree, int[] active, int packets, double[] limits) {
-        float width = (float) ((lines.startCoordinate() + tree.maxCoordinate) * 0x1p-20 + lines.tolerance[0]);
+    private void setSharedStart(MeshTree tree, int[] active, int[] tooShort, int packets, double[] limits) {
+        float width = (float) ((lines.startCoordinate() + tree.maxCoordinate) * 0x1p-20 + lines.sharedTolerance);
         int end = packets * RayBatch.WIDTH;
         Arrays.fill(startX, 0, end, (float) lines.origins[0][lines.firstLine()]);
         Arrays.fill(startY, 0, end, (float) lines.origins[1][lines.firstLine()]);
@@ -134,27 +138,30 @@ final class MeshFloatLines {
         Arrays.fill(lineWidth, 0, end, width);
         Arrays.fill(startDistance, 0, end, 0);
         for (int k = 0; k < packets; k++) {
-            if (active[k] != 0) {
-                computeSteps(lines.directions[0], lines.inverseDirections[0], stepX, inverseStepX, k * RayBatch.WIDTH);
-                computeSteps(lines.directions[1], lines.inverseDirections[1], stepY, inverseStepY, k * RayBatch.WIDTH);
-                computeSteps(lines.directions[2], lines.inverseDirections[2], stepZ, inverseStepZ, k * RayBatch.WIDTH);
-                computeIntercepts(startX, inverseStepX, lowX, highX, k * RayBatch.WIDTH);
-                computeIntercepts(startY, inverseStepY, lowY, highY, k * RayBatch.WIDTH);
-                computeIntercepts(startZ, inverseStepZ, lowZ, highZ, k * RayBatch.WIDTH);
-            }
+            lines.computeSteps(k, active, tooShort, stepX, stepY, stepZ);
             writeLimits(limits, k * RayBatch.WIDTH, active[k]);
         }
         hasSharedStart = !lines.hasSkewedRays && width < MAX_WIDTH;
     }
 
-    private void computeSteps(double[] directions, double[] inverseDirections, float[] step, float[] inverseStep, int packet) {
-        for (int h = packet; h < packet + RayBatch.WIDTH; h += DoubleLanes.COUNT) {
-            ((FloatVector) fromArray(SPECIES, directions, h).mul(fromArray(SPECIES, lines.inverseMaxComponent, h)).convertShape(D2F, HALF,
-                    0)).intoArray(step,
-                            h);
-            ((FloatVector) fromArray(SPECIES, inverseDirections, h).mul(fromArray(SPECIES, maxComponent, h)).convertShape(D2F, HALF, 0))
-                    .intoArray(inverseStep, h);
+    /**
+     * Prepares lines with a common origin for tests of single rays against boxes. A group that misses the mesh needs none.
+     */
+    void prepareBoxTests(int packets) {
+        if (!lines.hasSharedStart) {
+            return;
         }
+        for (int h = 0; h < packets * RayBatch.WIDTH; h += RayBatch.WIDTH) {
+            computeIntercepts(stepX, startX, inverseStepX, lowX, highX, h);
+            computeIntercepts(stepY, startY, inverseStepY, lowY, highY, h);
+            computeIntercepts(stepZ, startZ, inverseStepZ, lowZ, highZ, h);
+        }
+    }
+
+    /** Computes intercepts with inverses of rounded steps, which are off by 2v. */
+    private void computeIntercepts(float[] step, float[] start, float[] inverseStep, float[] low, float[] high, int h) {
+        FloatVector.broadcast(FLOATS, 1).div(FloatVector.fromArray(FLOATS, step, h)).intoArray(inverseStep, h);
+        computeIntercepts(start, inverseStep, low, high, h);
     }
 
     /** Writes the limits of the lines of a packet. */
@@ -217,6 +224,16 @@ final class MeshFloatLines {
     /** Limits ray {@code i} to a distance; only for rays that are not reversed. */
     void setLimit(int i, double distance) {
         limitBits[i] = Float.floatToRawIntBits((float) ((distance - startDistance[i]) * maxComponent[i] * ROUND_UP));
+    }
+
+    /** Limits the rays of {@code mask} among {@code h … h + 7} to distances; only for rays that are not reversed. */
+    void setLimits(int h, int mask, double[] distance) {
+        for (int part = 0; part < LeafTriangleLanes.RAYS; part += DoubleLanes.COUNT) {
+            IntVector bits = ((FloatVector) fromArray(SPECIES, distance, h + part).sub(fromArray(SPECIES, startDistance, h + part))
+                    .mul(fromArray(SPECIES, maxComponent, h + part)).mul(ROUND_UP).convertShape(D2F, HALF, 0)).reinterpretAsInts();
+            IntVector.fromArray(HALF_INTS, limitBits, h + part).blend(bits, VectorMask.fromLong(HALF_INTS, mask >>> part))
+                    .intoArray(limitBits, h + part);
+        }
     }
 
     /** Returns the largest limit of the rays {@code i … end − 1}. */

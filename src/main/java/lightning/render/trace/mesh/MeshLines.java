@@ -2,16 +2,16 @@ package lightning.render.trace.mesh;
 
 import static jdk.incubator.vector.DoubleVector.broadcast;
 import static jdk.incubator.vector.DoubleVector.fromArray;
+import static jdk.incubator.vector.VectorOperators.D2F;
 import static jdk.incubator.vector.VectorOperators.GE;
 import static jdk.incubator.vector.VectorOperators.GT;
 import static jdk.incubator.vector.VectorOperators.LE;
 import static jdk.incubator.vector.VectorOperators.LT;
 import static jdk.incubator.vector.VectorOperators.MAX;
 import static jdk.incubator.vector.VectorOperators.MIN;
-import static jdk.incubator.vector.VectorOperators.NE;
 
-import java.util.Arrays;
 import jdk.incubator.vector.DoubleVector;
+import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.LongVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorSpecies;
@@ -60,7 +60,7 @@ final class MeshLines {
     private final MeshRayLanes rays;
     private final double[][][] forwardLines;
     private final double[][][] reversedLines;
-    /** Origins, directions, and inverse directions of the lines, by axis. */
+    /** Origins, directions, and inverse directions of the lines, by axis; no inverses with a shared start. */
     double[][] origins;
     double[][] directions;
     double[][] inverseDirections;
@@ -68,11 +68,13 @@ final class MeshLines {
     boolean reversed;
     /** True if all lines start at one common point near the mesh. */
     boolean hasSharedStart;
+    /** Tolerance of all lines with a shared start. */
+    double sharedTolerance;
     /** Maximum distance of the rays from their lines, without rounding. */
     private double endSpread;
     /** True if a ray may deviate from its line's direction by more than 2⁻²⁶ of its length. */
     boolean hasSkewedRays;
-    /** Padding of each line. */
+    /** Padding of each line without a shared start. */
     final double[] tolerance;
     /**
      * Entry distance of each line into the mesh's box, later its new start; its largest absolute component, and the inverse of
@@ -116,11 +118,18 @@ final class MeshLines {
         } else {
             endSpread = 0;
         }
-        hasSharedStart = (reversed || hasCommonOrigin(active, packets)) && isNear(tree);
+        hasSharedStart = (reversed || rays.hasCommonOrigin) && isNear(tree);
         hasSkewedRays = false;
         if (hasSharedStart) {
-            setSharedStart(tree, active, tooShort, packets);
+            sharedTolerance = sharedTolerance(tree, active, packets);
             return 0;
+        }
+        if (reversed) {
+            for (int k = 0; k < 3; k++) {
+                invertAxis(k, packets);
+            }
+        } else {
+            rays.computeInverses(packets);
         }
         double depth = Double.POSITIVE_INFINITY;
         for (int k = 0; k < packets; k++) {
@@ -140,35 +149,47 @@ final class MeshLines {
         return depth * START_FACTOR;
     }
 
-    /** Uses lines from a common origin unchanged, all with the largest error of any. */
-    private void setSharedStart(MeshTree tree, int[] active, int[] tooShort, int packets) {
-        DoubleVector pad = broadcast(SPECIES, 0);
-        for (int i = 0; i < packets * RayBatch.WIDTH; i += DoubleLanes.COUNT) {
-            DoubleVector p = fromArray(SPECIES, rays.padding, i);
-            pad = pad.blend(p, p.compare(GT, pad).and(VectorMask.fromLong(SPECIES, active[i / RayBatch.WIDTH] >>> i % RayBatch.WIDTH)));
-        }
-        double maxTolerance = (startCoordinate() + tree.maxCoordinate) * TOLERANCE_SHARE
-                + pad.reduceLanes(MAX) * (TOLERANCE_SHARE / MeshRay.PADDING_SHARE) + endSpread;
-        Arrays.fill(tolerance, 0, packets * RayBatch.WIDTH, maxTolerance);
-        for (int k = 0; k < packets; k++) {
-            int longEnough = 0;
-            int straight = 0;
-            for (int i = 0; i < RayBatch.WIDTH; i += DoubleLanes.COUNT) {
-                int h = k * RayBatch.WIDTH + i;
-                DoubleVector length = fromArray(SPECIES, directions[0], h).abs();
-                DoubleVector other = fromArray(SPECIES, directions[1], h).abs();
-                length = length.reinterpretAsLongs().max(other.reinterpretAsLongs()).reinterpretAsDoubles();
-                other = fromArray(SPECIES, directions[2], h).abs();
-                length = length.reinterpretAsLongs().max(other.reinterpretAsLongs()).reinterpretAsDoubles();
-                length.intoArray(maxComponent, h);
-                broadcast(SPECIES, 1).div(length).intoArray(inverseMaxComponent, h);
-                longEnough |= (int) length.compare(GE, MIN_LENGTH).toLong() << i;
-                straight |= (int) length.compare(GE, maxTolerance * MIN_STRAIGHT_RATIO).toLong() << i;
+    /** Returns the largest error of lines from a common origin, which are used unchanged. */
+    private double sharedTolerance(MeshTree tree, int[] active, int packets) {
+        double pad = rays.padding[rays.first];
+        if (reversed) {
+            DoubleVector max = broadcast(SPECIES, 0);
+            for (int i = 0; i < packets * RayBatch.WIDTH; i += DoubleLanes.COUNT) {
+                DoubleVector p = fromArray(SPECIES, rays.padding, i);
+                max = max.blend(p, p.compare(GT, max).and(VectorMask.fromLong(SPECIES, active[i / RayBatch.WIDTH] >>> i % RayBatch.WIDTH)));
             }
-            tooShort[k] = active[k] & ~longEnough;
-            active[k] &= longEnough;
-            hasSkewedRays |= reversed && (active[k] & ~straight) != 0;
+            pad = max.reduceLanes(MAX);
         }
+        return (startCoordinate() + tree.maxCoordinate) * TOLERANCE_SHARE + pad * (TOLERANCE_SHARE / MeshRay.PADDING_SHARE) + endSpread;
+    }
+
+    /**
+     * Computes float steps of the lines of a packet from a common origin; writes {@link #maxComponent}.
+     *
+     * @param active rays of each packet, one bit each; receives the lines that are long enough
+     * @param tooShort receives the others
+     */
+    void computeSteps(int k, int[] active, int[] tooShort, float[] stepX, float[] stepY, float[] stepZ) {
+        int longEnough = 0;
+        int straight = 0;
+        for (int i = 0; i < RayBatch.WIDTH; i += DoubleLanes.COUNT) {
+            int h = k * RayBatch.WIDTH + i;
+            DoubleVector x = fromArray(SPECIES, directions[0], h);
+            DoubleVector y = fromArray(SPECIES, directions[1], h);
+            DoubleVector z = fromArray(SPECIES, directions[2], h);
+            DoubleVector length = x.abs().reinterpretAsLongs().max(y.abs().reinterpretAsLongs()).max(z.abs().reinterpretAsLongs())
+                    .reinterpretAsDoubles();
+            length.intoArray(maxComponent, h);
+            DoubleVector inverse = broadcast(SPECIES, 1).div(length);
+            ((FloatVector) x.mul(inverse).convertShape(D2F, MeshRayLanes.HALF, 0)).intoArray(stepX, h);
+            ((FloatVector) y.mul(inverse).convertShape(D2F, MeshRayLanes.HALF, 0)).intoArray(stepY, h);
+            ((FloatVector) z.mul(inverse).convertShape(D2F, MeshRayLanes.HALF, 0)).intoArray(stepZ, h);
+            longEnough |= (int) length.compare(GE, MIN_LENGTH).toLong() << i;
+            straight |= (int) length.compare(GE, sharedTolerance * MIN_STRAIGHT_RATIO).toLong() << i;
+        }
+        tooShort[k] = active[k] & ~longEnough;
+        active[k] &= longEnough;
+        hasSkewedRays |= reversed && (active[k] & ~straight) != 0;
     }
 
     /** Returns the smallest entry depth of a packet's rays. */
@@ -189,21 +210,6 @@ final class MeshLines {
                     .toLong() << h;
         }
         return (skewed & active) != 0;
-    }
-
-    /** Returns true if all rays start at one point. */
-    private boolean hasCommonOrigin(int[] active, int packets) {
-        double x = rays.ox[rays.first];
-        double y = rays.oy[rays.first];
-        double z = rays.oz[rays.first];
-        for (int i = 0; i < packets * RayBatch.WIDTH; i += DoubleLanes.COUNT) {
-            VectorMask<Double> different = fromArray(SPECIES, rays.ox, i).compare(NE, x).or(fromArray(SPECIES, rays.oy, i).compare(NE, y))
-                    .or(fromArray(SPECIES, rays.oz, i).compare(NE, z));
-            if ((different.toLong() & active[i / RayBatch.WIDTH] >>> i % RayBatch.WIDTH) != 0) {
-                return false;
-            }
-        }
-        return true;
     }
 
     /** Returns the index of the first line. */
@@ -252,9 +258,13 @@ final class MeshLines {
         double[] origin = forwardLines[0][axis];
         for (int i = 0; i < packets * RayBatch.WIDTH; i += DoubleLanes.COUNT) {
             broadcast(SPECIES, end).intoArray(origins[axis], i);
-            DoubleVector g = fromArray(SPECIES, origin, i).sub(end);
-            g.intoArray(directions[axis], i);
-            DoubleVector inverseLength = broadcast(SPECIES, 1).div(g);
+            fromArray(SPECIES, origin, i).sub(end).intoArray(directions[axis], i);
+        }
+    }
+
+    private void invertAxis(int axis, int packets) {
+        for (int i = 0; i < packets * RayBatch.WIDTH; i += DoubleLanes.COUNT) {
+            DoubleVector inverseLength = broadcast(SPECIES, 1).div(fromArray(SPECIES, directions[axis], i));
             inverseLength.blend(MeshRay.MAX_INVERSE, inverseLength.compare(GT, MeshRay.MAX_INVERSE))
                     .blend(-MeshRay.MAX_INVERSE, inverseLength.compare(LT, -MeshRay.MAX_INVERSE))
                     .intoArray(inverseDirections[axis], i);

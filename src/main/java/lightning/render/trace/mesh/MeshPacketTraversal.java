@@ -1,6 +1,14 @@
 package lightning.render.trace.mesh;
 
+import static jdk.incubator.vector.VectorOperators.EQ;
+import static jdk.incubator.vector.VectorOperators.LT;
+
 import java.util.Arrays;
+import jdk.incubator.vector.DoubleVector;
+import jdk.incubator.vector.IntVector;
+import jdk.incubator.vector.VectorMask;
+import jdk.incubator.vector.VectorSpecies;
+import lightning.render.trace.solid.DoubleLanes;
 import lightning.render.trace.solid.RayBatch;
 
 /**
@@ -32,15 +40,21 @@ public final class MeshPacketTraversal {
     private static final int MAX_BEAMS = 8;
     /** Leaves without a hit after which a beam tests at each node which of its rays enter it. */
     private static final int MAX_IDLE_LEAVES = 8;
+    /** Minimum number of adjacent rays whose triangles are tested in lanes. */
+    private static final int MIN_LANE_RAYS = 3;
+    private static final int ALL_SLOTS = -1 >>> -MeshTree.WIDTH;
+    private static final VectorSpecies<Integer> SLOTS = IntVector.SPECIES_256;
 
     private final MeshRayLanes rays = new MeshRayLanes(MAX_RAYS);
     private final MeshFloatLines lines = new MeshFloatLines(rays, MAX_RAYS);
     /** The beam of the group, and the smaller beams that it is split into. */
     private final MeshBeam[] beams = new MeshBeam[MAX_BEAMS];
-    private final LeafRayFilter leafFilter = new LeafRayFilter(lines, MAX_RAYS);
+    private final LeafTriangleLanes leafTriangles = new LeafTriangleLanes(rays, MAX_RAYS);
+    private final LeafRayFilter leafFilter = new LeafRayFilter(lines, leafTriangles.slot, MAX_RAYS);
     private final double[] hitLimit = new double[MAX_RAYS];
     private final int[] triangle = new int[MAX_RAYS];
-    private final int[] hitMasks = new int[PACKETS];
+    /** Rays of the group that hit a triangle. */
+    private long hitRays;
     /** Rays of each packet that traverse the BVH. */
     private final int[] activeMasks = new int[PACKETS];
     /** Active rays of the group: ray i of packet k is bit {@code k · WIDTH + i}. */
@@ -65,6 +79,8 @@ public final class MeshPacketTraversal {
     private int[] hitTriangle = new int[MAX_RAYS];
     private double[] hitDistance = new double[MAX_RAYS];
     private int maxLimitBits;
+    /** True if the lines are prepared for tests of single rays against boxes. */
+    private boolean boxTestsPrepared;
     /** Number of leaves that the beam visited in which no ray may hit a triangle. */
     private int idleLeaves;
 
@@ -148,7 +164,7 @@ public final class MeshPacketTraversal {
 
     /** Returns the rays of packet {@code k} that hit a triangle, one bit each. */
     public int hitMask(int k) {
-        return hitMasks[k];
+        return (int) (hitRays >>> k * RayBatch.WIDTH) & -1 >>> -RayBatch.WIDTH;
     }
 
     /**
@@ -167,7 +183,8 @@ public final class MeshPacketTraversal {
     private void search(boolean stopAtAnyHit) {
         anyHit = stopAtAnyHit;
         int end = count * RayBatch.WIDTH;
-        Arrays.fill(hitMasks, 0, count, 0);
+        hitRays = 0;
+        boxTestsPrepared = false;
         lines.setRays(tree, activeMasks, shortRays, count, hitLimit, anyHit);
         activeRays = 0;
         for (int k = 0; k < count; k++) {
@@ -176,6 +193,7 @@ public final class MeshPacketTraversal {
         if (!traverseAsBeam(0, end)) {
             for (int i = 0; i < end; i += RayBatch.WIDTH) {
                 if (activeMasks[i / RayBatch.WIDTH] != 0 && (count == 1 || !traverseAsBeam(i, i + RayBatch.WIDTH))) {
+                    prepareBoxTests();
                     for (int left = activeMasks[i / RayBatch.WIDTH]; left != 0; left &= left - 1) {
                         traverseRay(i + Integer.numberOfTrailingZeros(left), 0, 0);
                     }
@@ -216,10 +234,20 @@ public final class MeshPacketTraversal {
         return true;
     }
 
+    private void prepareBoxTests() {
+        if (!boxTestsPrepared) {
+            lines.prepareBoxTests(count);
+            boxTestsPrepared = true;
+        }
+    }
+
     private void traverseBeam(int from, int end) {
         idleLeaves = 0;
         maxLimitBits = lines.maxLimitBits(from, end);
         int top = push(0, beams[0].enteredChildren(tree, 0, maxLimitBits), beams[0].entryBits, 0, 0);
+        if (top > 0) {
+            prepareBoxTests();
+        }
         while (top > 0) {
             top--;
             long rayMask = beams[stackBeam[top]].rays & activeRays;
@@ -264,13 +292,101 @@ public final class MeshPacketTraversal {
      * nearer than before.
      */
     private boolean testLeaf(int leaf, int box, long rayMask, int from, int end) {
-        int n = leafFilter.findCandidates(tree, leaf, box, rayMask, from, end);
-        idleLeaves += n == 0 ? 1 : 0;
+        long candidates = leafFilter.findCandidates(tree, leaf, box, rayMask, from, end);
+        idleLeaves += candidates == 0 ? 1 : 0;
         boolean nearer = false;
-        for (int k = 0; k < n; k++) {
-            nearer |= testTriangles(leafFilter.ray[k], leaf, leafFilter.slots[k]);
+        for (long left = candidates; left != 0;) {
+            int h = Long.numberOfTrailingZeros(left) & -LeafTriangleLanes.RAYS;
+            nearer |= testRays(h, leaf, (int) (candidates >>> h) & ALL_SLOTS);
+            left &= h + LeafTriangleLanes.RAYS == Long.SIZE ? 0 : -1L << h + LeafTriangleLanes.RAYS;
         }
         return nearer;
+    }
+
+    /** Tests rays {@code h … h + 7} of a set against the triangles of a leaf that they may hit. */
+    private boolean testRays(int h, int leaf, int mask) {
+        boolean nearer = false;
+        int left = mask;
+        if (Integer.bitCount(mask) < MIN_LANE_RAYS) {
+            for (; left != 0; left &= left - 1) {
+                int i = h + Integer.numberOfTrailingZeros(left);
+                nearer |= testTriangles(i, leaf, leafFilter.slots[i]);
+            }
+            return nearer;
+        }
+        while (true) {
+            leafTriangles.computeDistances(tree.vertex, MeshTree.LEAF_FLOATS * leaf, h, left);
+            int accepted = alphaTest == null && !collectAll ? acceptHits(h, leaf, left) : acceptHitsSingly(h, leaf, left);
+            nearer |= accepted != 0;
+            left &= (int) (leafFilter.multipleRays >>> h);
+            if (anyHit && !collectAll) {
+                left &= ~accepted;
+            }
+            int more = 0;
+            for (; left != 0; left &= left - 1) {
+                int i = h + Integer.numberOfTrailingZeros(left);
+                int slots = leafFilter.slots[i] & leafFilter.slots[i] - 1;
+                leafFilter.slots[i] = slots;
+                leafTriangles.slot[i] = Integer.numberOfTrailingZeros(slots);
+                more |= slots != 0 ? left & -left : 0;
+            }
+            if (more == 0) {
+                return nearer;
+            }
+            left = more;
+        }
+    }
+
+    /** Accepts hits of rays {@code h … h + 7} of a set that are nearer than before; returns these rays. */
+    private int acceptHits(int h, int leaf, int mask) {
+        int nearer = 0;
+        int equal = 0;
+        for (int part = 0; part < LeafTriangleLanes.RAYS; part += DoubleLanes.COUNT) {
+            DoubleVector t = DoubleVector.fromArray(DoubleLanes.SPECIES, leafTriangles.distance, h + part);
+            DoubleVector limit = DoubleVector.fromArray(DoubleLanes.SPECIES, hitLimit, h + part);
+            nearer |= (int) t.compare(LT, limit).toLong() << part;
+            equal |= (int) t.compare(EQ, limit).toLong() << part;
+        }
+        nearer &= mask;
+        int accepted = nearer;
+        if (!anyHit) {
+            for (int left = equal & mask; left != 0; left &= left - 1) {
+                int i = h + Integer.numberOfTrailingZeros(left);
+                int id = tree.triangle[MeshTree.WIDTH * leaf + leafTriangles.slot[i]];
+                if (hitLimit[i] < MeshRay.MISS && (!hasHit(i) || id < triangle[i])) {
+                    accepted |= left & -left;
+                }
+            }
+        }
+        if (accepted == 0) {
+            return 0;
+        }
+        IntVector ids = (IntVector) IntVector.fromArray(SLOTS, leafTriangles.slot, h)
+                .selectFrom(IntVector.fromArray(SLOTS, tree.triangle, MeshTree.WIDTH * leaf));
+        IntVector.fromArray(SLOTS, triangle, h).blend(ids, VectorMask.fromLong(SLOTS, accepted)).intoArray(triangle, h);
+        hitRays |= (long) accepted << h;
+        if (anyHit) {
+            activeRays &= ~((long) accepted << h);
+            return accepted;
+        }
+        for (int part = 0; part < LeafTriangleLanes.RAYS; part += DoubleLanes.COUNT) {
+            DoubleVector.fromArray(DoubleLanes.SPECIES, hitLimit, h + part)
+                    .blend(DoubleVector.fromArray(DoubleLanes.SPECIES, leafTriangles.distance, h + part),
+                            VectorMask.fromLong(DoubleLanes.SPECIES, accepted >>> part))
+                    .intoArray(hitLimit, h + part);
+        }
+        lines.setLimits(h, accepted, leafTriangles.distance);
+        return accepted;
+    }
+
+    private int acceptHitsSingly(int h, int leaf, int mask) {
+        int accepted = 0;
+        for (int left = mask; left != 0; left &= left - 1) {
+            int i = h + Integer.numberOfTrailingZeros(left);
+            int id = tree.triangle[MeshTree.WIDTH * leaf + leafTriangles.slot[i]];
+            accepted |= acceptHit(i, id, leafTriangles.distance[i]) ? left & -left : 0;
+        }
+        return accepted;
     }
 
     /** Traverses the subtree of a node with ray {@code i}; the stack is in use up to {@code bottom}. */
@@ -326,24 +442,33 @@ public final class MeshPacketTraversal {
         for (int left = slots; left != 0; left &= left - 1) {
             int s = Integer.numberOfTrailingZeros(left);
             double t = rays.distance(i, tree.vertex, MeshTree.LEAF_FLOATS * leaf + s);
-            int id = tree.triangle[MeshTree.WIDTH * leaf + s];
-            if (collectAll) {
-                addHit(i, id, t);
-            } else if ((anyHit ? t < hitLimit[i]
-                    : t < MeshRay.MISS && (t < hitLimit[i] || t == hitLimit[i] && (!hasHit(i) || id < triangle[i])))
-                    && (alphaTest == null || !alphaTest.passes(i, id, t))) {
-                triangle[i] = id;
-                hitMasks[i / RayBatch.WIDTH] |= 1 << i % RayBatch.WIDTH;
-                if (anyHit) {
-                    activeRays &= ~(1L << i);
-                    return true;
-                }
-                hitLimit[i] = t;
-                lines.setLimit(i, t);
-                nearer = true;
+            nearer |= acceptHit(i, tree.triangle[MeshTree.WIDTH * leaf + s], t);
+            if (nearer && anyHit) {
+                return true;
             }
         }
         return nearer;
+    }
+
+    /** Accepts a hit if it counts and is nearer than before. */
+    private boolean acceptHit(int i, int id, double t) {
+        if (collectAll) {
+            addHit(i, id, t);
+            return false;
+        }
+        if ((anyHit ? t < hitLimit[i] : t < MeshRay.MISS && (t < hitLimit[i] || t == hitLimit[i] && (!hasHit(i) || id < triangle[i])))
+                && (alphaTest == null || !alphaTest.passes(i, id, t))) {
+            triangle[i] = id;
+            hitRays |= 1L << i;
+            if (anyHit) {
+                activeRays &= ~(1L << i);
+            } else {
+                hitLimit[i] = t;
+                lines.setLimit(i, t);
+            }
+            return true;
+        }
+        return false;
     }
 
     private void addHit(int i, int id, double t) {
@@ -361,6 +486,6 @@ public final class MeshPacketTraversal {
     }
 
     private boolean hasHit(int i) {
-        return (hitMasks[i / RayBatch.WIDTH] >>> i % RayBatch.WIDTH & 1) != 0;
+        return (hitRays >>> i & 1) != 0;
     }
 }

@@ -101,7 +101,7 @@ final class MeshRay {
         ignoredRadius = radius;
     }
 
-    private static double inverse(double d) {
+    static double inverse(double d) {
         double inverse = 1 / d;
         return inverse < -MAX_INVERSE ? -MAX_INVERSE : inverse > MAX_INVERSE ? MAX_INVERSE : inverse;
     }

@@ -4,8 +4,10 @@ import static jdk.incubator.vector.DoubleVector.broadcast;
 import static jdk.incubator.vector.DoubleVector.fromArray;
 import static jdk.incubator.vector.VectorOperators.GT;
 import static jdk.incubator.vector.VectorOperators.LT;
+import static jdk.incubator.vector.VectorOperators.NE;
 
 import jdk.incubator.vector.DoubleVector;
+import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorShape;
 import jdk.incubator.vector.VectorSpecies;
 import lightning.render.trace.solid.DoubleLanes;
@@ -25,11 +27,14 @@ final class MeshRayLanes {
     final double[] dy;
     final double[] dz;
     final double[] padding;
+    /** Inverse directions, after {@link #computeInverses}. */
     final double[] inverseX;
     final double[] inverseY;
     final double[] inverseZ;
     /** First ray of the group. */
     int first;
+    /** True if all rays of the group start at one point. */
+    boolean hasCommonOrigin;
 
     /** @param capacity number of rays, a multiple of a packet's */
     MeshRayLanes(int capacity) {
@@ -55,36 +60,50 @@ final class MeshRayLanes {
     void addPacket(MeshTree tree, double[] m, int at, RayBatch p, int mask, int to) {
         if (to == 0) {
             first = Integer.numberOfTrailingZeros(mask);
+            hasCommonOrigin = true;
         }
         for (int h = 0; h < RayBatch.WIDTH; h += DoubleLanes.COUNT) {
-            transformRays(m, at, p, h, to + h);
-            computeInverses(tree, to + h);
+            transformOrigins(tree, m, at, p, h, to + h);
+            transformDirections(m, at, p, h, to + h);
+        }
+        for (int h = 0; hasCommonOrigin && h < RayBatch.WIDTH; h += DoubleLanes.COUNT) {
+            VectorMask<Double> different = fromArray(SPECIES, ox, to + h).compare(NE, ox[first])
+                    .or(fromArray(SPECIES, oy, to + h).compare(NE, oy[first])).or(fromArray(SPECIES, oz, to + h).compare(NE, oz[first]));
+            hasCommonOrigin = (different.toLong() & mask >>> h) == 0;
         }
     }
 
-    private void transformRays(double[] m, int i, RayBatch p, int from, int to) {
+    private void transformOrigins(MeshTree tree, double[] m, int i, RayBatch p, int from, int to) {
         DoubleVector x = fromArray(SPECIES, p.ox, from);
         DoubleVector y = fromArray(SPECIES, p.oy, from);
         DoubleVector z = fromArray(SPECIES, p.oz, from);
-        x.mul(m[i]).add(y.mul(m[i + 1])).add(z.mul(m[i + 2])).add(m[i + 3]).intoArray(ox, to);
-        x.mul(m[i + 4]).add(y.mul(m[i + 5])).add(z.mul(m[i + 6])).add(m[i + 7]).intoArray(oy, to);
-        x.mul(m[i + 8]).add(y.mul(m[i + 9])).add(z.mul(m[i + 10])).add(m[i + 11]).intoArray(oz, to);
-        x = fromArray(SPECIES, p.dx, from);
-        y = fromArray(SPECIES, p.dy, from);
-        z = fromArray(SPECIES, p.dz, from);
+        DoubleVector tx = x.mul(m[i]).add(y.mul(m[i + 1])).add(z.mul(m[i + 2])).add(m[i + 3]);
+        DoubleVector ty = x.mul(m[i + 4]).add(y.mul(m[i + 5])).add(z.mul(m[i + 6])).add(m[i + 7]);
+        DoubleVector tz = x.mul(m[i + 8]).add(y.mul(m[i + 9])).add(z.mul(m[i + 10])).add(m[i + 11]);
+        tx.intoArray(ox, to);
+        ty.intoArray(oy, to);
+        tz.intoArray(oz, to);
+        // Non-negative doubles are ordered like their bits, which lanes compare faster.
+        tx.abs().reinterpretAsLongs().max(ty.abs().reinterpretAsLongs()).max(tz.abs().reinterpretAsLongs()).reinterpretAsDoubles()
+                .add(tree.maxCoordinate).mul(MeshRay.PADDING_SHARE).intoArray(padding, to);
+    }
+
+    private void transformDirections(double[] m, int i, RayBatch p, int from, int to) {
+        DoubleVector x = fromArray(SPECIES, p.dx, from);
+        DoubleVector y = fromArray(SPECIES, p.dy, from);
+        DoubleVector z = fromArray(SPECIES, p.dz, from);
         x.mul(m[i]).add(y.mul(m[i + 1])).add(z.mul(m[i + 2])).intoArray(dx, to);
         x.mul(m[i + 4]).add(y.mul(m[i + 5])).add(z.mul(m[i + 6])).intoArray(dy, to);
         x.mul(m[i + 8]).add(y.mul(m[i + 9])).add(z.mul(m[i + 10])).intoArray(dz, to);
     }
 
-    private void computeInverses(MeshTree tree, int h) {
-        // Non-negative doubles are ordered like their bits, which lanes compare faster.
-        fromArray(SPECIES, ox, h).abs().reinterpretAsLongs().max(fromArray(SPECIES, oy, h).abs().reinterpretAsLongs())
-                .max(fromArray(SPECIES, oz, h).abs().reinterpretAsLongs()).reinterpretAsDoubles()
-                .add(tree.maxCoordinate).mul(MeshRay.PADDING_SHARE).intoArray(padding, h);
-        inverse(dx, inverseX, h);
-        inverse(dy, inverseY, h);
-        inverse(dz, inverseZ, h);
+    /** Computes the inverse directions of the first packets. */
+    void computeInverses(int packets) {
+        for (int h = 0; h < packets * RayBatch.WIDTH; h += DoubleLanes.COUNT) {
+            inverse(dx, inverseX, h);
+            inverse(dy, inverseY, h);
+            inverse(dz, inverseZ, h);
+        }
     }
 
     private static void inverse(double[] d, double[] to, int h) {
@@ -117,7 +136,7 @@ final class MeshRayLanes {
             double inverseDepth = 1 / z;
             t = MeshRay.planeDistance(v, at, b, c, 0, W, 2 * W, ox[i], oy[i], oz[i], x * inverseDepth, y * inverseDepth, inverseDepth);
         }
-        return t > 0 ? MeshRay.clampToBox(t, v, at, b, c, W, ox[i], oy[i], oz[i], padding[i], inverseX[i], inverseY[i], inverseZ[i])
-                : MeshRay.MISS;
+        return t > 0 ? MeshRay.clampToBox(t, v, at, b, c, W, ox[i], oy[i], oz[i], padding[i], MeshRay.inverse(x), MeshRay.inverse(y),
+                MeshRay.inverse(z)) : MeshRay.MISS;
     }
 }
