@@ -51,6 +51,19 @@ final class TileTracer {
     private long eyeRays;
     private long bounceRays;
 
+    /**
+     * Lights of the two scenes of a trace.
+     *
+     * @param direct   lights of the first level
+     * @param mirrored lights of the levels in mirrors
+     */
+    record SceneLights(WeightedLight[] direct, WeightedLight[] mirrored) {
+        static SceneLights of(RenderedScenes scenes) {
+            WeightedLight[] lights = WeightedLight.ofScene(scenes.scene());
+            return new SceneLights(lights, scenes.mirrored() == scenes.scene() ? lights : WeightedLight.ofScene(scenes.mirrored()));
+        }
+    }
+
     /** Data needed for the first level, or for the levels in mirrors. */
     private static final class LevelContext {
         private final WeightedLight[] lights;
@@ -64,8 +77,8 @@ final class TileTracer {
         /** Composes the colors by which edges are detected. */
         private final TileComposer edgeComposer;
 
-        LevelContext(Geometry geometry, Scene scene, Engine engine, Tracer tracer) {
-            lights = WeightedLight.ofScene(scene);
+        LevelContext(Geometry geometry, Scene scene, WeightedLight[] lights, Engine engine, Tracer tracer) {
+            this.lights = lights;
             edgeLights = Arrays.stream(lights).map(WeightedLight::forEdges).toArray(WeightedLight[]::new);
             this.scene = scene;
             world = scene.world();
@@ -84,13 +97,16 @@ final class TileTracer {
      */
     private record BouncedColors(BounceImages colors, BounceImages edges) {}
 
-    TileTracer(Geometry geometry, Geometry mirroredGeometry, RenderedScenes scenes, SamplingSettings sampling, Engine engine) {
+    /** @param lights lights of both scenes, shared by all threads and not modified */
+    TileTracer(Geometry geometry, Geometry mirroredGeometry, RenderedScenes scenes, SceneLights lights, SamplingSettings sampling,
+            Engine engine) {
         this.sampling = sampling;
         depth = scenes.scene().picture().depth();
         Tracer tracer = engine.tracer(geometry);
-        eyeLevel = new LevelContext(geometry, scenes.scene(), engine, tracer);
+        eyeLevel = new LevelContext(geometry, scenes.scene(), lights.direct(), engine, tracer);
         mirrorLevels =
-                scenes.mirrored() == scenes.scene() ? eyeLevel : new LevelContext(mirroredGeometry, scenes.mirrored(), engine, tracer);
+                scenes.mirrored() == scenes.scene() ? eyeLevel
+                        : new LevelContext(mirroredGeometry, scenes.mirrored(), lights.mirrored(), engine, tracer);
         centerLevels = new HitRows[depth + 1];
         sampleLevels = new HitRows[depth + 1];
         layers = new LightLayer[Math.max(eyeLevel.lights.length, mirrorLevels.lights.length)];

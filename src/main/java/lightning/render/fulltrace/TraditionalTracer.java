@@ -131,7 +131,8 @@ public final class TraditionalTracer {
 
     private List<EngineWorkers<TileTracer>> createTracers(WorkerPool workers) {
         RenderedScenes scenes = new RenderedScenes(scene, mirrored);
+        TileTracer.SceneLights lights = TileTracer.SceneLights.of(scenes);
         return EngineWorkers.perThread(workers.count(), engines,
-                engine -> new TileTracer(geometry, mirroredGeometry, scenes, sampling, engine));
+                engine -> new TileTracer(geometry, mirroredGeometry, scenes, lights, sampling, engine));
     }
 }

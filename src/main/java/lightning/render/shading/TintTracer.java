@@ -9,6 +9,7 @@ import lightning.render.trace.HitRows;
 import lightning.render.trace.RowShadowRays;
 import lightning.render.trace.ShadowRays;
 import lightning.render.trace.Tracer;
+import lightning.render.trace.primitive.LightBuffers;
 import lightning.render.trace.primitive.PrimitiveTable;
 import lightning.render.trace.primitive.ShadowRayHits;
 import lightning.render.trace.tree.Bvh;
@@ -23,6 +24,10 @@ final class TintTracer {
     private final Tracer tracer;
     private final PrimitiveTable primitives;
     private final Bvh tree;
+    private final Geometry geometry;
+    /** Area of the latest rays, and its light buffers. */
+    private AreaSamples bufferedArea;
+    private LightBuffers lightBuffers;
     /** Clear shapes that shadow rays from the tile may pass. */
     private final CandidateList candidates = new CandidateList();
     private final CandidateList allCandidates;
@@ -36,6 +41,7 @@ final class TintTracer {
     /** @param geometry with shapes that light passes through */
     TintTracer(Geometry geometry, Tracer tracer) {
         this.tracer = tracer;
+        this.geometry = geometry;
         primitives = geometry.primitives();
         tree = geometry.tintBvh();
         allCandidates = CandidateList.fromBvh(tree, geometry.tintCasters());
@@ -61,6 +67,7 @@ final class TintTracer {
         ShadowRayTarget target = rays.isPoint() ? pointTargets.computeIfAbsent(source, point -> ShadowRayTarget.find(point, tree))
                 : ShadowRayTarget.OFF_SURFACE;
         shadowRays.isOffSurface = target.isOffSurface();
+        shadowRays.lightBuffers = null;
         Arrays.fill(shadowRays.target, 0, end, target);
         traceCrossings(rows, chosen);
     }
@@ -78,7 +85,17 @@ final class TintTracer {
         for (int i = 0; !shadowRays.isOffSurface && i < rows.count; i++) {
             shadowRays.target[i] = places[area.index(s, rays.pattern[i])];
         }
+        shadowRays.lightBuffers = rays.toPoints && shadowRays.isOffSurface ? lightBuffers(area) : null;
+        shadowRays.firstTarget = area.index(s, 0);
         traceCrossings(rows, chosen);
+    }
+
+    private LightBuffers lightBuffers(AreaSamples area) {
+        if (bufferedArea != area) {
+            bufferedArea = area;
+            lightBuffers = geometry.tintLightBuffers(area.x, area.y, area.z);
+        }
+        return lightBuffers;
     }
 
     /** Returns the shadow ray targets of an area; {@link #OPEN} if none of them lies on a clear shape. */

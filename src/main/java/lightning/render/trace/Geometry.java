@@ -1,16 +1,19 @@
 package lightning.render.trace;
 
+import java.lang.ref.SoftReference;
 import java.lang.ref.WeakReference;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.WeakHashMap;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Predicate;
 import java.util.stream.IntStream;
 import lightning.base.math.Ray;
 import lightning.base.math.Vec3;
 import lightning.render.trace.mesh.MeshRayQuery;
+import lightning.render.trace.primitive.LightBuffers;
 import lightning.render.trace.primitive.PrimitiveTable;
 import lightning.render.trace.primitive.ShadowRayHits;
 import lightning.render.trace.solid.SolidGeometry;
@@ -30,6 +33,9 @@ import lightning.scene.ShapeLinks;
  * which takes most of the time to build, is shared by all cameras. Thread-safe.
  */
 public final class Geometry {
+    /** More meshes have no light buffers. */
+    private static final int MAX_BUFFERED_MESHES = 64;
+
     private final Scene scene;
     private final List<Shape> shapes;
     private final List<String> materialNames;
@@ -44,6 +50,10 @@ public final class Geometry {
     /** BVH over the primitives that transmit and tint light; null if there are none. */
     private final Bvh tintBvh;
     private final boolean[] tintCasters;
+    /** Meshes among these that do not contain the eye, ascending. */
+    private final int[] tintMeshes;
+    /** Light buffers by the array of the area's x coordinates. Guarded by itself. */
+    private final Map<double[], SoftReference<LightBuffers>> lightBuffers = new WeakHashMap<>();
     /** True if any material casts no shadows. */
     private final boolean hasShadowlessMaterials;
     /** Versions of this geometry in which only some shapes cast shadows, by the linked shapes. */
@@ -77,6 +87,7 @@ public final class Geometry {
         castsShadows = true;
         tintBvh = null;
         tintCasters = null;
+        tintMeshes = tintMeshes();
         hasShadowlessMaterials = materials.hasShadowlessMaterials();
     }
 
@@ -93,6 +104,7 @@ public final class Geometry {
         castsShadows = source.castsShadows;
         tintBvh = source.tintBvh;
         tintCasters = source.tintCasters;
+        tintMeshes = source.tintMeshes;
         hasShadowlessMaterials = materials.hasShadowlessMaterials();
     }
 
@@ -110,6 +122,7 @@ public final class Geometry {
         hasShadowlessMaterials = source.hasShadowlessMaterials;
         bvh = castsShadows ? source.bvh.subset(shadowCasters) : source.bvh;
         this.tintCasters = tintCasters;
+        tintMeshes = tintMeshes();
         tintBvh = tintCasters == null ? null : source.bvh.subset(tintCasters);
     }
 
@@ -127,6 +140,7 @@ public final class Geometry {
         castsShadows = true;
         tintBvh = null;
         tintCasters = null;
+        tintMeshes = tintMeshes();
         hasShadowlessMaterials = materials.hasShadowlessMaterials();
     }
 
@@ -144,6 +158,7 @@ public final class Geometry {
         castsShadows = true;
         tintBvh = null;
         tintCasters = null;
+        tintMeshes = tintMeshes();
         hasShadowlessMaterials = materials.hasShadowlessMaterials();
     }
 
@@ -199,6 +214,33 @@ public final class Geometry {
     /** Returns the BVH over the primitives that transmit and tint light; null if there are none. */
     public Bvh tintBvh() {
         return tintBvh;
+    }
+
+    /**
+     * Returns the light buffers of the meshes that transmit and tint light, for the sample points of an area light; null if there
+     * are none. They are shared while any thread uses them and memory suffices.
+     *
+     * @param x coordinates in render space, with {@code y} and {@code z}: the same arrays for the same area
+     */
+    public LightBuffers tintLightBuffers(double[] x, double[] y, double[] z) {
+        if (tintMeshes.length == 0 || tintMeshes.length > MAX_BUFFERED_MESHES) {
+            return null;
+        }
+        synchronized (lightBuffers) {
+            SoftReference<LightBuffers> reference = lightBuffers.get(x);
+            LightBuffers result = reference == null ? null : reference.get();
+            if (result == null) {
+                result = new LightBuffers(primitives, tintMeshes, x, y, z);
+                lightBuffers.put(x, new SoftReference<>(result));
+            }
+            return result;
+        }
+    }
+
+    private int[] tintMeshes() {
+        return IntStream.range(0, tintCasters == null ? 0 : tintCasters.length)
+                .filter(s -> tintCasters[s] && primitives.mesh(s) != null && !primitives.isEyeOnSurface(s))
+                .toArray();
     }
 
     /**

@@ -1,5 +1,6 @@
 package lightning.render.trace;
 
+import lightning.render.trace.mesh.LightBuffer;
 import lightning.render.trace.mesh.MeshRayQuery;
 import lightning.render.trace.primitive.PrimitiveTable;
 import lightning.render.trace.primitive.ShadowRayHits;
@@ -19,31 +20,32 @@ public final class ShadowRayHitFinder {
 
     /** Finds the hits of the shadow rays from selected rows. */
     public void findHits(HitRows rows, int[] selected, RowShadowRays shadowRays, CandidateList candidates, ShadowRayHits hits) {
+        double limit = shadowRays.limit();
         for (int b = 0, first = 0; first < rows.count; b++, first += Tracer.ROWS_PER_WORD) {
             for (int left = selected[b]; left != 0; left &= left - 1) {
                 int i = first + Integer.numberOfTrailingZeros(left);
                 double x = rows.px[i];
                 double y = rows.py[i];
                 double z = rows.pz[i];
+                double dx = shadowRays.toPoints ? shadowRays.x[i] - x : shadowRays.x[i];
+                double dy = shadowRays.toPoints ? shadowRays.y[i] - y : shadowRays.y[i];
+                double dz = shadowRays.toPoints ? shadowRays.z[i] - z : shadowRays.z[i];
+                ShadowRayTarget target = shadowRays.isOffSurface ? ShadowRayTarget.OFF_SURFACE : shadowRays.target[i];
                 hits.selectRay(i);
-                findHits(x, y, z, shadowRays.toPoints ? shadowRays.x[i] - x : shadowRays.x[i],
-                        shadowRays.toPoints ? shadowRays.y[i] - y : shadowRays.y[i],
-                        shadowRays.toPoints ? shadowRays.z[i] - z : shadowRays.z[i],
-                        shadowRays.isOffSurface ? ShadowRayTarget.OFF_SURFACE : shadowRays.target[i], shadowRays.limit(), candidates, hits);
-            }
-        }
-    }
-
-    private void findHits(double ox, double oy, double oz, double dx, double dy, double dz, ShadowRayTarget target, double limit,
-            CandidateList candidates,
-            ShadowRayHits hits) {
-        boxRay.setRay(ox, oy, oz, dx, dy, dz);
-        for (int c = 0; c < candidates.count; c++) {
-            if (boxRay.hits(candidates.boxes, 6 * c, limit)) {
-                int s = candidates.primitive[c];
-                int index = target.indexOf(s);
-                boolean endsOnPrimitive = index >= 0 && target.touches(index, ox, oy, oz);
-                primitives.addHits(s, ox, oy, oz, dx, dy, dz, endsOnPrimitive, limit, probe, false, hits);
+                boxRay.setRay(x, y, z, dx, dy, dz);
+                for (int c = 0; c < candidates.count; c++) {
+                    if (boxRay.hits(candidates.boxes, 6 * c, limit)) {
+                        int s = candidates.primitive[c];
+                        LightBuffer buffer = shadowRays.lightBuffer(i, s);
+                        if (buffer != null) {
+                            primitives.addHits(s, x, y, z, dx, dy, dz, buffer, probe, hits);
+                        } else {
+                            int index = target.indexOf(s);
+                            boolean endsOnPrimitive = index >= 0 && target.touches(index, x, y, z);
+                            primitives.addHits(s, x, y, z, dx, dy, dz, endsOnPrimitive, limit, probe, false, hits);
+                        }
+                    }
+                }
             }
         }
     }

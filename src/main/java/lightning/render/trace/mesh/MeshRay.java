@@ -28,17 +28,20 @@ final class MeshRay {
     private double ox;
     private double oy;
     private double oz;
-    /** Origin plus and minus the padding, for the minimum and maximum sides of boxes. */
-    private double lowX;
-    private double lowY;
-    private double lowZ;
-    private double highX;
-    private double highY;
-    private double highZ;
+    /**
+     * Origin of the padded ray for the sides of boxes that it reaches first, and for the others: the origin plus the padding for
+     * minimum sides, minus the padding for maximum sides.
+     */
+    double nearX;
+    double nearY;
+    double nearZ;
+    double farX;
+    double farY;
+    double farZ;
     private double padding;
-    private double inverseX;
-    private double inverseY;
-    private double inverseZ;
+    double inverseX;
+    double inverseY;
+    double inverseZ;
     /** Axis of the largest direction component, 0 1 2, and the two others. */
     private int axisX;
     private int axisY;
@@ -54,8 +57,6 @@ final class MeshRay {
     private double ignoredY;
     private double ignoredZ;
     private double ignoredRadius;
-    /** Entry distance into the box tested last by {@link #entersBox}. */
-    double entryDistance;
 
     /**
      * Sets the ray.
@@ -67,15 +68,15 @@ final class MeshRay {
         oy = y;
         oz = z;
         padding = PADDING_SHARE * (Math.max(Math.abs(x), Math.max(Math.abs(y), Math.abs(z))) + maxCoordinate);
-        lowX = x + padding;
-        lowY = y + padding;
-        lowZ = z + padding;
-        highX = x - padding;
-        highY = y - padding;
-        highZ = z - padding;
         inverseX = inverse(dx);
         inverseY = inverse(dy);
         inverseZ = inverse(dz);
+        nearX = inverseX > 0 ? x + padding : x - padding;
+        nearY = inverseY > 0 ? y + padding : y - padding;
+        nearZ = inverseZ > 0 ? z + padding : z - padding;
+        farX = inverseX > 0 ? x - padding : x + padding;
+        farY = inverseY > 0 ? y - padding : y + padding;
+        farZ = inverseZ > 0 ? z - padding : z + padding;
         double absX = Math.abs(dx);
         double absY = Math.abs(dy);
         double absZ = Math.abs(dz);
@@ -184,30 +185,60 @@ final class MeshRay {
     }
 
     /**
-     * Returns true if the padded ray may hit the box of child {@code i} at a distance up to {@code limit}; writes
-     * {@link #entryDistance}.
+     * Returns the slots of a leaf, one bit each, in which no two weights of {@link #planeDistance} have opposite signs: those that
+     * are hit, seen edge-on or empty. The others need no {@link #distance}.
+     *
+     * <p>A loop without calls, because the first compiler does not inline methods of this size, and without branches, which would
+     * be mispredicted.
+     *
+     * @param at index of the leaf's first coordinate
      */
+    int hitSlots(float[] v, int at) {
+        double startX = originX;
+        double startY = originY;
+        double startZ = originZ;
+        double slopeX = shearX;
+        double slopeY = shearY;
+        int x = at + MeshTree.WIDTH * axisX;
+        int y = at + MeshTree.WIDTH * axisY;
+        int z = at + MeshTree.WIDTH * axisZ;
+        int slots = 0;
+        for (int s = 0; s < MeshTree.WIDTH; s++) {
+            double az = v[z + s] - startZ;
+            double ax = v[x + s] - startX - slopeX * az;
+            double ay = v[y + s] - startY - slopeY * az;
+            double bz = v[z + s + MeshTree.VERTEX_FLOATS] - startZ;
+            double bx = v[x + s + MeshTree.VERTEX_FLOATS] - startX - slopeX * bz;
+            double by = v[y + s + MeshTree.VERTEX_FLOATS] - startY - slopeY * bz;
+            double cz = v[z + s + 2 * MeshTree.VERTEX_FLOATS] - startZ;
+            double cx = v[x + s + 2 * MeshTree.VERTEX_FLOATS] - startX - slopeX * cz;
+            double cy = v[y + s + 2 * MeshTree.VERTEX_FLOATS] - startY - slopeY * cz;
+            double weightA = cx * by - cy * bx;
+            double weightB = ax * cy - ay * cx;
+            double weightC = bx * ay - by * ax;
+            // The highest bit tells that a weight is below 0, or above 0. Adding 0 makes −0 positive.
+            long below = Double.doubleToRawLongBits(weightA + 0.0) | Double.doubleToRawLongBits(weightB + 0.0)
+                    | Double.doubleToRawLongBits(weightC + 0.0);
+            long above = Double.doubleToRawLongBits(0.0 - weightA) | Double.doubleToRawLongBits(0.0 - weightB)
+                    | Double.doubleToRawLongBits(0.0 - weightC);
+            slots |= (int) (~(below & above) >>> 63) << s;
+        }
+        return slots;
+    }
+
+    /** Returns true if the padded ray may enter a box, whose first value is {@code box[i]}, at a distance up to {@code limit}. */
     boolean entersBox(float[] box, int i, double limit) {
-        double p = (box[i] - lowX) * inverseX;
-        double q = (box[i + 8] - highX) * inverseX;
-        double enters = p < q ? p : q;
-        double leaves = p < q ? q : p;
-        enters = enters > 0 ? enters : 0;
-        leaves = leaves < limit ? leaves : limit;
-        p = (box[i + 16] - lowY) * inverseY;
-        q = (box[i + 24] - highY) * inverseY;
-        double near = p < q ? p : q;
-        double far = p < q ? q : p;
-        enters = near > enters ? near : enters;
-        leaves = far < leaves ? far : leaves;
-        p = (box[i + 32] - lowZ) * inverseZ;
-        q = (box[i + 40] - highZ) * inverseZ;
-        near = p < q ? p : q;
-        far = p < q ? q : p;
-        enters = near > enters ? near : enters;
-        leaves = far < leaves ? far : leaves;
-        entryDistance = enters;
-        return enters <= leaves;
+        int x = inverseX > 0 ? i : i + 8;
+        int y = inverseY > 0 ? i + 16 : i + 24;
+        int z = inverseZ > 0 ? i + 32 : i + 40;
+        long in = Math.max(0, Double.doubleToRawLongBits((box[x] - nearX) * inverseX));
+        in = Math.max(in, Double.doubleToRawLongBits((box[y] - nearY) * inverseY));
+        in = Math.max(in, Double.doubleToRawLongBits((box[z] - nearZ) * inverseZ));
+        // Adding 0 makes −0 positive.
+        long out = Math.min(Double.doubleToRawLongBits(limit), Double.doubleToRawLongBits((box[2 * i + 8 - x] - farX) * inverseX + 0.0));
+        out = Math.min(out, Double.doubleToRawLongBits((box[2 * i + 40 - y] - farY) * inverseY + 0.0));
+        out = Math.min(out, Double.doubleToRawLongBits((box[2 * i + 72 - z] - farZ) * inverseZ + 0.0));
+        return in <= out;
     }
 
     /**

@@ -64,6 +64,56 @@ public final class MeshRayQuery {
         return best;
     }
 
+    /** Finds all triangles that the ray hits at distances below {@code limit}, in any order. */
+    public void collectHits(double limit) {
+        traversal.collectHits(solid.tree, ray, limit);
+    }
+
+    /**
+     * Finds the triangles that a ray hits before its end at distance 1, in any order.
+     *
+     * @param buffer light buffer of the mesh and the end
+     */
+    public void collectHits(LightBuffer buffer, MeshSolid newSolid, double ox, double oy, double oz, double dx, double dy, double dz) {
+        int cell = buffer.cell(ox, oy, oz, dx, dy, dz);
+        if (cell == LightBuffer.NO_CELL || cell >= 0 && buffer.start(cell) == buffer.start(cell + 1)) {
+            traversal.clearHits();
+            return;
+        }
+        setRay(newSolid, ox, oy, oz, dx, dy, dz);
+        if (cell >= 0) {
+            traversal.collectHits(solid.tree, ray, buffer, cell, 1);
+        } else {
+            traversal.collectHits(solid.tree, ray, 1);
+        }
+    }
+
+    /** Finds the same triangles; tests every triangle. */
+    public void collectHitsBruteForce(double limit) {
+        Mesh mesh = solid.mesh;
+        int[] v = mesh.triangles();
+        traversal.clearHits();
+        for (int i = 0; i < mesh.triangleCount(); i++) {
+            double t = ray.distance(mesh.positions(), 3 * v[3 * i], 3 * v[3 * i + 1], 3 * v[3 * i + 2], 1);
+            if (t < limit) {
+                traversal.addHit(i, t);
+            }
+        }
+    }
+
+    /** Returns the number of hits found. */
+    public int hitCount() {
+        return traversal.hitCount;
+    }
+
+    public int hitTriangle(int i) {
+        return traversal.hitTriangle[i];
+    }
+
+    public double hitDistance(int i) {
+        return traversal.hitDistance[i];
+    }
+
     /** Returns the triangle found last, −1 for none. */
     public int triangle() {
         return triangle;

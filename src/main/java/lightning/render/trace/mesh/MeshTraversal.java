@@ -1,11 +1,18 @@
 package lightning.render.trace.mesh;
 
+import java.util.Arrays;
+
 /** Single-ray traversal of a mesh's BVH. Holds scratch memory: use one per thread. */
 final class MeshTraversal {
     private int[] stack = new int[64];
-    private double[] entryDistance = new double[64];
+    /** Entry distances of the nodes on the stack, as bits of non-negative doubles. */
+    private long[] entryBits = new long[64];
     /** Triangle found by {@link #nearest}. */
     int triangle;
+    /** Hits found by {@link #collectHits}. */
+    int hitCount;
+    int[] hitTriangle = new int[8];
+    double[] hitDistance = new double[8];
 
     /**
      * Returns the distance of the triangle hit first, the one with the lowest index among equal distances; {@code +∞} if there
@@ -20,7 +27,7 @@ final class MeshTraversal {
         int top = push(tree, ray, 0, 0, nearestDistance);
         while (top > 0) {
             top--;
-            if (entryDistance[top] > nearestDistance) {
+            if (entryBits[top] > Double.doubleToRawLongBits(nearestDistance)) {
                 continue;
             }
             int next = stack[top];
@@ -29,7 +36,8 @@ final class MeshTraversal {
                 continue;
             }
             int leaf = ~next;
-            for (int s = 0; s < MeshTree.WIDTH && tree.triangle[MeshTree.WIDTH * leaf + s] >= 0; s++) {
+            for (int slots = ray.hitSlots(tree.vertex, MeshTree.LEAF_FLOATS * leaf); slots != 0; slots &= slots - 1) {
+                int s = Integer.numberOfTrailingZeros(slots);
                 int id = tree.triangle[MeshTree.WIDTH * leaf + s];
                 double t = distance(tree, ray, leaf, s);
                 if (t < MeshRay.MISS && (t < nearestDistance || t == nearestDistance && (triangle < 0 || id < triangle))
@@ -53,7 +61,8 @@ final class MeshTraversal {
                 continue;
             }
             int leaf = ~next;
-            for (int s = 0; s < MeshTree.WIDTH && tree.triangle[MeshTree.WIDTH * leaf + s] >= 0; s++) {
+            for (int slots = ray.hitSlots(tree.vertex, MeshTree.LEAF_FLOATS * leaf); slots != 0; slots &= slots - 1) {
+                int s = Integer.numberOfTrailingZeros(slots);
                 double t = distance(tree, ray, leaf, s);
                 if (t < limit && (alphaTest == null || !alphaTest.passes(tree.triangle[MeshTree.WIDTH * leaf + s], t))) {
                     return true;
@@ -61,6 +70,57 @@ final class MeshTraversal {
             }
         }
         return false;
+    }
+
+    /** Adds all hits of a ray at distances below {@code limit} to {@link #hitTriangle} and {@link #hitDistance}, in any order. */
+    void collectHits(MeshTree tree, MeshRay ray, double limit) {
+        ensureCapacity(tree);
+        hitCount = 0;
+        int top = push(tree, ray, 0, 0, limit);
+        while (top > 0) {
+            int next = stack[--top];
+            if (next >= 0) {
+                top = push(tree, ray, next, top, limit);
+            } else {
+                collectLeaf(tree, ray, ~next, limit);
+            }
+        }
+    }
+
+    /** Adds all hits of a ray to a light buffer's point that is in one of its cells. */
+    void collectHits(MeshTree tree, MeshRay ray, LightBuffer buffer, int cell, double limit) {
+        hitCount = 0;
+        int end = buffer.start(cell + 1);
+        for (int i = buffer.start(cell); i < end; i++) {
+            int reference = buffer.reference(i);
+            if (ray.entersBox(tree.box, MeshTree.NODE_FLOATS * (reference >> 3) + (reference & 7), limit)) {
+                collectLeaf(tree, ray, ~tree.child[reference], limit);
+            }
+        }
+    }
+
+    private void collectLeaf(MeshTree tree, MeshRay ray, int leaf, double limit) {
+        for (int slots = ray.hitSlots(tree.vertex, MeshTree.LEAF_FLOATS * leaf); slots != 0; slots &= slots - 1) {
+            int s = Integer.numberOfTrailingZeros(slots);
+            double t = distance(tree, ray, leaf, s);
+            if (t < limit) {
+                addHit(tree.triangle[MeshTree.WIDTH * leaf + s], t);
+            }
+        }
+    }
+
+    /** Removes all hits. */
+    void clearHits() {
+        hitCount = 0;
+    }
+
+    void addHit(int id, double t) {
+        if (hitCount == hitTriangle.length) {
+            hitTriangle = Arrays.copyOf(hitTriangle, 2 * hitCount);
+            hitDistance = Arrays.copyOf(hitDistance, 2 * hitCount);
+        }
+        hitTriangle[hitCount] = id;
+        hitDistance[hitCount++] = t;
     }
 
     private static double distance(MeshTree tree, MeshRay ray, int leaf, int slot) {
@@ -71,23 +131,55 @@ final class MeshTraversal {
     private void ensureCapacity(MeshTree tree) {
         if (stack.length < tree.stackSize) {
             stack = new int[tree.stackSize];
-            entryDistance = new double[tree.stackSize];
+            entryBits = new long[tree.stackSize];
         }
     }
 
-    /** Pushes the children of a node whose boxes the ray enters onto the stack, the nearest last. */
+    /**
+     * Pushes the children of a node whose boxes the padded ray may enter at a distance up to {@code limit} onto the stack, the
+     * nearest last.
+     *
+     * <p>Contains the box test, because the first compiler does not inline methods of this size. Compares distances as bits: it
+     * compiles a minimum of integers without a branch, and neither order nor sign differs where it matters.
+     */
     private int push(MeshTree tree, MeshRay ray, int node, int top, double limit) {
+        float[] box = tree.box;
+        int[] child = tree.child;
+        double nearX = ray.nearX;
+        double nearY = ray.nearY;
+        double nearZ = ray.nearZ;
+        double farX = ray.farX;
+        double farY = ray.farY;
+        double farZ = ray.farZ;
+        double inverseX = ray.inverseX;
+        double inverseY = ray.inverseY;
+        double inverseZ = ray.inverseZ;
+        int first = MeshTree.NODE_FLOATS * node;
+        // Distances to the sides that the ray reaches first, and to the others.
+        int x = inverseX > 0 ? first : first + 8;
+        int y = inverseY > 0 ? first + 16 : first + 24;
+        int z = inverseZ > 0 ? first + 32 : first + 40;
+        int exitX = 2 * first + 8 - x;
+        int exitY = 2 * first + 40 - y;
+        int exitZ = 2 * first + 72 - z;
+        long limitBits = Double.doubleToRawLongBits(limit);
         int end = top;
-        for (int c = 0; c < MeshTree.WIDTH && tree.child[MeshTree.WIDTH * node + c] != MeshTree.NONE; c++) {
-            if (ray.entersBox(tree.box, MeshTree.NODE_FLOATS * node + c, limit)) {
-                double in = ray.entryDistance;
+        for (int c = 0; c < MeshTree.WIDTH; c++) {
+            long in = Math.max(0, Double.doubleToRawLongBits((box[x + c] - nearX) * inverseX));
+            in = Math.max(in, Double.doubleToRawLongBits((box[y + c] - nearY) * inverseY));
+            in = Math.max(in, Double.doubleToRawLongBits((box[z + c] - nearZ) * inverseZ));
+            // Adding 0 makes −0 positive.
+            long out = Math.min(limitBits, Double.doubleToRawLongBits((box[exitX + c] - farX) * inverseX + 0.0));
+            out = Math.min(out, Double.doubleToRawLongBits((box[exitY + c] - farY) * inverseY + 0.0));
+            out = Math.min(out, Double.doubleToRawLongBits((box[exitZ + c] - farZ) * inverseZ + 0.0));
+            if (in <= out) {
                 int at = end++;
-                for (; at > top && entryDistance[at - 1] < in; at--) {
-                    entryDistance[at] = entryDistance[at - 1];
+                for (; at > top && entryBits[at - 1] < in; at--) {
+                    entryBits[at] = entryBits[at - 1];
                     stack[at] = stack[at - 1];
                 }
-                entryDistance[at] = in;
-                stack[at] = tree.child[MeshTree.WIDTH * node + c];
+                entryBits[at] = in;
+                stack[at] = child[MeshTree.WIDTH * node + c];
             }
         }
         return end;

@@ -5,6 +5,7 @@ import java.util.List;
 import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
 import lightning.render.trace.mesh.AlphaTest;
+import lightning.render.trace.mesh.LightBuffer;
 import lightning.render.trace.mesh.MeshRayQuery;
 import lightning.render.trace.mesh.MeshSolid;
 import lightning.render.trace.solid.SolidGeometry;
@@ -486,22 +487,43 @@ public final class PrimitiveTable {
         SurfaceContact contact = ends ? SurfaceContact.END : contact(s, ox, oy, oz);
         CutoutTest cutoutTest = cutout(s) == null ? null : cutoutTest(s, ox, oy, oz, dx, dy, dz);
         if (mesh(s) != null) {
-            // The alpha test records each triangle and lets the ray pass all of them.
-            setProbeRay(probe, s, ox, oy, oz, dx, dy, dz, contact, (triangle, t) -> {
-                hits.add(s, triangle, t, limit, cutoutTest);
-                return true;
-            });
+            setProbeRay(probe, s, ox, oy, oz, dx, dy, dz, contact, null);
             if (bruteForce) {
-                probe.nearestBruteForce();
+                probe.collectHitsBruteForce(limit);
             } else {
-                probe.isBlocked(limit);
+                probe.collectHits(limit);
             }
+            addHits(s, probe, limit, cutoutTest, hits);
             return;
         }
         double t = solidDistance(s, ox, oy, oz, dx, dy, dz, contact);
         if (t < SolidGeometry.MISS) {
             hits.add(s, 0, t, limit, cutoutTest);
             hits.add(s, 0, exitDistance(s, ox, oy, oz, dx, dy, dz, contact, t), limit, cutoutTest);
+        }
+    }
+
+    /**
+     * Adds all hits of a shadow ray, which ends at distance 1, on mesh {@code s}. Neither end is on the mesh.
+     *
+     * @param buffer light buffer of the mesh and the ray's end
+     */
+    public void addHits(int s, double ox, double oy, double oz, double dx, double dy, double dz, LightBuffer buffer, MeshRayQuery probe,
+            ShadowRayHits hits) {
+        double[] m = data;
+        int i = dataStart[s];
+        probe.collectHits(buffer, meshes[s], m[i] * ox + m[i + 1] * oy + m[i + 2] * oz + m[i + 3],
+                m[i + 4] * ox + m[i + 5] * oy + m[i + 6] * oz + m[i + 7], m[i + 8] * ox + m[i + 9] * oy + m[i + 10] * oz + m[i + 11],
+                m[i] * dx + m[i + 1] * dy + m[i + 2] * dz, m[i + 4] * dx + m[i + 5] * dy + m[i + 6] * dz,
+                m[i + 8] * dx + m[i + 9] * dy + m[i + 10] * dz);
+        if (probe.hitCount() > 0) {
+            addHits(s, probe, 1, cutout(s) == null ? null : cutoutTest(s, ox, oy, oz, dx, dy, dz), hits);
+        }
+    }
+
+    private static void addHits(int s, MeshRayQuery probe, double limit, CutoutTest cutoutTest, ShadowRayHits hits) {
+        for (int i = 0; i < probe.hitCount(); i++) {
+            hits.add(s, probe.hitTriangle(i), probe.hitDistance(i), limit, cutoutTest);
         }
     }
 
