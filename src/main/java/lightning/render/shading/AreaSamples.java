@@ -90,7 +90,12 @@ public final class AreaSamples {
      */
     static AreaSamples ofFineSamples(Light light, Vec3 source, Vec3 axis, int grid) {
         int parts = SamplePattern.parts(grid);
-        return of(light, source, axis, Math.ceilDiv(FINE_SHARE * light.area().samples(), parts), parts, SamplePattern.rotations(grid));
+        return of(light, source, axis, perFineSample(light, grid), parts, SamplePattern.rotations(grid));
+    }
+
+    /** Returns the number of samples of an area light that a finer sample of a pixel uses. */
+    public static int perFineSample(Light light, int grid) {
+        return Math.ceilDiv(FINE_SHARE * light.area().samples(), SamplePattern.parts(grid));
     }
 
     /**

@@ -43,7 +43,8 @@ public record EdgeColors(int[] colors, BounceImages images) {
 
     /** Returns whether the step between the packed colors of two neighboring pixels is visible. */
     static boolean differ(int a, int b) {
-        return a != b && (isStep(a >>> 2 * BITS, b >>> 2 * BITS) || isStep(a >>> BITS & MASK, b >>> BITS & MASK) || isStep(a & MASK, b & MASK));
+        return a != b
+                && (isStep(a >>> 2 * BITS, b >>> 2 * BITS) || isStep(a >>> BITS & MASK, b >>> BITS & MASK) || isStep(a & MASK, b & MASK));
     }
 
     private static boolean isStep(int a, int b) {

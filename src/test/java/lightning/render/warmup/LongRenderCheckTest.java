@@ -28,16 +28,23 @@ class LongRenderCheckTest {
     }
 
     @Test
-    void estimate_antialiasing_countsAllSamples() {
+    void estimate_everyPixelSampled_countsAllSamples() {
         Scene scene = scene(100, 100, lights(2));
-        Scene fine = scene.withPicture(scene.picture().withSampling(new SamplingSettings(AntialiasMode.EDGES, 4)));
+        Scene fine = scene.withPicture(scene.picture().withSampling(new SamplingSettings(AntialiasMode.EVERY, 4)));
         assertThat(LongRenderCheck.estimateRays(fine)).isEqualTo(100L * 100 * 16 * 3);
     }
 
     @Test
-    void hundredMillionRays_isLong() {
-        assertThat(LongRenderCheck.isLong(scene(10_000, 5_000, lights(1)))).isTrue();
-        assertThat(LongRenderCheck.isLong(scene(10_000, 4_999, lights(1)))).isFalse();
+    void estimate_edgesSampled_liesBetweenCentersAndAllSamples() {
+        Scene scene = scene(100, 100, lights(2));
+        Scene fine = scene.withPicture(scene.picture().withSampling(new SamplingSettings(AntialiasMode.EDGES, 4)));
+        assertThat(LongRenderCheck.estimateRays(fine)).isBetween(100L * 100 * 3, 100L * 100 * 16 * 3);
+    }
+
+    @Test
+    void twentyFiveMillionRays_isLong() {
+        assertThat(LongRenderCheck.isLong(scene(5_000, 2_500, lights(1)))).isTrue();
+        assertThat(LongRenderCheck.isLong(scene(5_000, 2_499, lights(1)))).isFalse();
     }
 
     private static Scene scene(int width, int height, List<Light> lights) {
