@@ -20,6 +20,7 @@ import lightning.render.image.Film;
 import lightning.scene.AntialiasMode;
 import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
+import lightning.scene.SceneLimits;
 
 /**
  * Benchmark of time against error. Each program is compared with its own image of many samples, because the programs differ in more than
@@ -74,9 +75,16 @@ final class ErrorBench {
                 tasks.put(label(sampling), () -> traced(withSampling(scene, sampling), workers, progress));
             }
             var many = new SamplingSettings(AntialiasMode.EVERY, REFERENCE_GRID);
-            Film reference = traced(withSampling(referenceSize().of(original), many), workers, progress).film();
+            Film reference =
+                    traced(withSampling(withManyLightSamples(referenceSize().of(original)), many), workers, progress).film();
             return curve(PROGRAM, points(tasks, averaged(reference), true, progress));
         }
+    }
+
+    /** Returns the scene with the largest number of samples for each area light: several hundred for each pixel of the reference. */
+    private static Scene withManyLightSamples(Scene scene) {
+        return scene.withLights(scene.lights().stream()
+                .map(light -> light.isArea() ? light.withArea(light.area().withSamples(SceneLimits.MAX_LIGHT_SAMPLES)) : light).toList());
     }
 
     /** Returns POV-Ray's curve: the trace times that it reports, without parsing. */

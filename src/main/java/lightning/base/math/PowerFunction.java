@@ -30,8 +30,18 @@ public final class PowerFunction {
      * @param n ≥ 0
      */
     public static double pow(double x, double n) {
+        return powOfLog2(log2(x), n);
+    }
+
+    /**
+     * Returns log₂x for {@link #powOfLog2}.
+     *
+     * @param x 0…1; below the smallest normal double it counts as 0
+     * @return at most 0; −∞ for 0
+     */
+    public static double log2(double x) {
         if (!(x >= Double.MIN_NORMAL)) {
-            return n == 0 ? 1 : 0;
+            return Double.NEGATIVE_INFINITY;
         }
         long bits = Double.doubleToRawLongBits(x);
         long mantissa = bits & MANTISSA;
@@ -51,7 +61,19 @@ public final class PowerFunction {
         series = series * z + 1.0 / 5;
         series = series * z + 1.0 / 3;
         series = series * z + 1.0;
-        double log2 = exponent + s * LOG2_E_TWICE * series;
+        return exponent + s * LOG2_E_TWICE * series;
+    }
+
+    /**
+     * Returns x<sup>n</sup> from log₂x, with the bits of {@link #pow}.
+     *
+     * @param log2 as {@link #log2} returns it
+     * @param n    ≥ 0
+     */
+    public static double powOfLog2(double log2, double n) {
+        if (log2 == Double.NEGATIVE_INFINITY) {
+            return n == 0 ? 1 : 0;
+        }
         double p = n * log2;
         p = p < MIN_EXPONENT ? MIN_EXPONENT : p;
         double integer = (p + ROUND) - ROUND;

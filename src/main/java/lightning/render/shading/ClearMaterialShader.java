@@ -1,42 +1,52 @@
 package lightning.render.shading;
 
-import lightning.base.math.PowerFunction;
+import java.util.Arrays;
 import lightning.base.math.Rgb;
 import lightning.render.trace.HitRows;
-import lightning.render.trace.Refraction;
 import lightning.scene.Transmission;
 
-/** Evaluates the {@link LightingEquation} over the rows of a clear material, for every engine. */
+/** Evaluates the {@link LightingEquation} over the rows of a clear material. Holds scratch columns: use one instance per thread. */
 final class ClearMaterialShader {
-    private final float[] tint = new float[3];
+    private final SumKernel kernel;
+    /** Fresnel reflectance and interior tint of each row. */
+    private final float[] share = new float[TermKernel.MAX_ROWS];
+    private final float[][] tint = new float[3][TermKernel.MAX_ROWS];
+    /** Stand for missing columns. */
+    private final float[] zeros = new float[TermKernel.MAX_ROWS];
+    private final float[] ones = new float[TermKernel.MAX_ROWS];
+
+    ClearMaterialShader(SumKernel kernel) {
+        this.kernel = kernel;
+        Arrays.fill(ones, 1);
+    }
 
     /** Shades a run of rows, as {@link SumKernel#shade}, including refraction. */
     void shade(HitRows rows, int run, ShadingMaterial material, float ambience, float[][] diffuse, float[][] specular, float[][] grazing,
             BounceImages images, float[][] to) {
-        Transmission clarity = material.clarity();
-        for (int i = rows.runStart(run); i < rows.runEnd[run]; i++) {
-            float share =
-                    Refraction.fresnelReflectance(clarity, rows.isInside(i), rows.nx[i], rows.ny[i], rows.nz[i], rows.vx[i], rows.vy[i],
-                            rows.vz[i]);
-            interiorTint(clarity, rows.insideDistance[i], tint);
-            for (int c = 0; c < 3; c++) {
-                float texel = material.isTextured() ? rows.texel(c)[i] : 1;
-                float metal = material.texturedF0() == null ? 0 : material.texturedF0()[c];
-                to[c][i] = LightingEquation.clearColor(material.ambient()[c], ambience, material.diffuse()[c] * texel, diffuse[c][i],
-                        metal * texel + material.specular()[c], specular == null ? 0 : specular[c][i], grazing == null ? 0 : grazing[c][i],
-                        material.reflective()[c], images.mirrored()[c][i], material.bodyShare(), share, channel(clarity.color(), c),
-                        images.refracted()[c][i], tint[c]);
-            }
+        int start = rows.runStart(run);
+        int end = rows.runEnd[run];
+        kernel.clearTerms(rows, start, end, material.clarity(), material.interior(), share, tint);
+        for (int c = 0; c < 3; c++) {
+            shade(start, end, material, c, ambience, material.isTextured() ? rows.texel(c) : ones, diffuse[c],
+                    specular == null ? zeros : specular[c], grazing == null ? zeros : grazing[c], images.mirrored()[c],
+                    images.refracted()[c], to[c]);
         }
     }
 
-    /**
-     * Writes the transmittance of a ray's path inside a solid: tint<sup>path / tint distance</sup> in red, green, blue; all 1 if it
-     * came from outside.
-     */
-    static void interiorTint(Transmission clarity, float inside, float[] to) {
-        for (int c = 0; c < 3; c++) {
-            to[c] = inside >= 0 ? (float) PowerFunction.pow(channel(clarity.tint(), c), inside / clarity.tintDistance()) : 1;
+    /** Shades one channel. A plain loop over columns, which the compiler turns into vectors. */
+    private void shade(int start, int end, ShadingMaterial material, int c, float ambience, float[] texel, float[] diffuse,
+            float[] specular, float[] grazing, float[] mirrored, float[] refracted, float[] to) {
+        float ka = material.ambient()[c];
+        float kd = material.diffuse()[c];
+        float ks = material.specular()[c];
+        float metal = material.texturedF0() == null ? 0 : material.texturedF0()[c];
+        float kr = material.reflective()[c];
+        float kt = channel(material.clarity().color(), c);
+        float body = material.bodyShare();
+        float[] interior = tint[c];
+        for (int i = start; i < end; i++) {
+            to[i] = LightingEquation.clearColor(ka, ambience, kd * texel[i], diffuse[i], metal * texel[i] + ks, specular[i], grazing[i], kr,
+                    mirrored[i], body, share[i], kt, refracted[i], interior[i]);
         }
     }
 

@@ -76,7 +76,7 @@ final class LevelComposer {
         float[][] specular = shines && sum.hasSpecular && material.hasSpecular() ? sum.specular : null;
         float[][] grazing = shines && sum.hasGrazing && material.texturedF0() != null ? sum.grazing : null;
         if (material.clarity() != null) {
-            clearShader = clearShader == null ? new ClearMaterialShader() : clearShader;
+            clearShader = clearShader == null ? new ClearMaterialShader(sumKernel) : clearShader;
             clearShader.shade(rows, run, material, ambience, diffuse, specular, grazing, images, to);
         } else {
             sumKernel.shade(rows, run, material, ambience, diffuse, specular, grazing, images == null ? null : images.mirrored(), to);

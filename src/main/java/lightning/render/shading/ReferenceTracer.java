@@ -33,7 +33,7 @@ public final class ReferenceTracer {
     /** Shadow ray targets of area light samples. */
     private final Map<Vec3, ShadowRayTarget> sampleTargets = new HashMap<>();
     private final ReferenceTracer mirrorTracer;
-    /** Samples of a pixel that are traced first, and those that some pixels need besides. */
+    /** First samples of a pixel, and the further ones of some pixels. */
     private final SampleCells firstCells;
     private final SampleCells restCells;
 

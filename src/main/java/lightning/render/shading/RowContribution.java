@@ -42,7 +42,7 @@ public final class RowContribution {
             fresnel = Refraction.fresnelReflectance(shading.clarity(), rows.isInside(row), rows.nx[row], rows.ny[row], rows.nz[row],
                     rows.vx[row],
                     rows.vy[row], rows.vz[row]);
-            ClearMaterialShader.interiorTint(shading.clarity(), rows.insideDistance[row], tint);
+            shading.interior().write(rows.insideDistance[row], tint);
         }
         for (int c = 0; c < 3; c++) {
             float texel = shading.isTextured() ? rows.texel(c)[row] : 1;

@@ -12,6 +12,7 @@ import lightning.scene.Transmission;
  * @param texturedF0   the part of F0 that texels multiply; null if the material is not metallic
  * @param reflective   k<sub>reflective</sub>
  * @param clarity      transmission; null if the material is opaque
+ * @param interior     tint of paths inside; null if the material is opaque
  * @param bodyShare    body share of a clear surface
  * @param isTextured   true if its rows' texels multiply k<sub>diffuse</sub>
  * @param hasImage     true if an image is among these factors
@@ -19,7 +20,7 @@ import lightning.scene.Transmission;
  * @param isReflective true if k<sub>reflective</sub> is above 0 in any channel
  */
 public record ShadingMaterial(float[] ambient, float[] diffuse, float[] specular, float[] texturedF0, float[] reflective,
-        Transmission clarity, float bodyShare,
+        Transmission clarity, InteriorTint interior, float bodyShare,
         boolean isTextured,
         boolean hasImage,
         boolean hasSpecular,
@@ -33,7 +34,8 @@ public record ShadingMaterial(float[] ambient, float[] diffuse, float[] specular
                 new float[] {t.diffuse(m, 0), t.diffuse(m, 1), t.diffuse(m, 2)},
                 new float[] {t.specular(m, 0), t.specular(m, 1), t.specular(m, 2)},
                 t.isMetallic(m) ? new float[] {t.metalF0(m, 0), t.metalF0(m, 1), t.metalF0(m, 2)} : null, reflective,
-                t.isTransparent(m) ? t.transmission(m) : null, ClearMaterialShader.bodyShare(t.transmission(m)), t.isTextured(m),
+                t.isTransparent(m) ? t.transmission(m) : null, t.isTransparent(m) ? new InteriorTint(t.transmission(m)) : null,
+                ClearMaterialShader.bodyShare(t.transmission(m)), t.isTextured(m),
                 t.texture(m) != null,
                 t.isSpecular(m),
                 reflective[0] > 0 || reflective[1] > 0 || reflective[2] > 0);

@@ -1,6 +1,7 @@
 package lightning.render.shading;
 
 import lightning.render.trace.HitRows;
+import lightning.scene.Transmission;
 
 /**
  * Adds lights' contributions over the rows of a tile and evaluates the {@link LightingEquation}. Columns have {@link
@@ -25,4 +26,12 @@ public interface SumKernel {
      */
     void shade(HitRows rows, int run, ShadingMaterial material, float ambience, float[][] diffuse, float[][] specular, float[][] grazing,
             float[][] mirrored, float[][] to);
+
+    /**
+     * Writes the terms of rows {@code from … to − 1} of a transparent material that no light changes.
+     *
+     * @param share receives the Fresnel reflectance
+     * @param tint  receives the interior tint: red, green and blue columns
+     */
+    void clearTerms(HitRows rows, int from, int to, Transmission clarity, InteriorTint interior, float[] share, float[][] tint);
 }

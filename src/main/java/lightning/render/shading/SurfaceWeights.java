@@ -12,7 +12,7 @@ public final class SurfaceWeights {
         this.hit = hit;
         fresnel = hit.backSide() == null ? 0 : hit.reflectance();
         if (hit.backSide() != null) {
-            ClearMaterialShader.interiorTint(hit.backSide().transmission(), hit.backSide().insideDistance(), tint);
+            new InteriorTint(hit.backSide().transmission()).write(hit.backSide().insideDistance(), tint);
         }
     }
 

@@ -1,5 +1,7 @@
 package lightning.render.shading;
 
+import java.util.IdentityHashMap;
+import java.util.Map;
 import lightning.base.math.Ray;
 import lightning.base.math.Vec3;
 import lightning.render.trace.Geometry;
@@ -19,6 +21,8 @@ import lightning.scene.Transmission;
 final class Transmittance {
     private final SurfaceHit surface = new SurfaceHit();
     private final float[] tint = new float[3];
+    /** Interior tints of the materials met so far. */
+    private final Map<Transmission, InteriorTint> interiors = new IdentityHashMap<>();
     /** Red, green, blue, 0…1. */
     final float[] rgb = new float[3];
 
@@ -68,7 +72,7 @@ final class Transmittance {
             Transmission clarity = material.transmission();
             surface.computeNormal(primitives, crossings.primitive[i], crossings.part[i], ox, oy, oz, dx, dy, dz, t);
             boolean isExit = surface.isInside() && !clarity.thin();
-            ClearMaterialShader.interiorTint(clarity, isExit ? (float) ((t - last) * length) : -1, tint);
+            interior(clarity).write(isExit ? (float) ((t - last) * length) : -1, tint);
             float share = Refraction.fresnelReflectance(clarity, false, surface.nx, surface.ny, surface.nz, vx, vy, vz);
             for (int c = 0; c < 3; c++) {
                 rgb[c] *= LightingEquation.transmitted(ClearMaterialShader.channel(material.reflective(), c), share,
@@ -79,11 +83,20 @@ final class Transmittance {
             last = t;
         }
         if (hasTarget && entered != null) {
-            ClearMaterialShader.interiorTint(entered, (float) ((1 - last) * length), tint);
+            interior(entered).write((float) ((1 - last) * length), tint);
             for (int c = 0; c < 3; c++) {
                 rgb[c] *= tint[c];
             }
         }
         return rgb[0] != 1 || rgb[1] != 1 || rgb[2] != 1;
+    }
+
+    private InteriorTint interior(Transmission transmission) {
+        InteriorTint known = interiors.get(transmission);
+        if (known == null) {
+            known = new InteriorTint(transmission);
+            interiors.put(transmission, known);
+        }
+        return known;
     }
 }

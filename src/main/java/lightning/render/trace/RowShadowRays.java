@@ -15,7 +15,7 @@ public final class RowShadowRays {
     public final double[] z = new double[RayColumns.MAX_RAYS + OVERRUN];
     /** Index of the sample pattern that each row uses, from 0. */
     public final int[] pattern = new int[RayColumns.MAX_RAYS + OVERRUN];
-    /** The same as doubles, by which lanes select. */
+    /** The same patterns as doubles, for the lanes. */
     public final double[] patternLanes = new double[RayColumns.MAX_RAYS + OVERRUN];
     /** Shadow ray target of each row; unused if {@link #isOffSurface}. */
     public final ShadowRayTarget[] target = new ShadowRayTarget[RayColumns.MAX_RAYS + OVERRUN];

@@ -55,6 +55,11 @@ public final class PowerLanes {
     private static void exponential(double[] values, int i) {
         DoubleVector given = DoubleVector.fromArray(D, values, i);
         VectorMask<Double> none = given.compare(VectorOperators.EQ, Double.NEGATIVE_INFINITY);
+        exponential(given).blend(0, none).intoArray(values, i);
+    }
+
+    /** Returns 2^p; p is at most 0. */
+    static DoubleVector exponential(DoubleVector given) {
         DoubleVector p = given.blend(PowerFunction.MIN_EXPONENT, given.compare(VectorOperators.LT, PowerFunction.MIN_EXPONENT));
         DoubleVector rounded = p.add(PowerFunction.ROUND).sub(PowerFunction.ROUND);
         DoubleVector y = p.sub(rounded).mul(PowerFunction.LN2);
@@ -72,6 +77,6 @@ public final class PowerLanes {
         e = e.mul(y).add(1);
         // whole + 1023 as an integer, by the inverse of that method.
         DoubleVector scale = rounded.add(1023).add(0x1p52).reinterpretAsLongs().lanewise(VectorOperators.LSHL, 52).reinterpretAsDoubles();
-        e.mul(scale).blend(0, none).intoArray(values, i);
+        return e.mul(scale);
     }
 }

@@ -2,11 +2,13 @@ package lightning.render.engine.lanes;
 
 import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorSpecies;
+import lightning.render.shading.InteriorTint;
 import lightning.render.shading.ShadingMaterial;
 import lightning.render.shading.SumKernel;
 import lightning.render.shading.SumOperands;
 import lightning.render.shading.TermKernel;
 import lightning.render.trace.HitRows;
+import lightning.scene.Transmission;
 
 /**
  * Lane version of {@link SumKernel}: processes rows in whole, aligned vectors. Kernels are short, because in longer ones
@@ -135,6 +137,14 @@ final class SumLanes implements SumKernel {
                 color = color.add(FloatVector.fromArray(F, image, i).mul(kr));
             }
             color.intoArray(to, i);
+        }
+    }
+
+    @Override
+    public void clearTerms(HitRows rows, int from, int to, Transmission clarity, InteriorTint interior, float[] share, float[][] tint) {
+        ClearTermLanes.writeReflectances(rows, from, to, clarity, share);
+        for (int c = 0; c < 3; c++) {
+            ClearTermLanes.writeTransmittances(rows, from, to, interior, c, tint[c]);
         }
     }
 }

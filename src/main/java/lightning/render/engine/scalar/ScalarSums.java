@@ -1,9 +1,12 @@
 package lightning.render.engine.scalar;
 
+import lightning.render.shading.InteriorTint;
 import lightning.render.shading.ShadingMaterial;
 import lightning.render.shading.SumKernel;
 import lightning.render.shading.SumOperands;
 import lightning.render.trace.HitRows;
+import lightning.render.trace.Refraction;
+import lightning.scene.Transmission;
 
 /** Scalar implementation of {@link SumKernel}. */
 final class ScalarSums implements SumKernel {
@@ -69,6 +72,19 @@ final class ScalarSums implements SumKernel {
                     color += mirrored[c][i] * kr;
                 }
                 to[c][i] = color;
+            }
+        }
+    }
+
+    @Override
+    public void clearTerms(HitRows rows, int from, int to, Transmission clarity, InteriorTint interior, float[] share, float[][] tint) {
+        for (int i = from; i < to; i++) {
+            share[i] = Refraction.fresnelReflectance(clarity, rows.isInside(i), rows.nx[i], rows.ny[i], rows.nz[i], rows.vx[i], rows.vy[i],
+                    rows.vz[i]);
+        }
+        for (int c = 0; c < 3; c++) {
+            for (int i = from; i < to; i++) {
+                tint[c][i] = interior.isWhite() ? 1 : interior.transmittance(c, rows.insideDistance[i]);
             }
         }
     }

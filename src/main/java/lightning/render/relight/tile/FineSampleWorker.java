@@ -107,16 +107,20 @@ final class FineSampleWorker {
         return array;
     }
 
-    /** Updates the samples that are known and traces those that are missing. If canceled, the result is incomplete. */
+    /** Updates known samples and traces missing ones. If canceled, the result is incomplete. */
     private FineSamples update(int tile, SampleCells cells, short[] pixels, FineSamples old) {
-        FineSamples wanted = new FineSamples(cells, pixels, old.blocks());
-        BitSet missing = wanted.pixelSet();
+        FineSamples needed = new FineSamples(cells, pixels, old.blocks());
+        BitSet neededPixels = needed.pixelSet();
+        BitSet missing = needed.pixelSet();
+        int batchSize = SampleMean.pixelsPerBatch(cells.count());
+        boolean isFragmented = old.blocks().length > 2 + 2 * Math.ceilDiv(pixels.length, batchSize);
+        int minSize = isFragmented ? (int) (MIN_BLOCK_SHARE * batchSize) : 1;
         List<SampleBlock> blocks = new ArrayList<>();
         for (SampleBlock block : old.blocks()) {
             if (job.progress().isCanceled()) {
-                return wanted;
+                return needed;
             }
-            if (isWorthKeeping(block, wanted)) {
+            if (block.pixels().length >= minSize && isWorthKeeping(block, neededPixels)) {
                 blocks.add(relight(tile, cells, block));
                 for (short pixel : block.pixels()) {
                     missing.clear(pixel);
@@ -124,23 +128,18 @@ final class FineSampleWorker {
             }
         }
         short[] added = toArray(missing);
-        int batchSize = SampleMean.pixelsPerBatch(cells.count());
         for (int from = 0; from < added.length && !job.progress().isCanceled(); from += batchSize) {
             blocks.add(trace(tile, cells, Arrays.copyOfRange(added, from, Math.min(added.length, from + batchSize))));
         }
         return new FineSamples(cells, Arrays.equals(pixels, old.pixels()) ? old.pixels() : pixels, blocks.toArray(SampleBlock[]::new));
     }
 
-    private static boolean isWorthKeeping(SampleBlock block, FineSamples wanted) {
-        BitSet used = wanted.pixelSet();
+    private static boolean isWorthKeeping(SampleBlock block, BitSet neededPixels) {
         int count = 0;
         for (short pixel : block.pixels()) {
-            count += used.get(pixel) ? 1 : 0;
+            count += neededPixels.get(pixel) ? 1 : 0;
         }
-        int batchSize = SampleMean.pixelsPerBatch(wanted.cells().count());
-        boolean isFragmented = wanted.blocks().length > 2 + 2 * Math.ceilDiv(wanted.pixels().length, batchSize);
-        return count > 0 && count >= MIN_USED_SHARE * block.pixels().length
-                && !(isFragmented && block.pixels().length < MIN_BLOCK_SHARE * batchSize);
+        return count > 0 && count >= MIN_USED_SHARE * block.pixels().length;
     }
 
     private SamplePositions positions(int tile, SampleCells cells, short[] pixels) {
