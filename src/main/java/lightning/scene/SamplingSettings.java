@@ -8,6 +8,8 @@ package lightning.scene;
  */
 public record SamplingSettings(AntialiasMode antialias, int grid) {
     public static final SamplingSettings DEFAULT = new SamplingSettings(AntialiasMode.OFF, 4);
+    /** All samples of a pixel together cast at least this many times the shadow rays of its center to an area light. */
+    private static final int LIGHT_SAMPLES_SHARE = 2;
 
     public SamplingSettings {
         SceneLimits.checkRange("samples", grid, SceneLimits.MIN_SAMPLES, SceneLimits.MAX_SAMPLES);
@@ -21,6 +23,15 @@ public record SamplingSettings(AntialiasMode antialias, int grid) {
     /** Returns the samples of a pixel with several. */
     public int samplesPerPixel() {
         return grid * grid;
+    }
+
+    /**
+     * Returns how many samples of an area light each sample of a pixel with several uses.
+     *
+     * @param light samples of the light from the pixel's center
+     */
+    public int lightSamples(int light) {
+        return Math.ceilDiv(LIGHT_SAMPLES_SHARE * light, samplesPerPixel());
     }
 
     /** Returns whether both settings place the same samples, whatever the scene. */

@@ -2,6 +2,7 @@ package lightning.render.relight;
 
 import lightning.render.cache.PixelCache;
 import lightning.render.relight.tile.RenderOptions;
+import lightning.render.trace.SampleCells;
 import lightning.scene.AntialiasMode;
 import lightning.scene.PictureSettings;
 import lightning.scene.SamplingSettings;
@@ -28,6 +29,8 @@ final class MemoryForecast {
     /** Factor of a tiny picture's bytes that a larger picture hardly exceeds. */
     private static final double TINY_MARGIN = 1.5;
     private static final int MIN_SAMPLES = SceneLimits.MIN_SAMPLES * SceneLimits.MIN_SAMPLES;
+    /** Share of the pixels with samples whose first samples differ so much that they need all; rather too large. */
+    private static final double REFINED_SHARE = 0.65;
 
     private final Scene scene;
     private final RenderOptions options;
@@ -133,9 +136,14 @@ final class MemoryForecast {
         double bytes = film + switch (sampling.antialias()) {
             case OFF -> pixels * each;
             case EVERY -> pixels * each * sampling.samplesPerPixel();
-            case EDGES -> pixels * each + Math.pow(side / SMALL_SIDE, edgeExponent) * edgeBytes * sampling.samplesPerPixel() / MIN_SAMPLES;
+            case EDGES -> pixels * each + Math.pow(side / SMALL_SIDE, edgeExponent) * edgeBytes * samplesAtEdges(sampling) / MIN_SAMPLES;
         };
         return Math.min((long) bytes, MemoryEstimate.upperBound(scene.withPicture(picture), options, parts));
+    }
+
+    /** Returns the mean number of samples of a pixel that has several. */
+    private static double samplesAtEdges(SamplingSettings sampling) {
+        return SampleCells.first(sampling.grid()).count() + REFINED_SHARE * SampleCells.rest(sampling.grid()).count();
     }
 
     /** Small picture: its pixels, and the bytes of centers and of finer samples, colors included. */

@@ -8,6 +8,7 @@ import lightning.render.trace.SamplePattern;
 import lightning.scene.AreaShape;
 import lightning.scene.Light;
 import lightning.scene.LightType;
+import lightning.scene.SamplingSettings;
 
 /**
  * Sample points of an area light in render space, or unit vectors towards a directional light. The light is the mean of its
@@ -25,14 +26,12 @@ import lightning.scene.LightType;
  * </ul>
  *
  * <p>A row of a pixel center uses all n samples, in one of {@link #ROTATIONS} rotations, chosen by a hash of its point. A finer
- * sample of a pixel uses a part of the samples: every k-th of k·m, where k is the number of parts and m the smallest number for
- * which the pixel has at least {@link #FINE_SHARE} times n ({@link SamplePattern}).
+ * sample of a pixel uses a part of the samples: every k-th of k·m, where k is the number of parts ({@link SamplePattern}) and m is
+ * {@link SamplingSettings#lightSamples}.
  */
 public final class AreaSamples {
     /** Number of rotations of pixel centers. */
     public static final int ROTATIONS = 16;
-    /** All finer samples of a pixel together have at least this many times the samples of its center. */
-    private static final int FINE_SHARE = 2;
 
     private static final double GOLDEN = 0.6180339887498949;
     private static final double PLASTIC = 0.7548776662466927;
@@ -83,19 +82,10 @@ public final class AreaSamples {
         return of(light, source, axis, light.area().samples(), 1, ROTATIONS);
     }
 
-    /**
-     * Creates the samples that rows of finer samples use.
-     *
-     * @param grid samples along each side of a pixel
-     */
-    static AreaSamples ofFineSamples(Light light, Vec3 source, Vec3 axis, int grid) {
-        int parts = SamplePattern.parts(grid);
-        return of(light, source, axis, perFineSample(light, grid), parts, SamplePattern.rotations(grid));
-    }
-
-    /** Returns the number of samples of an area light that a finer sample of a pixel uses. */
-    public static int perFineSample(Light light, int grid) {
-        return Math.ceilDiv(FINE_SHARE * light.area().samples(), SamplePattern.parts(grid));
+    /** Creates the samples that rows of finer samples use. */
+    static AreaSamples ofFineSamples(Light light, Vec3 source, Vec3 axis, SamplingSettings sampling) {
+        return of(light, source, axis, sampling.lightSamples(light.area().samples()), SamplePattern.parts(sampling.grid()),
+                SamplePattern.rotations(sampling.grid()));
     }
 
     /**

@@ -30,7 +30,7 @@ public record LightSource(Light light, Vec3 position, Vec3 axis, double cosAngle
         return new LightSource(light, source, axis, surface ? 0 : Transform.cosDegrees(light.angle()), surface ? 1 : light.dropoff(),
                 light.isArea() ? AreaSamples.ofCenters(light, source, axis) : null,
                 light.isArea() && scene.picture().sampling().isSupersampled()
-                        ? AreaSamples.ofFineSamples(light, source, axis, scene.picture().sampling().grid()) : null);
+                        ? AreaSamples.ofFineSamples(light, source, axis, scene.picture().sampling()) : null);
     }
 
     public LightType type() {

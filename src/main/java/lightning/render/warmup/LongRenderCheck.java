@@ -1,6 +1,5 @@
 package lightning.render.warmup;
 
-import lightning.render.shading.AreaSamples;
 import lightning.scene.PictureSettings;
 import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
@@ -46,8 +45,8 @@ public final class LongRenderCheck {
 
     /** The finer samples of a pixel share the samples of an area light. */
     private static long raysPerFineSample(Scene scene) {
-        int grid = scene.picture().sampling().grid();
-        return 1 + scene.rig().effectiveLights().stream().mapToLong(light -> light.isArea() ? AreaSamples.perFineSample(light, grid) : 1)
+        SamplingSettings sampling = scene.picture().sampling();
+        return 1 + scene.rig().effectiveLights().stream().mapToLong(light -> light.isArea() ? sampling.lightSamples(light.area().samples()) : 1)
                 .sum();
     }
 }
