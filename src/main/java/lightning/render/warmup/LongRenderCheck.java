@@ -46,7 +46,8 @@ public final class LongRenderCheck {
     /** The finer samples of a pixel share the samples of an area light. */
     private static long raysPerFineSample(Scene scene) {
         SamplingSettings sampling = scene.picture().sampling();
-        return 1 + scene.rig().effectiveLights().stream().mapToLong(light -> light.isArea() ? sampling.lightSamples(light.area().samples()) : 1)
+        return 1 + scene.rig().effectiveLights().stream()
+                .mapToLong(light -> light.isArea() ? sampling.lightSamples(light.area().samples()) : 1)
                 .sum();
     }
 }

@@ -26,6 +26,7 @@ import lightning.render.shading.RayCounts;
 import lightning.render.shading.ReferenceTracer;
 import lightning.sample.TransparentScenes;
 import lightning.scene.AntialiasMode;
+import lightning.scene.Light;
 import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
 import lightning.scene.effects.RenderEffect;
@@ -47,7 +48,12 @@ class GoTest extends EditorFixture {
     /** Adds enough lights that a large picture takes noticeable time. */
     private void manyLights() {
         robot.interact(() -> {
-            for (int i = 0; i < 120; i++) {
+            // Many shadow rays in little memory.
+            model().editor().edit(scene -> {
+                Light lamp = scene.light("lamp").orElseThrow();
+                return new EditOutcome.Applied(scene.withLight(lamp.withArea(lamp.area().withRadius(0.5).withSamples(64))));
+            });
+            for (int i = 0; i < 20; i++) {
                 model().editor().edit(scene -> LightEdits.duplicate(scene, "lamp"));
             }
         });

@@ -6,6 +6,8 @@ import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
+import java.util.Optional;
+import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 import javafx.scene.Node;
 import javafx.scene.control.MenuButton;
@@ -19,6 +21,7 @@ import lightning.scene.Environment;
 import lightning.scene.Scene;
 import lightning.scene.World;
 import org.junit.jupiter.api.Test;
+import org.testfx.util.WaitForAsyncUtils;
 
 class EnvironmentFieldTest extends EditorFixture {
     private MenuButton choice() {
@@ -43,9 +46,14 @@ class EnvironmentFieldTest extends EditorFixture {
 
     private void choose(String name) {
         robot.interact(() -> choice().getOnShowing().handle(null));
-        waitFor("the menu lists the file", () -> choice().getItems().stream().anyMatch(i -> name.equals(i.getText())));
-        MenuItem item = choice().getItems().stream().filter(i -> name.equals(i.getText())).findFirst().orElseThrow();
-        robot.interact(item::fire);
+        waitFor("the menu lists the file", () -> item(name).isPresent());
+        robot.interact(item(name).orElseThrow()::fire);
+    }
+
+    /** Reads the menu in the window's thread, which may be filling it. */
+    private Optional<MenuItem> item(String name) {
+        return WaitForAsyncUtils.waitForAsyncFx(TimeUnit.SECONDS.toMillis(10),
+                () -> choice().getItems().stream().filter(i -> name.equals(i.getText())).findFirst());
     }
 
     private void type(String dial, String number) {
