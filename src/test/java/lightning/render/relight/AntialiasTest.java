@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import java.util.Set;
+import java.util.concurrent.CancellationException;
 import java.util.stream.IntStream;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
@@ -13,6 +14,7 @@ import lightning.render.image.Film;
 import lightning.render.image.FilmAssert;
 import lightning.render.relight.plan.Accuracy;
 import lightning.render.relight.plan.ReflectionMode;
+import lightning.render.relight.tile.MirrorStorage;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.render.shading.ReferenceTracer;
 import lightning.render.shading.WeightedLight;
@@ -252,6 +254,34 @@ class AntialiasTest {
                 double error = FilmError.largestError(renderer.film(), new ReferenceTracer(scene.withLight(edit), scene).trace());
                 assertThat(error).isLessThanOrEqualTo(update.errorBound());
             }
+        }
+    }
+
+    @ParameterizedTest
+    @EnumSource(MirrorStorage.class)
+    void updateCanceledAtAnyCheck_leavesPicture(MirrorStorage storage) {
+        Scene scene = studio(AntialiasMode.EDGES);
+        Scene red = scene.withLight(key(scene).withColor(new Rgb(1, 0.2, 0.1)));
+        RenderOptions options = new RenderOptions(Accuracy.EXACT, ReflectionMode.CURRENT, storage, 1);
+        try (Renderer renderer = new Renderer(options)) {
+            renderer.render(scene, Progress.NONE);
+            Film before = renderer.film().copy();
+            int checks = 0;
+            while (isCanceled(renderer, red, checks)) {
+                FilmAssert.assertSameBits(renderer.film(), before, "antialias-canceled-" + checks);
+                checks++;
+            }
+            assertThat(checks).isGreaterThan(50);
+            FilmAssert.assertSameBits(renderer.film(), new ReferenceTracer(red).trace(), "antialias-completed");
+        }
+    }
+
+    private static boolean isCanceled(Renderer renderer, Scene target, int checks) {
+        try {
+            renderer.render(target, new CancelingProgress(checks));
+            return false;
+        } catch (CancellationException e) {
+            return true;
         }
     }
 }

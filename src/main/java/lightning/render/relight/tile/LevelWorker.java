@@ -199,10 +199,13 @@ final class LevelWorker {
         return level;
     }
 
-    /** Returns a level with the terms of the lights that shine, for {@link PreparedScene#edgeLights}. */
+    /**
+     * Returns a level with the terms of the lights that shine, for {@link PreparedScene#edgeLights}. It casts no ray, so it does not
+     * ask for cancellation: the caller composes all terms.
+     */
     TileLevel withTerms(TileLevel level) {
         LightLayer[] terms = new LightLayer[target.lights().length];
-        for (int l = 0; l < terms.length && !job.progress().isCanceled(); l++) {
+        for (int l = 0; l < terms.length; l++) {
             terms[l] = target.lights()[l].isDark() ? null : updater.terms(level.rows(), target.lights()[l], level.layers()[l]);
         }
         return new TileLevel(level.rows(), terms);
