@@ -3,11 +3,10 @@ package lightning.bench;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
-import java.util.stream.Stream;
+import lightning.base.file.TemporaryFolder;
 import lightning.base.work.Progress;
 import lightning.format.pov.PovRayRunner;
 import lightning.format.pov.PovSampling;
@@ -56,19 +55,11 @@ record ColdStartMeter(int threads, int processes, double maxMs) {
                 progress.report(i + 1, processes);
             }
         } finally {
-            delete(folder);
+            TemporaryFolder.delete(folder);
         }
         TimeSamples process = ours.wallTime();
         return new ColdStart(process, ours.processorTime(),
                 povRay.isEmpty() ? null : new ColdStart.Rival(PovRayBench.PROGRAM, rival.wallTime(),
                         rival.processorTime(), process.median() / rival.wallTime().median()));
-    }
-
-    private static void delete(Path folder) throws IOException {
-        try (Stream<Path> files = Files.walk(folder)) {
-            for (Path file : files.sorted(Comparator.reverseOrder()).toList()) {
-                Files.delete(file);
-            }
-        }
     }
 }

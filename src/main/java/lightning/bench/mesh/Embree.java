@@ -15,9 +15,9 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
-import java.util.Comparator;
 import java.util.Optional;
 import java.util.stream.Stream;
+import lightning.base.file.TemporaryFolder;
 import lightning.scene.Mesh;
 
 /**
@@ -68,7 +68,7 @@ public final class Embree implements AutoCloseable {
         try {
             return Optional.of(new Embree(folder, compileAndStart(folder, compiler().orElseThrow())));
         } catch (IOException | InterruptedException e) {
-            delete(folder);
+            TemporaryFolder.delete(folder);
             throw e;
         }
     }
@@ -189,19 +189,11 @@ public final class Embree implements AutoCloseable {
         process.destroy();
         try {
             process.waitFor();
-            delete(folder);
+            TemporaryFolder.delete(folder);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         } catch (IOException e) {
             // The system clears its own temporary folder.
-        }
-    }
-
-    private static void delete(Path folder) throws IOException {
-        try (Stream<Path> files = Files.walk(folder)) {
-            for (Path file : files.sorted(Comparator.reverseOrder()).toList()) {
-                Files.delete(file);
-            }
         }
     }
 }

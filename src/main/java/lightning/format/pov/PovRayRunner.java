@@ -6,12 +6,12 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
+import lightning.base.file.TemporaryFolder;
 import lightning.format.image.ImageFile;
 import lightning.render.image.Film;
 
@@ -127,11 +127,7 @@ public final class PovRayRunner {
             scene.write(folder.resolve("scene.pov"));
             return task.run(folder);
         } finally {
-            try (Stream<Path> files = Files.walk(folder)) {
-                for (Path file : files.sorted(Comparator.reverseOrder()).toList()) {
-                    Files.delete(file);
-                }
-            }
+            TemporaryFolder.delete(folder);
         }
     }
 

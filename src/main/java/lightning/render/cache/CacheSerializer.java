@@ -67,17 +67,22 @@ public final class CacheSerializer {
     }
 
     public static void writeColors(PixelCache cache, ColumnWriter out) throws IOException {
-        for (CachedTile tile : cache.allTiles()) {
-            out.writeFloatArrays(tile.film);
-            write(tile.images, out);
+        for (CachedTile tile : cache.tiles()) {
+            writeColors(tile, out);
         }
         for (int i = 0; i < cache.fineCount(); i++) {
             for (SampleBlock block : cache.fineTile(i).blocks().toList()) {
+                writeColors(block.rows(), out);
                 out.writeFloatArrays(block.means());
             }
             out.writeFloatArrays(cache.fineTile(i).film());
         }
         out.writeChecksum();
+    }
+
+    private static void writeColors(CachedTile tile, ColumnWriter out) throws IOException {
+        out.writeFloatArrays(tile.film);
+        write(tile.images, out);
     }
 
     private static void write(BounceImages images, ColumnWriter out) throws IOException {
@@ -100,10 +105,7 @@ public final class CacheSerializer {
             tiles[i] = withColors(tiles[i], colors);
         }
         for (int i = 0; i < fine.length; i++) {
-            fine[i] = new FineTile(withColors(fine[i].first(), colors), withColors(fine[i].rest(), colors), null);
-        }
-        for (int i = 0; i < fine.length; i++) {
-            fine[i] = new FineTile(withMeans(fine[i].first(), colors), withMeans(fine[i].rest(), colors), colors.readFloatArrays());
+            fine[i] = new FineTile(withColors(fine[i].first(), colors), withColors(fine[i].rest(), colors), colors.readFloatArrays());
         }
         colors.expectEnd();
         return new PixelCache(outline.geometry(), tiles, fine, outline.scenes(), outline.lights(), outline.mirroredLights());
@@ -141,16 +143,7 @@ public final class CacheSerializer {
         SampleBlock[] blocks = new SampleBlock[samples.blocks().length];
         for (int b = 0; b < blocks.length; b++) {
             SampleBlock block = samples.blocks()[b];
-            blocks[b] = new SampleBlock(block.pixels(), withColors(block.rows(), in), null);
-        }
-        return new FineSamples(samples.cells(), samples.pixels(), blocks);
-    }
-
-    private static FineSamples withMeans(FineSamples samples, ColumnReader in) throws IOException {
-        SampleBlock[] blocks = new SampleBlock[samples.blocks().length];
-        for (int b = 0; b < blocks.length; b++) {
-            SampleBlock block = samples.blocks()[b];
-            blocks[b] = new SampleBlock(block.pixels(), block.rows(), in.readFloatArrays());
+            blocks[b] = new SampleBlock(block.pixels(), withColors(block.rows(), in), in.readFloatArrays());
         }
         return new FineSamples(samples.cells(), samples.pixels(), blocks);
     }

@@ -76,9 +76,4 @@ public record FineSamples(SampleCells cells, short[] pixels, SampleBlock[] block
         return new FineSamples(cells, pixels, Arrays.stream(blocks)
                 .map(block -> new SampleBlock(block.pixels(), block.rows().withoutColors(), block.means())).toArray(SampleBlock[]::new));
     }
-
-    /** Returns the bytes of the mean colors. */
-    public long meanBytes() {
-        return Arrays.stream(blocks).mapToLong(SampleBlock::meanBytes).sum();
-    }
 }

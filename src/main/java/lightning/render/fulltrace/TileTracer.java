@@ -8,6 +8,7 @@ import lightning.render.engine.Engine;
 import lightning.render.image.Film;
 import lightning.render.shading.BounceImages;
 import lightning.render.shading.EdgeColors;
+import lightning.render.shading.EdgeDetector;
 import lightning.render.shading.LightKernel;
 import lightning.render.shading.LightLayer;
 import lightning.render.shading.RayCounts;
@@ -79,7 +80,7 @@ final class TileTracer {
 
         LevelContext(Geometry geometry, Scene scene, WeightedLight[] lights, Engine engine, Tracer tracer) {
             this.lights = lights;
-            edgeLights = Arrays.stream(lights).map(WeightedLight::forEdges).toArray(WeightedLight[]::new);
+            edgeLights = WeightedLight.forEdges(lights);
             this.scene = scene;
             world = scene.world();
             materials = geometry.materials();
@@ -111,10 +112,9 @@ final class TileTracer {
         sampleLevels = new HitRows[depth + 1];
         layers = new LightLayer[Math.max(eyeLevel.lights.length, mirrorLevels.lights.length)];
         samples = sampling.isSupersampled() ? new float[3][Film.TILE_PIXELS] : null;
-        boolean detectsEdges = sampling.antialias() == AntialiasMode.EDGES;
-        edgeColors = detectsEdges ? new float[3][Film.TILE_PIXELS] : null;
-        firstCells = detectsEdges ? SampleCells.first(sampling.grid()) : SampleCells.all(sampling.grid());
-        restCells = SampleCells.rest(sampling.grid());
+        edgeColors = sampling.antialias() == AntialiasMode.EDGES ? new float[3][Film.TILE_PIXELS] : null;
+        firstCells = SampleCells.first(sampling);
+        restCells = SampleCells.rest(sampling);
     }
 
     /** Returns the rays cast so far. */
@@ -149,7 +149,7 @@ final class TileTracer {
 
     /** Traces the samples of some pixels of a tile; {@code pixels} are ascending indices in the tile. */
     void traceSamples(Film film, int tile, short[] pixels, Progress progress) {
-        boolean refines = edgeColors != null && restCells.count() > 0;
+        boolean refines = restCells.count() > 0;
         BitSet refined = new BitSet();
         forEachBatch(film, tile, pixels, firstCells, refines, (batch, colors) -> {
             float[][] pixel = tileColors(film, tile);
@@ -162,11 +162,7 @@ final class TileTracer {
                 refined.set(batch[i], refines && EdgeColors.needMore(packed, i * firstCells.count(), firstCells.count()));
             }
         }, progress);
-        short[] rest = new short[refined.cardinality()];
-        for (int i = 0, pixel = refined.nextSetBit(0); pixel >= 0; pixel = refined.nextSetBit(pixel + 1)) {
-            rest[i++] = (short) pixel;
-        }
-        forEachBatch(film, tile, rest, restCells, false, (batch, colors) -> {
+        forEachBatch(film, tile, EdgeDetector.toPixels(refined), restCells, false, (batch, colors) -> {
             float[][] pixel = tileColors(film, tile);
             float[][] means = SampleMean.ofPixels(batch.length, restCells.count(), colors);
             for (int i = 0; i < batch.length; i++) {

@@ -79,7 +79,7 @@ final class AreaLightKernel {
         shadowCaster = links.shadowCaster(source);
         byte[] state = columns.states(rows.count);
         Arrays.fill(state, 0, rows.count, LightRows.FACING_AWAY);
-        computePatterns(rows);
+        AreaSamples.writePatterns(rows, shadowRays);
         if (rows.count > 0 && !source.type().hasCone()) {
             return recomputeWithoutCone(rows, source, state, columns);
         }
@@ -147,7 +147,7 @@ final class AreaLightKernel {
             return recomputeTerms(rows, source, before, columns);
         }
         shadowCaster = links.shadowCaster(source);
-        computePatterns(rows);
+        AreaSamples.writePatterns(rows, shadowRays);
         findVisibleSamples(rows, source);
         byte[] state = columns.states(rows.count);
         System.arraycopy(before.state, 0, state, 0, rows.count);
@@ -168,14 +168,10 @@ final class AreaLightKernel {
         if (before.litCount() == 0) {
             return LightRows.unlit(before.states(), before.visibleSamples()).withTint(before.tint());
         }
-        computePatterns(rows);
+        AreaSamples.writePatterns(rows, shadowRays);
         unpackVisibleSamples(rows, source, before.visibleSamples());
         RowBits.selectState(before.states(), rows.count, LightRows.LIT, anyLit);
         return meanTerms(rows, source, before.states(), before.visibleSamples(), columns).withTint(before.tint());
-    }
-
-    private void computePatterns(HitRows rows) {
-        AreaSamples.writePatterns(rows, shadowRays);
     }
 
     /** Aims the terms of a set of rows at sample {@code s}; stores the cosines. */

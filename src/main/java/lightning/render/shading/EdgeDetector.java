@@ -1,6 +1,7 @@
 package lightning.render.shading;
 
 import java.util.Arrays;
+import java.util.BitSet;
 import java.util.stream.IntStream;
 import lightning.render.image.Film;
 
@@ -35,6 +36,15 @@ public final class EdgeDetector {
             all[i] = (short) (i / columns * SIDE + i % columns);
         }
         return all;
+    }
+
+    /** Returns a set of pixels of a tile as ascending indices. */
+    public static short[] toPixels(BitSet set) {
+        short[] pixels = new short[set.cardinality()];
+        for (int i = 0, pixel = set.nextSetBit(0); pixel >= 0; pixel = set.nextSetBit(pixel + 1)) {
+            pixels[i++] = (short) pixel;
+        }
+        return pixels;
     }
 
     /** Returns some tiles of a film and their neighbors, ascending. */

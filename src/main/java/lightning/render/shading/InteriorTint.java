@@ -11,19 +11,12 @@ public final class InteriorTint {
     /** log₂ of the tint in red, green, blue; −∞ for 0. */
     private final double[] log2 = new double[3];
     private final double distance;
-    private final boolean isWhite;
 
     public InteriorTint(Transmission transmission) {
         for (int c = 0; c < 3; c++) {
             log2[c] = PowerFunction.log2(ClearMaterialShader.channel(transmission.tint(), c));
         }
         distance = transmission.tintDistance();
-        isWhite = log2[0] == 0 && log2[1] == 0 && log2[2] == 0;
-    }
-
-    /** Returns whether the material absorbs nothing. */
-    public boolean isWhite() {
-        return isWhite;
     }
 
     /** Returns log₂ of the tint in one channel; −∞ for 0. */
@@ -38,7 +31,7 @@ public final class InteriorTint {
 
     /** Returns the transmittance in one channel of a path in scene units; 1 if the path is negative, as for a ray from outside. */
     public float transmittance(int channel, float path) {
-        return path >= 0 ? (float) PowerFunction.powOfLog2(log2[channel], path / distance) : 1;
+        return path >= 0 && log2[channel] != 0 ? (float) PowerFunction.powOfLog2(log2[channel], path / distance) : 1;
     }
 
     /** Writes the transmittance of a path: red, green, blue. */

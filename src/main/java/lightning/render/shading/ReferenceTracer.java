@@ -13,7 +13,6 @@ import lightning.render.trace.SampleCells;
 import lightning.render.trace.SamplePattern;
 import lightning.render.trace.SurfacePoint;
 import lightning.render.trace.tree.ShadowRayTarget;
-import lightning.scene.AntialiasMode;
 import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
 
@@ -55,12 +54,9 @@ public final class ReferenceTracer {
         mirrorTracer = scene == mirrored ? this : new ReferenceTracer(mirrored, mirrored, forEdges);
         geometry = new Geometry(scene);
         materials = geometry.materials();
-        lights = Arrays.stream(WeightedLight.ofScene(scene)).map(light -> forEdges ? light.forEdges() : light)
-                .toArray(WeightedLight[]::new);
-        int grid = scene.picture().sampling().grid();
-        boolean refines = scene.picture().sampling().antialias() == AntialiasMode.EDGES;
-        firstCells = refines ? SampleCells.first(grid) : SampleCells.all(grid);
-        restCells = SampleCells.rest(grid);
+        lights = forEdges ? WeightedLight.forEdges(WeightedLight.ofScene(scene)) : WeightedLight.ofScene(scene);
+        firstCells = SampleCells.first(scene.picture().sampling());
+        restCells = SampleCells.rest(scene.picture().sampling());
         targets = Arrays.stream(lights).map(WeightedLight::source)
                 .map(source -> source.type().hasPosition() ? geometry.shadowRayTargetBruteForce(source.position()) : null)
                 .toArray(ShadowRayTarget[]::new);
@@ -99,7 +95,7 @@ public final class ReferenceTracer {
     /** Returns the mean of a pixel's samples: the first ones, and if their colors differ visibly, the rest. */
     private float[] finePixel(int x, int y, ReferenceTracer sampled, ReferenceTracer edges) {
         float[] first = mean(samples(x, y, sampled.firstCells));
-        if (sampled.firstCells.count() == SamplePattern.parts(sampled.firstCells.grid()) || !edges.differs(x, y, sampled.firstCells)) {
+        if (sampled.restCells.count() == 0 || !edges.differs(x, y, sampled.firstCells)) {
             return first;
         }
         float[] rest = mean(samples(x, y, sampled.restCells));

@@ -51,6 +51,11 @@ public record WeightedLight(Light light, float red, float green, float blue, Lig
         return new WeightedLight(light, nearestPowerOfTwo(red), nearestPowerOfTwo(green), nearestPowerOfTwo(blue), source);
     }
 
+    /** Returns lights as edge detection sees them. */
+    public static WeightedLight[] forEdges(WeightedLight[] lights) {
+        return Arrays.stream(lights).map(WeightedLight::forEdges).toArray(WeightedLight[]::new);
+    }
+
     private static float nearestPowerOfTwo(float weight) {
         return weight == 0 ? 0 : Math.scalb(1f, Math.min(Math.getExponent(weight * Math.sqrt(2)), Float.MAX_EXPONENT));
     }

@@ -2,6 +2,8 @@ package lightning.render.trace;
 
 import java.util.BitSet;
 import java.util.stream.IntStream;
+import lightning.scene.AntialiasMode;
+import lightning.scene.SamplingSettings;
 
 /**
  * Cells of a pixel's grid that have a sample at their centers: all, the first ones, or the rest. The first samples decide whether
@@ -23,14 +25,19 @@ public record SampleCells(int grid, int[] cells) {
         return new SampleCells(grid, IntStream.range(0, grid * grid).toArray());
     }
 
-    /** Returns whether a grid is fine enough for first samples that decide about the rest. */
-    public static boolean canRefine(int grid) {
-        return grid >= FIRST_COUNT;
+    /** Returns the cells that every pixel with several samples has. */
+    public static SampleCells first(SamplingSettings sampling) {
+        return sampling.antialias() == AntialiasMode.EDGES ? first(sampling.grid()) : all(sampling.grid());
+    }
+
+    /** Returns the cells that a pixel also has if its first samples differ much; none if the first are all. */
+    public static SampleCells rest(SamplingSettings sampling) {
+        return sampling.antialias() == AntialiasMode.EDGES ? rest(sampling.grid()) : new SampleCells(sampling.grid(), new int[0]);
     }
 
     /** Returns the cells of the first samples; all cells of a grid that cannot be refined. */
     public static SampleCells first(int grid) {
-        return canRefine(grid)
+        return grid >= FIRST_COUNT
                 ? new SampleCells(grid,
                         IntStream.range(0, FIRST_COUNT).map(i -> quarter(i, grid) * grid + quarter(FIRST_COLUMNS[i], grid)).toArray())
                 : all(grid);

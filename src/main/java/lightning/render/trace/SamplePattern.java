@@ -23,21 +23,6 @@ public final class SamplePattern {
         return Math.min(MAX_ROTATIONS, Integer.highestOneBit(MAX_PATTERNS / parts(grid)));
     }
 
-    /** Returns the number of patterns: parts times rotations, at most 256. */
-    public static int count(int grid) {
-        return parts(grid) * rotations(grid);
-    }
-
-    /** Returns the part that a pattern uses. */
-    public static int part(int pattern, int grid) {
-        return pattern % parts(grid);
-    }
-
-    /** Returns the rotation that a pattern uses. */
-    public static int rotation(int pattern, int grid) {
-        return pattern / parts(grid);
-    }
-
     /**
      * Returns the pattern of a sample, as an unsigned byte.
      *

@@ -7,9 +7,7 @@ import static jdk.incubator.vector.VectorOperators.LT;
 import static jdk.incubator.vector.VectorOperators.SQRT;
 
 import jdk.incubator.vector.DoubleVector;
-import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorMask;
-import jdk.incubator.vector.VectorShape;
 import jdk.incubator.vector.VectorSpecies;
 import lightning.base.math.Vec3;
 import lightning.render.shading.LightSource;
@@ -30,8 +28,8 @@ import lightning.render.trace.HitRows;
  * culled.
  */
 final class AreaLightLanes {
-    private static final VectorSpecies<Double> D = DoubleVector.SPECIES_PREFERRED;
-    private static final VectorSpecies<Float> F = VectorSpecies.of(float.class, VectorShape.forBitSize(D.vectorBitSize() / 2));
+    private static final VectorSpecies<Double> D = ColumnLanes.D;
+    private static final VectorSpecies<Float> F = ColumnLanes.F;
     private static final double MIN_DISTANCE = 0x1p-400;
     /** Normals and directions rounded to float have a squared length this close to 1. */
     private static final double UNIT_TOLERANCE = 0x1p-20;
@@ -70,12 +68,12 @@ final class AreaLightLanes {
     }
 
     private int rowsFacingAway(HitRows rows, int i) {
-        DoubleVector nx = load(rows.nx, i);
-        DoubleVector ny = load(rows.ny, i);
-        DoubleVector nz = load(rows.nz, i);
-        DoubleVector vx = broadcast(D, x).sub(load(rows.px, i).mul(positionFactor));
-        DoubleVector vy = broadcast(D, y).sub(load(rows.py, i).mul(positionFactor));
-        DoubleVector vz = broadcast(D, z).sub(load(rows.pz, i).mul(positionFactor));
+        DoubleVector nx = ColumnLanes.load(rows.nx, i);
+        DoubleVector ny = ColumnLanes.load(rows.ny, i);
+        DoubleVector nz = ColumnLanes.load(rows.nz, i);
+        DoubleVector vx = broadcast(D, x).sub(ColumnLanes.load(rows.px, i).mul(positionFactor));
+        DoubleVector vy = broadcast(D, y).sub(ColumnLanes.load(rows.py, i).mul(positionFactor));
+        DoubleVector vz = broadcast(D, z).sub(ColumnLanes.load(rows.pz, i).mul(positionFactor));
         DoubleVector v = vx.mul(vx).add(vy.mul(vy)).add(vz.mul(vz)).lanewise(SQRT);
         DoubleVector n = nx.mul(nx).add(ny.mul(ny)).add(nz.mul(nz)).lanewise(SQRT);
         DoubleVector max = nx.mul(vx).add(ny.mul(vy)).add(nz.mul(vz)).add(n.mul(extent));
@@ -109,19 +107,19 @@ final class AreaLightLanes {
     }
 
     private int rowsWithoutHighlight(HitRows rows, int i, double cosine) {
-        DoubleVector nx = load(rows.nx, i);
-        DoubleVector ny = load(rows.ny, i);
-        DoubleVector nz = load(rows.nz, i);
-        DoubleVector vx = broadcast(D, x).sub(load(rows.px, i).mul(positionFactor));
-        DoubleVector vy = broadcast(D, y).sub(load(rows.py, i).mul(positionFactor));
-        DoubleVector vz = broadcast(D, z).sub(load(rows.pz, i).mul(positionFactor));
+        DoubleVector nx = ColumnLanes.load(rows.nx, i);
+        DoubleVector ny = ColumnLanes.load(rows.ny, i);
+        DoubleVector nz = ColumnLanes.load(rows.nz, i);
+        DoubleVector vx = broadcast(D, x).sub(ColumnLanes.load(rows.px, i).mul(positionFactor));
+        DoubleVector vy = broadcast(D, y).sub(ColumnLanes.load(rows.py, i).mul(positionFactor));
+        DoubleVector vz = broadcast(D, z).sub(ColumnLanes.load(rows.pz, i).mul(positionFactor));
         DoubleVector v = vx.mul(vx).add(vy.mul(vy)).add(vz.mul(vz)).lanewise(SQRT);
         DoubleVector minDistance = v.sub(extent);
         VectorMask<Double> isDistant = minDistance.compare(GT, v.mul(0x1p-20).add(MIN_DISTANCE));
         DoubleVector nv = nx.mul(vx).add(ny.mul(vy)).add(nz.mul(vz));
-        DoubleVector dx = load(rows.vx, i);
-        DoubleVector dy = load(rows.vy, i);
-        DoubleVector dz = load(rows.vz, i);
+        DoubleVector dx = ColumnLanes.load(rows.vx, i);
+        DoubleVector dy = ColumnLanes.load(rows.vy, i);
+        DoubleVector dz = ColumnLanes.load(rows.vz, i);
         DoubleVector nd = nx.mul(dx).add(ny.mul(dy)).add(nz.mul(dz));
         DoubleVector dv = dx.mul(vx).add(dy.mul(vy)).add(dz.mul(vz));
         DoubleVector max = dv.sub(nd.mul(nv).mul(2)).add((1 + 0x1p-16) * extent);
@@ -130,13 +128,9 @@ final class AreaLightLanes {
 
     /** Returns the rows of a vector that have unit vectors. */
     private static int isUnit(float[] x, float[] y, float[] z, int i) {
-        DoubleVector vx = load(x, i);
-        DoubleVector vy = load(y, i);
-        DoubleVector vz = load(z, i);
+        DoubleVector vx = ColumnLanes.load(x, i);
+        DoubleVector vy = ColumnLanes.load(y, i);
+        DoubleVector vz = ColumnLanes.load(z, i);
         return (int) vx.mul(vx).add(vy.mul(vy)).add(vz.mul(vz)).sub(1).abs().compare(LT, UNIT_TOLERANCE).toLong();
-    }
-
-    private static DoubleVector load(float[] column, int i) {
-        return (DoubleVector) FloatVector.fromArray(F, column, i).castShape(D, 0);
     }
 }

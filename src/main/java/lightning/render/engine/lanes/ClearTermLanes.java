@@ -5,7 +5,6 @@ import jdk.incubator.vector.DoubleVector;
 import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
-import jdk.incubator.vector.VectorShape;
 import jdk.incubator.vector.VectorSpecies;
 import lightning.render.shading.InteriorTint;
 import lightning.render.trace.HitRows;
@@ -17,8 +16,8 @@ import lightning.scene.Transmission;
  * material: the same operations in the same order, hence the same bits.
  */
 final class ClearTermLanes {
-    private static final VectorSpecies<Double> D = DoubleVector.SPECIES_PREFERRED;
-    private static final VectorSpecies<Float> F = VectorSpecies.of(float.class, VectorShape.forBitSize(D.vectorBitSize() / 2));
+    private static final VectorSpecies<Double> D = ColumnLanes.D;
+    private static final VectorSpecies<Float> F = ColumnLanes.F;
 
     private ClearTermLanes() {}
 
@@ -32,10 +31,11 @@ final class ClearTermLanes {
     }
 
     private static FloatVector reflectance(HitRows rows, int i, double outside, double inside, boolean thin) {
-        VectorMask<Double> isInside = load(rows.insideDistance, i).compare(VectorOperators.GE, 0);
+        VectorMask<Double> isInside = ColumnLanes.load(rows.insideDistance, i).compare(VectorOperators.GE, 0);
         DoubleVector eta = DoubleVector.broadcast(D, outside).blend(inside, isInside);
-        DoubleVector c = load(rows.nx, i).mul(load(rows.vx, i)).add(load(rows.ny, i).mul(load(rows.vy, i)))
-                .add(load(rows.nz, i).mul(load(rows.vz, i))).lanewise(VectorOperators.ABS);
+        DoubleVector c = ColumnLanes.load(rows.nx, i).mul(ColumnLanes.load(rows.vx, i))
+                .add(ColumnLanes.load(rows.ny, i).mul(ColumnLanes.load(rows.vy, i)))
+                .add(ColumnLanes.load(rows.nz, i).mul(ColumnLanes.load(rows.vz, i))).lanewise(VectorOperators.ABS);
         c = DoubleVector.broadcast(D, 1).blend(c, c.compare(VectorOperators.LT, 1));
         DoubleVector k = DoubleVector.broadcast(D, 1).sub(eta.mul(eta).mul(DoubleVector.broadcast(D, 1).sub(c.mul(c))));
         DoubleVector root = k.lanewise(VectorOperators.SQRT);
@@ -66,12 +66,8 @@ final class ClearTermLanes {
     }
 
     private static FloatVector transmittance(HitRows rows, int i, double log2, double distance) {
-        DoubleVector path = load(rows.insideDistance, i);
+        DoubleVector path = ColumnLanes.load(rows.insideDistance, i);
         DoubleVector power = PowerLanes.exponential(path.div(distance).mul(log2));
         return (FloatVector) DoubleVector.broadcast(D, 1).blend(power, path.compare(VectorOperators.GE, 0)).castShape(F, 0);
-    }
-
-    private static DoubleVector load(float[] column, int i) {
-        return (DoubleVector) FloatVector.fromArray(F, column, i).castShape(D, 0);
     }
 }

@@ -4,7 +4,6 @@ import jdk.incubator.vector.DoubleVector;
 import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
-import jdk.incubator.vector.VectorShape;
 import jdk.incubator.vector.VectorSpecies;
 import lightning.render.shading.AreaSamples;
 import lightning.render.shading.LightSource;
@@ -23,10 +22,8 @@ import lightning.scene.Attenuation;
  * up to a limit of compiler nodes, and a vector passed to a call that is not inlined is boxed (docs/performance.md).
  */
 final class LightLanes implements TermKernel {
-    private static final VectorSpecies<Double> D = DoubleVector.SPECIES_PREFERRED;
-    /** Float vector with as many lanes as a double vector. */
-    private static final VectorSpecies<Float> F =
-            VectorSpecies.of(float.class, VectorShape.forBitSize(D.vectorBitSize() / 2));
+    private static final VectorSpecies<Double> D = ColumnLanes.D;
+    private static final VectorSpecies<Float> F = ColumnLanes.F;
     static final int LANES = D.length();
     private static final VectorSpecies<Float> WIDE = FloatVector.SPECIES_PREFERRED;
 
@@ -90,16 +87,16 @@ final class LightLanes implements TermKernel {
      */
     private void aimAtPoints(HitRows rows, int from, int to, AreaSamples area, int s, RowShadowRays patterns, float[] cosine) {
         for (int i = from; i < to; i += LANES) {
-            DoubleVector vx = samplePosition(area, area.x, s, patterns, i).sub(load(rows.px, i));
-            DoubleVector vy = samplePosition(area, area.y, s, patterns, i).sub(load(rows.py, i));
-            DoubleVector vz = samplePosition(area, area.z, s, patterns, i).sub(load(rows.pz, i));
+            DoubleVector vx = samplePosition(area, area.x, s, patterns, i).sub(ColumnLanes.load(rows.px, i));
+            DoubleVector vy = samplePosition(area, area.y, s, patterns, i).sub(ColumnLanes.load(rows.py, i));
+            DoubleVector vz = samplePosition(area, area.z, s, patterns, i).sub(ColumnLanes.load(rows.pz, i));
             DoubleVector d = vx.mul(vx).add(vy.mul(vy)).add(vz.mul(vz)).lanewise(VectorOperators.SQRT);
             VectorMask<Double> atLight = d.compare(VectorOperators.LT, LightingEquation.MIN_DISTANCE);
             DoubleVector inverse = DoubleVector.broadcast(D, 1).div(d);
             d.intoArray(distance, i);
-            DoubleVector nx = load(rows.nx, i);
-            DoubleVector ny = load(rows.ny, i);
-            DoubleVector nz = load(rows.nz, i);
+            DoubleVector nx = ColumnLanes.load(rows.nx, i);
+            DoubleVector ny = ColumnLanes.load(rows.ny, i);
+            DoubleVector nz = ColumnLanes.load(rows.nz, i);
             DoubleVector x = vx.mul(inverse).blend(nx, atLight);
             DoubleVector y = vy.mul(inverse).blend(ny, atLight);
             DoubleVector z = vz.mul(inverse).blend(nz, atLight);
@@ -120,7 +117,8 @@ final class LightLanes implements TermKernel {
             x.intoArray(lx, i);
             y.intoArray(ly, i);
             z.intoArray(lz, i);
-            FloatVector c = (FloatVector) load(rows.nx, i).mul(x).add(load(rows.ny, i).mul(y)).add(load(rows.nz, i).mul(z)).castShape(F, 0);
+            FloatVector c = (FloatVector) ColumnLanes.load(rows.nx, i).mul(x).add(ColumnLanes.load(rows.ny, i).mul(y))
+                    .add(ColumnLanes.load(rows.nz, i).mul(z)).castShape(F, 0);
             c.intoArray(cosine, i);
             facingBits[i / LANES] = (int) c.compare(VectorOperators.GT, 0).toLong();
         }
@@ -170,9 +168,9 @@ final class LightLanes implements TermKernel {
         double y = source.position().y();
         double z = source.position().z();
         for (int i = 0; i < rows.count; i += LANES) {
-            DoubleVector vx = DoubleVector.broadcast(D, x).sub(load(rows.px, i));
-            DoubleVector vy = DoubleVector.broadcast(D, y).sub(load(rows.py, i));
-            DoubleVector vz = DoubleVector.broadcast(D, z).sub(load(rows.pz, i));
+            DoubleVector vx = DoubleVector.broadcast(D, x).sub(ColumnLanes.load(rows.px, i));
+            DoubleVector vy = DoubleVector.broadcast(D, y).sub(ColumnLanes.load(rows.py, i));
+            DoubleVector vz = DoubleVector.broadcast(D, z).sub(ColumnLanes.load(rows.pz, i));
             vx.mul(vx).add(vy.mul(vy)).add(vz.mul(vz)).lanewise(VectorOperators.SQRT).intoArray(distance, i);
         }
     }
@@ -184,9 +182,9 @@ final class LightLanes implements TermKernel {
     }
 
     private void aimAtPoint(HitRows rows, int i, DoubleVector x, DoubleVector y, DoubleVector z) {
-        DoubleVector vx = x.sub(load(rows.px, i));
-        DoubleVector vy = y.sub(load(rows.py, i));
-        DoubleVector vz = z.sub(load(rows.pz, i));
+        DoubleVector vx = x.sub(ColumnLanes.load(rows.px, i));
+        DoubleVector vy = y.sub(ColumnLanes.load(rows.py, i));
+        DoubleVector vz = z.sub(ColumnLanes.load(rows.pz, i));
         DoubleVector d = vx.mul(vx).add(vy.mul(vy)).add(vz.mul(vz)).lanewise(VectorOperators.SQRT);
         DoubleVector inverse = DoubleVector.broadcast(D, 1).div(d);
         d.intoArray(distance, i);
@@ -212,9 +210,9 @@ final class LightLanes implements TermKernel {
     @Override
     public void cosines(HitRows rows, float[] to) {
         for (int i = 0; i < rows.count; i += LANES) {
-            DoubleVector c = load(rows.nx, i).mul(DoubleVector.fromArray(D, lx, i))
-                    .add(load(rows.ny, i).mul(DoubleVector.fromArray(D, ly, i)))
-                    .add(load(rows.nz, i).mul(DoubleVector.fromArray(D, lz, i)));
+            DoubleVector c = ColumnLanes.load(rows.nx, i).mul(DoubleVector.fromArray(D, lx, i))
+                    .add(ColumnLanes.load(rows.ny, i).mul(DoubleVector.fromArray(D, ly, i)))
+                    .add(ColumnLanes.load(rows.nz, i).mul(DoubleVector.fromArray(D, lz, i)));
             ((FloatVector) c.castShape(F, 0)).intoArray(to, i);
         }
     }
@@ -289,14 +287,14 @@ final class LightLanes implements TermKernel {
     private static void accumulate(float[] term, int[] rowSet, int from, int to, double[] sum) {
         for (int i = from; i < to; i += LANES) {
             DoubleVector previous = DoubleVector.fromArray(D, sum, i);
-            previous.blend(previous.add(load(term, i)), maskAt(rowSet, i)).intoArray(sum, i);
+            previous.blend(previous.add(ColumnLanes.load(term, i)), maskAt(rowSet, i)).intoArray(sum, i);
         }
     }
 
     private static void accumulate(float[] term, float[] falloff, int[] rowSet, int from, int to, double[] sum) {
         for (int i = from; i < to; i += LANES) {
             DoubleVector previous = DoubleVector.fromArray(D, sum, i);
-            previous.blend(previous.add(load(term, i).mul(load(falloff, i))), maskAt(rowSet, i)).intoArray(sum, i);
+            previous.blend(previous.add(ColumnLanes.load(term, i).mul(ColumnLanes.load(falloff, i))), maskAt(rowSet, i)).intoArray(sum, i);
         }
     }
 
@@ -420,9 +418,9 @@ final class LightLanes implements TermKernel {
 
     /** Writes the cosines of a vector's rows to {@link #power}; returns true if any is above {@code zeroCosine}. */
     private boolean writeMirrorCosine(HitRows rows, int i, int at, double zeroCosine) {
-        DoubleVector nx = load(rows.nx, i);
-        DoubleVector ny = load(rows.ny, i);
-        DoubleVector nz = load(rows.nz, i);
+        DoubleVector nx = ColumnLanes.load(rows.nx, i);
+        DoubleVector ny = ColumnLanes.load(rows.ny, i);
+        DoubleVector nz = ColumnLanes.load(rows.nz, i);
         DoubleVector x = DoubleVector.fromArray(D, lx, i);
         DoubleVector y = DoubleVector.fromArray(D, ly, i);
         DoubleVector z = DoubleVector.fromArray(D, lz, i);
@@ -430,9 +428,9 @@ final class LightLanes implements TermKernel {
         DoubleVector rx = x.sub(twice.mul(nx));
         DoubleVector ry = y.sub(twice.mul(ny));
         DoubleVector rz = z.sub(twice.mul(nz));
-        DoubleVector vx = load(rows.vx, i);
-        DoubleVector vy = load(rows.vy, i);
-        DoubleVector vz = load(rows.vz, i);
+        DoubleVector vx = ColumnLanes.load(rows.vx, i);
+        DoubleVector vy = ColumnLanes.load(rows.vy, i);
+        DoubleVector vz = ColumnLanes.load(rows.vz, i);
         DoubleVector dot = vx.mul(rx).add(vy.mul(ry)).add(vz.mul(rz));
         DoubleVector lengths = vx.mul(vx).add(vy.mul(vy)).add(vz.mul(vz))
                 .mul(rx.mul(rx).add(ry.mul(ry)).add(rz.mul(rz)));
@@ -486,12 +484,12 @@ final class LightLanes implements TermKernel {
 
     /** Writes N·L·D·V to {@link #power}. */
     private void writeMicrofacetTerm(HitRows rows, int i, double alpha) {
-        DoubleVector nx = load(rows.nx, i);
-        DoubleVector ny = load(rows.ny, i);
-        DoubleVector nz = load(rows.nz, i);
-        DoubleVector hx = DoubleVector.fromArray(D, lx, i).sub(load(rows.vx, i));
-        DoubleVector hy = DoubleVector.fromArray(D, ly, i).sub(load(rows.vy, i));
-        DoubleVector hz = DoubleVector.fromArray(D, lz, i).sub(load(rows.vz, i));
+        DoubleVector nx = ColumnLanes.load(rows.nx, i);
+        DoubleVector ny = ColumnLanes.load(rows.ny, i);
+        DoubleVector nz = ColumnLanes.load(rows.nz, i);
+        DoubleVector hx = DoubleVector.fromArray(D, lx, i).sub(ColumnLanes.load(rows.vx, i));
+        DoubleVector hy = DoubleVector.fromArray(D, ly, i).sub(ColumnLanes.load(rows.vy, i));
+        DoubleVector hz = DoubleVector.fromArray(D, lz, i).sub(ColumnLanes.load(rows.vz, i));
         DoubleVector nh = nx.mul(hx).add(ny.mul(hy)).add(nz.mul(hz));
         DoubleVector lengths = nx.mul(nx).add(ny.mul(ny)).add(nz.mul(nz)).mul(hx.mul(hx).add(hy.mul(hy)).add(hz.mul(hz)));
         DoubleVector c = clampToUnit(nh.mul(nh).div(lengths));
@@ -508,9 +506,9 @@ final class LightLanes implements TermKernel {
 
     /** Splits the values in {@link #power} by (1 − V·H)⁵. */
     private void splitBySchlick(HitRows rows, int i) {
-        DoubleVector vx = load(rows.vx, i);
-        DoubleVector vy = load(rows.vy, i);
-        DoubleVector vz = load(rows.vz, i);
+        DoubleVector vx = ColumnLanes.load(rows.vx, i);
+        DoubleVector vy = ColumnLanes.load(rows.vy, i);
+        DoubleVector vz = ColumnLanes.load(rows.vz, i);
         DoubleVector hx = DoubleVector.fromArray(D, lx, i).sub(vx);
         DoubleVector hy = DoubleVector.fromArray(D, ly, i).sub(vy);
         DoubleVector hz = DoubleVector.fromArray(D, lz, i).sub(vz);
@@ -529,13 +527,15 @@ final class LightLanes implements TermKernel {
     }
 
     private DoubleVector lightCosine(HitRows rows, int i) {
-        return load(rows.nx, i).mul(DoubleVector.fromArray(D, lx, i)).add(load(rows.ny, i).mul(DoubleVector.fromArray(D, ly, i)))
-                .add(load(rows.nz, i).mul(DoubleVector.fromArray(D, lz, i)));
+        return ColumnLanes.load(rows.nx, i).mul(DoubleVector.fromArray(D, lx, i))
+                .add(ColumnLanes.load(rows.ny, i).mul(DoubleVector.fromArray(D, ly, i)))
+                .add(ColumnLanes.load(rows.nz, i).mul(DoubleVector.fromArray(D, lz, i)));
     }
 
     private static DoubleVector viewCosine(HitRows rows, int i) {
-        DoubleVector c = load(rows.nx, i).mul(load(rows.vx, i)).add(load(rows.ny, i).mul(load(rows.vy, i)))
-                .add(load(rows.nz, i).mul(load(rows.vz, i))).neg();
+        DoubleVector c = ColumnLanes.load(rows.nx, i).mul(ColumnLanes.load(rows.vx, i))
+                .add(ColumnLanes.load(rows.ny, i).mul(ColumnLanes.load(rows.vy, i)))
+                .add(ColumnLanes.load(rows.nz, i).mul(ColumnLanes.load(rows.vz, i))).neg();
         return DoubleVector.zero(D).blend(c, c.compare(VectorOperators.GT, 0));
     }
 
@@ -546,9 +546,5 @@ final class LightLanes implements TermKernel {
 
     private static DoubleVector one() {
         return DoubleVector.broadcast(D, 1);
-    }
-
-    private static DoubleVector load(float[] column, int i) {
-        return (DoubleVector) FloatVector.fromArray(F, column, i).castShape(D, 0);
     }
 }

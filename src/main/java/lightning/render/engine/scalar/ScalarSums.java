@@ -84,7 +84,7 @@ final class ScalarSums implements SumKernel {
         }
         for (int c = 0; c < 3; c++) {
             for (int i = from; i < to; i++) {
-                tint[c][i] = interior.isWhite() ? 1 : interior.transmittance(c, rows.insideDistance[i]);
+                tint[c][i] = interior.transmittance(c, rows.insideDistance[i]);
             }
         }
     }

@@ -68,7 +68,11 @@ public record LayerPlan(WeightedLight target, CachedLight base, LightUpdate upda
 
     /** Returns whether the light's weight changes: color, intensity, on or solo. */
     private boolean changesWeight() {
-        return previous == null || previous.red() != target.red() || previous.green() != target.green() || previous.blue() != target.blue();
+        return previous == null || isOtherWeight(previous, target);
+    }
+
+    private static boolean isOtherWeight(WeightedLight a, WeightedLight b) {
+        return a.red() != b.red() || a.green() != b.green() || a.blue() != b.blue();
     }
 
     /** Returns whether this plan alone changes the picture. */
@@ -78,21 +82,21 @@ public record LayerPlan(WeightedLight target, CachedLight base, LightUpdate upda
 
     /** Returns whether the light may change the colors by which anti-aliasing detects edges in a tile's rows. */
     boolean canChangeEdges(TileLevel old, LightLayer after) {
-        LightLayer before = layerBefore(old);
-        boolean lights = before != null && before.litCount() > 0 || after != null && after.litCount() > 0;
-        return lights && (before != after || changesEdgeWeight());
+        return canChange(old, after, changesEdgeWeight());
     }
 
     private boolean changesEdgeWeight() {
-        WeightedLight now = target.forEdges();
-        WeightedLight then = previous == null ? null : previous.forEdges();
-        return then == null || then.red() != now.red() || then.green() != now.green() || then.blue() != now.blue();
+        return previous == null || isOtherWeight(previous.forEdges(), target.forEdges());
     }
 
     /** Returns whether the color of any of a tile's rows may change. */
     boolean canChangeColors(TileLevel old, LightLayer after) {
+        return canChange(old, after, changesWeight());
+    }
+
+    private boolean canChange(TileLevel old, LightLayer after, boolean weightChanged) {
         LightLayer before = layerBefore(old);
         boolean lights = before != null && before.litCount() > 0 || after != null && after.litCount() > 0;
-        return lights && (before != after || changesWeight());
+        return lights && (before != after || weightChanged);
     }
 }

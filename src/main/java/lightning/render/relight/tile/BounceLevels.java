@@ -233,13 +233,13 @@ final class BounceLevels {
         return images;
     }
 
-    /** Returns all levels of the tile that was traced or updated last, with the terms of the lights in mirrors. */
-    TileLevel[] lastLevelsWithTerms() {
-        return levelsWithTerms(levels.toArray(TileLevel[]::new));
+    /** Returns all levels of the tile that was traced or updated last. */
+    TileLevel[] lastLevels() {
+        return levels.toArray(TileLevel[]::new);
     }
 
     /** Returns levels of a tile, below the first with the terms of their lights. */
-    TileLevel[] levelsWithTerms(TileLevel[] all) {
+    TileLevel[] withTerms(TileLevel[] all) {
         TileLevel[] terms = new TileLevel[all.length];
         Arrays.setAll(terms, i -> i == 0 ? all[0] : worker.withTerms(all[i]));
         return terms;

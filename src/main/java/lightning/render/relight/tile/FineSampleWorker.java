@@ -15,7 +15,6 @@ import lightning.render.shading.EdgeDetector;
 import lightning.render.shading.SampleMean;
 import lightning.render.trace.SampleCells;
 import lightning.render.trace.SamplePositions;
-import lightning.scene.AntialiasMode;
 
 /**
  * Builds and updates the finer samples of tiles for anti-aliasing, after the pixel centers. Use one instance per thread.
@@ -48,10 +47,9 @@ final class FineSampleWorker {
         this.tileWorkers = tileWorkers;
         this.edges = edges;
         this.previousEdges = known;
-        int grid = job.sampling().grid();
-        refines = job.sampling().antialias() == AntialiasMode.EDGES && SampleCells.canRefine(grid);
-        firstCells = refines ? SampleCells.first(grid) : SampleCells.all(grid);
-        restCells = SampleCells.rest(grid);
+        firstCells = SampleCells.first(job.sampling());
+        restCells = SampleCells.rest(job.sampling());
+        refines = restCells.count() > 0;
     }
 
     /**
@@ -80,7 +78,7 @@ final class FineSampleWorker {
     }
 
     private short[] pixels(int tile) {
-        return job.sampling().antialias() == AntialiasMode.EDGES ? edges.edges(tile)
+        return job.detectsEdges() ? edges.edges(tile)
                 : EdgeDetector.allPixels(job.scene().picture().width(), job.scene().picture().height(), tile);
     }
 
@@ -96,15 +94,7 @@ final class FineSampleWorker {
                 }
             }
         }
-        return toArray(different);
-    }
-
-    private static short[] toArray(BitSet pixels) {
-        short[] array = new short[pixels.cardinality()];
-        for (int i = 0, pixel = pixels.nextSetBit(0); pixel >= 0; pixel = pixels.nextSetBit(pixel + 1)) {
-            array[i++] = (short) pixel;
-        }
-        return array;
+        return EdgeDetector.toPixels(different);
     }
 
     /** Updates known samples and traces missing ones. If canceled, the result is incomplete. */
@@ -127,7 +117,7 @@ final class FineSampleWorker {
                 }
             }
         }
-        short[] added = toArray(missing);
+        short[] added = EdgeDetector.toPixels(missing);
         for (int from = 0; from < added.length && !job.progress().isCanceled(); from += batchSize) {
             blocks.add(trace(tile, cells, Arrays.copyOfRange(added, from, Math.min(added.length, from + batchSize))));
         }

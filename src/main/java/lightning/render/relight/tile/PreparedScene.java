@@ -1,6 +1,5 @@
 package lightning.render.relight.tile;
 
-import java.util.Arrays;
 import lightning.render.shading.WeightedLight;
 import lightning.render.trace.Geometry;
 import lightning.scene.Scene;
@@ -18,7 +17,6 @@ public record PreparedScene(Geometry geometry, Scene scene, WeightedLight[] ligh
     /** @param geometry geometry of the same shapes, with any materials */
     public static PreparedScene of(Geometry geometry, Scene scene) {
         WeightedLight[] lights = WeightedLight.ofScene(scene);
-        return new PreparedScene(geometry.withMaterialsOf(scene), scene, lights,
-                Arrays.stream(lights).map(WeightedLight::forEdges).toArray(WeightedLight[]::new));
+        return new PreparedScene(geometry.withMaterialsOf(scene), scene, lights, WeightedLight.forEdges(lights));
     }
 }

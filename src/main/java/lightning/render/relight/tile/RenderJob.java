@@ -19,16 +19,14 @@ import lightning.scene.Scene;
  * @param target       target scene of the first level
  * @param mirrorTarget target scene of the mirror levels: the same if they are updated too, and in a first pass
  * @param plan         the update; null in a first pass
- * @param detectsEdges true if anti-aliasing detects edges
  */
 public record RenderJob(PreparedScene target, PreparedScene mirrorTarget, RenderOptions options, UpdatePlan.Relight plan,
-        boolean detectsEdges,
         Progress progress) {
 
     /** Creates the job of a first pass. */
     public static RenderJob firstPass(Geometry geometry, Scene target, RenderOptions options, Progress progress) {
         PreparedScene shown = PreparedScene.of(geometry, target);
-        return new RenderJob(shown, shown, options, null, needsEdges(target), progress);
+        return new RenderJob(shown, shown, options, null, progress);
     }
 
     /**
@@ -41,7 +39,7 @@ public record RenderJob(PreparedScene target, PreparedScene mirrorTarget, Render
             Progress progress) {
         PreparedScene shown = PreparedScene.of(geometry, target.scene());
         return new RenderJob(shown, plan.mirrors() == null ? PreparedScene.of(geometry, target.mirrored()) : shown, options, plan,
-                needsEdges(target.scene()), progress);
+                progress);
     }
 
     /** Creates the job that traces samples for existing centers, whose mirrors may show an older scene. */
@@ -49,12 +47,17 @@ public record RenderJob(PreparedScene target, PreparedScene mirrorTarget, Render
         PreparedScene shown = PreparedScene.of(centers.geometry(), centers.scene());
         PreparedScene mirrored = centers.mirroredScene().equals(centers.scene()) ? shown
                 : PreparedScene.of(centers.geometry(), centers.mirroredScene());
-        return new RenderJob(shown, mirrored, options, null, true, progress);
+        return new RenderJob(shown, mirrored, options, null, progress);
     }
 
     /** Returns whether the scene has finer samples only at edges. */
     public static boolean needsEdges(Scene scene) {
         return scene.picture().sampling().antialias() == AntialiasMode.EDGES;
+    }
+
+    /** Returns whether anti-aliasing detects edges. */
+    boolean detectsEdges() {
+        return needsEdges(scene());
     }
 
     Scene scene() {

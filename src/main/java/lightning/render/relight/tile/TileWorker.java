@@ -15,7 +15,6 @@ import lightning.render.trace.RowSplice;
 import lightning.render.trace.SamplePositions;
 import lightning.render.trace.TileVisibility;
 import lightning.render.trace.Tracer;
-import lightning.scene.AntialiasMode;
 
 /** Builds and updates cached tiles with one engine. Holds scratch memory: use one instance per thread. */
 final class TileWorker {
@@ -124,9 +123,12 @@ final class TileWorker {
 
     /** Returns the colors for edges of the rays that bounce from the first level's rows, of the levels traced or updated last. */
     private BounceImages edgeImages(TileLevel top) {
-        return top.rows().reflectiveCount == 0 ? null
-                : edgeComposer().composeImages(bounceLevels().lastLevelsWithTerms(), job.mirrorTarget().edgeLights(),
-                        job.mirrorTarget().scene().world());
+        return top.rows().reflectiveCount == 0 ? null : edgeImages(bounceLevels().lastLevels());
+    }
+
+    private BounceImages edgeImages(TileLevel[] levels) {
+        return edgeComposer().composeImages(bounceLevels().withTerms(levels), job.mirrorTarget().edgeLights(),
+                job.mirrorTarget().scene().world());
     }
 
     /**
@@ -152,7 +154,7 @@ final class TileWorker {
         if (!LevelWorker.isWorthUpdating(retraced, places.count())) {
             return firstPass(tile);
         }
-        return relight(places, old, retraced, job.sampling().antialias() == AntialiasMode.EDGES, false);
+        return relight(places, old, retraced, job.detectsEdges(), false);
     }
 
     /** Returns the sample positions whose rays may have another hit than before. */
@@ -250,11 +252,7 @@ final class TileWorker {
         if (old.levels[0].rows().reflectiveCount == 0) {
             return null;
         }
-        if (!job.storesMirrorRows()) {
-            return old.edges.images();
-        }
-        return edgeComposer().composeImages(bounceLevels().levelsWithTerms(old.levels), job.mirrorTarget().edgeLights(),
-                job.mirrorTarget().scene().world());
+        return job.storesMirrorRows() ? edgeImages(old.levels) : old.edges.images();
     }
 
     /**

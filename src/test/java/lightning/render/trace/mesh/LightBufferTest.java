@@ -24,7 +24,7 @@ class LightBufferTest {
             double[] end = {far * random.nextGaussian(), far * random.nextGaussian(), far * random.nextGaussian()};
             LightBuffer buffer = LightBuffer.of(solid, end[0], end[1], end[2]);
             for (int i = 0; buffer != null && i < 40; i++) {
-                compare(solid, buffer, end, aim(mesh, random), random);
+                compare(solid, buffer, end, MeshRayQueryTest.aim(mesh, random), random);
             }
         }
     }
@@ -79,19 +79,5 @@ class LightBufferTest {
             assertThat(hits.put(query.hitTriangle(i), query.hitDistance(i))).isNull();
         }
         return hits;
-    }
-
-    /** Returns a vertex, a point on an edge, or any point. */
-    private static double[] aim(Mesh mesh, Random random) {
-        double[] at = {random.nextGaussian(), random.nextGaussian(), random.nextGaussian()};
-        if (mesh.triangleCount() > 0 && random.nextInt(4) != 0) {
-            int t = 3 * random.nextInt(mesh.triangleCount());
-            double share = random.nextInt(3) / 2.0;
-            for (int a = 0; a < 3; a++) {
-                at[a] = (1 - share) * mesh.positions()[3 * mesh.triangles()[t] + a]
-                        + share * mesh.positions()[3 * mesh.triangles()[t + 1] + a];
-            }
-        }
-        return at;
     }
 }

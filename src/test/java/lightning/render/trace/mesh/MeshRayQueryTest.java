@@ -48,7 +48,7 @@ class MeshRayQueryTest {
     }
 
     /** Returns a vertex, a point on an edge, or any point. */
-    private static double[] aim(Mesh mesh, Random random) {
+    static double[] aim(Mesh mesh, Random random) {
         double[] at = {random.nextGaussian(), random.nextGaussian(), random.nextGaussian()};
         if (mesh.triangleCount() > 0 && random.nextInt(4) != 0) {
             int t = 3 * random.nextInt(mesh.triangleCount());
