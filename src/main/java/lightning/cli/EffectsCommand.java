@@ -120,7 +120,7 @@ final class EffectsCommand implements Callable<Integer> {
             case HIT -> "point, normal, view, position";
             case TEXEL -> "texture colors";
             case PATTERN -> "anti-aliasing";
-            case OWNER -> "pixel of each row";
+            case OWNER -> "shape of each row";
             case TRANSPARENT -> "seen through transparent surfaces";
         };
     }
