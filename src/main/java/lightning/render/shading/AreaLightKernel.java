@@ -15,6 +15,7 @@ import lightning.scene.SceneLimits;
  */
 final class AreaLightKernel {
     private static final int MAX_SAMPLES = SceneLimits.MAX_LIGHT_SAMPLES;
+    private static final int[] ALL_ROWS = allRows();
 
     private final LightLinks links;
     /** Casts the shadow rays to the current light. */
@@ -65,6 +66,12 @@ final class AreaLightKernel {
         this.requiredWork = required;
     }
 
+    private static int[] allRows() {
+        int[] all = RowBits.allocate();
+        RowBits.add(all, 0, TermKernel.MAX_ROWS);
+        return all;
+    }
+
     private static int[][] allocateSets() {
         int[][] sets = new int[MAX_SAMPLES][];
         Arrays.setAll(sets, _ -> RowBits.allocate());
@@ -83,6 +90,7 @@ final class AreaLightKernel {
         if (rows.count > 0 && !source.type().hasCone()) {
             return recomputeWithoutCone(rows, source, state, columns);
         }
+        begin(rows, source);
         findVisibleSamples(rows, source);
         for (int s = 0; s < source.samples(rows).samples(); s++) {
             Arrays.fill(unblocked[s], 0);
@@ -112,7 +120,7 @@ final class AreaLightKernel {
             }
             accumulate(rows, source, s, unblocked[s]);
         }
-        short[][] visibleSamples = writeStates(rows, source, state, anyInside, columns);
+        short[][] visibleSamples = writeStates(rows, source, state, ALL_ROWS, anyInside, columns);
         return buildLayer(rows, source, state, visibleSamples, columns).withTint(tintColumns(rows, source, anyInside, null, columns));
     }
 
@@ -148,6 +156,7 @@ final class AreaLightKernel {
         }
         shadowCaster = links.shadowCaster(source);
         AreaSamples.writePatterns(rows, shadowRays);
+        begin(rows, source);
         findVisibleSamples(rows, source);
         byte[] state = columns.states(rows.count);
         System.arraycopy(before.state, 0, state, 0, rows.count);
@@ -161,6 +170,70 @@ final class AreaLightKernel {
         }
         castAll(rows, source, queried);
         return layerFromStates(rows, source, state, queried, columns).withTint(tintColumns(rows, source, queried, before.tint, columns));
+    }
+
+    /**
+     * Updates the layer after a geometry change. Casts all shadow rays again from some rows and recomputes their terms; the other
+     * rows keep theirs.
+     *
+     * @param changed those rows, which were all tested before
+     */
+    LightRows updateShadows(HitRows rows, LightSource source, LightRows before, int[] changed, ColumnAllocator columns) {
+        shadowCaster = links.shadowCaster(source);
+        AreaSamples.writePatterns(rows, shadowRays);
+        int words = RowBits.words(rows.count);
+        System.arraycopy(changed, 0, queried, 0, words);
+        begin(rows, source);
+        for (int b = 0; b < words; b++) {
+            mayFace[b] &= queried[b];
+        }
+        findVisibleSamples(rows, source);
+        unpackVisibleSamples(rows, source, before.visibleSamples);
+        for (int s = 0; s < source.samples(rows).samples(); s++) {
+            for (int b = 0; b < words; b++) {
+                unblocked[s][b] &= ~queried[b];
+            }
+        }
+        castAll(rows, source, queried);
+        byte[] state = columns.states(rows.count);
+        System.arraycopy(before.state, 0, state, 0, rows.count);
+        short[][] visibleSamples = writeStates(rows, source, state, queried, queried, columns);
+        float[][] tint = tintColumns(rows, source, queried, before.tint, columns);
+        if (hasSameSamples(rows, before.visibleSamples, visibleSamples) && TintTracer.areEqual(rows, tint, before.tint)) {
+            return before;
+        }
+        return mergeTerms(rows, before, meanTerms(rows, source, state, visibleSamples, columns), columns).withTint(tint);
+    }
+
+    private static boolean hasSameSamples(HitRows rows, short[][] before, short[][] after) {
+        boolean isEqual = before == null == (after == null);
+        for (int k = 0; isEqual && before != null && k < before.length; k++) {
+            isEqual = Arrays.equals(before[k], 0, rows.count, after[k], 0, rows.count);
+        }
+        return isEqual;
+    }
+
+    /** Returns a layer with the terms of {@code changed} for the rows in {@link #queried} and those of {@code before} for others. */
+    private LightRows mergeTerms(HitRows rows, LightRows before, LightRows changed, ColumnAllocator columns) {
+        RowBits.selectState(changed.state, rows.count, LightRows.LIT, anyLit);
+        int lit = RowBits.count(anyLit, rows.count);
+        return lit == 0 ? LightRows.unlit(changed.state, changed.visibleSamples)
+                : new LightRows(changed.state, merge(rows, before.cosine, changed.cosine, columns),
+                        merge(rows, before.specular, changed.specular, columns), merge(rows, before.grazing, changed.grazing, columns),
+                        null, changed.visibleSamples, lit);
+    }
+
+    /** Merges two columns; null stands for zeros. */
+    private float[] merge(HitRows rows, float[] before, float[] changed, ColumnAllocator columns) {
+        if (before == null && changed == null) {
+            return null;
+        }
+        float[] merged = columns.floats(rows.count);
+        for (int i = 0; i < rows.count; i++) {
+            float[] from = RowBits.contains(queried, i) ? changed : before;
+            merged[i] = from == null ? 0 : from[i];
+        }
+        return merged;
     }
 
     /** Recomputes all terms of rows whose visibility is known. Casts no shadow ray. */
@@ -182,9 +255,8 @@ final class AreaLightKernel {
         }
     }
 
-    /** Finds for each sample the rows that face it and are in its cone. */
+    /** Finds for each sample the rows of {@link #mayFace} that face it and are in its cone. */
     private void findVisibleSamples(HitRows rows, LightSource source) {
-        begin(rows, source);
         for (int s = 0; s < source.samples(rows).samples(); s++) {
             aim(rows, source, s, mayFace);
             findVisibleRows(rows, source, s);
@@ -242,17 +314,17 @@ final class AreaLightKernel {
 
     /** Returns the mean tints over the unblocked shadow rays of recomputed rows; other rows keep their values. */
     private float[][] tintColumns(HitRows rows, LightSource source, int[] recomputed, float[][] before, ColumnAllocator columns) {
-        if (!hasTint) {
-            return before;
+        if (!hasTint && before == null) {
+            return null;
         }
         float[][] to = TintTracer.startColumns(rows, before, columns);
         for (int i = 0; i < rows.count; i++) {
             int freeCount = 0;
-            for (int s = 0; s < source.samples(rows).samples() && RowBits.contains(recomputed, i); s++) {
+            for (int s = 0; hasTint && s < source.samples(rows).samples() && RowBits.contains(recomputed, i); s++) {
                 freeCount += RowBits.contains(unblocked[s], i) ? 1 : 0;
             }
-            for (int c = 0; c < 3 && freeCount > 0; c++) {
-                to[c][i] = LightingEquation.mean(tintSum[c][i], freeCount);
+            for (int c = 0; c < 3 && RowBits.contains(recomputed, i); c++) {
+                to[c][i] = freeCount == 0 ? 1 : LightingEquation.mean(tintSum[c][i], freeCount);
             }
         }
         return TintTracer.nullIfUntinted(rows, to);
@@ -296,11 +368,17 @@ final class AreaLightKernel {
      * @param recomputed rows whose shadow rays were just cast
      */
     private LightRows layerFromStates(HitRows rows, LightSource source, byte[] state, int[] recomputed, ColumnAllocator columns) {
-        return meanTerms(rows, source, state, writeStates(rows, source, state, recomputed, columns), columns);
+        return meanTerms(rows, source, state, writeStates(rows, source, state, ALL_ROWS, recomputed, columns), columns);
     }
 
-    /** Writes the states and the visible samples; puts lit rows into {@link #anyLit}. */
-    private short[][] writeStates(HitRows rows, LightSource source, byte[] state, int[] recomputed, ColumnAllocator columns) {
+    /**
+     * Writes the states and the visible samples; puts lit rows into {@link #anyLit}.
+     *
+     * @param written    rows whose states are written
+     * @param recomputed rows whose shadow rays were just cast
+     */
+    private short[][] writeStates(HitRows rows, LightSource source, byte[] state, int[] written, int[] recomputed,
+            ColumnAllocator columns) {
         Arrays.fill(anyLit, 0);
         Arrays.fill(anyUnblocked, 0);
         int words = RowBits.words(rows.count);
@@ -311,6 +389,9 @@ final class AreaLightKernel {
             }
         }
         for (int i = 0; i < rows.count; i++) {
+            if (!RowBits.contains(written, i)) {
+                continue;
+            }
             int rayState = RowBits.contains(recomputed, i) ? RowBits.contains(anyUnblocked, i) ? LightRows.UNBLOCKED : LightRows.BLOCKED
                     : state[i] & LightRows.SHADOW_RAY_MASK;
             state[i] = (byte) (rayState | (!RowBits.contains(anyFacing, i) ? LightRows.FACING_AWAY

@@ -1,5 +1,7 @@
 package lightning.render.shading;
 
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
 import lightning.render.trace.HitRows;
@@ -160,6 +162,11 @@ public final class AreaSamples {
     Vec3 position(int pattern, int s) {
         int i = index(s, pattern);
         return new Vec3(x[i], y[i], z[i]);
+    }
+
+    /** Returns the positions of all samples in all patterns. */
+    Stream<Vec3> positions() {
+        return IntStream.range(0, x.length).mapToObj(i -> new Vec3(x[i], y[i], z[i]));
     }
 
     /** Returns the largest distance of a sample from the center. */

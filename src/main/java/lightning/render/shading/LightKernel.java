@@ -210,6 +210,9 @@ public final class LightKernel {
             return before;
         }
         rowsTouched += RowBits.count(chosen, rows.count);
+        if (source.isArea()) {
+            return areaKernel().updateShadows(rows, source, before, chosen, columns);
+        }
         ShadowCaster shadows = links.shadowCaster(source);
         if (shadows.findRetintedRows(rows, source, before.state, change, tintRows)) {
             for (int b = 0; b < RowBits.words(rows.count); b++) {
@@ -248,6 +251,9 @@ public final class LightKernel {
             return false;
         }
         ShadowCaster shadows = links.shadowCaster(source);
+        if (source.isArea()) {
+            return shadows.findChangedAreaRows(rows, source, before.states(), change, chosen);
+        }
         boolean retinted = shadows.findRetintedRows(rows, source, before.states(), change, tintRows);
         return shadows.findChangedRows(rows, source, before.states(), change, chosen) || retinted;
     }

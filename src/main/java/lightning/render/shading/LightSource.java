@@ -1,5 +1,7 @@
 package lightning.render.shading;
 
+import java.util.Objects;
+import java.util.stream.Stream;
 import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
 import lightning.render.trace.HitRows;
@@ -65,6 +67,12 @@ public record LightSource(Light light, Vec3 position, Vec3 axis, double cosAngle
     /** Returns the samples of an area light that some rows use. */
     public AreaSamples samples(HitRows rows) {
         return rows.pattern == null ? centerSamples : fineSamples;
+    }
+
+    /** Returns the points at which shadow rays to a light with a position end. */
+    public Stream<Vec3> targets() {
+        return !isArea() ? Stream.of(position)
+                : Stream.of(centerSamples, fineSamples).filter(Objects::nonNull).flatMap(AreaSamples::positions);
     }
 
     /** Returns the largest distance of any sample of an area light from its center. */

@@ -152,6 +152,49 @@ final class ShadowCaster {
     }
 
     /**
+     * Chooses rows of an area light's layer one of whose shadow rays, or its tint, a geometry change may change. A row that sees no
+     * sample changes only if one of its shadow rays may meet a removed shape.
+     *
+     * @param state  shadow ray results of the rows as in {@link LightRows}; untested rows are not chosen
+     * @param chosen receives the rows, as {@link RowBits}
+     * @return whether any row is chosen
+     */
+    boolean findChangedAreaRows(HitRows rows, LightSource source, byte[] state, ShapeChange change, int[] chosen) {
+        Arrays.fill(chosen, 0);
+        if (rows.count == 0 || !castsShadows) {
+            return false;
+        }
+        AreaSamples samples = source.samples(rows);
+        hasPointTargets = source.type().hasPosition();
+        targetMin = samples.low();
+        targetMax = samples.high();
+        if (!intersects(rows.bounds(tracer), change.visibleChanges())) {
+            return false;
+        }
+        boolean any = false;
+        PointBox row = new PointBox();
+        for (int from = 0; from < rows.count; from += WORDS_PER_GROUP * RowBits.WIDTH) {
+            int to = Math.min(rows.count, from + WORDS_PER_GROUP * RowBits.WIDTH);
+            boolean isNear = intersects(tracer.bounds(rows.px, rows.py, rows.pz, from, to), change.visibleChanges());
+            for (int i = from; isNear && i < to; i++) {
+                int tested = state[i] & LightRows.SHADOW_RAY_MASK;
+                row.set(rows.px[i], rows.py[i], rows.pz[i]);
+                if (tested != 0 && intersects(row, tested == LightRows.BLOCKED ? change.removedBoxes() : change.visibleChanges())) {
+                    RowBits.add(chosen, i);
+                    any = true;
+                }
+            }
+        }
+        return any;
+    }
+
+    /** Returns whether any ray from points of a box to the targets can hit any of the boxes. */
+    private boolean intersects(PointBox points, BoxSet boxes) {
+        setBeam(points);
+        return boxes.intersects(beam);
+    }
+
+    /**
      * Chooses rows whose unblocked shadow rays may have another tint after a geometry change.
      *
      * @param chosen receives the rows, as {@link RowBits}
@@ -398,9 +441,8 @@ final class ShadowCaster {
         }
     }
 
-    /** Sets the ray origins to all points of a box. */
-    private void setOrigins(PointBox box) {
-        origins = box;
+    /** Sets the beam from all points of a box to the targets. */
+    private void setBeam(PointBox box) {
         beam.clear();
         beam.addOrigins(box);
         if (hasPointTargets) {
@@ -408,6 +450,12 @@ final class ShadowCaster {
         } else {
             beam.aimAlong(targetMin, targetMax);
         }
+    }
+
+    /** Sets the ray origins to all points of a box. */
+    private void setOrigins(PointBox box) {
+        origins = box;
+        setBeam(box);
         horizonCulling.setRays(box, targetMin, targetMax, hasPointTargets, isUnderTarget);
     }
 }

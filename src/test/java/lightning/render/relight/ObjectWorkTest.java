@@ -159,6 +159,19 @@ class ObjectWorkTest {
     }
 
     @Test
+    void shownOffscreenSphere_castsOnlyForRowsNearItsSoftShadow() {
+        double width = 7 * Math.tan(Math.toRadians(WIDE_SUN.area().spread()));
+        try (StudioRenderer studio = studio(scene(WIDE_SUN))) {
+            edit(studio, "above", ball -> moved(ball, 1.5, 0, 0).withVisible(false));
+            UpdateResult update = edit(studio, "above", ball -> ball.withVisible(true));
+            ReferenceRows reference = studio.referenceRows();
+            long below = reference.count(0, row -> row.px() > 4 - width);
+            assertThat(update.rays().eye()).isZero();
+            assertThat(update.rays().shadow()).isBetween(1L, WIDE_SUN.area().samples() * below);
+        }
+    }
+
+    @Test
     void sphereMovedOutsideAllRays_costsNothing() {
         try (StudioRenderer studio = studio(scene(SUN))) {
             edit(studio, "above", ball -> moved(ball, 20, 0, 0));

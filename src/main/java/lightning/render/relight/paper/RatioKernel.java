@@ -225,7 +225,7 @@ public final class RatioKernel {
         scratch.reset();
         LightRows known = toTermLayer(before);
         LightRows updated = lightKernel.updateShadows(rows, light.source(), known, change, scratch);
-        if (updated != known && (updated.tint() != null || known.tint() != null)) {
+        if (updated != known && (light.source().isArea() || updated.tint() != null || known.tint() != null)) {
             return contributions(rows, light, lightKernel.recomputeTerms(rows, light.source(), updated, scratch),
                     ColumnAllocator.NEW_ARRAYS.states(rows.count));
         }

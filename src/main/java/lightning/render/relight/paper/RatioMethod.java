@@ -32,7 +32,7 @@ public record RatioMethod() implements UpdateMethod {
             return new LightUpdate.Keep();
         }
         LightDifference difference = LightDifference.between(before.light(), target.light());
-        LightUpdate min = difference.update(target.light());
+        LightUpdate min = difference.update();
         if (min instanceof LightUpdate.Keep) {
             return min;
         }

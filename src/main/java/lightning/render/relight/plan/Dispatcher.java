@@ -112,16 +112,15 @@ public final class Dispatcher {
     /**
      * Returns whether a light's layers stay valid after a geometry change, except for rows whose shadow rays meet changed shapes.
      * They do not if the shapes decide whether the light lies on an unchanged one, because then all rows may differ. They do not if
-     * the links of an unchanged shape change because its group does. Area lights would need this test for every sample, so they are
-     * recomputed.
+     * the links of an unchanged shape change because its group does.
      */
     private static boolean isReusable(CachedLight light, Scene known, Scene scene, ShapeChange shapes) {
         if (light.stamp() == null) {
             return true;
         }
         Light computed = light.stamp().light();
-        return shapes == ShapeChange.NONE || !computed.isArea() && shapes.hasSameLinks(known, scene, computed.illuminates())
-                && (!computed.type().hasPosition() || shapes.hasSameTarget(LightSource.of(computed, scene).position()));
+        return shapes == ShapeChange.NONE || shapes.hasSameLinks(known, scene, computed.illuminates())
+                && (!computed.type().hasPosition() || LightSource.of(computed, scene).targets().allMatch(shapes::hasSameTarget));
     }
 
     /** @param added true if the light never shone */

@@ -30,8 +30,8 @@ public record LightDifference(boolean moved, ConeChange coneChange, boolean fall
     }
 
     /** Returns the least update to the target light: all terms if the light moved, otherwise the difference. */
-    public LightUpdate update(Light target) {
-        if (moved || shadows && target.isArea()) {
+    public LightUpdate update() {
+        if (moved) {
             return new LightUpdate.FullRecompute(false);
         }
         if (coneChange != ConeChange.NONE || falloff || shadows) {

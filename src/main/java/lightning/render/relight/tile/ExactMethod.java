@@ -21,7 +21,7 @@ public record ExactMethod() implements UpdateMethod {
     /** Layers of a dark light are updated once it shines. */
     @Override
     public LightUpdate update(LayerStamp before, WeightedLight target, Scene scene) {
-        return target.isDark() ? new LightUpdate.Keep() : LightDifference.between(before.light(), target.light()).update(target.light());
+        return target.isDark() ? new LightUpdate.Keep() : LightDifference.between(before.light(), target.light()).update();
     }
 
     @Override

@@ -10,6 +10,13 @@ public final class PointBox {
         high[axis] = max;
     }
 
+    /** Sets the bounds of one point. */
+    public void set(float x, float y, float z) {
+        set(0, x, x);
+        set(1, y, y);
+        set(2, z, z);
+    }
+
     /** Returns the minimum on axis 0, 1 or 2. */
     public float low(int axis) {
         return low[axis];
