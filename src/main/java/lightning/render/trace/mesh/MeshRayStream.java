@@ -35,18 +35,13 @@ public final class MeshRayStream {
     private final double[] limit = new double[MAX_RAYS];
     /**
      * Lines in the order in which tests read them, {@link #RECORD} floats each: inverse steps, intercepts from one side and from the
-     * other, limit as bits; origin in order of the line's axes, across, across and along; negative steps across; width.
+     * other, limit as bits; origin in order of the line's axes, across, across and along; steps across; width.
      */
     private final float[] record = new float[RECORD * MAX_RAYS];
     /** Rays whose lines run along x, y and z. */
     private final int[][] raysByAxis = new int[3][MAX_RAYS];
     private final int[] rayCount = new int[3];
-    /** Rays and triangles to be tested together. */
-    private final MeshRayLanes pairRays = new MeshRayLanes(LeafTriangleLanes.RAYS);
-    private final LeafTriangleLanes pairs = new LeafTriangleLanes(pairRays, LeafTriangleLanes.RAYS);
-    private final int[] pairRay = new int[LeafTriangleLanes.RAYS];
-    private final int[] pairTriangle = new int[LeafTriangleLanes.RAYS];
-    private int pairCount;
+    private final RayTrianglePairs pairs = new RayTrianglePairs(rays, limit);
     /** Rays of each packet that may reach the mesh, and those too short for lines. */
     private final int[] activeMasks = new int[MAX_RAYS / RayBatch.WIDTH];
     private final int[] shortRays = new int[MAX_RAYS / RayBatch.WIDTH];
@@ -64,10 +59,6 @@ public final class MeshRayStream {
     private double[] map;
     private int mapAt;
     private int packets;
-    private int hitCount;
-    private int[] hitRay = new int[MAX_RAYS];
-    private int[] hitTriangle = new int[MAX_RAYS];
-    private double[] hitDistance = new double[MAX_RAYS];
 
     /**
      * Starts with no rays.
@@ -101,7 +92,7 @@ public final class MeshRayStream {
 
     /** Finds all triangles that rays hit below their limits. */
     public void findAllHits() {
-        hitCount = 0;
+        pairs.clear();
         lines.setRays(tree, activeMasks, shortRays, packets, limit, false);
         lines.prepareBoxTests(packets);
         Arrays.fill(rayCount, 0);
@@ -119,7 +110,7 @@ public final class MeshRayStream {
                 traverse(rayCount[axis], axis);
             }
         }
-        testPairs();
+        pairs.test();
     }
 
     private void writeRecord(int i) {
@@ -143,33 +134,33 @@ public final class MeshRayStream {
         r[at + 10] = axis == 2 ? lines.startX[i] : axis == 0 ? lines.startY[i] : lines.startZ[i];
         r[at + 11] = axis == 2 ? lines.startY[i] : axis == 0 ? lines.startZ[i] : lines.startX[i];
         r[at + 12] = axis == 2 ? lines.startZ[i] : axis == 0 ? lines.startX[i] : lines.startY[i];
-        r[at + 13] = -(axis == 2 ? dx : axis == 0 ? dy : dz) * along;
-        r[at + 14] = -(axis == 2 ? dy : axis == 0 ? dz : dx) * along;
+        r[at + 13] = (axis == 2 ? dx : axis == 0 ? dy : dz) * along;
+        r[at + 14] = (axis == 2 ? dy : axis == 0 ? dz : dx) * along;
         r[at + 15] = lines.lineWidth[i];
         raysByAxis[axis][rayCount[axis]++] = i;
     }
 
     /** Returns the number of hits of all rays, in any order. */
     public int hitCount() {
-        return hitCount;
+        return pairs.hitCount;
     }
 
     /** Returns the ray of a hit: ray i of packet k has the number {@code k · WIDTH + i}. */
     public int hitRay(int n) {
-        return hitRay[n];
+        return pairs.hitRay[n];
     }
 
     public int hitTriangle(int n) {
-        return hitTriangle[n];
+        return pairs.hitTriangle[n];
     }
 
     public double hitDistance(int n) {
-        return hitDistance[n];
+        return pairs.hitDistance[n];
     }
 
     private void testAllLeaves(int ray) {
         for (int leaf = 0; leaf < tree.triangle.length / MeshTree.WIDTH; leaf++) {
-            addPairs(ray, leaf, -1 >>> -MeshTree.WIDTH);
+            pairs.add(tree, ray, leaf, -1 >>> -MeshTree.WIDTH);
         }
     }
 
@@ -263,58 +254,14 @@ public final class MeshRayStream {
             int i = RECORD * list[k];
             float w = record[i + 15];
             leafSlots[k - start] = w < MeshFloatLines.MAX_WIDTH
-                    ? LeafTriangleCulling.candidateSlots(v, x, y, z, record[i + 10], record[i + 11], record[i + 12], -record[i + 13],
-                            -record[i + 14], w, extent)
+                    ? LeafTriangleCulling.candidateSlots(v, x, y, z, record[i + 10], record[i + 11], record[i + 12], record[i + 13],
+                            record[i + 14], w, extent)
                     : -1 >>> -MeshTree.WIDTH;
         }
         for (int k = start; k < end; k++) {
             if (leafSlots[k - start] != 0) {
-                addPairs(list[k], leaf, leafSlots[k - start]);
+                pairs.add(tree, list[k], leaf, leafSlots[k - start]);
             }
         }
-    }
-
-    private void addPairs(int ray, int leaf, int slots) {
-        for (int left = slots; left != 0; left &= left - 1) {
-            int s = Integer.numberOfTrailingZeros(left);
-            int n = pairCount++;
-            pairRay[n] = ray;
-            pairTriangle[n] = tree.triangle[MeshTree.WIDTH * leaf + s];
-            pairRays.ox[n] = rays.ox[ray];
-            pairRays.oy[n] = rays.oy[ray];
-            pairRays.oz[n] = rays.oz[ray];
-            pairRays.dx[n] = rays.dx[ray];
-            pairRays.dy[n] = rays.dy[ray];
-            pairRays.dz[n] = rays.dz[ray];
-            pairRays.padding[n] = rays.padding[ray];
-            for (int c = 0; c < 9; c++) {
-                pairs.vertex[MeshTree.WIDTH * c + n] = tree.vertex[MeshTree.LEAF_FLOATS * leaf + MeshTree.WIDTH * c + s];
-            }
-            if (pairCount == LeafTriangleLanes.RAYS) {
-                testPairs();
-            }
-        }
-    }
-
-    private void testPairs() {
-        pairs.computeDistances(0, -1 >>> -pairCount & (pairCount == 0 ? 0 : -1));
-        for (int n = 0; n < pairCount; n++) {
-            double t = pairs.distance[n];
-            if (t < limit[pairRay[n]]) {
-                addHit(pairRay[n], pairTriangle[n], t);
-            }
-        }
-        pairCount = 0;
-    }
-
-    private void addHit(int ray, int id, double t) {
-        if (hitCount == hitRay.length) {
-            hitRay = Arrays.copyOf(hitRay, 2 * hitCount);
-            hitTriangle = Arrays.copyOf(hitTriangle, 2 * hitCount);
-            hitDistance = Arrays.copyOf(hitDistance, 2 * hitCount);
-        }
-        hitRay[hitCount] = ray;
-        hitTriangle[hitCount] = id;
-        hitDistance[hitCount++] = t;
     }
 }
