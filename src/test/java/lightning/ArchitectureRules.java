@@ -107,7 +107,7 @@ final class ArchitectureRules {
                             + " shot.cluster.wire"),
             row("shot.movie", ENGINE),
             row("bench.accuracy", ENGINE),
-            row("bench.mesh", "scene render.trace.solid render.trace.mesh"),
+            row("bench.mesh", "base.file scene render.trace.solid render.trace.mesh"),
             row("bench", ENGINE + " base.file format.jen format.image format.pov bench.accuracy bench.mesh"),
             row("bench.report", ENGINE + " base.file format.image bench.accuracy bench"),
             row("editor.loop", ENGINE + " bench.accuracy"),

@@ -74,7 +74,19 @@ public final class PowerFunction {
         if (log2 == Double.NEGATIVE_INFINITY) {
             return n == 0 ? 1 : 0;
         }
-        double p = n * log2;
+        return exponential(n * log2);
+    }
+
+    /**
+     * Returns 2<sup>exponent</sup>, 0 for −∞.
+     *
+     * @param exponent at most 0
+     */
+    public static double exponential(double exponent) {
+        if (exponent == Double.NEGATIVE_INFINITY) {
+            return 0;
+        }
+        double p = exponent;
         p = p < MIN_EXPONENT ? MIN_EXPONENT : p;
         double integer = (p + ROUND) - ROUND;
         double y = (p - integer) * LN2;

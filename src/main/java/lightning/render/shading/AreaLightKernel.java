@@ -115,11 +115,9 @@ final class AreaLightKernel {
                 // cone.
                 mayFace[b] &= ~(shadowCaster.fullyOccluded()[b] & anyInside[b]);
             }
-            if (hasTint) {
-                shadowCaster.accumulateTints(rows, shadowRays, source.samples(rows), s, unblocked[s], tintSum);
-            }
             accumulate(rows, source, s, unblocked[s]);
         }
+        sumTints(rows, source, anyInside);
         short[][] visibleSamples = writeStates(rows, source, state, ALL_ROWS, anyInside, columns);
         return buildLayer(rows, source, state, visibleSamples, columns).withTint(tintColumns(rows, source, anyInside, null, columns));
     }
@@ -296,19 +294,19 @@ final class AreaLightKernel {
                 chosen[b] &= ~blocked[b];
                 unblocked[s][b] |= chosen[b];
             }
-            if (hasTint) {
-                shadowCaster.accumulateTints(rows, shadowRays, source.samples(rows), s, chosen, tintSum);
-            }
         }
+        sumTints(rows, source, rowSet);
     }
 
     private void beginTints() {
         hasTint = shadowCaster.canBeTinted();
+    }
+
+    /** Sums the tints of the unblocked shadow rays of recomputed rows. */
+    private void sumTints(HitRows rows, LightSource source, int[] recomputed) {
         if (hasTint) {
             tintSum = tintSum == null ? new double[3][TermKernel.MAX_ROWS] : tintSum;
-            for (double[] sum : tintSum) {
-                Arrays.fill(sum, 0);
-            }
+            shadowCaster.sumTints(rows, shadowRays.pattern, source.samples(rows), recomputed, unblocked, tintSum);
         }
     }
 
@@ -332,7 +330,7 @@ final class AreaLightKernel {
 
     /** Casts shadow rays from chosen rows to sample {@code s}; stores the rows whose ray is blocked. */
     private void castSample(HitRows rows, LightSource source, int s, int[] rowSet) {
-        terms.aimShadowRays(rows, source, s, hasTint ? rowSet : shadowCaster.uncertainRows(rows, rowSet), shadowRays);
+        terms.aimShadowRays(rows, source, s, shadowCaster.uncertainRows(rows, rowSet), shadowRays);
         computeTargets(rows, source.samples(rows), s);
         shadowCaster.cast(rows, shadowRays, rowSet, blocked);
     }

@@ -34,6 +34,15 @@ public final class InteriorTint {
         return path >= 0 && log2[channel] != 0 ? (float) PowerFunction.powOfLog2(log2[channel], path / distance) : 1;
     }
 
+    /**
+     * Returns log₂ of the transmittance in one channel of a path in scene units, at least 0. Its {@link PowerFunction#exponential}
+     * is the transmittance.
+     */
+    double exponent(int channel, float path) {
+        double n = path / distance;
+        return n == 0 || log2[channel] == 0 ? 0 : n * log2[channel];
+    }
+
     /** Writes the transmittance of a path: red, green, blue. */
     void write(float path, float[] to) {
         for (int c = 0; c < 3; c++) {

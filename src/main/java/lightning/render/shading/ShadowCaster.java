@@ -238,31 +238,29 @@ final class ShadowCaster {
             return null;
         }
         float[][] to = TintTracer.startColumns(rows, before, columns);
-        if (any) {
-            tintTracer.trace(rows, queried, rayTarget);
-        }
         for (int i = 0; i < rows.count; i++) {
             if (RowBits.contains(queried, i)) {
-                float[] tint = any ? tintTracer.tint(rows, i) : null;
-                for (int c = 0; c < 3; c++) {
-                    to[c][i] = tint == null ? 1 : tint[c];
+                for (float[] column : to) {
+                    column[i] = 1;
                 }
             }
+        }
+        if (any) {
+            tintTracer.writeTints(rows, queried, rayTarget, to);
         }
         return TintTracer.nullIfUntinted(rows, to);
     }
 
-    /** Adds the tint of each row's unblocked shadow ray to sample {@code s} of the current area, whose rays may be tinted. */
-    void accumulateTints(HitRows rows, RowShadowRays shadowRays, AreaSamples area, int s, int[] free, double[][] sums) {
-        tintTracer.trace(rows, free, shadowRays, area, s);
-        for (int i = 0; i < rows.count; i++) {
-            if (RowBits.contains(free, i)) {
-                float[] tint = tintTracer.tint(rows, i);
-                for (int c = 0; c < 3; c++) {
-                    sums[c][i] += tint == null ? 1 : tint[c];
-                }
-            }
-        }
+    /**
+     * Writes the sums of the tints of unblocked shadow rays to the samples of the current area, whose rays may be tinted.
+     *
+     * @param patterns sample pattern of each row
+     * @param rowSet   rows to write
+     * @param unblocked rows with an unblocked ray, for each sample
+     * @param sums     receives red, green and blue
+     */
+    void sumTints(HitRows rows, int[] patterns, AreaSamples area, int[] rowSet, int[][] unblocked, double[][] sums) {
+        tintTracer.sumTints(rows, patterns, area, hasPointTargets, rowSet, unblocked, sums);
     }
 
     /** Returns whether shadow rays to the current area may pass through clear shapes. */

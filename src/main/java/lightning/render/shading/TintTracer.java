@@ -6,11 +6,10 @@ import java.util.Map;
 import lightning.base.math.Vec3;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.HitRows;
-import lightning.render.trace.RowShadowRays;
+import lightning.render.trace.ShadowRayBatch;
 import lightning.render.trace.ShadowRays;
 import lightning.render.trace.Tracer;
 import lightning.render.trace.primitive.LightBuffers;
-import lightning.render.trace.primitive.PrimitiveTable;
 import lightning.render.trace.primitive.ShadowRayHits;
 import lightning.render.trace.tree.Bvh;
 import lightning.render.trace.tree.CandidateList;
@@ -19,10 +18,11 @@ import lightning.render.trace.tree.ShadowRayTarget;
 
 /** Computes the transmittance of unblocked shadow rays through clear shapes. Holds scratch memory: use one instance per thread. */
 final class TintTracer {
+    /** Words of rows whose rays to all samples are traced together: four lines of a tile. */
+    private static final int WORDS_PER_BLOCK = 8;
     private static final ShadowRayTarget[] OPEN = {};
 
     private final Tracer tracer;
-    private final PrimitiveTable primitives;
     private final Bvh tree;
     private final Geometry geometry;
     /** Area of the latest rays, and its light buffers. */
@@ -34,15 +34,15 @@ final class TintTracer {
     private CandidateList activeCandidates;
     private final Map<Vec3, ShadowRayTarget> pointTargets = new HashMap<>();
     private final Map<AreaSamples, ShadowRayTarget[]> areaTargets = new HashMap<>();
-    private final RowShadowRays shadowRays = new RowShadowRays();
-    private final ShadowRayHits crossings = new ShadowRayHits(TermKernel.MAX_ROWS);
-    private final Transmittance transmittance = new Transmittance();
+    private final ShadowRayBatch rays = new ShadowRayBatch();
+    private final ShadowRayHits crossings = new ShadowRayHits(ShadowRayBatch.MAX_RAYS);
+    private final TransmittanceBatch transmittance;
 
     /** @param geometry with shapes that light passes through */
     TintTracer(Geometry geometry, Tracer tracer) {
         this.tracer = tracer;
         this.geometry = geometry;
-        primitives = geometry.primitives();
+        transmittance = new TransmittanceBatch(geometry.primitives(), tracer);
         tree = geometry.tintBvh();
         allCandidates = CandidateList.fromBvh(tree, geometry.tintCasters());
     }
@@ -55,39 +55,100 @@ final class TintTracer {
         return !candidates.isEmpty();
     }
 
-    /** Traces the shadow rays of chosen rows to one point or in one direction. */
-    void trace(HitRows rows, int[] chosen, ShadowRays rays) {
-        Vec3 source = rays.source();
-        int end = RowBits.words(rows.count) * RowBits.WIDTH;
-        Arrays.fill(shadowRays.x, 0, end, source.x());
-        Arrays.fill(shadowRays.y, 0, end, source.y());
-        Arrays.fill(shadowRays.z, 0, end, source.z());
-        Arrays.fill(shadowRays.pattern, 0, end, 0);
-        shadowRays.toPoints = rays.isPoint();
-        ShadowRayTarget target = rays.isPoint() ? pointTargets.computeIfAbsent(source, point -> ShadowRayTarget.find(point, tree))
+    /** Writes the tints of the shadow rays of chosen rows to one point or in one direction: red, green and blue. */
+    void writeTints(HitRows rows, int[] chosen, ShadowRays shadowRays, float[][] tints) {
+        Vec3 source = shadowRays.source();
+        ShadowRayTarget target = shadowRays.isPoint() ? pointTargets.computeIfAbsent(source, point -> ShadowRayTarget.find(point, tree))
                 : ShadowRayTarget.OFF_SURFACE;
-        shadowRays.isOffSurface = target.isOffSurface();
-        shadowRays.lightBuffers = null;
-        Arrays.fill(shadowRays.target, 0, end, target);
-        traceCrossings(rows, chosen);
+        rays.clear();
+        rays.toPoints = shadowRays.isPoint();
+        rays.targets = target.isOffSurface() ? null : new ShadowRayTarget[] {target};
+        rays.lightBuffers = null;
+        for (int b = 0; b < RowBits.words(rows.count); b++) {
+            for (int left = chosen[b]; left != 0; left &= left - 1) {
+                rays.add(rows, b * RowBits.WIDTH + Integer.numberOfTrailingZeros(left), source.x(), source.y(), source.z(), 0);
+            }
+        }
+        trace();
+        for (int k = 0; k < rays.count; k++) {
+            boolean isCrossing = crossings.first(k) != ShadowRayHits.END;
+            if (isCrossing) {
+                transmittance.compute(rays, crossings, k);
+            }
+            for (int c = 0; c < 3; c++) {
+                tints[c][rays.row[k]] = isCrossing ? transmittance.rgb[c] : 1;
+            }
+        }
     }
 
-    /** Traces the shadow rays of chosen rows to sample {@code s} of an area. */
-    void trace(HitRows rows, int[] chosen, RowShadowRays rays, AreaSamples area, int s) {
-        int end = RowBits.words(rows.count) * RowBits.WIDTH;
-        System.arraycopy(rays.x, 0, shadowRays.x, 0, end);
-        System.arraycopy(rays.y, 0, shadowRays.y, 0, end);
-        System.arraycopy(rays.z, 0, shadowRays.z, 0, end);
-        System.arraycopy(rays.pattern, 0, shadowRays.pattern, 0, end);
-        shadowRays.toPoints = rays.toPoints;
-        ShadowRayTarget[] places = rays.toPoints ? areaTargets.computeIfAbsent(area, this::createTargets) : OPEN;
-        shadowRays.isOffSurface = places == OPEN;
-        for (int i = 0; !shadowRays.isOffSurface && i < rows.count; i++) {
-            shadowRays.target[i] = places[area.index(s, rays.pattern[i])];
+    /**
+     * Writes the sums of the tints of the unblocked shadow rays of rows to the samples of an area, added in the order of the
+     * samples.
+     *
+     * @param patterns  sample pattern of each row
+     * @param toPoints  false for a directional light
+     * @param rowSet    rows to write
+     * @param unblocked rows with an unblocked ray, for each sample
+     * @param sums      receives red, green and blue
+     */
+    void sumTints(HitRows rows, int[] patterns, AreaSamples area, boolean toPoints, int[] rowSet, int[][] unblocked, double[][] sums) {
+        for (double[] sum : sums) {
+            Arrays.fill(sum, 0, rows.count, 0);
         }
-        shadowRays.lightBuffers = rays.toPoints && shadowRays.isOffSurface ? lightBuffers(area) : null;
-        shadowRays.firstTarget = area.index(s, 0);
-        traceCrossings(rows, chosen);
+        rays.clear();
+        rays.toPoints = toPoints;
+        ShadowRayTarget[] targets = toPoints ? areaTargets.computeIfAbsent(area, this::createTargets) : OPEN;
+        rays.targets = targets == OPEN ? null : targets;
+        rays.lightBuffers = toPoints && targets == OPEN ? lightBuffers(area) : null;
+        int words = RowBits.words(rows.count);
+        for (int from = 0; from < words; from += WORDS_PER_BLOCK) {
+            for (int s = 0; s < area.samples(); s++) {
+                for (int b = from; b < Math.min(words, from + WORDS_PER_BLOCK); b++) {
+                    if (rays.count > ShadowRayBatch.MAX_RAYS - RowBits.WIDTH) {
+                        addTints(sums);
+                    }
+                    addRays(rows, patterns, area, s, b, unblocked[s][b] & rowSet[b]);
+                }
+            }
+        }
+        addTints(sums);
+    }
+
+    /** Adds the shadow rays of rows of a word to sample {@code s}. */
+    private void addRays(HitRows rows, int[] patterns, AreaSamples area, int s, int word, int bits) {
+        for (int left = bits; left != 0; left &= left - 1) {
+            int i = word * RowBits.WIDTH + Integer.numberOfTrailingZeros(left);
+            int index = area.index(s, patterns[i]);
+            rays.add(rows, i, area.x[index], area.y[index], area.z[index], index);
+        }
+    }
+
+    /** Traces the rays of the batch, adds their tints to sums, and removes the rays. */
+    private void addTints(double[][] sums) {
+        trace();
+        double[] red = sums[0];
+        double[] green = sums[1];
+        double[] blue = sums[2];
+        for (int k = 0; k < rays.count; k++) {
+            int i = rays.row[k];
+            if (crossings.first(k) == ShadowRayHits.END) {
+                red[i] += 1;
+                green[i] += 1;
+                blue[i] += 1;
+            } else {
+                transmittance.compute(rays, crossings, k);
+                red[i] += transmittance.rgb[0];
+                green[i] += transmittance.rgb[1];
+                blue[i] += transmittance.rgb[2];
+            }
+        }
+        rays.clear();
+    }
+
+    private void trace() {
+        crossings.clear();
+        tracer.findHits(rays, activeCandidates, crossings);
+        transmittance.begin(rays, crossings);
     }
 
     private LightBuffers lightBuffers(AreaSamples area) {
@@ -103,30 +164,6 @@ final class TintTracer {
         ShadowRayTarget[] all = new ShadowRayTarget[area.x.length];
         Arrays.setAll(all, i -> ShadowRayTarget.find(new Vec3(area.x[i], area.y[i], area.z[i]), tree));
         return Arrays.stream(all).allMatch(ShadowRayTarget::isOffSurface) ? OPEN : all;
-    }
-
-    private void traceCrossings(HitRows rows, int[] chosen) {
-        crossings.clear();
-        tracer.findHits(rows, chosen, shadowRays, activeCandidates, crossings);
-    }
-
-    /**
-     * Returns the transmittance of a traced row's shadow ray; valid until the next call.
-     *
-     * @return red, green and blue, or null if all light passes
-     */
-    float[] tint(HitRows rows, int i) {
-        if (crossings.first(i) == ShadowRayHits.END) {
-            return null;
-        }
-        double x = rows.px[i];
-        double y = rows.py[i];
-        double z = rows.pz[i];
-        boolean hasTarget = shadowRays.toPoints;
-        double dx = hasTarget ? shadowRays.x[i] - x : shadowRays.x[i];
-        double dy = hasTarget ? shadowRays.y[i] - y : shadowRays.y[i];
-        double dz = hasTarget ? shadowRays.z[i] - z : shadowRays.z[i];
-        return transmittance.compute(primitives, crossings, i, x, y, z, dx, dy, dz, hasTarget) ? transmittance.rgb : null;
     }
 
     /** Returns columns that are 1 for rows without a known tint. */

@@ -1,7 +1,5 @@
 package lightning.render.trace;
 
-import lightning.render.trace.mesh.LightBuffer;
-import lightning.render.trace.primitive.LightBuffers;
 import lightning.render.trace.tree.ShadowRayTarget;
 
 /** Shadow rays of a tile's rows to a light with a separate target point or direction for each row. Reused; not thread-safe. */
@@ -23,18 +21,6 @@ public final class RowShadowRays {
     public boolean isOffSurface;
     /** True for target points, at distance 1. */
     public boolean toPoints;
-
-    /**
-     * Light buffers of all targets, and the index of pattern 0's target in them; null for none. They may be set only if
-     * {@link #toPoints} and {@link #isOffSurface} are true.
-     */
-    public LightBuffers lightBuffers;
-    public int firstTarget;
-
-    /** Returns the light buffer of row {@code i} for primitive {@code s}; null if there is none. */
-    public LightBuffer lightBuffer(int i, int s) {
-        return lightBuffers == null ? null : lightBuffers.get(s, firstTarget + pattern[i]);
-    }
 
     /** Returns the distance from which shapes do not block. */
     public double limit() {

@@ -4,46 +4,46 @@ import lightning.render.trace.mesh.LightBuffer;
 import lightning.render.trace.mesh.MeshRayQuery;
 import lightning.render.trace.primitive.PrimitiveTable;
 import lightning.render.trace.primitive.ShadowRayHits;
+import lightning.render.trace.primitive.SurfaceHit;
 import lightning.render.trace.tree.BoxRay;
 import lightning.render.trace.tree.CandidateList;
 import lightning.render.trace.tree.ShadowRayTarget;
+import lightning.scene.Transmission;
 
 /** Scalar implementation of {@link Tracer#findHits}, one shadow ray at a time. Holds scratch memory: use one per thread. */
 public final class ShadowRayHitFinder {
     private final PrimitiveTable primitives;
     private final BoxRay boxRay = new BoxRay();
     private final MeshRayQuery probe = new MeshRayQuery();
+    private final SurfaceHit surface = new SurfaceHit();
 
     public ShadowRayHitFinder(PrimitiveTable primitives) {
         this.primitives = primitives;
     }
 
-    /** Finds the hits of the shadow rays from selected rows. */
-    public void findHits(HitRows rows, int[] selected, RowShadowRays shadowRays, CandidateList candidates, ShadowRayHits hits) {
-        double limit = shadowRays.limit();
-        for (int b = 0, first = 0; first < rows.count; b++, first += Tracer.ROWS_PER_WORD) {
-            for (int left = selected[b]; left != 0; left &= left - 1) {
-                int i = first + Integer.numberOfTrailingZeros(left);
-                double x = rows.px[i];
-                double y = rows.py[i];
-                double z = rows.pz[i];
-                double dx = shadowRays.toPoints ? shadowRays.x[i] - x : shadowRays.x[i];
-                double dy = shadowRays.toPoints ? shadowRays.y[i] - y : shadowRays.y[i];
-                double dz = shadowRays.toPoints ? shadowRays.z[i] - z : shadowRays.z[i];
-                ShadowRayTarget target = shadowRays.isOffSurface ? ShadowRayTarget.OFF_SURFACE : shadowRays.target[i];
-                hits.selectRay(i);
-                boxRay.setRay(x, y, z, dx, dy, dz);
-                for (int c = 0; c < candidates.count; c++) {
-                    if (boxRay.hits(candidates.boxes, 6 * c, limit)) {
-                        int s = candidates.primitive[c];
-                        LightBuffer buffer = shadowRays.lightBuffer(i, s);
-                        if (buffer != null) {
-                            primitives.addHits(s, x, y, z, dx, dy, dz, buffer, probe, hits);
-                        } else {
-                            int index = target.indexOf(s);
-                            boolean endsOnPrimitive = index >= 0 && target.touches(index, x, y, z);
-                            primitives.addHits(s, x, y, z, dx, dy, dz, endsOnPrimitive, limit, probe, false, hits);
-                        }
+    /** Finds the hits of all shadow rays. */
+    public void findHits(ShadowRayBatch rays, CandidateList candidates, ShadowRayHits hits) {
+        double limit = rays.limit();
+        for (int k = 0; k < rays.count; k++) {
+            double x = rays.ox[k];
+            double y = rays.oy[k];
+            double z = rays.oz[k];
+            double dx = rays.dx[k];
+            double dy = rays.dy[k];
+            double dz = rays.dz[k];
+            ShadowRayTarget target = rays.target(k);
+            hits.selectRay(k);
+            boxRay.setRay(x, y, z, dx, dy, dz);
+            for (int c = 0; c < candidates.count; c++) {
+                if (boxRay.hits(candidates.boxes, 6 * c, limit)) {
+                    int s = candidates.primitive[c];
+                    LightBuffer buffer = rays.lightBuffer(k, s);
+                    if (buffer != null) {
+                        primitives.addHits(s, x, y, z, dx, dy, dz, buffer, probe, hits);
+                    } else {
+                        int index = target.indexOf(s);
+                        boolean endsOnPrimitive = index >= 0 && target.touches(index, x, y, z);
+                        primitives.addHits(s, x, y, z, dx, dy, dz, endsOnPrimitive, limit, probe, false, hits);
                     }
                 }
             }
@@ -51,7 +51,25 @@ public final class ShadowRayHitFinder {
     }
 
     /** Adds the hits of one shadow ray, which does not end on primitive {@code s}, on that primitive. */
-    public void findHits(int s, double ox, double oy, double oz, double dx, double dy, double dz, double limit, ShadowRayHits hits) {
-        primitives.addHits(s, ox, oy, oz, dx, dy, dz, false, limit, probe, false, hits);
+    public void findHits(int s, ShadowRayBatch rays, int k, ShadowRayHits hits) {
+        hits.selectRay(k);
+        primitives.addHits(s, rays.ox[k], rays.oy[k], rays.oz[k], rays.dx[k], rays.dy[k], rays.dz[k], false, rays.limit(), probe, false,
+                hits);
+    }
+
+    /** Writes the surfaces of the hits {@code from … to − 1}, as {@link Tracer#writeHitSurfaces}. */
+    public void writeSurfaces(ShadowRayBatch rays, ShadowRayHits hits, int from, int to) {
+        for (int i = from; i < to; i++) {
+            int k = hits.ray[i];
+            double dx = rays.dx[k];
+            double dy = rays.dy[k];
+            double dz = rays.dz[k];
+            Transmission clarity = primitives.shadowTint(hits.primitive[i]).transmission();
+            surface.computeNormal(primitives, hits.primitive[i], hits.part[i], rays.ox[k], rays.oy[k], rays.oz[k], dx, dy, dz, hits.t[i]);
+            double length = Math.sqrt(dx * dx + dy * dy + dz * dz);
+            hits.inside[i] = surface.isInside();
+            hits.reflectance[i] = Refraction.fresnelReflectance(clarity, false, surface.nx, surface.ny, surface.nz, (float) (dx / length),
+                    (float) (dy / length), (float) (dz / length));
+        }
     }
 }

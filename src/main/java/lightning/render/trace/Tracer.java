@@ -1,5 +1,6 @@
 package lightning.render.trace;
 
+import lightning.base.math.PowerFunction;
 import lightning.render.trace.primitive.ShadowRayHits;
 import lightning.render.trace.primitive.SurfaceHit;
 import lightning.render.trace.tree.CandidateList;
@@ -14,6 +15,8 @@ import lightning.render.trace.tree.PointBox;
 public interface Tracer {
     /** Rows per {@code int} of a set. */
     int ROWS_PER_WORD = 16;
+    /** Lanes may overrun the end of an array by less than this. */
+    int EXPONENTIALS_OVERRUN = 32;
 
     /** Sets camera rays through the centers of a rectangle of pixels, line by line. */
     void directEyeRays(CameraRays camera, int column, int row, int columns, int lines, RayColumns rays);
@@ -54,13 +57,22 @@ public interface Tracer {
     void findBlocked(HitRows rows, int[] selected, RowShadowRays shadowRays, CandidateList candidates, int[] blocked);
 
     /**
-     * Finds all hits of shadow rays from rows on some shapes.
+     * Finds all hits of shadow rays on some shapes.
      *
-     * @param selected rows to test
      * @param candidates candidates of a beam that contains all shadow rays; their number is limited
-     * @param hits receives the hits; shadow rays have the numbers of the rows
+     * @param hits receives the hits
      */
-    void findHits(HitRows rows, int[] selected, RowShadowRays shadowRays, CandidateList candidates, ShadowRayHits hits);
+    void findHits(ShadowRayBatch rays, CandidateList candidates, ShadowRayHits hits);
+
+    /** Writes {@link ShadowRayHits#reflectance} and {@link ShadowRayHits#inside} of all hits, which are on clear shapes. */
+    void writeHitSurfaces(ShadowRayBatch rays, ShadowRayHits hits);
+
+    /**
+     * Replaces values by their {@link PowerFunction#exponential}, values of −∞ by 0.
+     *
+     * @param values longer than {@code count} by {@link #EXPONENTIALS_OVERRUN}
+     */
+    void exponentials(double[] values, int count);
 
     /** Returns a tracer of the same kind for another geometry. */
     Tracer withGeometry(Geometry geometry);

@@ -36,6 +36,12 @@ final class ClearTermLanes {
         DoubleVector c = ColumnLanes.load(rows.nx, i).mul(ColumnLanes.load(rows.vx, i))
                 .add(ColumnLanes.load(rows.ny, i).mul(ColumnLanes.load(rows.vy, i)))
                 .add(ColumnLanes.load(rows.nz, i).mul(ColumnLanes.load(rows.vz, i))).lanewise(VectorOperators.ABS);
+        return reflectance(c, eta, thin);
+    }
+
+    /** Returns the reflectance for absolute cosines and indices of refraction in front of the surface over those behind it. */
+    static FloatVector reflectance(DoubleVector cosine, DoubleVector eta, boolean thin) {
+        DoubleVector c = cosine;
         c = DoubleVector.broadcast(D, 1).blend(c, c.compare(VectorOperators.LT, 1));
         DoubleVector k = DoubleVector.broadcast(D, 1).sub(eta.mul(eta).mul(DoubleVector.broadcast(D, 1).sub(c.mul(c))));
         DoubleVector root = k.lanewise(VectorOperators.SQRT);

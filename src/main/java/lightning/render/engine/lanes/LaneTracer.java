@@ -12,6 +12,7 @@ import lightning.render.trace.HitRows;
 import lightning.render.trace.RayColumns;
 import lightning.render.trace.RowShadowRays;
 import lightning.render.trace.SamplePositions;
+import lightning.render.trace.ShadowRayBatch;
 import lightning.render.trace.ShadowRays;
 import lightning.render.trace.Tracer;
 import lightning.render.trace.primitive.PrimitiveTable;
@@ -36,6 +37,7 @@ class LaneTracer implements Tracer {
     private final double[] sampleY = new double[W];
     /** Created on first use. */
     private ShadowRayHitLanes hitFinder;
+    private HitSurfaceLanes hitSurfaces;
 
     LaneTracer(Geometry geometry) {
         primitives = geometry.primitives();
@@ -267,11 +269,24 @@ class LaneTracer implements Tracer {
     }
 
     @Override
-    public void findHits(HitRows rows, int[] selected, RowShadowRays shadowRays, CandidateList candidates, ShadowRayHits hits) {
+    public void findHits(ShadowRayBatch rays, CandidateList candidates, ShadowRayHits hits) {
         if (hitFinder == null) {
             hitFinder = new ShadowRayHitLanes(primitives);
         }
-        hitFinder.findHits(rows, selected, shadowRays, candidates, hits);
+        hitFinder.findHits(rays, candidates, hits);
+    }
+
+    @Override
+    public void writeHitSurfaces(ShadowRayBatch rays, ShadowRayHits hits) {
+        if (hitSurfaces == null) {
+            hitSurfaces = new HitSurfaceLanes(primitives);
+        }
+        hitSurfaces.write(rays, hits);
+    }
+
+    @Override
+    public void exponentials(double[] values, int count) {
+        PowerLanes.exponentials(values, count);
     }
 
     @Override

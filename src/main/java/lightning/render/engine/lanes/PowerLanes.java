@@ -24,6 +24,13 @@ public final class PowerLanes {
         }
     }
 
+    /** Replaces {@code p[0 … count)} by 2^p, and −∞ by 0; overruns the end to a whole number of lanes. */
+    static void exponentials(double[] p, int count) {
+        for (int i = 0; i < count; i += D.length()) {
+            exponential(p, i);
+        }
+    }
+
     /** Replaces x by n·log₂x, or −∞ if the power is 0. */
     private static void logarithm(double[] values, int i, double n) {
         DoubleVector x = DoubleVector.fromArray(D, values, i);

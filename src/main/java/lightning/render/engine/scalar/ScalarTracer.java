@@ -1,11 +1,13 @@
 package lightning.render.engine.scalar;
 
+import lightning.base.math.PowerFunction;
 import lightning.render.trace.CameraRays;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.RayColumns;
 import lightning.render.trace.RowShadowRays;
 import lightning.render.trace.SamplePositions;
+import lightning.render.trace.ShadowRayBatch;
 import lightning.render.trace.ShadowRayHitFinder;
 import lightning.render.trace.ShadowRays;
 import lightning.render.trace.Tracer;
@@ -165,11 +167,23 @@ final class ScalarTracer implements Tracer {
     }
 
     @Override
-    public void findHits(HitRows rows, int[] selected, RowShadowRays shadowRays, CandidateList candidates, ShadowRayHits hits) {
+    public void findHits(ShadowRayBatch rays, CandidateList candidates, ShadowRayHits hits) {
         if (hitFinder == null) {
             hitFinder = new ShadowRayHitFinder(primitives);
         }
-        hitFinder.findHits(rows, selected, shadowRays, candidates, hits);
+        hitFinder.findHits(rays, candidates, hits);
+    }
+
+    @Override
+    public void writeHitSurfaces(ShadowRayBatch rays, ShadowRayHits hits) {
+        hitFinder.writeSurfaces(rays, hits, 0, hits.count());
+    }
+
+    @Override
+    public void exponentials(double[] values, int count) {
+        for (int i = 0; i < count; i++) {
+            values[i] = PowerFunction.exponential(values[i]);
+        }
     }
 
     @Override

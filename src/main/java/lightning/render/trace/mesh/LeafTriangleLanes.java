@@ -35,7 +35,7 @@ final class LeafTriangleLanes {
     /** Distances, by ray. */
     final double[] distance;
     /** Vertices of each ray's triangle, in the layout of a leaf. */
-    private final double[] vertex = new double[9 * W];
+    final double[] vertex = new double[9 * W];
     private final double[] entry = new double[DoubleLanes.COUNT];
     private final double[] exit = new double[DoubleLanes.COUNT];
 
@@ -59,6 +59,11 @@ final class LeafTriangleLanes {
                 ((DoubleVector) chosen.convertShape(F2D, SPECIES, part / DoubleLanes.COUNT)).intoArray(vertex, k + part);
             }
         }
+        computeDistances(h, mask);
+    }
+
+    /** Writes the distances of rays {@code h … h + 7} of a set to triangles whose vertices are in {@link #vertex}. */
+    void computeDistances(int h, int mask) {
         for (int part = 0; part < RAYS; part += DoubleLanes.COUNT) {
             int left = mask >>> part & -1 >>> -DoubleLanes.COUNT;
             if (left != 0) {

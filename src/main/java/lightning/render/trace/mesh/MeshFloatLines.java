@@ -43,7 +43,7 @@ final class MeshFloatLines {
     private static final double ROUND_UP = 1 + 0x1p-20;
 
     /** Maximum width; wider lines may overflow floats in products. Coordinates up to 1e18 are safe. */
-    private static final float MAX_WIDTH = 1e11f;
+    static final float MAX_WIDTH = 1e11f;
     private static final int ALL_SLOTS = -1 >>> -MeshTree.WIDTH;
 
     private final MeshLines lines;
@@ -62,15 +62,15 @@ final class MeshFloatLines {
      * The plane {@code x = b} is hit at {@code b·steep + low} from one side of the padded line, and at {@code b·steep + high}
      * from the other.
      */
-    private final float[] inverseStepX;
-    private final float[] inverseStepY;
-    private final float[] inverseStepZ;
-    private final float[] lowX;
-    private final float[] lowY;
-    private final float[] lowZ;
-    private final float[] highX;
-    private final float[] highY;
-    private final float[] highZ;
+    final float[] inverseStepX;
+    final float[] inverseStepY;
+    final float[] inverseStepZ;
+    final float[] lowX;
+    final float[] lowY;
+    final float[] lowZ;
+    final float[] highX;
+    final float[] highY;
+    final float[] highZ;
     /** True if all lines start at one common point, have equal width, and run along their rays. */
     boolean hasSharedStart;
     /** Maximum distance of each line, as float bits; negative for an inactive line. */

@@ -3,7 +3,6 @@ package lightning.render.trace.mesh;
 import static jdk.incubator.vector.VectorOperators.EQ;
 import static jdk.incubator.vector.VectorOperators.LT;
 
-import java.util.Arrays;
 import jdk.incubator.vector.DoubleVector;
 import jdk.incubator.vector.IntVector;
 import jdk.incubator.vector.VectorMask;
@@ -72,12 +71,6 @@ public final class MeshPacketTraversal {
     /** Null if the mesh has no cutouts. */
     private GroupAlphaTest alphaTest;
     private boolean anyHit;
-    /** True to collect all hits without terminating rays. */
-    private boolean collectAll;
-    private int hitCount;
-    private int[] hitRay = new int[MAX_RAYS];
-    private int[] hitTriangle = new int[MAX_RAYS];
-    private double[] hitDistance = new double[MAX_RAYS];
     private int maxLimitBits;
     /** True if the lines are prepared for tests of single rays against boxes. */
     private boolean boxTestsPrepared;
@@ -134,32 +127,6 @@ public final class MeshPacketTraversal {
     /** Finds the blocked rays, which {@link #hitMask} returns: rays that hit a triangle below their limits. */
     public void findBlocked() {
         search(true);
-    }
-
-    /** Finds all triangles that rays hit below their limits. */
-    public void findAllHits() {
-        collectAll = true;
-        hitCount = 0;
-        search(true);
-        collectAll = false;
-    }
-
-    /** Returns the number of hits of all rays, in any order. */
-    public int hitCount() {
-        return hitCount;
-    }
-
-    /** Returns the ray of a hit: ray i of packet k has the number {@code k · WIDTH + i}. */
-    public int hitRay(int n) {
-        return hitRay[n];
-    }
-
-    public int hitTriangle(int n) {
-        return hitTriangle[n];
-    }
-
-    public double hitDistance(int n) {
-        return hitDistance[n];
     }
 
     /** Returns the rays of packet {@code k} that hit a triangle, one bit each. */
@@ -316,10 +283,10 @@ public final class MeshPacketTraversal {
         }
         while (true) {
             leafTriangles.computeDistances(tree.vertex, MeshTree.LEAF_FLOATS * leaf, h, left);
-            int accepted = alphaTest == null && !collectAll ? acceptHits(h, leaf, left) : acceptHitsSingly(h, leaf, left);
+            int accepted = alphaTest == null ? acceptHits(h, leaf, left) : acceptHitsSingly(h, leaf, left);
             nearer |= accepted != 0;
             left &= (int) (leafFilter.multipleRays >>> h);
-            if (anyHit && !collectAll) {
+            if (anyHit) {
                 left &= ~accepted;
             }
             int more = 0;
@@ -452,10 +419,6 @@ public final class MeshPacketTraversal {
 
     /** Accepts a hit if it counts and is nearer than before. */
     private boolean acceptHit(int i, int id, double t) {
-        if (collectAll) {
-            addHit(i, id, t);
-            return false;
-        }
         if ((anyHit ? t < hitLimit[i] : t < MeshRay.MISS && (t < hitLimit[i] || t == hitLimit[i] && (!hasHit(i) || id < triangle[i])))
                 && (alphaTest == null || !alphaTest.passes(i, id, t))) {
             triangle[i] = id;
@@ -469,20 +432,6 @@ public final class MeshPacketTraversal {
             return true;
         }
         return false;
-    }
-
-    private void addHit(int i, int id, double t) {
-        if (!(t < hitLimit[i])) {
-            return;
-        }
-        if (hitCount == hitRay.length) {
-            hitRay = Arrays.copyOf(hitRay, 2 * hitCount);
-            hitTriangle = Arrays.copyOf(hitTriangle, 2 * hitCount);
-            hitDistance = Arrays.copyOf(hitDistance, 2 * hitCount);
-        }
-        hitRay[hitCount] = i;
-        hitTriangle[hitCount] = id;
-        hitDistance[hitCount++] = t;
     }
 
     private boolean hasHit(int i) {

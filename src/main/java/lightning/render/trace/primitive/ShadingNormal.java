@@ -2,9 +2,6 @@ package lightning.render.trace.primitive;
 
 /** Shading normal that differs from the geometric normal, of length 1. Reused. */
 final class ShadingNormal {
-    /** Sine of about half a degree: the minimum elevation of a reflected ray. */
-    private static final double MIN_SINE = 0x1p-7;
-
     double x;
     double y;
     double z;
@@ -22,7 +19,7 @@ final class ShadingNormal {
     }
 
     /**
-     * Bends the normal toward the viewer until the reflected ray rises by at least {@link #MIN_SINE} from the surface, or as
+     * Bends the normal toward the viewer until the reflected ray rises by at least {@link SurfaceHit#MIN_SINE} from the surface, or as
      * steeply as the viewer's own ray if that is flatter (after Keller et al. 2017, The Iray Light Transport Simulation and
      * Rendering System, appendix A.3). The result also faces the viewer.
      *
@@ -40,7 +37,7 @@ final class ShadingNormal {
         double rz = twice * z - vz;
         double reflectedHeight = rx * gx + ry * gy + rz * gz;
         double viewerHeight = vx * gx + vy * gy + vz * gz;
-        double minHeight = Math.min(MIN_SINE, viewerHeight);
+        double minHeight = Math.min(SurfaceHit.MIN_SINE, viewerHeight);
         if (twice < 0 && reflectedHeight >= minHeight) {
             // The normal points into the surface and reflects like its opposite. Continue from where it is seen edge-on.
             rx = -vx;

@@ -11,9 +11,14 @@ public final class ShadowRayHits {
     /** End of a list. */
     public static final int END = -1;
 
+    /** Ray of each hit. */
+    public int[] ray = new int[8];
     public int[] primitive = new int[8];
     public int[] part = new int[8];
     public double[] t = new double[8];
+    /** Fresnel reflectance from outside, and whether the ray came from inside; written by the tracer on request. */
+    public float[] reflectance = new float[8];
+    public boolean[] inside = new boolean[8];
     private final int[] first;
     private int[] next = new int[8];
     private int count;
@@ -36,6 +41,11 @@ public final class ShadowRayHits {
         currentRay = ray;
     }
 
+    /** Returns the number of hits of all rays: their indices are 0 … count − 1. */
+    public int count() {
+        return count;
+    }
+
     /** Returns the nearest hit of a ray. */
     public int first(int ray) {
         return first[ray];
@@ -52,9 +62,12 @@ public final class ShadowRayHits {
             return;
         }
         if (count == t.length) {
+            ray = Arrays.copyOf(ray, 2 * count);
             primitive = Arrays.copyOf(primitive, 2 * count);
             part = Arrays.copyOf(part, 2 * count);
             t = Arrays.copyOf(t, 2 * count);
+            reflectance = Arrays.copyOf(reflectance, 2 * count);
+            inside = Arrays.copyOf(inside, 2 * count);
             next = Arrays.copyOf(next, 2 * count);
         }
         int previous = END;
@@ -64,6 +77,7 @@ public final class ShadowRayHits {
             following = next[following];
         }
         int at = count++;
+        ray[at] = currentRay;
         primitive[at] = s;
         part[at] = partIndex;
         t[at] = distance;

@@ -20,6 +20,9 @@ public final class SurfaceHit {
     /** Error of a hit in double, relative to the coordinates of the ray's origin and of the shape. */
     public static final double HIT_ERROR = 0x1p-46;
 
+    /** Sine of about half a degree: the minimum elevation of a reflected ray over a surface with a shading normal. */
+    public static final double MIN_SINE = 0x1p-7;
+
     private final double[] outward = new double[3];
     private final TrianglePoint facet = new TrianglePoint();
     private final SmoothNormal smoothNormal = new SmoothNormal();

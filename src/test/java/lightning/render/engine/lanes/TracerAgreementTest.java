@@ -8,9 +8,11 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Random;
 import lightning.render.engine.choice.Engines;
+import lightning.render.shading.RowBits;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.RowShadowRays;
+import lightning.render.trace.ShadowRayBatch;
 import lightning.render.trace.TileVisibility;
 import lightning.render.trace.TraceScenes;
 import lightning.render.trace.Tracer;
@@ -78,13 +80,20 @@ class TracerAgreementTest {
         var rows = new HitRows(ROWS, false);
         RowShadowRays shadowRays = randomShadowRays(geometry, rows, seed, toPoints);
         int[] selected = selectedRows(seed);
+        var rays = new ShadowRayBatch();
+        rays.toPoints = toPoints;
+        for (int i = 0; i < ROWS; i++) {
+            if (RowBits.contains(selected, i)) {
+                rays.add(rows, i, shadowRays.x[i], shadowRays.y[i], shadowRays.z[i], 0);
+            }
+        }
         var candidates = CandidateList.fromBvh(geometry.bvh());
         var expected = new ShadowRayHits(ROWS);
         var hits = new ShadowRayHits(ROWS);
-        Engines.SCALAR.tracer(geometry).findHits(rows, selected, shadowRays, candidates, expected);
-        new LaneEngine().tracer(geometry).findHits(rows, selected, shadowRays, candidates, hits);
-        for (int row = 0; row < ROWS; row++) {
-            assertThat(hitsOf(hits, row)).as("row %s", row).isEqualTo(hitsOf(expected, row));
+        Engines.SCALAR.tracer(geometry).findHits(rays, candidates, expected);
+        new LaneEngine().tracer(geometry).findHits(rays, candidates, hits);
+        for (int k = 0; k < rays.count; k++) {
+            assertThat(hitsOf(hits, k)).as("ray %s", k).isEqualTo(hitsOf(expected, k));
         }
     }
 

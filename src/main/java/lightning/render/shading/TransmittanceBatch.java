@@ -1,0 +1,138 @@
+package lightning.render.shading;
+
+import java.util.Arrays;
+import lightning.render.trace.ShadowRayBatch;
+import lightning.render.trace.Tracer;
+import lightning.render.trace.primitive.PrimitiveTable;
+import lightning.render.trace.primitive.ShadowRayHits;
+import lightning.scene.Material;
+import lightning.scene.Transmission;
+
+/**
+ * Transmittance of many shadow rays, with the bits of {@link Transmittance}. The tracer computes the surfaces and the powers of all
+ * hits together; only the products are formed one by one. Holds scratch memory: use one instance per thread.
+ */
+final class TransmittanceBatch {
+    private final PrimitiveTable primitives;
+    private final Tracer tracer;
+    /** Clear materials, by primitive; null until used. */
+    private final ClearSurface[] surfaces;
+    /** Exponents, later powers, of all paths inside, three channels each. */
+    private double[] power = new double[64];
+    private int powerCount;
+    /** Red, green, blue of the latest ray, 0…1. */
+    final float[] rgb = new float[3];
+
+    /** @param thin true for a pane, which has no inside */
+    private record ClearSurface(float[] reflective, float[] color, InteriorTint interior, boolean thin) {
+        static ClearSurface of(Material material) {
+            Transmission clarity = material.transmission();
+            float[] reflective = new float[3];
+            float[] color = new float[3];
+            for (int c = 0; c < 3; c++) {
+                reflective[c] = ClearMaterialShader.channel(material.reflective(), c);
+                color[c] = ClearMaterialShader.channel(clarity.color(), c);
+            }
+            return new ClearSurface(reflective, color, new InteriorTint(clarity), clarity.thin());
+        }
+    }
+
+    TransmittanceBatch(PrimitiveTable primitives, Tracer tracer) {
+        this.primitives = primitives;
+        this.tracer = tracer;
+        surfaces = new ClearSurface[primitives.count];
+    }
+
+    private ClearSurface surface(int s) {
+        ClearSurface known = surfaces[s];
+        if (known == null) {
+            known = ClearSurface.of(primitives.shadowTint(s));
+            surfaces[s] = known;
+        }
+        return known;
+    }
+
+    /** Prepares all rays of a batch, whose hits are known. Call {@link #compute} next for each of the rays with a hit, in order. */
+    void begin(ShadowRayBatch rays, ShadowRayHits hits) {
+        powerCount = 0;
+        if (hits.count() == 0) {
+            return;
+        }
+        tracer.writeHitSurfaces(rays, hits);
+        for (int k = 0; k < rays.count; k++) {
+            if (hits.first(k) != ShadowRayHits.END) {
+                addExponents(rays, hits, k);
+            }
+        }
+        tracer.exponentials(power, powerCount);
+        powerCount = 0;
+    }
+
+    private static double length(ShadowRayBatch rays, int k) {
+        return Math.sqrt(rays.dx[k] * rays.dx[k] + rays.dy[k] * rays.dy[k] + rays.dz[k] * rays.dz[k]);
+    }
+
+    private void addExponents(ShadowRayBatch rays, ShadowRayHits hits, int k) {
+        double length = length(rays, k);
+        double last = 0;
+        ClearSurface entered = null;
+        for (int i = hits.first(k); i != ShadowRayHits.END; i = hits.next(i)) {
+            ClearSurface surface = surface(hits.primitive[i]);
+            boolean isInside = hits.inside[i];
+            if (isInside && !surface.thin) {
+                addExponents(surface.interior, (float) ((hits.t[i] - last) * length));
+            }
+            entered = isInside || surface.thin ? null : surface;
+            last = hits.t[i];
+        }
+        if (rays.toPoints && entered != null) {
+            addExponents(entered.interior, (float) ((1 - last) * length));
+        }
+    }
+
+    private void addExponents(InteriorTint interior, float path) {
+        if (powerCount + 3 > power.length - Tracer.EXPONENTIALS_OVERRUN) {
+            power = Arrays.copyOf(power, 2 * power.length);
+        }
+        for (int c = 0; c < 3; c++) {
+            power[powerCount++] = interior.exponent(c, path);
+        }
+    }
+
+    /** Computes {@link #rgb} of a ray with a hit. */
+    void compute(ShadowRayBatch rays, ShadowRayHits hits, int k) {
+        float red = 1;
+        float green = 1;
+        float blue = 1;
+        ClearSurface entered = null;
+        int p = powerCount;
+        for (int i = hits.first(k); i != ShadowRayHits.END; i = hits.next(i)) {
+            ClearSurface surface = surface(hits.primitive[i]);
+            boolean isInside = hits.inside[i];
+            float share = hits.reflectance[i];
+            float[] kr = surface.reflective;
+            float[] kt = surface.color;
+            if (isInside && !surface.thin) {
+                red *= LightingEquation.transmitted(kr[0], share, kt[0]) * (float) power[p];
+                green *= LightingEquation.transmitted(kr[1], share, kt[1]) * (float) power[p + 1];
+                blue *= LightingEquation.transmitted(kr[2], share, kt[2]) * (float) power[p + 2];
+                p += 3;
+            } else {
+                red *= LightingEquation.transmitted(kr[0], share, kt[0]);
+                green *= LightingEquation.transmitted(kr[1], share, kt[1]);
+                blue *= LightingEquation.transmitted(kr[2], share, kt[2]);
+            }
+            entered = isInside || surface.thin ? null : surface;
+        }
+        if (rays.toPoints && entered != null) {
+            red *= (float) power[p];
+            green *= (float) power[p + 1];
+            blue *= (float) power[p + 2];
+            p += 3;
+        }
+        powerCount = p;
+        rgb[0] = red;
+        rgb[1] = green;
+        rgb[2] = blue;
+    }
+}
