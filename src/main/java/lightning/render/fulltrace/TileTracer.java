@@ -203,8 +203,8 @@ final class TileTracer {
     private BouncedColors traceImages(int level, boolean detectEdges, Progress progress) {
         HitRows rows = levels[level];
         if (level == depth || rows.reflectiveCount == 0) {
-            return new BouncedColors(mirrorLevels.composer.blackImages(rows, level),
-                    detectEdges ? mirrorLevels.edgeComposer.blackImages(rows, level) : null);
+            return new BouncedColors(mirrorLevels.composer.blackImages(rows),
+                    detectEdges ? mirrorLevels.edgeComposer.blackImages(rows) : null);
         }
         BounceImages images = mirrorLevels.composer.backgroundImages(rows, mirrorLevels.world, level);
         BounceImages edges = detectEdges ? mirrorLevels.edgeComposer.backgroundImages(rows, mirrorLevels.world, level) : null;

@@ -25,28 +25,21 @@ final class ClearMaterialShader {
             BounceImages images, float[][] to) {
         int start = rows.runStart(run);
         int end = rows.runEnd[run];
+        if (images.isBlack() && !material.takesLight()) {
+            for (int c = 0; c < 3; c++) {
+                Arrays.fill(to[c], start, end, 0);
+            }
+            return;
+        }
         kernel.clearTerms(rows, start, end, material.clarity(), material.interior(), share, tint);
         for (int c = 0; c < 3; c++) {
-            shade(start, end, material, c, ambience, material.isTextured() ? rows.texel(c) : ones, diffuse[c],
-                    specular == null ? zeros : specular[c], grazing == null ? zeros : grazing[c], images.mirrored()[c],
-                    images.refracted()[c], to[c]);
-        }
-    }
-
-    /** Shades one channel. A plain loop over columns, which the compiler turns into vectors. */
-    private void shade(int start, int end, ShadingMaterial material, int c, float ambience, float[] texel, float[] diffuse,
-            float[] specular, float[] grazing, float[] mirrored, float[] refracted, float[] to) {
-        float ka = material.ambient()[c];
-        float kd = material.diffuse()[c];
-        float ks = material.specular()[c];
-        float metal = material.texturedF0() == null ? 0 : material.texturedF0()[c];
-        float kr = material.reflective()[c];
-        float kt = channel(material.clarity().color(), c);
-        float body = material.bodyShare();
-        float[] interior = tint[c];
-        for (int i = start; i < end; i++) {
-            to[i] = LightingEquation.clearColor(ka, ambience, kd * texel[i], diffuse[i], metal * texel[i] + ks, specular[i], grazing[i], kr,
-                    mirrored[i], body, share[i], kt, refracted[i], interior[i]);
+            ClearChannel channel = ClearChannel.of(material, c, ambience);
+            if (material.takesLight()) {
+                kernel.clearSurface(start, end, channel, material.isTextured() ? rows.texel(c) : ones, diffuse[c],
+                        specular == null ? zeros : specular[c], grazing == null ? zeros : grazing[c], share, to[c]);
+            }
+            kernel.clearColor(start, end, channel, material.takesLight(), images.mirrored()[c], images.refracted()[c], share, tint[c],
+                    to[c]);
         }
     }
 

@@ -52,8 +52,9 @@ final class LevelComposer {
      */
     void compose(HitRows rows, WeightedLight[] lights, LightLayer[] layers, BranchSums branches, World world, BounceImages images,
             float[][] to) {
-        SumColumns sum =
-                branches == null ? lightSum.total(rows.count, lights, layers) : lightSum.total(rows.count, lights, layers, branches);
+        int from = firstLitRow(rows);
+        SumColumns sum = branches == null ? lightSum.total(from, rows.count, lights, layers)
+                : lightSum.total(from, rows.count, lights, layers, branches);
         float ambience = (float) world.ambience();
         // Rows of one material keep the order of their parents. If every position has a row, row i goes to position i.
         boolean inOrder = rows.runCount == 1 && rows.count == ROWS;
@@ -63,6 +64,15 @@ final class LevelComposer {
                 scatter(rows.parent, rows.runStart(r), rows.runEnd[r], to);
             }
         }
+    }
+
+    /** Returns the first row whose color depends on light at its surface. */
+    private int firstLitRow(HitRows rows) {
+        int run = 0;
+        while (run < rows.runCount && !shadingMaterials[rows.runMaterial[run]].takesLight()) {
+            run++;
+        }
+        return run == rows.runCount ? rows.count : rows.runStart(run);
     }
 
     private void shade(HitRows rows, int run, SumColumns sum, float ambience, BounceImages images, float[][] to) {

@@ -23,19 +23,11 @@ public final class TileComposer {
     }
 
     /**
-     * Returns black images for the rays that bounce from a level's rows if the recursion ended there.
-     *
-     * @param depth number of levels above this one
-     * @return valid until the next call for the same depth; null if no ray bounces
+     * Returns black images for the rays that bounce from a level's rows if the recursion ended there; shared, and null if no ray
+     * bounces.
      */
-    public BounceImages blackImages(HitRows rows, int depth) {
-        BounceImages images = scratchImages(rows, depth);
-        for (BounceKind bounce : BounceKind.values()) {
-            for (int c = 0; c < 3 && bounce.rowCount(rows) > 0; c++) {
-                Arrays.fill(images.forBounce(bounce)[c], 0, bounce.rowCount(rows), 0);
-            }
-        }
-        return images;
+    public BounceImages blackImages(HitRows rows) {
+        return rows.reflectiveCount == 0 ? null : BounceImages.BLACK;
     }
 
     /**

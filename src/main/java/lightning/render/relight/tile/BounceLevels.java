@@ -219,7 +219,7 @@ final class BounceLevels {
 
     private BounceImages composeImages(HitRows rows, int depth) {
         if (depth == job.depth() || rows.reflectiveCount == 0) {
-            return worker.composer.blackImages(rows, depth);
+            return worker.composer.blackImages(rows);
         }
         BounceImages images = worker.composer.backgroundImages(rows, job.mirrorTarget().scene().world(), depth);
         for (BounceKind bounce : BounceKind.values()) {

@@ -55,7 +55,7 @@ public final class TileRecomposer {
     private BounceImages composeImages(TileLevel[] levels, int index, int level, WeightedLight[] lights, World world) {
         HitRows rows = levels[index].rows();
         if (level == depth || rows.reflectiveCount == 0) {
-            return mirror.blackImages(rows, level);
+            return mirror.blackImages(rows);
         }
         BounceImages images = mirror.backgroundImages(rows, world, level);
         for (BounceKind bounce : BounceKind.values()) {
