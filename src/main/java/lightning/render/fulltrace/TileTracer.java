@@ -226,9 +226,9 @@ final class TileTracer {
             layers[l] = side.lights[l].isDark() ? null : side.kernel.recompute(levels[level], side.lights[l].source(), columns);
         }
         if (!progress.isCanceled()) {
-            side.composer.composeLevel(levels[level], side.lights, layers, null, side.world, images.colors(), to);
+            side.composer.composeLevel(levels[level], side.lights, layers, side.world, images.colors(), to);
             if (edgeTo != null) {
-                side.edgeComposer.composeLevel(levels[level], side.edgeLights, layers, null, side.world, images.edges(), edgeTo);
+                side.edgeComposer.composeLevel(levels[level], side.edgeLights, layers, side.world, images.edges(), edgeTo);
             }
         }
     }

@@ -62,7 +62,7 @@ public final class TileRecomposer {
             if (bounce.rowCount(rows) > 0) {
                 int at = nextLevel++;
                 BounceImages below = composeImages(levels, at, level + 1, lights, world);
-                mirror.composeLevel(levels[at].rows(), lights, levels[at].layers(), null, world, below, images.forBounce(bounce));
+                mirror.composeLevel(levels[at].rows(), lights, levels[at].layers(), world, below, images.forBounce(bounce));
             }
         }
         return images;
@@ -72,7 +72,7 @@ public final class TileRecomposer {
     public float[][] composeFilm(TileLevel top, WeightedLight[] lights, Scene scene, SamplePositions places, BounceImages images) {
         float[][] pixels = new float[3][Film.TILE_PIXELS];
         eye.fillBackground(top.rows(), scene, places, pixels);
-        eye.composeLevel(top.rows(), lights, top.layers(), null, scene.world(), images, pixels);
+        eye.composeLevel(top.rows(), lights, top.layers(), scene.world(), images, pixels);
         return pixels;
     }
 }
