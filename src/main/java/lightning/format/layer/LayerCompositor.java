@@ -44,18 +44,18 @@ final class LayerCompositor {
         switch (layer) {
             case Layer.Background _ -> {
                 composer.fillBackground(rows, scene, samplePositions, result);
-                composer.composeLevel(rows, NO_LIGHTS, NO_LAYERS, null, darkWorld, BLACK, result);
+                composer.composeLevel(rows, NO_LIGHTS, NO_LAYERS, darkWorld, BLACK, result);
             }
-            case Layer.Ambient _ -> composer.composeLevel(rows, NO_LIGHTS, NO_LAYERS, null, scene.world(), BLACK, result);
+            case Layer.Ambient _ -> composer.composeLevel(rows, NO_LIGHTS, NO_LAYERS, scene.world(), BLACK, result);
             case Layer.Reflections _ -> {
                 if (rows.reflectiveCount > 0) {
-                    composer.composeLevel(rows, NO_LIGHTS, NO_LAYERS, null, darkWorld, tile.images, result);
+                    composer.composeLevel(rows, NO_LIGHTS, NO_LAYERS, darkWorld, tile.images, result);
                 }
             }
             case Layer.Lights some -> {
                 composer.setComponent(some.part());
                 composer.composeLevel(rows, Arrays.copyOfRange(lights, some.first(), some.end()),
-                        Arrays.copyOfRange(tile.levels[0].layers(), some.first(), some.end()), null, darkWorld, BLACK, result);
+                        Arrays.copyOfRange(tile.levels[0].layers(), some.first(), some.end()), darkWorld, BLACK, result);
                 composer.setComponent(LightComponent.ALL);
             }
         }

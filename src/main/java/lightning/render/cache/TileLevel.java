@@ -1,6 +1,7 @@
 package lightning.render.cache;
 
 import lightning.render.shading.BranchSums;
+import lightning.render.shading.ClearTerms;
 import lightning.render.shading.LightLayer;
 import lightning.render.trace.HitRows;
 
@@ -11,23 +12,24 @@ import lightning.render.trace.HitRows;
  * @param layers layers of the lights of the scene that the level was lit for, in order; null for lights that were never on
  * @param branches optional partial sums that speed up composing while one light is edited, or null; valid only if their key is
  *     that of the update
+ * @param clearTerms optional terms of the clear rows that speed up composing, or null
  */
-public record TileLevel(HitRows rows, LightLayer[] layers, BranchSums branches) {
+public record TileLevel(HitRows rows, LightLayer[] layers, BranchSums branches, ClearTerms clearTerms) {
     // An array in a record: written once by its creator.
 
-    /** Creates a level without partial sums. */
+    /** Creates a level without partial sums and terms of clear rows. */
     public TileLevel(HitRows rows, LightLayer[] layers) {
-        this(rows, layers, null);
+        this(rows, layers, null, null);
     }
 
-    /** Returns this level with other partial sums. */
-    public TileLevel withBranchSums(BranchSums sums) {
-        return new TileLevel(rows, layers, sums);
+    /** Returns this level with other partial sums and terms of clear rows. */
+    public TileLevel withCached(BranchSums sums, ClearTerms terms) {
+        return sums == branches && terms == clearTerms ? this : new TileLevel(rows, layers, sums, terms);
     }
 
     /** Returns this level with other owners of its rows, or none. */
     public TileLevel withOwner(int[] owner) {
-        return new TileLevel(rows.withOwner(owner), layers, branches);
+        return new TileLevel(rows.withOwner(owner), layers, branches, clearTerms);
     }
 
     /** Returns the bytes of all columns without array headers and partial sums. */
@@ -36,6 +38,6 @@ public record TileLevel(HitRows rows, LightLayer[] layers, BranchSums branches) 
         for (LightLayer layer : layers) {
             bytes += layer == null ? 0 : layer.bytes();
         }
-        return bytes;
+        return bytes + (clearTerms == null ? 0 : clearTerms.bytes());
     }
 }

@@ -203,8 +203,8 @@ final class TileTracer {
     private BouncedColors traceImages(int level, boolean detectEdges, Progress progress) {
         HitRows rows = levels[level];
         if (level == depth || rows.reflectiveCount == 0) {
-            return new BouncedColors(mirrorLevels.composer.blackImages(rows, level),
-                    detectEdges ? mirrorLevels.edgeComposer.blackImages(rows, level) : null);
+            return new BouncedColors(mirrorLevels.composer.blackImages(rows),
+                    detectEdges ? mirrorLevels.edgeComposer.blackImages(rows) : null);
         }
         BounceImages images = mirrorLevels.composer.backgroundImages(rows, mirrorLevels.world, level);
         BounceImages edges = detectEdges ? mirrorLevels.edgeComposer.backgroundImages(rows, mirrorLevels.world, level) : null;
@@ -226,9 +226,9 @@ final class TileTracer {
             layers[l] = side.lights[l].isDark() ? null : side.kernel.recompute(levels[level], side.lights[l].source(), columns);
         }
         if (!progress.isCanceled()) {
-            side.composer.composeLevel(levels[level], side.lights, layers, null, side.world, images.colors(), to);
+            side.composer.composeLevel(levels[level], side.lights, layers, side.world, images.colors(), to);
             if (edgeTo != null) {
-                side.edgeComposer.composeLevel(levels[level], side.edgeLights, layers, null, side.world, images.edges(), edgeTo);
+                side.edgeComposer.composeLevel(levels[level], side.edgeLights, layers, side.world, images.edges(), edgeTo);
             }
         }
     }

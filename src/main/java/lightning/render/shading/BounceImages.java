@@ -13,6 +13,20 @@ import lightning.render.trace.HitRows;
 public record BounceImages(float[][] mirrored, float[][] refracted) {
     // Arrays in a record: written once by their creator, never after.
 
+    /** Images of rays after which the recursion ended, for any number of rows. */
+    static final BounceImages BLACK = black();
+
+    private static BounceImages black() {
+        float[] zeros = new float[TermKernel.MAX_ROWS];
+        float[][] channels = {zeros, zeros, zeros};
+        return new BounceImages(channels, channels);
+    }
+
+    /** Returns whether the recursion ended at these rows, so that all colors are 0. */
+    boolean isBlack() {
+        return this == BLACK;
+    }
+
     /** Returns the colors of one kind of bounce. */
     public float[][] forBounce(BounceKind bounce) {
         return switch (bounce) {

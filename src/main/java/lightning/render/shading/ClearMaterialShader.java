@@ -8,45 +8,51 @@ import lightning.scene.Transmission;
 /** Evaluates the {@link LightingEquation} over the rows of a clear material. Holds scratch columns: use one instance per thread. */
 final class ClearMaterialShader {
     private final SumKernel kernel;
-    /** Fresnel reflectance and interior tint of each row. */
-    private final float[] share = new float[TermKernel.MAX_ROWS];
-    private final float[][] tint = new float[3][TermKernel.MAX_ROWS];
-    /** Stand for missing columns. */
+    private final ClearTerms scratch = ClearTerms.allocate();
+    /** Stands for missing columns. */
     private final float[] zeros = new float[TermKernel.MAX_ROWS];
-    private final float[] ones = new float[TermKernel.MAX_ROWS];
 
     ClearMaterialShader(SumKernel kernel) {
         this.kernel = kernel;
-        Arrays.fill(ones, 1);
     }
 
-    /** Shades a run of rows, as {@link SumKernel#shade}, including refraction. */
+    /** Computes the terms of all clear rows of a level. */
+    ClearTerms terms(HitRows rows, ShadingMaterial[] materials) {
+        return ClearTerms.of(rows, materials, kernel, scratch);
+    }
+
+    /** Returns whether the color of a clear material's rows depends on its {@link ClearTerms}; otherwise it is black. */
+    static boolean needsTerms(ShadingMaterial material, BounceImages images) {
+        return material.takesLight() || !images.isBlack();
+    }
+
+    /**
+     * Shades a run of rows, as {@link SumKernel#shade}, including refraction.
+     *
+     * @param cached terms of the level's clear rows; computed if null
+     */
     void shade(HitRows rows, int run, ShadingMaterial material, float ambience, float[][] diffuse, float[][] specular, float[][] grazing,
-            BounceImages images, float[][] to) {
+            ClearTerms cached, BounceImages images, float[][] to) {
         int start = rows.runStart(run);
         int end = rows.runEnd[run];
-        kernel.clearTerms(rows, start, end, material.clarity(), material.interior(), share, tint);
-        for (int c = 0; c < 3; c++) {
-            shade(start, end, material, c, ambience, material.isTextured() ? rows.texel(c) : ones, diffuse[c],
-                    specular == null ? zeros : specular[c], grazing == null ? zeros : grazing[c], images.mirrored()[c],
-                    images.refracted()[c], to[c]);
+        if (!needsTerms(material, images)) {
+            for (int c = 0; c < 3; c++) {
+                Arrays.fill(to[c], start, end, 0);
+            }
+            return;
         }
-    }
-
-    /** Shades one channel. A plain loop over columns, which the compiler turns into vectors. */
-    private void shade(int start, int end, ShadingMaterial material, int c, float ambience, float[] texel, float[] diffuse,
-            float[] specular, float[] grazing, float[] mirrored, float[] refracted, float[] to) {
-        float ka = material.ambient()[c];
-        float kd = material.diffuse()[c];
-        float ks = material.specular()[c];
-        float metal = material.texturedF0() == null ? 0 : material.texturedF0()[c];
-        float kr = material.reflective()[c];
-        float kt = channel(material.clarity().color(), c);
-        float body = material.bodyShare();
-        float[] interior = tint[c];
-        for (int i = start; i < end; i++) {
-            to[i] = LightingEquation.clearColor(ka, ambience, kd * texel[i], diffuse[i], metal * texel[i] + ks, specular[i], grazing[i], kr,
-                    mirrored[i], body, share[i], kt, refracted[i], interior[i]);
+        ClearTerms terms = cached == null ? scratch : cached;
+        if (cached == null) {
+            kernel.clearTerms(rows, start, end, material.clarity(), material.interior(), scratch.share, scratch.tint);
+        }
+        for (int c = 0; c < 3; c++) {
+            ClearChannel channel = ClearChannel.of(material, c, ambience);
+            if (material.takesLight()) {
+                kernel.clearSurface(start, end, channel, material.isTextured() ? rows.texel(c) : ClearTerms.WHITE, diffuse[c],
+                        specular == null ? zeros : specular[c], grazing == null ? zeros : grazing[c], terms.share, to[c]);
+            }
+            kernel.clearColor(start, end, channel, material.takesLight(), images.mirrored()[c], images.refracted()[c], terms.share,
+                    terms.tint[c], to[c]);
         }
     }
 

@@ -47,25 +47,56 @@ final class LevelComposer {
      * @param lights   lights in scene order
      * @param layers   layer of each light; unread if the light is dark
      * @param branches cached partial sums, or null
+     * @param terms    cached terms of clear rows, or null
      * @param images   colors of the rays that bounce from the rows; null if there are none
      * @param to       receives the linear colors: red, green, blue, {@code float[1024]} each
      */
-    void compose(HitRows rows, WeightedLight[] lights, LightLayer[] layers, BranchSums branches, World world, BounceImages images,
-            float[][] to) {
-        SumColumns sum =
-                branches == null ? lightSum.total(rows.count, lights, layers) : lightSum.total(rows.count, lights, layers, branches);
+    void compose(HitRows rows, WeightedLight[] lights, LightLayer[] layers, BranchSums branches, ClearTerms terms, World world,
+            BounceImages images, float[][] to) {
+        int from = firstLitRow(rows);
+        SumColumns sum = branches == null ? lightSum.total(from, rows.count, lights, layers)
+                : lightSum.total(from, rows.count, lights, layers, branches);
         float ambience = (float) world.ambience();
         // Rows of one material keep the order of their parents. If every position has a row, row i goes to position i.
         boolean inOrder = rows.runCount == 1 && rows.count == ROWS;
         for (int r = 0; r < rows.runCount; r++) {
-            shade(rows, r, sum, ambience, images, inOrder ? to : colors);
+            shade(rows, r, sum, ambience, terms, images, inOrder ? to : colors);
             if (!inOrder) {
                 scatter(rows.parent, rows.runStart(r), rows.runEnd[r], to);
             }
         }
     }
 
-    private void shade(HitRows rows, int run, SumColumns sum, float ambience, BounceImages images, float[][] to) {
+    private ClearMaterialShader clearShader() {
+        clearShader = clearShader == null ? new ClearMaterialShader(sumKernel) : clearShader;
+        return clearShader;
+    }
+
+    /** Returns the terms of a level's clear rows if its colors depend on them; otherwise null. */
+    ClearTerms clearTerms(HitRows rows, BounceImages images) {
+        for (int run = 0; run < rows.runCount && rows.runStart(run) < rows.transparentCount; run++) {
+            if (ClearMaterialShader.needsTerms(shadingMaterials[rows.runMaterial[run]], images)) {
+                return clearShader().terms(rows, shadingMaterials);
+            }
+        }
+        return null;
+    }
+
+    /** Returns whether terms of a level's clear rows fit the present materials. */
+    boolean isCurrent(ClearTerms terms, HitRows rows) {
+        return terms.isFor(rows, shadingMaterials);
+    }
+
+    /** Returns the first row whose color depends on light at its surface. */
+    private int firstLitRow(HitRows rows) {
+        int run = 0;
+        while (run < rows.runCount && !shadingMaterials[rows.runMaterial[run]].takesLight()) {
+            run++;
+        }
+        return run == rows.runCount ? rows.count : rows.runStart(run);
+    }
+
+    private void shade(HitRows rows, int run, SumColumns sum, float ambience, ClearTerms terms, BounceImages images, float[][] to) {
         ShadingMaterial material = shadingMaterials[rows.runMaterial[run]];
         if (material.hasImage() && !litTextures) {
             shadeUnlit(rows, run, material, ambience, to);
@@ -76,8 +107,7 @@ final class LevelComposer {
         float[][] specular = shines && sum.hasSpecular && material.hasSpecular() ? sum.specular : null;
         float[][] grazing = shines && sum.hasGrazing && material.texturedF0() != null ? sum.grazing : null;
         if (material.clarity() != null) {
-            clearShader = clearShader == null ? new ClearMaterialShader(sumKernel) : clearShader;
-            clearShader.shade(rows, run, material, ambience, diffuse, specular, grazing, images, to);
+            clearShader().shade(rows, run, material, ambience, diffuse, specular, grazing, terms, images, to);
         } else {
             sumKernel.shade(rows, run, material, ambience, diffuse, specular, grazing, images == null ? null : images.mirrored(), to);
         }

@@ -113,6 +113,8 @@ public final class LightRows implements LightLayer {
     public final int litCount;
 
     private final ColumnSet<Column> columns;
+    /** Bytes that compositing reads, computed on first use; 0 before. Columns are not touched again for it. */
+    private int compositingBytes;
 
     public LightRows(byte[] state, float[] cosine, float[] specular, float[] grazing, float[] falloff, int lit) {
         this(state, cosine, specular, grazing, falloff, null, lit);
@@ -355,7 +357,10 @@ public final class LightRows implements LightLayer {
 
     @Override
     public long bytesReadByCompositing() {
-        return columns.bytes() - columns.bytes(Column.STATE);
+        if (compositingBytes == 0) {
+            compositingBytes = (int) (columns.bytes() - columns.bytes(Column.STATE));
+        }
+        return compositingBytes;
     }
 
     /** A new falloff needs only the point; new terms need point, normal and direction. */

@@ -23,6 +23,8 @@ final class LightSum {
     /** Sums of branches; those before {@link #usedScratch} are in use. */
     private final List<SumColumns> scratch = new ArrayList<>();
     private int usedScratch;
+    /** Sums are computed for the rows {@code firstRow … rows − 1}. */
+    private int firstRow;
     private int rows;
     private WeightedLight[] lights;
     private LightLayer[] layers;
@@ -31,16 +33,16 @@ final class LightSum {
         this.sumKernel = kernel;
     }
 
-    /** Returns the sum over all lights. */
-    SumColumns total(int count, WeightedLight[] sceneLights, LightLayer[] lightLayers) {
-        begin(count, sceneLights, lightLayers);
+    /** Returns the sum over all lights in rows {@code from … count − 1}. */
+    SumColumns total(int from, int count, WeightedLight[] sceneLights, LightLayer[] lightLayers) {
+        begin(from, count, sceneLights, lightLayers);
         collectOperands(0, sceneLights.length);
         return sum();
     }
 
     /** Returns the sum over all lights from the cached branches next to one light's path to the root. */
-    SumColumns total(int count, WeightedLight[] sceneLights, LightLayer[] lightLayers, BranchSums branches) {
-        begin(count, sceneLights, lightLayers);
+    SumColumns total(int from, int count, WeightedLight[] sceneLights, LightLayer[] lightLayers, BranchSums branches) {
+        begin(from, count, sceneLights, lightLayers);
         int light = branches.key().light();
         if (light != BranchSums.Key.NO_LIGHT) {
             collectOperands(light, light + 1);
@@ -53,7 +55,7 @@ final class LightSum {
 
     /** Computes the sums of all branches next to a light's path to the root. */
     BranchSums branchSums(int count, WeightedLight[] sceneLights, LightLayer[] lightLayers, BranchSums.Key key) {
-        begin(count, sceneLights, lightLayers);
+        begin(0, count, sceneLights, lightLayers);
         if (key.light() == BranchSums.Key.NO_LIGHT) {
             return new BranchSums(key, new SumColumns[] {compact(sum(0, sceneLights.length))});
         }
@@ -75,7 +77,8 @@ final class LightSum {
         return sum == null ? null : sum.compact(rows);
     }
 
-    private void begin(int count, WeightedLight[] sceneLights, LightLayer[] lightLayers) {
+    private void begin(int from, int count, WeightedLight[] sceneLights, LightLayer[] lightLayers) {
+        firstRow = from;
         rows = count;
         lights = sceneLights;
         layers = lightLayers;
@@ -196,14 +199,14 @@ final class LightSum {
             scratch.add(SumColumns.allocate());
         }
         SumColumns sum = scratch.get(usedScratch);
-        sumKernel.sum(rows, diffuse, sum.diffuse);
+        sumKernel.sum(firstRow, rows, diffuse, sum.diffuse);
         sum.hasSpecular = !specular.isEmpty();
         if (sum.hasSpecular) {
-            sumKernel.sum(rows, specular, sum.specular);
+            sumKernel.sum(firstRow, rows, specular, sum.specular);
         }
         sum.hasGrazing = !grazing.isEmpty();
         if (sum.hasGrazing) {
-            sumKernel.sum(rows, grazing, sum.grazing());
+            sumKernel.sum(firstRow, rows, grazing, sum.grazing());
         }
         return sum;
     }

@@ -222,6 +222,28 @@ public final class LightingEquation {
     }
 
     /**
+     * Returns one channel of the light that a clear surface itself sends, before the interior tint.
+     *
+     * @param emitted ambient light
+     */
+    public static float clearSurface(float emitted, float kd, float diffuse, float ks, float specular, float grazing, float kr, float body,
+            float share) {
+        float left = 1 - mirrorShare(kr, share);
+        return (emitted + kd * diffuse) * (left * body) + (ks * specular + grazing);
+    }
+
+    /** Returns the share of mirrored light of a clear surface. */
+    private static float mirrorShare(float kr, float share) {
+        return kr + (1 - kr) * share;
+    }
+
+    /** Returns one channel of the color of a clear surface from the light that the surface itself sends. */
+    public static float clearColor(float surface, float kr, float mirrored, float share, float kt, float refracted, float tint) {
+        float mirror = mirrorShare(kr, share);
+        return (surface + mirror * mirrored + (1 - mirror) * kt * refracted) * tint;
+    }
+
+    /**
      * Returns one channel of the whole equation of a clear surface, at most the sum of its parts: {@code left·body}, {@code mirror}
      * and {@code left·kt} add up to at most 1.
      *
@@ -230,10 +252,8 @@ public final class LightingEquation {
      */
     static float clearColor(float ka, float ambience, float kd, float diffuse, float ks, float specular, float grazing, float kr,
             float mirrored, float body, float share, float kt, float refracted, float tint) {
-        float mirror = kr + (1 - kr) * share;
-        float left = 1 - mirror;
-        return ((ka * ambience + kd * diffuse) * (left * body) + (ks * specular + grazing) + mirror * mirrored
-                + left * kt * refracted) * tint;
+        return clearColor(clearSurface(ka * ambience, kd, diffuse, ks, specular, grazing, kr, body, share), kr, mirrored, share, kt,
+                refracted, tint);
     }
 
     /**

@@ -27,6 +27,14 @@ public record ShadingMaterial(float[] ambient, float[] diffuse, float[] specular
         boolean isReflective) {
     // Arrays in a record: written once by their creator, never after.
 
+    /**
+     * Returns whether light at the surface adds to its color. Without, as for plain glass, the color is only that of bounced rays:
+     * all other terms are +0 and change no bit.
+     */
+    boolean takesLight() {
+        return clarity == null || bodyShare > 0 || hasSpecular;
+    }
+
     /** Returns the properties of material {@code m}. */
     static ShadingMaterial of(MaterialTable t, int m) {
         float[] reflective = {t.reflective(m, 0), t.reflective(m, 1), t.reflective(m, 2)};

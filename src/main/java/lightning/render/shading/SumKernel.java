@@ -8,8 +8,8 @@ import lightning.scene.Transmission;
  * HitRows#paddedLength}, so that loops may run past the last row.
  */
 public interface SumKernel {
-    /** Writes a sum: red, green and blue columns. */
-    void sum(int rows, SumOperands addends, float[][] to);
+    /** Writes the sums of rows {@code from … to − 1}: red, green and blue columns. Other rows may receive any number. */
+    void sum(int from, int to, SumOperands addends, float[][] sums);
 
     /**
      * Writes {@link LightingEquation#color} of the rows of a run. Omits specular terms and mirror images that do not exist. This
@@ -34,4 +34,23 @@ public interface SumKernel {
      * @param tint  receives the interior tint: red, green and blue columns
      */
     void clearTerms(HitRows rows, int from, int to, Transmission clarity, InteriorTint interior, float[] share, float[][] tint);
+
+    /**
+     * Adds one channel of the light at a clear surface: writes the part of {@link LightingEquation#clearColor} that no bounced ray
+     * brings, of rows {@code from … to − 1}, before the interior tint. Rows before and after may receive any number.
+     *
+     * @param texel    1 if the material is not textured
+     * @param specular the lights' specular sum, as {@code diffuse} and {@code grazing}; 0 if there is none
+     */
+    void clearSurface(int from, int to, ClearChannel channel, float[] texel, float[] diffuse, float[] specular, float[] grazing,
+            float[] share, float[] colors);
+
+    /**
+     * Writes one channel of {@link LightingEquation#clearColor} of rows {@code from … to − 1}. Rows before and after may receive any
+     * number.
+     *
+     * @param hasSurface true if {@code colors} contains {@link #clearSurface}; otherwise that part is 0
+     */
+    void clearColor(int from, int to, ClearChannel channel, boolean hasSurface, float[] mirrored, float[] refracted, float[] share,
+            float[] tint, float[] colors);
 }

@@ -23,19 +23,11 @@ public final class TileComposer {
     }
 
     /**
-     * Returns black images for the rays that bounce from a level's rows if the recursion ended there.
-     *
-     * @param depth number of levels above this one
-     * @return valid until the next call for the same depth; null if no ray bounces
+     * Returns black images for the rays that bounce from a level's rows if the recursion ended there; shared, and null if no ray
+     * bounces.
      */
-    public BounceImages blackImages(HitRows rows, int depth) {
-        BounceImages images = scratchImages(rows, depth);
-        for (BounceKind bounce : BounceKind.values()) {
-            for (int c = 0; c < 3 && bounce.rowCount(rows) > 0; c++) {
-                Arrays.fill(images.forBounce(bounce)[c], 0, bounce.rowCount(rows), 0);
-            }
-        }
-        return images;
+    public BounceImages blackImages(HitRows rows) {
+        return rows.reflectiveCount == 0 ? null : BounceImages.BLACK;
     }
 
     /**
@@ -80,13 +72,28 @@ public final class TileComposer {
      * @param lights   lights in scene order
      * @param layers   layer of each light; unread if the light is dark
      * @param branches cached partial sums, or null
+     * @param terms    cached terms of clear rows, or null
      * @param images   colors of the rays that bounce from the rows; null if there are none
      * @param to       receives each row's linear color at its parent: red, green, blue, {@code float[1024]} each
      */
-    public void composeLevel(HitRows rows, WeightedLight[] lights, LightLayer[] layers, BranchSums branches, World world,
-            BounceImages images,
-            float[][] to) {
-        composer.compose(rows, lights, layers, branches, world, images, to);
+    public void composeLevel(HitRows rows, WeightedLight[] lights, LightLayer[] layers, BranchSums branches, ClearTerms terms,
+            World world, BounceImages images, float[][] to) {
+        composer.compose(rows, lights, layers, branches, terms, world, images, to);
+    }
+
+    /** Composes the rows of one level without cached sums and terms. */
+    public void composeLevel(HitRows rows, WeightedLight[] lights, LightLayer[] layers, World world, BounceImages images, float[][] to) {
+        composeLevel(rows, lights, layers, null, null, world, images, to);
+    }
+
+    /** Returns the terms of a level's clear rows, for {@link #composeLevel}; null if its colors do not depend on them. */
+    public ClearTerms clearTerms(HitRows rows, BounceImages images) {
+        return composer.clearTerms(rows, images);
+    }
+
+    /** Returns whether terms of a level's clear rows fit the present materials. */
+    public boolean isCurrent(ClearTerms terms, HitRows rows) {
+        return composer.isCurrent(terms, rows);
     }
 
     /** Sets the light component that is composed from now on; initially all components. */

@@ -26,11 +26,11 @@ final class ClearTermLanes {
         double outside = 1 / clarity.ior();
         double inside = clarity.thin() ? outside : clarity.ior();
         for (int i = from & -D.length(); i < to; i += D.length()) {
-            reflectance(rows, i, outside, inside, clarity.thin()).intoArray(share, i);
+            ((FloatVector) reflectance(rows, i, outside, inside, clarity.thin()).castShape(F, 0)).intoArray(share, i);
         }
     }
 
-    private static FloatVector reflectance(HitRows rows, int i, double outside, double inside, boolean thin) {
+    private static DoubleVector reflectance(HitRows rows, int i, double outside, double inside, boolean thin) {
         VectorMask<Double> isInside = ColumnLanes.load(rows.insideDistance, i).compare(VectorOperators.GE, 0);
         DoubleVector eta = DoubleVector.broadcast(D, outside).blend(inside, isInside);
         DoubleVector c = ColumnLanes.load(rows.nx, i).mul(ColumnLanes.load(rows.vx, i))
@@ -51,8 +51,7 @@ final class ClearTermLanes {
         DoubleVector p = c.sub(etaRoot).div(c.add(etaRoot));
         DoubleVector f = s.mul(s).add(p.mul(p)).div(2);
         f = thin ? f.mul(2).div(f.add(1)) : f;
-        f = DoubleVector.broadcast(D, 1).blend(f, k.compare(VectorOperators.GT, 0)).blend(0, eta.compare(VectorOperators.EQ, 1));
-        return (FloatVector) f.castShape(F, 0);
+        return DoubleVector.broadcast(D, 1).blend(f, k.compare(VectorOperators.GT, 0)).blend(0, eta.compare(VectorOperators.EQ, 1));
     }
 
     /** Writes the transmittance in one channel of the paths of rows {@code from … to − 1}; see {@link #writeReflectances}. */

@@ -2,6 +2,7 @@ package lightning.render.engine.lanes;
 
 import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorSpecies;
+import lightning.render.shading.ClearChannel;
 import lightning.render.shading.InteriorTint;
 import lightning.render.shading.ShadingMaterial;
 import lightning.render.shading.SumKernel;
@@ -20,8 +21,8 @@ final class SumLanes implements SumKernel {
     private final float[] metalSpecular = new float[TermKernel.MAX_ROWS];
 
     /** Sums one channel with tinted shadows. */
-    private static void tintedSum(int rows, SumOperands a, float[] weight, float[][] tint, float[][] sums, float[] to) {
-        for (int i = 0; i < rows; i += F.length()) {
+    private static void tintedSum(int from, int rows, SumOperands a, float[] weight, float[][] tint, float[][] sums, float[] to) {
+        for (int i = from & -F.length(); i < rows; i += F.length()) {
             FloatVector sum = tintedSum(i, a, weight, tint, 0, a.firstChainLength)
                     .add(tintedSum(i, a, weight, tint, a.firstChainLength, a.lightCount));
             for (int s = 0; s < a.sumCount; s++) {
@@ -41,14 +42,14 @@ final class SumLanes implements SumKernel {
     }
 
     @Override
-    public void sum(int rows, SumOperands a, float[][] to) {
+    public void sum(int from, int rows, SumOperands a, float[][] to) {
         if (a.tinted) {
-            tintedSum(rows, a, a.red, a.tintRed, a.sumRed, to[0]);
-            tintedSum(rows, a, a.green, a.tintGreen, a.sumGreen, to[1]);
-            tintedSum(rows, a, a.blue, a.tintBlue, a.sumBlue, to[2]);
+            tintedSum(from, rows, a, a.red, a.tintRed, a.sumRed, to[0]);
+            tintedSum(from, rows, a, a.green, a.tintGreen, a.sumGreen, to[1]);
+            tintedSum(from, rows, a, a.blue, a.tintBlue, a.sumBlue, to[2]);
             return;
         }
-        for (int i = 0; i < rows; i += F.length()) {
+        for (int i = from & -F.length(); i < rows; i += F.length()) {
             FloatVector r = FloatVector.zero(F);
             FloatVector g = r;
             FloatVector b = r;
@@ -146,5 +147,37 @@ final class SumLanes implements SumKernel {
         for (int c = 0; c < 3; c++) {
             ClearTermLanes.writeTransmittances(rows, from, to, interior, c, tint[c]);
         }
+    }
+
+    @Override
+    public void clearSurface(int from, int to, ClearChannel k, float[] texel, float[] diffuse, float[] specular, float[] grazing,
+            float[] share, float[] colors) {
+        for (int i = from & -F.length(); i < to; i += F.length()) {
+            FloatVector t = FloatVector.fromArray(F, texel, i);
+            FloatVector left = FloatVector.broadcast(F, 1).sub(mirrorShare(share, i, k.reflective()));
+            FloatVector body = FloatVector.fromArray(F, diffuse, i).mul(t.mul(k.diffuse())).add(k.emitted()).mul(left.mul(k.body()));
+            FloatVector gloss = FloatVector.fromArray(F, specular, i).mul(t.mul(k.texturedF0()).add(k.specular()))
+                    .add(FloatVector.fromArray(F, grazing, i));
+            body.add(gloss).intoArray(colors, i);
+        }
+    }
+
+    @Override
+    public void clearColor(int from, int to, ClearChannel k, boolean hasSurface, float[] mirrored, float[] refracted, float[] share,
+            float[] tint, float[] colors) {
+        for (int i = from & -F.length(); i < to; i += F.length()) {
+            FloatVector mirror = mirrorShare(share, i, k.reflective());
+            FloatVector color = FloatVector.fromArray(F, mirrored, i).mul(mirror);
+            if (hasSurface) {
+                color = color.add(FloatVector.fromArray(F, colors, i));
+            }
+            color.add(FloatVector.broadcast(F, 1).sub(mirror).mul(k.clear()).mul(FloatVector.fromArray(F, refracted, i)))
+                    .mul(FloatVector.fromArray(F, tint, i)).intoArray(colors, i);
+        }
+    }
+
+    /** Returns the share of mirrored light of clear surfaces from their Fresnel reflectance. */
+    private static FloatVector mirrorShare(float[] share, int i, float kr) {
+        return FloatVector.fromArray(F, share, i).mul(1 - kr).add(kr);
     }
 }

@@ -1,6 +1,8 @@
 package lightning.render.engine.scalar;
 
+import lightning.render.shading.ClearChannel;
 import lightning.render.shading.InteriorTint;
+import lightning.render.shading.LightingEquation;
 import lightning.render.shading.ShadingMaterial;
 import lightning.render.shading.SumKernel;
 import lightning.render.shading.SumOperands;
@@ -11,24 +13,24 @@ import lightning.scene.Transmission;
 /** Scalar implementation of {@link SumKernel}. */
 final class ScalarSums implements SumKernel {
     @Override
-    public void sum(int rows, SumOperands addends, float[][] to) {
-        sum(rows, addends, addends.red, addends.tintRed, addends.sumRed, to[0]);
-        sum(rows, addends, addends.green, addends.tintGreen, addends.sumGreen, to[1]);
-        sum(rows, addends, addends.blue, addends.tintBlue, addends.sumBlue, to[2]);
+    public void sum(int from, int to, SumOperands addends, float[][] sums) {
+        sum(from, to, addends, addends.red, addends.tintRed, addends.sumRed, sums[0]);
+        sum(from, to, addends, addends.green, addends.tintGreen, addends.sumGreen, sums[1]);
+        sum(from, to, addends, addends.blue, addends.tintBlue, addends.sumBlue, sums[2]);
     }
 
     /** Sums one channel. */
-    private static void sum(int rows, SumOperands addends, float[] weight, float[][] tint, float[][] sums, float[] to) {
-        for (int i = 0; i < rows; i++) {
+    private static void sum(int from, int to, SumOperands addends, float[] weight, float[][] tint, float[][] known, float[] sums) {
+        for (int i = from; i < to; i++) {
             float sum = addends.tinted
                     ? weightedSum(i, addends, weight, tint, 0, addends.firstChainLength)
                             + weightedSum(i, addends, weight, tint, addends.firstChainLength, addends.lightCount)
                     : weightedSum(i, addends, weight, 0, addends.firstChainLength)
                             + weightedSum(i, addends, weight, addends.firstChainLength, addends.lightCount);
             for (int s = 0; s < addends.sumCount; s++) {
-                sum += sums[s][i];
+                sum += known[s][i];
             }
-            to[i] = sum;
+            sums[i] = sum;
         }
     }
 
@@ -86,6 +88,25 @@ final class ScalarSums implements SumKernel {
             for (int i = from; i < to; i++) {
                 tint[c][i] = interior.transmittance(c, rows.insideDistance[i]);
             }
+        }
+    }
+
+    @Override
+    public void clearSurface(int from, int to, ClearChannel channel, float[] texel, float[] diffuse, float[] specular, float[] grazing,
+            float[] share, float[] colors) {
+        for (int i = from; i < to; i++) {
+            colors[i] = LightingEquation.clearSurface(channel.emitted(), channel.diffuse() * texel[i], diffuse[i],
+                    channel.texturedF0() * texel[i] + channel.specular(), specular[i], grazing[i], channel.reflective(), channel.body(),
+                    share[i]);
+        }
+    }
+
+    @Override
+    public void clearColor(int from, int to, ClearChannel channel, boolean hasSurface, float[] mirrored, float[] refracted, float[] share,
+            float[] tint, float[] colors) {
+        for (int i = from; i < to; i++) {
+            colors[i] = LightingEquation.clearColor(hasSurface ? colors[i] : 0, channel.reflective(), mirrored[i], share[i],
+                    channel.clear(), refracted[i], tint[i]);
         }
     }
 }

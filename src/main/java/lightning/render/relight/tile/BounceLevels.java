@@ -98,9 +98,12 @@ final class BounceLevels {
         changed = order != null || job.mirrorPlan() != null && job.mirrorPlan().recomposeAll();
         changedEdges = changed;
         update(top.rows(), order, before.levels[0].rows(), 0);
-        return job.progress().isCanceled() ? new TracedLevels(before.levels, before.hitShapes, null, true)
-                : new TracedLevels(levels.toArray(TileLevel[]::new), before.hitShapes, changed ? composeImages() : before.images,
-                        changedEdges);
+        if (job.progress().isCanceled()) {
+            return new TracedLevels(before.levels, before.hitShapes, null, true);
+        }
+        // Composing caches partial sums and terms in the levels.
+        BounceImages images = changed ? composeImages() : before.images;
+        return new TracedLevels(levels.toArray(TileLevel[]::new), before.hitShapes, images, changedEdges);
     }
 
     /** Traces everything seen from a level's rows. */
@@ -219,7 +222,7 @@ final class BounceLevels {
 
     private BounceImages composeImages(HitRows rows, int depth) {
         if (depth == job.depth() || rows.reflectiveCount == 0) {
-            return worker.composer.blackImages(rows, depth);
+            return worker.composer.blackImages(rows);
         }
         BounceImages images = worker.composer.backgroundImages(rows, job.mirrorTarget().scene().world(), depth);
         for (BounceKind bounce : BounceKind.values()) {

@@ -11,6 +11,7 @@ import lightning.render.relight.plan.LevelPlan;
 import lightning.render.relight.plan.LightUpdate;
 import lightning.render.shading.BounceImages;
 import lightning.render.shading.BranchSums;
+import lightning.render.shading.ClearTerms;
 import lightning.render.shading.LightKernel;
 import lightning.render.shading.LightLayer;
 import lightning.render.shading.TileComposer;
@@ -143,7 +144,8 @@ final class LevelWorker {
             }
         }
         BranchSums sums = old.branches() != null && old.branches().key() == update.key() ? old.branches() : null;
-        return sums == old.branches() && Arrays.equals(layers, old.layers()) ? old : new TileLevel(old.rows(), layers, sums);
+        return sums == old.branches() && Arrays.equals(layers, old.layers()) ? old
+                : new TileLevel(old.rows(), layers, sums, old.clearTerms());
     }
 
     /**
@@ -212,18 +214,24 @@ final class LevelWorker {
     }
 
     /**
-     * Composes a level; returns it with the partial sums cached for the next update, if any.
+     * Composes a level; returns it with the partial sums and terms cached for the next update, if any.
      *
      * @param to receives the colors
      */
     TileLevel compose(TileLevel level, LevelPlan update, BounceImages images, float[][] to) {
         rowsComposed += level.rows().count;
-        BranchSums sums = update == null || update.key() == null ? null
+        boolean isRepeated = update != null && update.key() != null;
+        BranchSums sums = !isRepeated || target.lights().length < RepeatedEditDetector.MIN_LIGHTS ? null
                 : level.branches() != null ? level.branches()
                 : composer.branchSums(level.rows(), target.lights(), level.layers(), update.key());
-        composer.composeLevel(level.rows(), target.lights(), level.layers(), sums, target.scene().world(), images, to);
-        bytesMoved += bytesRead(level, update == null ? null : update.key(), sums);
-        return sums == level.branches() ? level : level.withBranchSums(sums);
+        ClearTerms terms = level.clearTerms();
+        if (terms != null && !composer.isCurrent(terms, level.rows())) {
+            terms = null;
+        }
+        terms = terms == null && isRepeated ? composer.clearTerms(level.rows(), images) : terms;
+        composer.composeLevel(level.rows(), target.lights(), level.layers(), sums, terms, target.scene().world(), images, to);
+        bytesMoved += bytesRead(level, update == null ? null : update.key(), sums) + (terms == null ? 0 : terms.bytes());
+        return level.withCached(sums, terms);
     }
 
     /**

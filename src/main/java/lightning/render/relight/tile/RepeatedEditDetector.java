@@ -6,11 +6,11 @@ import lightning.render.shading.BranchSums;
 
 /**
  * Detects repeated edits of one light, as during a drag, or of ambience and material colors. From the second edit on, the partial
- * sums of the other lights are cached.
+ * sums of the other lights are cached, and terms of clear rows that no light changes.
  */
 public final class RepeatedEditDetector {
     /**
-     * Minimum number of lights. With fewer, adding them again reads less memory than their sums need. Premultiplied layers also
+     * Minimum number of lights for partial sums. With fewer, adding them again reads less memory than their sums need. Premultiplied layers also
      * make new falloffs slower by more than the cached sums save (measured in docs/performance.md).
      */
     public static final int MIN_LIGHTS = 8;
@@ -29,7 +29,7 @@ public final class RepeatedEditDetector {
         }
 
         private static BranchSums.Key nextKey(RepeatedEditDetector repeated, LevelPlan level, UpdatePlan.Relight plan) {
-            return repeated.nextKey(plan.shapes().isEmpty() ? level.singleChange() : LevelPlan.SEVERAL, level.layers().size());
+            return repeated.nextKey(plan.shapes().isEmpty() ? level.singleChange() : LevelPlan.SEVERAL);
         }
 
         /** Clears the last edited lights. */
@@ -43,11 +43,10 @@ public final class RepeatedEditDetector {
      * Records an update and returns the key for it.
      *
      * @param light  the only light that it changes, {@link BranchSums.Key#NO_LIGHT}, or {@link LevelPlan#SEVERAL}
-     * @param lights number of lights
      * @return the key of sums to use and to cache, or null
      */
-    BranchSums.Key nextKey(int light, int lights) {
-        if (light != LevelPlan.SEVERAL && lights >= MIN_LIGHTS && key != null && key.light() == light) {
+    BranchSums.Key nextKey(int light) {
+        if (light != LevelPlan.SEVERAL && key != null && key.light() == light) {
             return key;
         }
         key = light == LevelPlan.SEVERAL ? null : new BranchSums.Key(light);

@@ -55,14 +55,14 @@ public final class TileRecomposer {
     private BounceImages composeImages(TileLevel[] levels, int index, int level, WeightedLight[] lights, World world) {
         HitRows rows = levels[index].rows();
         if (level == depth || rows.reflectiveCount == 0) {
-            return mirror.blackImages(rows, level);
+            return mirror.blackImages(rows);
         }
         BounceImages images = mirror.backgroundImages(rows, world, level);
         for (BounceKind bounce : BounceKind.values()) {
             if (bounce.rowCount(rows) > 0) {
                 int at = nextLevel++;
                 BounceImages below = composeImages(levels, at, level + 1, lights, world);
-                mirror.composeLevel(levels[at].rows(), lights, levels[at].layers(), null, world, below, images.forBounce(bounce));
+                mirror.composeLevel(levels[at].rows(), lights, levels[at].layers(), world, below, images.forBounce(bounce));
             }
         }
         return images;
@@ -72,7 +72,7 @@ public final class TileRecomposer {
     public float[][] composeFilm(TileLevel top, WeightedLight[] lights, Scene scene, SamplePositions places, BounceImages images) {
         float[][] pixels = new float[3][Film.TILE_PIXELS];
         eye.fillBackground(top.rows(), scene, places, pixels);
-        eye.composeLevel(top.rows(), lights, top.layers(), null, scene.world(), images, pixels);
+        eye.composeLevel(top.rows(), lights, top.layers(), scene.world(), images, pixels);
         return pixels;
     }
 }

@@ -1,0 +1,143 @@
+package lightning.render.relight.tile;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Random;
+import lightning.base.math.Rgb;
+import lightning.base.math.Vec3;
+import lightning.base.work.Progress;
+import lightning.render.cache.PixelCache;
+import lightning.render.cache.TileLevel;
+import lightning.render.engine.Engine;
+import lightning.render.engine.choice.Engines;
+import lightning.render.image.FilmAssert;
+import lightning.render.relight.Renderer;
+import lightning.render.shading.ReferenceTracer;
+import lightning.scene.AntialiasMode;
+import lightning.scene.Camera;
+import lightning.scene.Light;
+import lightning.scene.LightType;
+import lightning.scene.Material;
+import lightning.scene.PictureSettings;
+import lightning.scene.Placement;
+import lightning.scene.SamplingSettings;
+import lightning.scene.Scene;
+import lightning.scene.Shape;
+import lightning.scene.Solid;
+import lightning.scene.Transmission;
+import lightning.scene.World;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import org.junit.jupiter.api.Test;
+
+/** Tests repeated edits of scenes with several clear materials, whose terms the levels cache. */
+class RepeatedClearEditTest {
+    private static final Transmission CLEAR = Transmission.NONE.withColor(Rgb.WHITE).withTint(new Rgb(0.9, 0.3, 1)).withTintDistance(0.5);
+
+    /** Balls of four glasses, one in front of the other, before a stone. Plain glass takes no light at its surface. */
+    private static Scene scene() {
+        List<Material> materials = List.of(plainGlass("plain", 1.5), plainGlass("dense", 1.9),
+                plainGlass("glossy", 1.4).withSpecular(Rgb.gray(0.3)).withShininess(8),
+                Material.of("milky").withDiffuse(Rgb.gray(0.7)).withTransmission(CLEAR.withColor(new Rgb(0.5, 0.4, 0.3)).withIor(1.3)),
+                Material.of("stone").withReflective(Rgb.gray(0.2)));
+        List<Shape> shapes = new ArrayList<>();
+        for (int i = 0; i < 12; i++) {
+            shapes.add(new Shape(Solid.SPHERE, "ball" + i, materials.get(i % 5).name(),
+                    new Placement(new Vec3(i % 4 - 1.5, i / 4 - 1, -0.7 * (i % 3)), Vec3.ZERO, Vec3.ONE.times(0.7))));
+        }
+        return new Scene(new PictureSettings(48, 32, 4), new Camera(new Vec3(0, 0, 8), Vec3.ZERO, Vec3.Y, 30), World.DEFAULT, materials,
+                List.copyOf(shapes),
+                List.of(Light.of("key", LightType.POINT).withPosition(new Vec3(3, 4, 6)).withIntensity(0.7),
+                        Light.of("fill", LightType.DIRECTIONAL).withDirection(new Vec3(1, -0.1, -0.5)).withIntensity(0.3)));
+    }
+
+    private static Material plainGlass(String name, double ior) {
+        return Material.of(name).withDiffuse(Rgb.BLACK).withSpecular(Rgb.BLACK).withTransmission(CLEAR.withIor(ior));
+    }
+
+    private static RenderOptions options(Engine engine, MirrorStorage storage) {
+        return RenderOptions.DEFAULT.withThreads(1).withStorage(storage).withEngines(_ -> engine);
+    }
+
+    private static Scene edited(Scene scene, Random random) {
+        Material material = scene.materials().get(random.nextInt(5));
+        Transmission clear = material.transmission();
+        return switch (random.nextInt(10)) {
+            case 0 -> scene.withWorld(scene.world().withAmbience(random.nextDouble()));
+            case 1 -> scene.withMaterial(material.withTransmission(clear.withTint(Rgb.gray(random.nextDouble()))));
+            case 2 -> scene.withMaterial(material.withTransmission(clear.withTintDistance(random.nextDouble() + 0.1)));
+            case 3 -> scene.withMaterial(material.withTransmission(clear.withIor(1 + random.nextDouble())));
+            case 4 -> scene.withLight(scene.lights().getLast().withIntensity(random.nextDouble()));
+            case 5 -> scene.withLight(scene.lights().getFirst().withPosition(new Vec3(random.nextDouble(), 3, 4)));
+            default -> scene.withLight(scene.lights().getFirst().withIntensity(random.nextDouble()));
+        };
+    }
+
+    @Property(tries = 20)
+    void editsInAnyOrder_equalReference(@ForAll Random random, @ForAll boolean scalar, @ForAll MirrorStorage storage) {
+        Scene scene = scene();
+        try (Renderer renderer = new Renderer(options(scalar ? Engines.SCALAR : Engines.LANES, storage))) {
+            renderer.render(scene, Progress.NONE);
+            for (int edit = 0; edit < 12; edit++) {
+                scene = edited(scene, random);
+                renderer.render(scene, Progress.NONE);
+                FilmAssert.assertSameBits(renderer.film(), new ReferenceTracer(scene).trace(), "edit " + edit);
+            }
+        }
+    }
+
+    private static long clearTermBytes(PixelCache cache) {
+        long bytes = 0;
+        for (int t = 0; t < cache.tileCount(); t++) {
+            for (TileLevel level : cache.tile(t).levels) {
+                bytes += level.clearTerms() == null ? 0 : level.clearTerms().bytes();
+            }
+        }
+        return bytes;
+    }
+
+    private static int levelsWithTerms(PixelCache cache) {
+        int levels = 0;
+        for (int t = 0; t < cache.tileCount(); t++) {
+            levels += (int) Arrays.stream(cache.tile(t).levels).filter(level -> level.clearTerms() != null).count();
+        }
+        return levels;
+    }
+
+    @Test
+    void terms_areCachedFromSecondEditOfLight() {
+        Scene scene = scene();
+        Light key = scene.lights().getFirst();
+        try (Renderer renderer = new Renderer(options(Engines.SCALAR, MirrorStorage.FULL_ROWS))) {
+            renderer.render(scene, Progress.NONE);
+            renderer.render(scene.withLight(key.withIntensity(0.5)), Progress.NONE);
+            assertThat(clearTermBytes(renderer.cache())).isZero();
+            assertThat(levelsWithTerms(renderer.cache())).isZero();
+            long before = renderer.cache().bytes();
+            renderer.render(scene.withLight(key.withIntensity(0.6)), Progress.NONE);
+            assertThat(clearTermBytes(renderer.cache())).isPositive().isEqualTo(renderer.cache().bytes() - before);
+            // Rows of plain glass need no terms where the recursion ends.
+            assertThat(levelsWithTerms(renderer.cache())).isGreaterThan(2 * renderer.cache().tileCount());
+            // Terms of another light's edit are the same.
+            renderer.render(scene.withLight(scene.lights().getLast().withIntensity(0.6)), Progress.NONE);
+            assertThat(clearTermBytes(renderer.cache())).isEqualTo(renderer.cache().bytes() - before);
+        }
+    }
+
+    @Test
+    void samplesOfRepeatedEdits_equalReference() {
+        Scene plain = scene();
+        Scene scene = plain.withPicture(plain.picture().withSampling(new SamplingSettings(AntialiasMode.EDGES, 4)));
+        try (Renderer renderer = new Renderer(options(Engines.LANES, MirrorStorage.FULL_ROWS))) {
+            renderer.render(scene, Progress.NONE);
+            for (double intensity : new double[] {0.72, 0.74, 0.76, 1.4, 0.1}) {
+                Scene edited = scene.withLight(scene.lights().getFirst().withIntensity(intensity));
+                renderer.render(edited, Progress.NONE);
+                FilmAssert.assertSameBits(renderer.film(), new ReferenceTracer(edited).trace(), "intensity " + intensity);
+            }
+        }
+    }
+}
