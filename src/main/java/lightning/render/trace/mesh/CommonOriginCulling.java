@@ -18,6 +18,8 @@ import jdk.incubator.vector.VectorSpecies;
 final class CommonOriginCulling {
     private static final VectorSpecies<Float> EIGHT = FloatVector.SPECIES_256;
     private static final int W = MeshTree.WIDTH;
+    private static final int C = MeshTree.CORNER_FLOATS;
+    private static final int X = MeshTree.AXIS_FLOATS;
 
     /** C × (B − C), A × (C − A) and B × (A − B) of the current leaf, x y z of each for all slots. */
     private final float[] normal = new float[9 * W];
@@ -26,29 +28,29 @@ final class CommonOriginCulling {
     void setLeaf(float[] v, int at, float ox, float oy, float oz) {
         float[] n = normal;
         FloatVector ax = FloatVector.fromArray(EIGHT, v, at).sub(ox);
-        FloatVector ay = FloatVector.fromArray(EIGHT, v, at + W).sub(oy);
-        FloatVector az = FloatVector.fromArray(EIGHT, v, at + 2 * W).sub(oz);
-        FloatVector bx = FloatVector.fromArray(EIGHT, v, at + 3 * W).sub(ox);
-        FloatVector by = FloatVector.fromArray(EIGHT, v, at + 4 * W).sub(oy);
-        FloatVector bz = FloatVector.fromArray(EIGHT, v, at + 5 * W).sub(oz);
-        FloatVector cx = FloatVector.fromArray(EIGHT, v, at + 6 * W).sub(ox);
-        FloatVector cy = FloatVector.fromArray(EIGHT, v, at + 7 * W).sub(oy);
-        FloatVector cz = FloatVector.fromArray(EIGHT, v, at + 8 * W).sub(oz);
-        FloatVector ex = FloatVector.fromArray(EIGHT, v, at + 3 * W).sub(FloatVector.fromArray(EIGHT, v, at + 6 * W));
-        FloatVector ey = FloatVector.fromArray(EIGHT, v, at + 4 * W).sub(FloatVector.fromArray(EIGHT, v, at + 7 * W));
-        FloatVector ez = FloatVector.fromArray(EIGHT, v, at + 5 * W).sub(FloatVector.fromArray(EIGHT, v, at + 8 * W));
+        FloatVector ay = FloatVector.fromArray(EIGHT, v, at + X).sub(oy);
+        FloatVector az = FloatVector.fromArray(EIGHT, v, at + 2 * X).sub(oz);
+        FloatVector bx = FloatVector.fromArray(EIGHT, v, at + C).sub(ox);
+        FloatVector by = FloatVector.fromArray(EIGHT, v, at + X + C).sub(oy);
+        FloatVector bz = FloatVector.fromArray(EIGHT, v, at + 2 * X + C).sub(oz);
+        FloatVector cx = FloatVector.fromArray(EIGHT, v, at + 2 * C).sub(ox);
+        FloatVector cy = FloatVector.fromArray(EIGHT, v, at + X + 2 * C).sub(oy);
+        FloatVector cz = FloatVector.fromArray(EIGHT, v, at + 2 * X + 2 * C).sub(oz);
+        FloatVector ex = FloatVector.fromArray(EIGHT, v, at + C).sub(FloatVector.fromArray(EIGHT, v, at + 2 * C));
+        FloatVector ey = FloatVector.fromArray(EIGHT, v, at + X + C).sub(FloatVector.fromArray(EIGHT, v, at + X + 2 * C));
+        FloatVector ez = FloatVector.fromArray(EIGHT, v, at + 2 * X + C).sub(FloatVector.fromArray(EIGHT, v, at + 2 * X + 2 * C));
         cy.fma(ez, cz.mul(ey).neg()).intoArray(n, 0);
         cz.fma(ex, cx.mul(ez).neg()).intoArray(n, W);
         cx.fma(ey, cy.mul(ex).neg()).intoArray(n, 2 * W);
-        ex = FloatVector.fromArray(EIGHT, v, at + 6 * W).sub(FloatVector.fromArray(EIGHT, v, at));
-        ey = FloatVector.fromArray(EIGHT, v, at + 7 * W).sub(FloatVector.fromArray(EIGHT, v, at + W));
-        ez = FloatVector.fromArray(EIGHT, v, at + 8 * W).sub(FloatVector.fromArray(EIGHT, v, at + 2 * W));
+        ex = FloatVector.fromArray(EIGHT, v, at + 2 * C).sub(FloatVector.fromArray(EIGHT, v, at));
+        ey = FloatVector.fromArray(EIGHT, v, at + X + 2 * C).sub(FloatVector.fromArray(EIGHT, v, at + X));
+        ez = FloatVector.fromArray(EIGHT, v, at + 2 * X + 2 * C).sub(FloatVector.fromArray(EIGHT, v, at + 2 * X));
         ay.fma(ez, az.mul(ey).neg()).intoArray(n, 3 * W);
         az.fma(ex, ax.mul(ez).neg()).intoArray(n, 4 * W);
         ax.fma(ey, ay.mul(ex).neg()).intoArray(n, 5 * W);
-        ex = FloatVector.fromArray(EIGHT, v, at).sub(FloatVector.fromArray(EIGHT, v, at + 3 * W));
-        ey = FloatVector.fromArray(EIGHT, v, at + W).sub(FloatVector.fromArray(EIGHT, v, at + 4 * W));
-        ez = FloatVector.fromArray(EIGHT, v, at + 2 * W).sub(FloatVector.fromArray(EIGHT, v, at + 5 * W));
+        ex = FloatVector.fromArray(EIGHT, v, at).sub(FloatVector.fromArray(EIGHT, v, at + C));
+        ey = FloatVector.fromArray(EIGHT, v, at + X).sub(FloatVector.fromArray(EIGHT, v, at + X + C));
+        ez = FloatVector.fromArray(EIGHT, v, at + 2 * X).sub(FloatVector.fromArray(EIGHT, v, at + 2 * X + C));
         by.fma(ez, bz.mul(ey).neg()).intoArray(n, 6 * W);
         bz.fma(ex, bx.mul(ez).neg()).intoArray(n, 7 * W);
         bx.fma(ey, by.mul(ex).neg()).intoArray(n, 8 * W);

@@ -54,7 +54,7 @@ final class LeafRayFilter {
         float[] v = newTree.vertex;
         int first = MeshTree.LEAF_FLOATS * at;
         // Prefetches the cache lines of the leaf before testing boxes: a fifth less time for shadow rays.
-        prefetchSink = v[first] + v[first + 16] + v[first + 32] + v[first + 48] + v[first + 64];
+        prefetchSink = v[first] + v[first + 16] + v[first + 32] + v[first + MeshTree.LEAF_FLOATS - 1];
         extent = extent(newTree.box, box);
         int count = 0;
         for (int i = from; i < end; i += RayBatch.WIDTH) {

@@ -2,6 +2,7 @@ package lightning.render.trace.mesh;
 
 import static jdk.incubator.vector.DoubleVector.broadcast;
 import static jdk.incubator.vector.DoubleVector.fromArray;
+import static jdk.incubator.vector.VectorOperators.EQ;
 import static jdk.incubator.vector.VectorOperators.F2D;
 import static jdk.incubator.vector.VectorOperators.GE;
 import static jdk.incubator.vector.VectorOperators.GT;
@@ -27,15 +28,18 @@ final class LeafTriangleLanes {
     private static final VectorSpecies<Float> EIGHT = FloatVector.SPECIES_256;
     private static final VectorSpecies<Integer> EIGHT_INTS = IntVector.SPECIES_256;
     private static final int W = MeshTree.WIDTH;
-    private static final int V = MeshTree.VERTEX_FLOATS;
+    private static final int V = 3 * W;
 
     private final MeshRayLanes rays;
     /** Slot of the triangle that each ray is tested with next. */
     final int[] slot;
     /** Distances, by ray. */
     final double[] distance;
-    /** Vertices of each ray's triangle, in the layout of a leaf. */
+    /** Corners of each ray's triangle: eight floats per axis, and three axes per corner. */
     private final double[] vertex = new double[9 * W];
+    /** Rays whose triangle has its last vertex at the first corner, and at the second. */
+    private int lastIsFirst;
+    private int lastIsSecond;
     private final double[] entry = new double[DoubleLanes.COUNT];
     private final double[] exit = new double[DoubleLanes.COUNT];
 
@@ -46,17 +50,21 @@ final class LeafTriangleLanes {
     }
 
     /**
-     * Writes the distances of rays {@code h … h + 7} to triangles of the leaf whose vertices begin at {@code v[leaf]}.
+     * Writes the distances of rays {@code h … h + 7} to triangles of a leaf.
      *
      * @param mask rays to test, one bit each; the distances of other rays are undefined
      */
-    void computeDistances(float[] v, int leaf, int h, int mask) {
+    void computeDistances(MeshTree tree, int leaf, int h, int mask) {
         IntVector s = IntVector.fromArray(EIGHT_INTS, slot, h);
-        for (int k = 0; k < 9 * W; k += W) {
-            FloatVector chosen =
-                    ((IntVector) s.selectFrom(FloatVector.fromArray(EIGHT, v, leaf + k).reinterpretAsInts())).reinterpretAsFloats();
+        IntVector last = ((IntVector) s.selectFrom(IntVector.fromArray(EIGHT_INTS, tree.triangle, W * leaf))).and(3);
+        lastIsFirst = (int) last.compare(EQ, 0).toLong();
+        lastIsSecond = (int) last.compare(EQ, 1).toLong();
+        for (int k = 0; k < 9; k++) {
+            int at = MeshTree.LEAF_FLOATS * leaf + MeshTree.AXIS_FLOATS * (k % 3) + MeshTree.CORNER_FLOATS * (k / 3);
+            FloatVector chosen = ((IntVector) s.selectFrom(FloatVector.fromArray(EIGHT, tree.vertex, at).reinterpretAsInts()))
+                    .reinterpretAsFloats();
             for (int part = 0; part < RAYS; part += DoubleLanes.COUNT) {
-                ((DoubleVector) chosen.convertShape(F2D, SPECIES, part / DoubleLanes.COUNT)).intoArray(vertex, k + part);
+                ((DoubleVector) chosen.convertShape(F2D, SPECIES, part / DoubleLanes.COUNT)).intoArray(vertex, W * k + part);
             }
         }
         for (int part = 0; part < RAYS; part += DoubleLanes.COUNT) {
@@ -117,7 +125,15 @@ final class LeafTriangleLanes {
         DoubleVector weightC = bx.mul(ay).sub(by.mul(ax));
         VectorMask<Double> inside = weightA.compare(GE, 0).and(weightB.compare(GE, 0)).and(weightC.compare(GE, 0))
                 .or(weightA.compare(LE, 0).and(weightB.compare(LE, 0)).and(weightC.compare(LE, 0)));
-        DoubleVector t = weightA.mul(az).add(weightB.mul(bz)).add(weightC.mul(cz)).div(weightA.add(weightB).add(weightC))
+        // Sums end with the last vertex; the order of the other two and the sign of all weights do not change the quotient.
+        VectorMask<Double> first = VectorMask.fromLong(SPECIES, lastIsFirst >>> part);
+        VectorMask<Double> second = VectorMask.fromLong(SPECIES, lastIsSecond >>> part);
+        az = weightA.mul(az);
+        bz = weightB.mul(bz);
+        cz = weightC.mul(cz);
+        DoubleVector t = az.blend(cz, first).add(bz.blend(cz, second)).add(cz.blend(az, first).blend(bz, second))
+                .div(weightA.blend(weightC, first).add(weightB.blend(weightC, second))
+                        .add(weightC.blend(weightA, first).blend(weightB, second)))
                 .mul(inverseDepth);
         inside = inside.and(t.compare(GT, 0));
         fromArray(SPECIES, distance, i).blend(broadcast(SPECIES, MeshRay.MISS).blend(t, inside), VectorMask.fromLong(SPECIES, mask))

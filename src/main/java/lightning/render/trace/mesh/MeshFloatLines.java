@@ -44,6 +44,7 @@ final class MeshFloatLines {
 
     /** Maximum width; wider lines may overflow floats in products. Coordinates up to 1e18 are safe. */
     private static final float MAX_WIDTH = 1e11f;
+    private static final int X = MeshTree.AXIS_FLOATS;
     private static final int ALL_SLOTS = -1 >>> -MeshTree.WIDTH;
 
     private final MeshLines lines;
@@ -319,10 +320,13 @@ final class MeshFloatLines {
         float dz = stepZ[i];
         int at = MeshTree.LEAF_FLOATS * leaf;
         if (Math.abs(dz) == 1) {
-            return LeafTriangleCulling.candidateSlots(v, at, at + 8, at + 16, startX[i], startY[i], startZ[i], dx * dz, dy * dz, w, extent);
+            return LeafTriangleCulling.candidateSlots(v, at, at + X, at + 2 * X, startX[i], startY[i], startZ[i], dx * dz, dy * dz, w,
+                    extent);
         }
         return Math.abs(dx) == 1
-                ? LeafTriangleCulling.candidateSlots(v, at + 8, at + 16, at, startY[i], startZ[i], startX[i], dy * dx, dz * dx, w, extent)
-                : LeafTriangleCulling.candidateSlots(v, at + 16, at, at + 8, startZ[i], startX[i], startY[i], dz * dy, dx * dy, w, extent);
+                ? LeafTriangleCulling.candidateSlots(v, at + X, at + 2 * X, at, startY[i], startZ[i], startX[i], dy * dx, dz * dx, w,
+                        extent)
+                : LeafTriangleCulling.candidateSlots(v, at + 2 * X, at, at + X, startZ[i], startX[i], startY[i], dz * dy, dx * dy, w,
+                        extent);
     }
 }

@@ -1,5 +1,6 @@
 package lightning.render.trace.mesh;
 
+import static jdk.incubator.vector.VectorOperators.ASHR;
 import static jdk.incubator.vector.VectorOperators.EQ;
 import static jdk.incubator.vector.VectorOperators.LT;
 
@@ -315,7 +316,7 @@ public final class MeshPacketTraversal {
             return nearer;
         }
         while (true) {
-            leafTriangles.computeDistances(tree.vertex, MeshTree.LEAF_FLOATS * leaf, h, left);
+            leafTriangles.computeDistances(tree, leaf, h, left);
             int accepted = alphaTest == null && !collectAll ? acceptHits(h, leaf, left) : acceptHitsSingly(h, leaf, left);
             nearer |= accepted != 0;
             left &= (int) (leafFilter.multipleRays >>> h);
@@ -352,7 +353,7 @@ public final class MeshPacketTraversal {
         if (!anyHit) {
             for (int left = equal & mask; left != 0; left &= left - 1) {
                 int i = h + Integer.numberOfTrailingZeros(left);
-                int id = tree.triangle[MeshTree.WIDTH * leaf + leafTriangles.slot[i]];
+                int id = MeshTree.id(tree.triangle[MeshTree.WIDTH * leaf + leafTriangles.slot[i]]);
                 if (hitLimit[i] < MeshRay.MISS && (!hasHit(i) || id < triangle[i])) {
                     accepted |= left & -left;
                 }
@@ -363,6 +364,7 @@ public final class MeshPacketTraversal {
         }
         IntVector ids = (IntVector) IntVector.fromArray(SLOTS, leafTriangles.slot, h)
                 .selectFrom(IntVector.fromArray(SLOTS, tree.triangle, MeshTree.WIDTH * leaf));
+        ids = ids.lanewise(ASHR, MeshTree.CORNER_BITS);
         IntVector.fromArray(SLOTS, triangle, h).blend(ids, VectorMask.fromLong(SLOTS, accepted)).intoArray(triangle, h);
         hitRays |= (long) accepted << h;
         if (anyHit) {
@@ -383,7 +385,7 @@ public final class MeshPacketTraversal {
         int accepted = 0;
         for (int left = mask; left != 0; left &= left - 1) {
             int i = h + Integer.numberOfTrailingZeros(left);
-            int id = tree.triangle[MeshTree.WIDTH * leaf + leafTriangles.slot[i]];
+            int id = MeshTree.id(tree.triangle[MeshTree.WIDTH * leaf + leafTriangles.slot[i]]);
             accepted |= acceptHit(i, id, leafTriangles.distance[i]) ? left & -left : 0;
         }
         return accepted;
@@ -441,8 +443,8 @@ public final class MeshPacketTraversal {
         boolean nearer = false;
         for (int left = slots; left != 0; left &= left - 1) {
             int s = Integer.numberOfTrailingZeros(left);
-            double t = rays.distance(i, tree.vertex, MeshTree.LEAF_FLOATS * leaf + s);
-            nearer |= acceptHit(i, tree.triangle[MeshTree.WIDTH * leaf + s], t);
+            double t = rays.distance(i, tree.vertex, tree.corner(leaf, s, 0), tree.corner(leaf, s, 1), tree.corner(leaf, s, 2));
+            nearer |= acceptHit(i, MeshTree.id(tree.triangle[MeshTree.WIDTH * leaf + s]), t);
             if (nearer && anyHit) {
                 return true;
             }
