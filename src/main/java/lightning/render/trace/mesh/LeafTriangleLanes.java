@@ -30,6 +30,9 @@ final class LeafTriangleLanes {
     private static final int W = MeshTree.WIDTH;
     private static final int V = 3 * W;
 
+    /** Maximum distance, relative to the padding, whose product with a direction near 0 needs no clamping. */
+    private static final double MAX_DISTANCE_SHARE = 0x1p800;
+
     private final MeshRayLanes rays;
     /** Slot of the triangle that each ray is tested with next. */
     final int[] slot;
@@ -92,7 +95,7 @@ final class LeafTriangleLanes {
         if (z != 0) {
             hit |= planeDistances(0, W, 2 * W, rays.ox, rays.oy, rays.oz, rays.dx, rays.dy, rays.dz, h, part, z);
         }
-        if (hit != 0) {
+        if (hit != 0 && (hit & ~raysInsideBoxes(h, part)) != 0) {
             clampToBoxes(h, part, hit);
         }
     }
@@ -139,6 +142,30 @@ final class LeafTriangleLanes {
         fromArray(SPECIES, distance, i).blend(broadcast(SPECIES, MeshRay.MISS).blend(t, inside), VectorMask.fromLong(SPECIES, mask))
                 .intoArray(distance, i);
         return (int) inside.toLong() & mask;
+    }
+
+    /**
+     * Returns rays whose hits are inside the triangles' boxes by enough that clamping does not change their distances, without
+     * a division. Proof: docs/numerics.md, "Proof: hits inside the triangle's box".
+     */
+    private int raysInsideBoxes(int h, int part) {
+        DoubleVector t = fromArray(SPECIES, distance, h + part);
+        DoubleVector pad = fromArray(SPECIES, rays.padding, h + part);
+        int inside = (int) t.compare(LT, pad.mul(MAX_DISTANCE_SHARE)).toLong();
+        pad = pad.mul(0.25);
+        // One call in a loop: the compiler would not inline all of three.
+        for (int axis = 0; axis < 3; axis++) {
+            DoubleVector p = t.mul(fromArray(SPECIES, axis == 0 ? rays.dx : axis == 1 ? rays.dy : rays.dz, h + part))
+                    .add(fromArray(SPECIES, axis == 0 ? rays.ox : axis == 1 ? rays.oy : rays.oz, h + part));
+            DoubleVector a = fromArray(SPECIES, vertex, axis * W + part);
+            DoubleVector b = fromArray(SPECIES, vertex, axis * W + V + part);
+            DoubleVector c = fromArray(SPECIES, vertex, axis * W + 2 * V + part);
+            DoubleVector low = p.add(pad);
+            DoubleVector high = p.sub(pad);
+            inside &= (int) (low.compare(GE, a).or(low.compare(GE, b)).or(low.compare(GE, c))).toLong()
+                    & (int) (high.compare(LE, a).or(high.compare(LE, b)).or(high.compare(LE, c))).toLong();
+        }
+        return inside;
     }
 
     /** Clamps distances of the rays of {@code mask} as {@link MeshRay#clampToBox}; those of others become infinite. */

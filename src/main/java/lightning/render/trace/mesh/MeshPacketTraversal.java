@@ -80,8 +80,6 @@ public final class MeshPacketTraversal {
     private int[] hitTriangle = new int[MAX_RAYS];
     private double[] hitDistance = new double[MAX_RAYS];
     private int maxLimitBits;
-    /** True if the lines are prepared for tests of single rays against boxes. */
-    private boolean boxTestsPrepared;
     /** Number of leaves that the beam visited in which no ray may hit a triangle. */
     private int idleLeaves;
 
@@ -185,7 +183,6 @@ public final class MeshPacketTraversal {
         anyHit = stopAtAnyHit;
         int end = count * RayBatch.WIDTH;
         hitRays = 0;
-        boxTestsPrepared = false;
         lines.setRays(tree, activeMasks, shortRays, count, hitLimit, anyHit);
         activeRays = 0;
         for (int k = 0; k < count; k++) {
@@ -194,7 +191,7 @@ public final class MeshPacketTraversal {
         if (!traverseAsBeam(0, end)) {
             for (int i = 0; i < end; i += RayBatch.WIDTH) {
                 if (activeMasks[i / RayBatch.WIDTH] != 0 && (count == 1 || !traverseAsBeam(i, i + RayBatch.WIDTH))) {
-                    prepareBoxTests();
+                    lines.prepareBoxTests();
                     for (int left = activeMasks[i / RayBatch.WIDTH]; left != 0; left &= left - 1) {
                         traverseRay(i + Integer.numberOfTrailingZeros(left), 0, 0);
                     }
@@ -235,20 +232,10 @@ public final class MeshPacketTraversal {
         return true;
     }
 
-    private void prepareBoxTests() {
-        if (!boxTestsPrepared) {
-            lines.prepareBoxTests(count);
-            boxTestsPrepared = true;
-        }
-    }
-
     private void traverseBeam(int from, int end) {
         idleLeaves = 0;
         maxLimitBits = lines.maxLimitBits(from, end);
         int top = push(0, beams[0].enteredChildren(tree, 0, maxLimitBits), beams[0].entryBits, 0, 0);
-        if (top > 0) {
-            prepareBoxTests();
-        }
         while (top > 0) {
             top--;
             long rayMask = beams[stackBeam[top]].rays & activeRays;
@@ -262,8 +249,9 @@ public final class MeshPacketTraversal {
                 int b = stackBeam[top];
                 top = push(child, beams[b].enteredChildren(tree, child, maxLimitBits), beams[b].entryBits, b, top);
             } else if (child >= 0) {
+                lines.prepareBoxTests();
                 top = splitBeam(child, lines.enteringRays(tree.box, box, rayMask, from, end), stackBeam[top], from, end, top);
-            } else if (testLeaf(~child, box, rayMask, from, end) && !anyHit) {
+            } else if (testLeaf(~child, box, rayMask, from, end, beams[stackBeam[top]], entryBits[top]) && !anyHit) {
                 maxLimitBits = lines.maxLimitBits(from, end);
             }
         }
@@ -292,8 +280,8 @@ public final class MeshPacketTraversal {
      * Tests the triangles of a leaf, whose box is {@code tree.box[box]}, against rays of a beam. Returns true if any hit is
      * nearer than before.
      */
-    private boolean testLeaf(int leaf, int box, long rayMask, int from, int end) {
-        long candidates = leafFilter.findCandidates(tree, leaf, box, rayMask, from, end);
+    private boolean testLeaf(int leaf, int box, long rayMask, int from, int end, MeshBeam beam, int enters) {
+        long candidates = leafFilter.findCandidates(tree, leaf, box, rayMask, from, end, beam, enters);
         idleLeaves += candidates == 0 ? 1 : 0;
         boolean nearer = false;
         for (long left = candidates; left != 0;) {
@@ -443,8 +431,16 @@ public final class MeshPacketTraversal {
         boolean nearer = false;
         for (int left = slots; left != 0; left &= left - 1) {
             int s = Integer.numberOfTrailingZeros(left);
-            double t = rays.distance(i, tree.vertex, tree.corner(leaf, s, 0), tree.corner(leaf, s, 1), tree.corner(leaf, s, 2));
-            nearer |= acceptHit(i, MeshTree.id(tree.triangle[MeshTree.WIDTH * leaf + s]), t);
+            int reference = tree.triangle[MeshTree.WIDTH * leaf + s];
+            if (reference < 0) {
+                continue;
+            }
+            int last = MeshTree.lastCorner(reference);
+            int first = MeshTree.LEAF_FLOATS * leaf + s;
+            // The order of the other two corners does not change the distance.
+            double t = rays.distance(i, tree.vertex, first + MeshTree.CORNER_FLOATS * (last == 2 ? 0 : last + 1),
+                    first + MeshTree.CORNER_FLOATS * (last == 0 ? 2 : last - 1), first + MeshTree.CORNER_FLOATS * last);
+            nearer |= acceptHit(i, MeshTree.id(reference), t);
             if (nearer && anyHit) {
                 return true;
             }

@@ -33,6 +33,10 @@ final class MeshRayLanes {
     final double[] inverseZ;
     /** First ray of the group. */
     int first;
+    /** Its origin before the transform. */
+    private double firstX;
+    private double firstY;
+    private double firstZ;
     /** True if all rays of the group start at one point. */
     boolean hasCommonOrigin;
 
@@ -62,15 +66,45 @@ final class MeshRayLanes {
             first = Integer.numberOfTrailingZeros(mask);
             hasCommonOrigin = true;
         }
+        boolean sameOrigin = to > 0 && hasCommonOrigin && startsAtFirst(p, mask);
         for (int h = 0; h < RayBatch.WIDTH; h += DoubleLanes.COUNT) {
-            transformOrigins(tree, m, at, p, h, to + h);
+            if (sameOrigin) {
+                repeatOrigin(to + h);
+            } else {
+                transformOrigins(tree, m, at, p, h, to + h);
+            }
             transformDirections(m, at, p, h, to + h);
+        }
+        if (to == 0) {
+            firstX = p.ox[first];
+            firstY = p.oy[first];
+            firstZ = p.oz[first];
+        }
+        if (sameOrigin) {
+            return;
         }
         for (int h = 0; hasCommonOrigin && h < RayBatch.WIDTH; h += DoubleLanes.COUNT) {
             VectorMask<Double> different = fromArray(SPECIES, ox, to + h).compare(NE, ox[first])
                     .or(fromArray(SPECIES, oy, to + h).compare(NE, oy[first])).or(fromArray(SPECIES, oz, to + h).compare(NE, oz[first]));
             hasCommonOrigin = (different.toLong() & mask >>> h) == 0;
         }
+    }
+
+    /** Returns true if rays of a packet start where the first ray of the group does, before the transform. */
+    private boolean startsAtFirst(RayBatch p, int mask) {
+        int different = 0;
+        for (int h = 0; h < RayBatch.WIDTH; h += DoubleLanes.COUNT) {
+            different |= (int) fromArray(SPECIES, p.ox, h).compare(NE, firstX).or(fromArray(SPECIES, p.oy, h).compare(NE, firstY))
+                    .or(fromArray(SPECIES, p.oz, h).compare(NE, firstZ)).toLong() << h;
+        }
+        return (different & mask) == 0;
+    }
+
+    private void repeatOrigin(int to) {
+        broadcast(SPECIES, ox[first]).intoArray(ox, to);
+        broadcast(SPECIES, oy[first]).intoArray(oy, to);
+        broadcast(SPECIES, oz[first]).intoArray(oz, to);
+        broadcast(SPECIES, padding[first]).intoArray(padding, to);
     }
 
     private void transformOrigins(MeshTree tree, double[] m, int i, RayBatch p, int from, int to) {
