@@ -29,7 +29,7 @@ final class CommonOriginCulling {
     /** C × (B − C), A × (C − A) and B × (A − B) of the current leaf, x y z of each for all slots. */
     private final float[] normal = new float[9 * W];
 
-    /** Slots whose triangles the origin may see edge-on. The others are seen from a known side: no line hits them with a negative sign. */
+    /** Slots whose triangles the origin may see edge-on. Signs of the others are positive for all lines that hit them. */
     private int twoSided;
     /** Lines of the latest {@link #candidateLines} that may hit more than one triangle. */
     int multipleLines;
