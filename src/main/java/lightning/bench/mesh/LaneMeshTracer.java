@@ -3,8 +3,14 @@ package lightning.bench.mesh;
 import java.lang.management.ManagementFactory;
 import java.lang.management.ThreadMXBean;
 import java.util.Arrays;
+import jdk.incubator.vector.DoubleVector;
+import jdk.incubator.vector.FloatVector;
+import jdk.incubator.vector.VectorOperators;
+import jdk.incubator.vector.VectorShape;
+import jdk.incubator.vector.VectorSpecies;
 import lightning.render.trace.mesh.MeshPacketTraversal;
 import lightning.render.trace.mesh.MeshSolid;
+import lightning.render.trace.solid.DoubleLanes;
 import lightning.render.trace.solid.RayBatch;
 
 /** Tracer of ray sets with our vector lanes, on the calling thread. */
@@ -13,6 +19,9 @@ public final class LaneMeshTracer {
     private static final ThreadMXBean THREADS = ManagementFactory.getThreadMXBean();
     private static final int RAYS_PER_GROUP = MeshPacketTraversal.PACKETS * RayBatch.WIDTH;
     private static final int ALL_LANES = -1 >>> -RayBatch.WIDTH;
+
+    private static final VectorSpecies<Float> FLOATS =
+            VectorSpecies.of(float.class, VectorShape.forBitSize(DoubleLanes.SPECIES.vectorBitSize() / 2));
 
     private final MeshSolid solid;
     private final MeshPacketTraversal packets = new MeshPacketTraversal();
@@ -60,8 +69,9 @@ public final class LaneMeshTracer {
     }
 
     private static void load(float[] from, int at, double[] to) {
-        for (int i = 0; i < RayBatch.WIDTH; i++) {
-            to[i] = from[at + i];
+        for (int i = 0; i < RayBatch.WIDTH; i += DoubleLanes.COUNT) {
+            ((DoubleVector) FloatVector.fromArray(FLOATS, from, at + i).convertShape(VectorOperators.F2D, DoubleLanes.SPECIES, 0))
+                    .intoArray(to, i);
         }
     }
 }

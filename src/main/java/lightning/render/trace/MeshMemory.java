@@ -11,8 +11,8 @@ import lightning.scene.Solid;
 /** Estimate of the memory that a scene's meshes need, before any BVH is built. Each mesh counts once. */
 public final class MeshMemory {
     /**
-     * Bytes of a triangle in its BVH: 54 with leaves of typical occupancy ({@code MeshRayQueryTest}). During the build, add 28
-     * for its box and index and about 20 for sets of triangles. The rest is reserve.
+     * Bytes of a triangle in its BVH: about 40 if most triangles share an edge with another, up to 80 if none does. During the
+     * build, add about 30 for boxes, indices and sets of triangles, twice as many if none does. The rest is reserve.
      */
     private static final long TREE_BYTES = 112;
 

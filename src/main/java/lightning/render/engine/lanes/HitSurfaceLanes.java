@@ -9,6 +9,7 @@ import static jdk.incubator.vector.VectorOperators.GT;
 import static jdk.incubator.vector.VectorOperators.LT;
 
 import jdk.incubator.vector.DoubleVector;
+import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorShape;
 import jdk.incubator.vector.VectorSpecies;
@@ -287,7 +288,8 @@ final class HitSurfaceLanes {
                 .add(rounded(fromArray(SPECIES, shadingNormal[1], h)).mul(rounded(dy.div(length))))
                 .add(rounded(fromArray(SPECIES, shadingNormal[2], h)).mul(rounded(dz.div(length)))).abs();
         double eta = 1 / clarity.ior();
-        ClearTermLanes.reflectance(c, broadcast(SPECIES, eta), clarity.thin()).intoArray(reflectance, h);
+        DoubleVector share = ClearTermLanes.reflectance(c, broadcast(SPECIES, eta), clarity.thin());
+        ((FloatVector) share.convertShape(D2F, HALF, 0)).intoArray(reflectance, h);
     }
 
     private static DoubleVector rounded(DoubleVector v) {

@@ -9,6 +9,12 @@ import lightning.render.trace.solid.RayBatch;
 final class LeafRayFilter {
     /** Minimum number of rays with a common origin for which the work per leaf pays off. */
     private static final int MIN_COMMON_ORIGIN_RAYS = 2;
+    /** Minimum number of rays with a common origin that are tested in lanes. */
+    private static final int MIN_LANE_RAYS = 6;
+    /** Number of triangles in a beam from which on testing rays against the boxes of leaves first pays off. */
+    private static final int MANY_TRIANGLES = 5;
+    /** Maximum number of rays in the box of such a leaf that are tested one by one. */
+    private static final int MAX_SINGLE_RAYS = 24;
 
     private final MeshFloatLines lines;
     private final CommonOriginCulling commonOriginCulling = new CommonOriginCulling();
@@ -21,6 +27,8 @@ final class LeafRayFilter {
     long multipleRays;
     private MeshTree tree;
     private int leaf;
+    /** True if the latest beam that was tested in lanes had many triangles in its leaf. */
+    private boolean hasManyTriangles;
     /** Longest side of the leaf's box. */
     private float extent;
     /** Target of the prefetch loads, so that they are not eliminated. */
@@ -47,15 +55,21 @@ final class LeafRayFilter {
      * may hit triangles, one bit each; writes {@link #slots}.
      *
      * @param rayMask rays to test, one bit each
+     * @param beam beam of these rays, which enters the leaf at a distance with the bits {@code entryBits}
      */
-    long findCandidates(MeshTree newTree, int at, int box, long rayMask, int from, int end) {
+    long findCandidates(MeshTree newTree, int at, int box, long rayMask, int from, int end, MeshBeam beam, int entryBits) {
         tree = newTree;
         leaf = at;
         float[] v = newTree.vertex;
         int first = MeshTree.LEAF_FLOATS * at;
         // Prefetches the cache lines of the leaf before testing boxes: a fifth less time for shadow rays.
-        prefetchSink = v[first] + v[first + 16] + v[first + 32] + v[first + 48] + v[first + 64];
+        prefetchSink = v[first] + v[first + 16] + v[first + 32] + v[first + MeshTree.LEAF_FLOATS - 1];
         extent = extent(newTree.box, box);
+        boolean inLanes = lines.hasSharedStart && Long.bitCount(rayMask) >= MIN_LANE_RAYS;
+        if (inLanes && !hasManyTriangles) {
+            return testInLanes(rayMask, from, end, beam, entryBits);
+        }
+        lines.prepareBoxTests();
         int count = 0;
         for (int i = from; i < end; i += RayBatch.WIDTH) {
             int requested = (int) (rayMask >>> i) & -1 >>> -RayBatch.WIDTH;
@@ -63,8 +77,32 @@ final class LeafRayFilter {
             enteringRays[i / RayBatch.WIDTH] = entering;
             count += Integer.bitCount(entering);
         }
+        if (inLanes && count > MAX_SINGLE_RAYS) {
+            return testInLanes(rayMask, from, end, beam, entryBits);
+        }
         // Runs all tests first and evaluates them afterwards: one branch misprediction instead of one for every other ray.
         return lines.hasSharedStart && count >= MIN_COMMON_ORIGIN_RAYS ? testWithCommonOrigin(from, end) : testSeparately(from, end);
+    }
+
+    /** Tests rays with a common origin in lanes against the triangles that their beam may hit. */
+    private long testInLanes(long rayMask, int from, int end, MeshBeam beam, int entryBits) {
+        commonOriginCulling.setLeaf(tree.vertex, MeshTree.LEAF_FLOATS * leaf, lines.sharedX, lines.sharedY, lines.sharedZ,
+                CommonOriginCulling.minVolume(lines.sharedWidth, extent));
+        float margin = CommonOriginCulling.margin(lines.sharedWidth, extent);
+        int triangles = commonOriginCulling.candidateSlots(beam, margin);
+        hasManyTriangles = Integer.bitCount(triangles) >= MANY_TRIANGLES;
+        long rays = 0;
+        long multiple = 0;
+        for (int i = from; triangles != 0 && i < end; i += RayBatch.WIDTH) {
+            int requested = (int) (rayMask >>> i) & -1 >>> -RayBatch.WIDTH;
+            if (requested != 0) {
+                rays |= (long) (requested
+                        & commonOriginCulling.candidateLines(lines, i, triangles, margin, entryBits, slots, firstSlot)) << i;
+                multiple |= (long) commonOriginCulling.multipleLines << i;
+            }
+        }
+        multipleRays = multiple;
+        return rays;
     }
 
     private long testSeparately(int from, int end) {
@@ -85,8 +123,9 @@ final class LeafRayFilter {
     }
 
     private long testWithCommonOrigin(int from, int end) {
-        commonOriginCulling.setLeaf(tree.vertex, MeshTree.LEAF_FLOATS * leaf, lines.startX[from], lines.startY[from], lines.startZ[from]);
-        float margin = CommonOriginCulling.margin(lines.lineWidth[from], extent);
+        commonOriginCulling.setLeaf(tree.vertex, MeshTree.LEAF_FLOATS * leaf, lines.sharedX, lines.sharedY, lines.sharedZ,
+                CommonOriginCulling.minVolume(lines.sharedWidth, extent));
+        float margin = CommonOriginCulling.margin(lines.sharedWidth, extent);
         long rays = 0;
         long multiple = 0;
         for (int i = from; i < end; i += RayBatch.WIDTH) {

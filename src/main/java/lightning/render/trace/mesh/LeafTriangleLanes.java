@@ -2,6 +2,7 @@ package lightning.render.trace.mesh;
 
 import static jdk.incubator.vector.DoubleVector.broadcast;
 import static jdk.incubator.vector.DoubleVector.fromArray;
+import static jdk.incubator.vector.VectorOperators.EQ;
 import static jdk.incubator.vector.VectorOperators.F2D;
 import static jdk.incubator.vector.VectorOperators.GE;
 import static jdk.incubator.vector.VectorOperators.GT;
@@ -27,15 +28,21 @@ final class LeafTriangleLanes {
     private static final VectorSpecies<Float> EIGHT = FloatVector.SPECIES_256;
     private static final VectorSpecies<Integer> EIGHT_INTS = IntVector.SPECIES_256;
     private static final int W = MeshTree.WIDTH;
-    private static final int V = MeshTree.VERTEX_FLOATS;
+    private static final int V = 3 * W;
+
+    /** Maximum distance, relative to the padding, whose product with a direction near 0 needs no clamping. */
+    private static final double MAX_DISTANCE_SHARE = 0x1p800;
 
     private final MeshRayLanes rays;
     /** Slot of the triangle that each ray is tested with next. */
     final int[] slot;
     /** Distances, by ray. */
     final double[] distance;
-    /** Vertices of each ray's triangle, in the layout of a leaf. */
+    /** Corners of each ray's triangle: eight floats per axis, and three axes per corner. */
     final double[] vertex = new double[9 * W];
+    /** Rays whose triangle has its last vertex at the first corner, and at the second. */
+    private int lastIsFirst;
+    private int lastIsSecond;
     private final double[] entry = new double[DoubleLanes.COUNT];
     private final double[] exit = new double[DoubleLanes.COUNT];
 
@@ -46,17 +53,21 @@ final class LeafTriangleLanes {
     }
 
     /**
-     * Writes the distances of rays {@code h … h + 7} to triangles of the leaf whose vertices begin at {@code v[leaf]}.
+     * Writes the distances of rays {@code h … h + 7} to triangles of a leaf.
      *
      * @param mask rays to test, one bit each; the distances of other rays are undefined
      */
-    void computeDistances(float[] v, int leaf, int h, int mask) {
+    void computeDistances(MeshTree tree, int leaf, int h, int mask) {
         IntVector s = IntVector.fromArray(EIGHT_INTS, slot, h);
-        for (int k = 0; k < 9 * W; k += W) {
-            FloatVector chosen =
-                    ((IntVector) s.selectFrom(FloatVector.fromArray(EIGHT, v, leaf + k).reinterpretAsInts())).reinterpretAsFloats();
+        IntVector last = ((IntVector) s.selectFrom(IntVector.fromArray(EIGHT_INTS, tree.triangle, W * leaf))).and(3);
+        lastIsFirst = (int) last.compare(EQ, 0).toLong();
+        lastIsSecond = (int) last.compare(EQ, 1).toLong();
+        for (int k = 0; k < 9; k++) {
+            int at = MeshTree.LEAF_FLOATS * leaf + MeshTree.AXIS_FLOATS * (k % 3) + MeshTree.CORNER_FLOATS * (k / 3);
+            FloatVector chosen = ((IntVector) s.selectFrom(FloatVector.fromArray(EIGHT, tree.vertex, at).reinterpretAsInts()))
+                    .reinterpretAsFloats();
             for (int part = 0; part < RAYS; part += DoubleLanes.COUNT) {
-                ((DoubleVector) chosen.convertShape(F2D, SPECIES, part / DoubleLanes.COUNT)).intoArray(vertex, k + part);
+                ((DoubleVector) chosen.convertShape(F2D, SPECIES, part / DoubleLanes.COUNT)).intoArray(vertex, W * k + part);
             }
         }
         computeDistances(h, mask);
@@ -89,7 +100,7 @@ final class LeafTriangleLanes {
         if (z != 0) {
             hit |= planeDistances(0, W, 2 * W, rays.ox, rays.oy, rays.oz, rays.dx, rays.dy, rays.dz, h, part, z);
         }
-        if (hit != 0) {
+        if (hit != 0 && (hit & ~raysInsideBoxes(h, part)) != 0) {
             clampToBoxes(h, part, hit);
         }
     }
@@ -122,12 +133,44 @@ final class LeafTriangleLanes {
         DoubleVector weightC = bx.mul(ay).sub(by.mul(ax));
         VectorMask<Double> inside = weightA.compare(GE, 0).and(weightB.compare(GE, 0)).and(weightC.compare(GE, 0))
                 .or(weightA.compare(LE, 0).and(weightB.compare(LE, 0)).and(weightC.compare(LE, 0)));
-        DoubleVector t = weightA.mul(az).add(weightB.mul(bz)).add(weightC.mul(cz)).div(weightA.add(weightB).add(weightC))
+        // Sums end with the last vertex; the order of the other two and the sign of all weights do not change the quotient.
+        VectorMask<Double> first = VectorMask.fromLong(SPECIES, lastIsFirst >>> part);
+        VectorMask<Double> second = VectorMask.fromLong(SPECIES, lastIsSecond >>> part);
+        az = weightA.mul(az);
+        bz = weightB.mul(bz);
+        cz = weightC.mul(cz);
+        DoubleVector t = az.blend(cz, first).add(bz.blend(cz, second)).add(cz.blend(az, first).blend(bz, second))
+                .div(weightA.blend(weightC, first).add(weightB.blend(weightC, second))
+                        .add(weightC.blend(weightA, first).blend(weightB, second)))
                 .mul(inverseDepth);
         inside = inside.and(t.compare(GT, 0));
         fromArray(SPECIES, distance, i).blend(broadcast(SPECIES, MeshRay.MISS).blend(t, inside), VectorMask.fromLong(SPECIES, mask))
                 .intoArray(distance, i);
         return (int) inside.toLong() & mask;
+    }
+
+    /**
+     * Returns rays whose hits are inside the triangles' boxes by enough that clamping does not change their distances, without
+     * a division. Proof: docs/numerics.md, "Proof: hits inside the triangle's box".
+     */
+    private int raysInsideBoxes(int h, int part) {
+        DoubleVector t = fromArray(SPECIES, distance, h + part);
+        DoubleVector pad = fromArray(SPECIES, rays.padding, h + part);
+        int inside = (int) t.compare(LT, pad.mul(MAX_DISTANCE_SHARE)).toLong();
+        pad = pad.mul(0.25);
+        // One call in a loop: the compiler would not inline all of three.
+        for (int axis = 0; axis < 3; axis++) {
+            DoubleVector p = t.mul(fromArray(SPECIES, axis == 0 ? rays.dx : axis == 1 ? rays.dy : rays.dz, h + part))
+                    .add(fromArray(SPECIES, axis == 0 ? rays.ox : axis == 1 ? rays.oy : rays.oz, h + part));
+            DoubleVector a = fromArray(SPECIES, vertex, axis * W + part);
+            DoubleVector b = fromArray(SPECIES, vertex, axis * W + V + part);
+            DoubleVector c = fromArray(SPECIES, vertex, axis * W + 2 * V + part);
+            DoubleVector low = p.add(pad);
+            DoubleVector high = p.sub(pad);
+            inside &= (int) (low.compare(GE, a).or(low.compare(GE, b)).or(low.compare(GE, c))).toLong()
+                    & (int) (high.compare(LE, a).or(high.compare(LE, b)).or(high.compare(LE, c))).toLong();
+        }
+        return inside;
     }
 
     /** Clamps distances of the rays of {@code mask} as {@link MeshRay#clampToBox}; those of others become infinite. */

@@ -35,6 +35,9 @@ final class MeshBeam {
     final int[] entryBits = new int[MeshTree.WIDTH];
     /** Rays of the beam, one bit each. */
     long rays;
+    /** Center of the rays' steps on each axis, and the largest difference from it. */
+    final float[] stepCenter = new float[3];
+    final float[] stepExtent = new float[3];
     /** Maximum difference between the rays' steps on any axis. */
     float stepSpread;
     /** Maximum difference between the rays' origins on any axis. */
@@ -46,10 +49,10 @@ final class MeshBeam {
         stepSpread = 0;
         originSpread = 0;
         if (lines.hasSharedStart) {
-            float width = 2 * lines.lineWidth[i];
-            boundAxis(lines.startX[i] - width, lines.startX[i] + width, lines.stepX, i, end, 0);
-            boundAxis(lines.startY[i] - width, lines.startY[i] + width, lines.stepY, i, end, 8);
-            boundAxis(lines.startZ[i] - width, lines.startZ[i] + width, lines.stepZ, i, end, 16);
+            float width = 2 * lines.sharedWidth;
+            boundAxis(lines.sharedX - width, lines.sharedX + width, lines.stepX, i, end, 0);
+            boundAxis(lines.sharedY - width, lines.sharedY + width, lines.stepY, i, end, 8);
+            boundAxis(lines.sharedZ - width, lines.sharedZ + width, lines.stepZ, i, end, 16);
             return;
         }
         boundAxis(lines.startX, lines.stepX, lines.lineWidth, i, end, 0);
@@ -112,6 +115,8 @@ final class MeshBeam {
         float highStep = maxStep;
         originSpread = high - low > originSpread ? high - low : originSpread;
         stepSpread = highStep - lowStep > stepSpread ? highStep - lowStep : stepSpread;
+        stepCenter[at / 8] = 0.5f * (lowStep + highStep);
+        stepExtent[at / 8] = 0.5f * (highStep - lowStep) + STEP_PADDING;
         lowStep -= STEP_PADDING;
         highStep += STEP_PADDING;
         lowStep = lowStep == 0 ? -STEP_PADDING : lowStep;

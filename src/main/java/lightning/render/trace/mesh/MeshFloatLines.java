@@ -44,13 +44,20 @@ final class MeshFloatLines {
 
     /** Maximum width; wider lines may overflow floats in products. Coordinates up to 1e18 are safe. */
     static final float MAX_WIDTH = 1e11f;
+    private static final int X = MeshTree.AXIS_FLOATS;
     private static final int ALL_SLOTS = -1 >>> -MeshTree.WIDTH;
 
     private final MeshLines lines;
     /** New start distance of each line, as double. */
     private final double[] startDistance;
     private final double[] maxComponent;
-    /** Lines as floats. */
+    private boolean startDistanceIsZero;
+    /** Common start and width of all lines, if they have one. */
+    float sharedX;
+    float sharedY;
+    float sharedZ;
+    float sharedWidth;
+    /** Lines as floats; starts and widths of lines with a common start only after {@link #prepareBoxTests}. */
     final float[] startX;
     final float[] startY;
     final float[] startZ;
@@ -73,6 +80,9 @@ final class MeshFloatLines {
     final float[] highZ;
     /** True if all lines start at one common point, have equal width, and run along their rays. */
     boolean hasSharedStart;
+    /** True if the lines are prepared for tests of single rays against boxes. */
+    private boolean boxTestsPrepared;
+    private int packetCount;
     /** Maximum distance of each line, as float bits; negative for an inactive line. */
     final int[] limitBits;
     /** Entry distances into each child from the latest {@link #enteredChildren}, as float bits. */
@@ -111,12 +121,15 @@ final class MeshFloatLines {
      * @param anyHit true if any hit suffices
      */
     void setRays(MeshTree tree, int[] active, int[] tooShort, int packets, double[] limits, boolean anyHit) {
+        packetCount = packets;
         double depth = lines.setRays(tree, active, tooShort, packets, limits, anyHit);
         hasSharedStart = false;
+        boxTestsPrepared = !lines.hasSharedStart;
         if (lines.hasSharedStart) {
             setSharedStart(tree, active, tooShort, packets, limits);
             return;
         }
+        startDistanceIsZero = false;
         for (int k = 0; k < packets; k++) {
             if (active[k] != 0) {
                 computeStarts(tree, depth, k * RayBatch.WIDTH);
@@ -131,12 +144,14 @@ final class MeshFloatLines {
     /** Prepares lines with a common origin, which start there. */
     private void setSharedStart(MeshTree tree, int[] active, int[] tooShort, int packets, double[] limits) {
         float width = (float) ((lines.startCoordinate() + tree.maxCoordinate) * 0x1p-20 + lines.sharedTolerance);
-        int end = packets * RayBatch.WIDTH;
-        Arrays.fill(startX, 0, end, (float) lines.origins[0][lines.firstLine()]);
-        Arrays.fill(startY, 0, end, (float) lines.origins[1][lines.firstLine()]);
-        Arrays.fill(startZ, 0, end, (float) lines.origins[2][lines.firstLine()]);
-        Arrays.fill(lineWidth, 0, end, width);
-        Arrays.fill(startDistance, 0, end, 0);
+        sharedX = (float) lines.origins[0][lines.firstLine()];
+        sharedY = (float) lines.origins[1][lines.firstLine()];
+        sharedZ = (float) lines.origins[2][lines.firstLine()];
+        sharedWidth = width;
+        if (!startDistanceIsZero) {
+            Arrays.fill(startDistance, 0);
+            startDistanceIsZero = true;
+        }
         for (int k = 0; k < packets; k++) {
             lines.computeSteps(k, active, tooShort, stepX, stepY, stepZ);
             writeLimits(limits, k * RayBatch.WIDTH, active[k]);
@@ -145,13 +160,19 @@ final class MeshFloatLines {
     }
 
     /**
-     * Prepares lines with a common origin for tests of single rays against boxes. A group that misses the mesh needs none.
+     * Prepares lines with a common origin for tests of single rays against boxes, unless they are. Many groups need none.
      */
-    void prepareBoxTests(int packets) {
-        if (!lines.hasSharedStart) {
+    void prepareBoxTests() {
+        if (boxTestsPrepared) {
             return;
         }
-        for (int h = 0; h < packets * RayBatch.WIDTH; h += RayBatch.WIDTH) {
+        boxTestsPrepared = true;
+        int end = packetCount * RayBatch.WIDTH;
+        Arrays.fill(startX, 0, end, sharedX);
+        Arrays.fill(startY, 0, end, sharedY);
+        Arrays.fill(startZ, 0, end, sharedZ);
+        Arrays.fill(lineWidth, 0, end, sharedWidth);
+        for (int h = 0; h < end; h += RayBatch.WIDTH) {
             computeIntercepts(stepX, startX, inverseStepX, lowX, highX, h);
             computeIntercepts(stepY, startY, inverseStepY, lowY, highY, h);
             computeIntercepts(stepZ, startZ, inverseStepZ, lowZ, highZ, h);
@@ -319,10 +340,13 @@ final class MeshFloatLines {
         float dz = stepZ[i];
         int at = MeshTree.LEAF_FLOATS * leaf;
         if (Math.abs(dz) == 1) {
-            return LeafTriangleCulling.candidateSlots(v, at, at + 8, at + 16, startX[i], startY[i], startZ[i], dx * dz, dy * dz, w, extent);
+            return LeafTriangleCulling.candidateSlots(v, at, at + X, at + 2 * X, startX[i], startY[i], startZ[i], dx * dz, dy * dz, w,
+                    extent);
         }
         return Math.abs(dx) == 1
-                ? LeafTriangleCulling.candidateSlots(v, at + 8, at + 16, at, startY[i], startZ[i], startX[i], dy * dx, dz * dx, w, extent)
-                : LeafTriangleCulling.candidateSlots(v, at + 16, at, at + 8, startZ[i], startX[i], startY[i], dz * dy, dx * dy, w, extent);
+                ? LeafTriangleCulling.candidateSlots(v, at + X, at + 2 * X, at, startY[i], startZ[i], startX[i], dy * dx, dz * dx, w,
+                        extent)
+                : LeafTriangleCulling.candidateSlots(v, at + 2 * X, at, at + X, startZ[i], startX[i], startY[i], dz * dy, dx * dy, w,
+                        extent);
     }
 }

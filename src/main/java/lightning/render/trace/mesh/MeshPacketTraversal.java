@@ -1,5 +1,6 @@
 package lightning.render.trace.mesh;
 
+import static jdk.incubator.vector.VectorOperators.ASHR;
 import static jdk.incubator.vector.VectorOperators.EQ;
 import static jdk.incubator.vector.VectorOperators.LT;
 
@@ -72,8 +73,6 @@ public final class MeshPacketTraversal {
     private GroupAlphaTest alphaTest;
     private boolean anyHit;
     private int maxLimitBits;
-    /** True if the lines are prepared for tests of single rays against boxes. */
-    private boolean boxTestsPrepared;
     /** Number of leaves that the beam visited in which no ray may hit a triangle. */
     private int idleLeaves;
 
@@ -151,7 +150,6 @@ public final class MeshPacketTraversal {
         anyHit = stopAtAnyHit;
         int end = count * RayBatch.WIDTH;
         hitRays = 0;
-        boxTestsPrepared = false;
         lines.setRays(tree, activeMasks, shortRays, count, hitLimit, anyHit);
         activeRays = 0;
         for (int k = 0; k < count; k++) {
@@ -160,7 +158,7 @@ public final class MeshPacketTraversal {
         if (!traverseAsBeam(0, end)) {
             for (int i = 0; i < end; i += RayBatch.WIDTH) {
                 if (activeMasks[i / RayBatch.WIDTH] != 0 && (count == 1 || !traverseAsBeam(i, i + RayBatch.WIDTH))) {
-                    prepareBoxTests();
+                    lines.prepareBoxTests();
                     for (int left = activeMasks[i / RayBatch.WIDTH]; left != 0; left &= left - 1) {
                         traverseRay(i + Integer.numberOfTrailingZeros(left), 0, 0);
                     }
@@ -201,20 +199,10 @@ public final class MeshPacketTraversal {
         return true;
     }
 
-    private void prepareBoxTests() {
-        if (!boxTestsPrepared) {
-            lines.prepareBoxTests(count);
-            boxTestsPrepared = true;
-        }
-    }
-
     private void traverseBeam(int from, int end) {
         idleLeaves = 0;
         maxLimitBits = lines.maxLimitBits(from, end);
         int top = push(0, beams[0].enteredChildren(tree, 0, maxLimitBits), beams[0].entryBits, 0, 0);
-        if (top > 0) {
-            prepareBoxTests();
-        }
         while (top > 0) {
             top--;
             long rayMask = beams[stackBeam[top]].rays & activeRays;
@@ -228,8 +216,9 @@ public final class MeshPacketTraversal {
                 int b = stackBeam[top];
                 top = push(child, beams[b].enteredChildren(tree, child, maxLimitBits), beams[b].entryBits, b, top);
             } else if (child >= 0) {
+                lines.prepareBoxTests();
                 top = splitBeam(child, lines.enteringRays(tree.box, box, rayMask, from, end), stackBeam[top], from, end, top);
-            } else if (testLeaf(~child, box, rayMask, from, end) && !anyHit) {
+            } else if (testLeaf(~child, box, rayMask, from, end, beams[stackBeam[top]], entryBits[top]) && !anyHit) {
                 maxLimitBits = lines.maxLimitBits(from, end);
             }
         }
@@ -258,8 +247,8 @@ public final class MeshPacketTraversal {
      * Tests the triangles of a leaf, whose box is {@code tree.box[box]}, against rays of a beam. Returns true if any hit is
      * nearer than before.
      */
-    private boolean testLeaf(int leaf, int box, long rayMask, int from, int end) {
-        long candidates = leafFilter.findCandidates(tree, leaf, box, rayMask, from, end);
+    private boolean testLeaf(int leaf, int box, long rayMask, int from, int end, MeshBeam beam, int enters) {
+        long candidates = leafFilter.findCandidates(tree, leaf, box, rayMask, from, end, beam, enters);
         idleLeaves += candidates == 0 ? 1 : 0;
         boolean nearer = false;
         for (long left = candidates; left != 0;) {
@@ -282,7 +271,7 @@ public final class MeshPacketTraversal {
             return nearer;
         }
         while (true) {
-            leafTriangles.computeDistances(tree.vertex, MeshTree.LEAF_FLOATS * leaf, h, left);
+            leafTriangles.computeDistances(tree, leaf, h, left);
             int accepted = alphaTest == null ? acceptHits(h, leaf, left) : acceptHitsSingly(h, leaf, left);
             nearer |= accepted != 0;
             left &= (int) (leafFilter.multipleRays >>> h);
@@ -319,7 +308,7 @@ public final class MeshPacketTraversal {
         if (!anyHit) {
             for (int left = equal & mask; left != 0; left &= left - 1) {
                 int i = h + Integer.numberOfTrailingZeros(left);
-                int id = tree.triangle[MeshTree.WIDTH * leaf + leafTriangles.slot[i]];
+                int id = MeshTree.id(tree.triangle[MeshTree.WIDTH * leaf + leafTriangles.slot[i]]);
                 if (hitLimit[i] < MeshRay.MISS && (!hasHit(i) || id < triangle[i])) {
                     accepted |= left & -left;
                 }
@@ -330,6 +319,7 @@ public final class MeshPacketTraversal {
         }
         IntVector ids = (IntVector) IntVector.fromArray(SLOTS, leafTriangles.slot, h)
                 .selectFrom(IntVector.fromArray(SLOTS, tree.triangle, MeshTree.WIDTH * leaf));
+        ids = ids.lanewise(ASHR, MeshTree.CORNER_BITS);
         IntVector.fromArray(SLOTS, triangle, h).blend(ids, VectorMask.fromLong(SLOTS, accepted)).intoArray(triangle, h);
         hitRays |= (long) accepted << h;
         if (anyHit) {
@@ -350,7 +340,7 @@ public final class MeshPacketTraversal {
         int accepted = 0;
         for (int left = mask; left != 0; left &= left - 1) {
             int i = h + Integer.numberOfTrailingZeros(left);
-            int id = tree.triangle[MeshTree.WIDTH * leaf + leafTriangles.slot[i]];
+            int id = MeshTree.id(tree.triangle[MeshTree.WIDTH * leaf + leafTriangles.slot[i]]);
             accepted |= acceptHit(i, id, leafTriangles.distance[i]) ? left & -left : 0;
         }
         return accepted;
@@ -408,8 +398,16 @@ public final class MeshPacketTraversal {
         boolean nearer = false;
         for (int left = slots; left != 0; left &= left - 1) {
             int s = Integer.numberOfTrailingZeros(left);
-            double t = rays.distance(i, tree.vertex, MeshTree.LEAF_FLOATS * leaf + s);
-            nearer |= acceptHit(i, tree.triangle[MeshTree.WIDTH * leaf + s], t);
+            int reference = tree.triangle[MeshTree.WIDTH * leaf + s];
+            if (reference < 0) {
+                continue;
+            }
+            int last = MeshTree.lastCorner(reference);
+            int first = MeshTree.LEAF_FLOATS * leaf + s;
+            // The order of the other two corners does not change the distance.
+            double t = rays.distance(i, tree.vertex, first + MeshTree.CORNER_FLOATS * (last == 2 ? 0 : last + 1),
+                    first + MeshTree.CORNER_FLOATS * (last == 0 ? 2 : last - 1), first + MeshTree.CORNER_FLOATS * last);
+            nearer |= acceptHit(i, MeshTree.id(reference), t);
             if (nearer && anyHit) {
                 return true;
             }

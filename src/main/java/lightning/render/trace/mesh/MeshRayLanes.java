@@ -16,7 +16,7 @@ import lightning.render.trace.solid.RayBatch;
 /** Lane version of {@link MeshRay} for the rays of a group, operation by operation. Reused; not thread-safe. */
 final class MeshRayLanes {
     private static final VectorSpecies<Double> SPECIES = DoubleLanes.SPECIES;
-    private static final int W = MeshTree.WIDTH;
+    private static final int X = MeshTree.AXIS_FLOATS;
     static final VectorSpecies<Float> HALF = VectorSpecies.of(float.class, VectorShape.forBitSize(SPECIES.vectorBitSize() / 2));
 
     /** Origins, directions, and the values that {@link MeshRay} derives from them. */
@@ -33,6 +33,10 @@ final class MeshRayLanes {
     final double[] inverseZ;
     /** First ray of the group. */
     int first;
+    /** Its origin before the transform. */
+    private double firstX;
+    private double firstY;
+    private double firstZ;
     /** True if all rays of the group start at one point. */
     boolean hasCommonOrigin;
 
@@ -62,15 +66,45 @@ final class MeshRayLanes {
             first = Integer.numberOfTrailingZeros(mask);
             hasCommonOrigin = true;
         }
+        boolean sameOrigin = to > 0 && hasCommonOrigin && startsAtFirst(p, mask);
         for (int h = 0; h < RayBatch.WIDTH; h += DoubleLanes.COUNT) {
-            transformOrigins(tree, m, at, p, h, to + h);
+            if (sameOrigin) {
+                repeatOrigin(to + h);
+            } else {
+                transformOrigins(tree, m, at, p, h, to + h);
+            }
             transformDirections(m, at, p, h, to + h);
+        }
+        if (to == 0) {
+            firstX = p.ox[first];
+            firstY = p.oy[first];
+            firstZ = p.oz[first];
+        }
+        if (sameOrigin) {
+            return;
         }
         for (int h = 0; hasCommonOrigin && h < RayBatch.WIDTH; h += DoubleLanes.COUNT) {
             VectorMask<Double> different = fromArray(SPECIES, ox, to + h).compare(NE, ox[first])
                     .or(fromArray(SPECIES, oy, to + h).compare(NE, oy[first])).or(fromArray(SPECIES, oz, to + h).compare(NE, oz[first]));
             hasCommonOrigin = (different.toLong() & mask >>> h) == 0;
         }
+    }
+
+    /** Returns true if rays of a packet start where the first ray of the group does, before the transform. */
+    private boolean startsAtFirst(RayBatch p, int mask) {
+        int different = 0;
+        for (int h = 0; h < RayBatch.WIDTH; h += DoubleLanes.COUNT) {
+            different |= (int) fromArray(SPECIES, p.ox, h).compare(NE, firstX).or(fromArray(SPECIES, p.oy, h).compare(NE, firstY))
+                    .or(fromArray(SPECIES, p.oz, h).compare(NE, firstZ)).toLong() << h;
+        }
+        return (different & mask) == 0;
+    }
+
+    private void repeatOrigin(int to) {
+        broadcast(SPECIES, ox[first]).intoArray(ox, to);
+        broadcast(SPECIES, oy[first]).intoArray(oy, to);
+        broadcast(SPECIES, oz[first]).intoArray(oz, to);
+        broadcast(SPECIES, padding[first]).intoArray(padding, to);
     }
 
     private void transformOrigins(MeshTree tree, double[] m, int i, RayBatch p, int from, int to) {
@@ -113,30 +147,28 @@ final class MeshRayLanes {
     }
 
     /**
-     * Returns the distance of ray {@code i} to the triangle of a leaf whose first coordinate is {@code v[at]}, as
-     * {@link MeshRay#distance}.
+     * Returns the distance of ray {@code i} to a triangle of a leaf, as {@link MeshRay#distance}. The first coordinates of its
+     * vertices are {@code v[a]}, {@code v[b]} and {@code v[c]}.
      */
-    double distance(int i, float[] v, int at) {
+    double distance(int i, float[] v, int a, int b, int c) {
         double x = dx[i];
         double y = dy[i];
         double z = dz[i];
         double absX = Math.abs(x);
         double absY = Math.abs(y);
         double absZ = Math.abs(z);
-        int b = at + MeshTree.VERTEX_FLOATS;
-        int c = b + MeshTree.VERTEX_FLOATS;
         double t;
         if (absX >= absY && absX >= absZ) {
             double inverseDepth = 1 / x;
-            t = MeshRay.planeDistance(v, at, b, c, W, 2 * W, 0, oy[i], oz[i], ox[i], y * inverseDepth, z * inverseDepth, inverseDepth);
+            t = MeshRay.planeDistance(v, a, b, c, X, 2 * X, 0, oy[i], oz[i], ox[i], y * inverseDepth, z * inverseDepth, inverseDepth);
         } else if (absY >= absZ) {
             double inverseDepth = 1 / y;
-            t = MeshRay.planeDistance(v, at, b, c, 2 * W, 0, W, oz[i], ox[i], oy[i], z * inverseDepth, x * inverseDepth, inverseDepth);
+            t = MeshRay.planeDistance(v, a, b, c, 2 * X, 0, X, oz[i], ox[i], oy[i], z * inverseDepth, x * inverseDepth, inverseDepth);
         } else {
             double inverseDepth = 1 / z;
-            t = MeshRay.planeDistance(v, at, b, c, 0, W, 2 * W, ox[i], oy[i], oz[i], x * inverseDepth, y * inverseDepth, inverseDepth);
+            t = MeshRay.planeDistance(v, a, b, c, 0, X, 2 * X, ox[i], oy[i], oz[i], x * inverseDepth, y * inverseDepth, inverseDepth);
         }
-        return t > 0 ? MeshRay.clampToBox(t, v, at, b, c, W, ox[i], oy[i], oz[i], padding[i], MeshRay.inverse(x), MeshRay.inverse(y),
+        return t > 0 ? MeshRay.clampToBox(t, v, a, b, c, X, ox[i], oy[i], oz[i], padding[i], MeshRay.inverse(x), MeshRay.inverse(y),
                 MeshRay.inverse(z)) : MeshRay.MISS;
     }
 }

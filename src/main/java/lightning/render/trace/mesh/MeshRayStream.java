@@ -94,7 +94,7 @@ public final class MeshRayStream {
     public void findAllHits() {
         pairs.clear();
         lines.setRays(tree, activeMasks, shortRays, packets, limit, false);
-        lines.prepareBoxTests(packets);
+        lines.prepareBoxTests();
         Arrays.fill(rayCount, 0);
         for (int k = 0; k < packets; k++) {
             for (int left = activeMasks[k]; left != 0; left &= left - 1) {
@@ -247,9 +247,9 @@ public final class MeshRayStream {
         float extent = LeafRayFilter.extent(tree.box, box);
         float[] v = tree.vertex;
         int at = MeshTree.LEAF_FLOATS * leaf;
-        int x = at + (axis == 2 ? 0 : axis == 0 ? 8 : 16);
-        int y = at + (axis == 2 ? 8 : axis == 0 ? 16 : 0);
-        int z = at + (axis == 2 ? 16 : axis == 0 ? 0 : 8);
+        int x = at + MeshTree.AXIS_FLOATS * ((axis + 1) % 3);
+        int y = at + MeshTree.AXIS_FLOATS * ((axis + 2) % 3);
+        int z = at + MeshTree.AXIS_FLOATS * axis;
         for (int k = start; k < end; k++) {
             int i = RECORD * list[k];
             float w = record[i + 15];

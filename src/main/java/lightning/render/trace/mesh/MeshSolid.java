@@ -68,10 +68,11 @@ public final class MeshSolid {
 
     private double leafDistance(int leaf, double x, double y, double z, double limit) {
         double min = limit;
-        for (int s = 0; s < MeshTree.WIDTH && tree.triangle[MeshTree.WIDTH * leaf + s] >= 0; s++) {
-            int at = MeshTree.LEAF_FLOATS * leaf + s;
-            min = Math.min(min, MeshRay.triangleDistance(tree.vertex, at, at + MeshTree.VERTEX_FLOATS, at + 2 * MeshTree.VERTEX_FLOATS,
-                    MeshTree.WIDTH, x, y, z));
+        for (int s = 0; s < MeshTree.WIDTH; s++) {
+            if (tree.triangle[MeshTree.WIDTH * leaf + s] >= 0) {
+                min = Math.min(min, MeshRay.triangleDistance(tree.vertex, tree.corner(leaf, s, 0), tree.corner(leaf, s, 1),
+                        tree.corner(leaf, s, 2), MeshTree.AXIS_FLOATS, x, y, z));
+            }
         }
         return min;
     }

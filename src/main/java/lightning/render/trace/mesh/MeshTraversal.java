@@ -38,7 +38,7 @@ final class MeshTraversal {
             int leaf = ~next;
             for (int slots = ray.hitSlots(tree.vertex, MeshTree.LEAF_FLOATS * leaf); slots != 0; slots &= slots - 1) {
                 int s = Integer.numberOfTrailingZeros(slots);
-                int id = tree.triangle[MeshTree.WIDTH * leaf + s];
+                int id = MeshTree.id(tree.triangle[MeshTree.WIDTH * leaf + s]);
                 double t = distance(tree, ray, leaf, s);
                 if (t < MeshRay.MISS && (t < nearestDistance || t == nearestDistance && (triangle < 0 || id < triangle))
                         && (alphaTest == null || !alphaTest.passes(id, t))) {
@@ -64,7 +64,7 @@ final class MeshTraversal {
             for (int slots = ray.hitSlots(tree.vertex, MeshTree.LEAF_FLOATS * leaf); slots != 0; slots &= slots - 1) {
                 int s = Integer.numberOfTrailingZeros(slots);
                 double t = distance(tree, ray, leaf, s);
-                if (t < limit && (alphaTest == null || !alphaTest.passes(tree.triangle[MeshTree.WIDTH * leaf + s], t))) {
+                if (t < limit && (alphaTest == null || !alphaTest.passes(MeshTree.id(tree.triangle[MeshTree.WIDTH * leaf + s]), t))) {
                     return true;
                 }
             }
@@ -104,7 +104,7 @@ final class MeshTraversal {
             int s = Integer.numberOfTrailingZeros(slots);
             double t = distance(tree, ray, leaf, s);
             if (t < limit) {
-                addHit(tree.triangle[MeshTree.WIDTH * leaf + s], t);
+                addHit(MeshTree.id(tree.triangle[MeshTree.WIDTH * leaf + s]), t);
             }
         }
     }
@@ -124,8 +124,8 @@ final class MeshTraversal {
     }
 
     private static double distance(MeshTree tree, MeshRay ray, int leaf, int slot) {
-        int at = MeshTree.LEAF_FLOATS * leaf + slot;
-        return ray.distance(tree.vertex, at, at + MeshTree.VERTEX_FLOATS, at + 2 * MeshTree.VERTEX_FLOATS, MeshTree.WIDTH);
+        return ray.distance(tree.vertex, tree.corner(leaf, slot, 0), tree.corner(leaf, slot, 1), tree.corner(leaf, slot, 2),
+                MeshTree.AXIS_FLOATS);
     }
 
     private void ensureCapacity(MeshTree tree) {

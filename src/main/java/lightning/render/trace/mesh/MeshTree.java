@@ -10,10 +10,15 @@ import lightning.scene.Mesh;
  *
  * <p>Child {@code c} of node {@code n} is {@code child[8 n + c]}: the index of a node or, if negative, the complement of a
  * leaf; unused children are {@link #NONE} and come last. Its box is exact: along axis {@code a} from
- * {@code box[48 n + 16 a + c]} to {@code box[48 n + 16 a + 8 + c]}; {@link #EMPTY_BOUND} for unused children. Slot {@code s} of
- * leaf {@code l} has the triangle {@code triangle[8 l + s]} of the mesh, or −1; coordinate {@code a} of its vertex {@code v} is
- * {@code vertex[72 l + 24 v + 8 a + s]}, NaN for an empty slot. The root is node 0; it has no children if the mesh has no
- * triangles.
+ * {@code box[48 n + 16 a + c]} to {@code box[48 n + 16 a + 8 + c]}; {@link #EMPTY_BOUND} for unused children. The root is node
+ * 0; it has no children if the mesh has no triangles.
+ *
+ * <p>A leaf has four strips of four vertices ({@link TrianglePairs}), one for two triangles: the first three vertices of strip
+ * {@code s} form the triangle of slot {@code s}, the last three that of slot {@code s + 4}. Coordinate {@code a} of corner
+ * {@code k} of slot {@code s} of leaf {@code l} is {@code vertex[48 l + 16 a + 4 k + s]}, so that eight adjacent floats are a
+ * corner of all slots. Missing vertices are NaN. {@code triangle[8 l + s]} tells the triangle of the mesh and which corner is its
+ * last vertex ({@link #id}, {@link #lastCorner}), or is negative for an empty slot. The triangle's vertices run through the corners
+ * in ascending cyclic order in the first four slots and in descending order in the others ({@link #corner}).
  */
 public final class MeshTree {
     static final int WIDTH = 8;
@@ -26,10 +31,16 @@ public final class MeshTree {
     static final float EMPTY_BOUND = Float.MAX_VALUE;
     /** Floats per node for boxes. */
     static final int NODE_FLOATS = 6 * WIDTH;
+    /** Strips per leaf, of two triangles each. */
+    static final int STRIPS = WIDTH / 2;
+    /** Floats from one corner of a leaf's triangle to the next. */
+    static final int CORNER_FLOATS = STRIPS;
+    /** Floats from one coordinate of a leaf's vertices to the next. */
+    static final int AXIS_FLOATS = 4 * STRIPS;
     /** Floats per leaf for vertices. */
-    static final int LEAF_FLOATS = 9 * WIDTH;
-    /** Floats from one vertex of a leaf's triangle to the next. */
-    static final int VERTEX_FLOATS = 3 * WIDTH;
+    static final int LEAF_FLOATS = 3 * AXIS_FLOATS;
+    /** Bits of {@link #triangle} below the triangle. */
+    static final int CORNER_BITS = 2;
 
     /** BVHs of the meshes in use. A BVH must not reference its mesh, or the weak key would never be released. */
     private static final Map<Mesh, MeshTree> CACHE = new WeakHashMap<>();
@@ -67,6 +78,24 @@ public final class MeshTree {
         synchronized (CACHE) {
             return CACHE.computeIfAbsent(mesh, m -> MeshTreeBuilder.build(m));
         }
+    }
+
+    /** Returns the triangle of a slot, negative if it is empty. */
+    static int id(int reference) {
+        return reference >> CORNER_BITS;
+    }
+
+    /** Returns the corner that is the last vertex of the triangle of a slot. */
+    static int lastCorner(int reference) {
+        return reference & 3;
+    }
+
+    /** Returns the index of the first coordinate of a vertex, 0 1 2, of a leaf's triangle in {@link #vertex}. */
+    int corner(int leaf, int slot, int v) {
+        int last = lastCorner(triangle[WIDTH * leaf + slot]);
+        // The last vertex has the last corner; the first vertex is the next corner in ascending or descending order.
+        int k = last + (slot < STRIPS ? v + 1 : 2 - v);
+        return LEAF_FLOATS * leaf + CORNER_FLOATS * (k % 3) + slot;
     }
 
     /** Returns the bytes of its arrays. */

@@ -18,12 +18,14 @@ final class MeshTreeBuilder {
     private static final int CHUNK = 16384;
 
     private final Mesh mesh;
+    private final TrianglePairs pairs;
     private final int count;
     private final TriangleBoxes boxes;
 
     private MeshTreeBuilder(Mesh mesh) {
         this.mesh = mesh;
-        count = mesh.triangleCount();
+        pairs = TrianglePairs.of(mesh);
+        count = pairs.count();
         boxes = new TriangleBoxes(count);
     }
 
@@ -69,7 +71,7 @@ final class MeshTreeBuilder {
     }
 
     private MeshTree buildTree() {
-        forEachChunk(count, (from, to) -> boxes.setTriangles(mesh, from, to));
+        forEachChunk(count, (from, to) -> boxes.setPairs(mesh, pairs, from, to));
         float[] meshBox = TriangleBoxes.emptyBox();
         boxes.enclose(0, count, meshBox);
         TriangleSet root = count == 0 ? null : split(0, count, 0, meshBox, new TriangleSplitter(boxes));
@@ -100,7 +102,7 @@ final class MeshTreeBuilder {
 
     private TriangleSet split(int from, int to, int level, float[] box, TriangleSplitter splitter) {
         TriangleSet set = new TriangleSet(from, to, box);
-        if (to - from <= MeshTree.WIDTH) {
+        if (to - from <= MeshTree.STRIPS) {
             return set;
         }
         float[] firstBox = TriangleBoxes.emptyBox();
@@ -120,15 +122,16 @@ final class MeshTreeBuilder {
 
     private void packLeaf(WideNodes nodes, int leaf, float[] vertex, int[] triangle) {
         float[] p = mesh.positions();
-        int[] t = mesh.triangles();
         TriangleSet set = nodes.leaf(leaf);
-        for (int s = 0; s < MeshTree.WIDTH; s++) {
-            int id = set.from + s < set.to ? boxes.ids[set.from + s] : -1;
-            triangle[MeshTree.WIDTH * leaf + s] = id;
-            for (int v = 0; v < 3; v++) {
+        for (int s = 0; s < MeshTree.STRIPS; s++) {
+            int pair = set.from + s < set.to ? boxes.ids[set.from + s] : -1;
+            triangle[MeshTree.WIDTH * leaf + s] = pair < 0 ? -1 : pairs.first(pair);
+            triangle[MeshTree.WIDTH * leaf + MeshTree.STRIPS + s] = pair < 0 ? -1 : pairs.second(pair);
+            for (int k = 0; k < 4; k++) {
+                int v = pair < 0 ? -1 : pairs.vertex(pair, k);
                 for (int a = 0; a < 3; a++) {
-                    vertex[MeshTree.LEAF_FLOATS * leaf + MeshTree.VERTEX_FLOATS * v + MeshTree.WIDTH * a + s] =
-                            id < 0 ? Float.NaN : p[3 * t[3 * id + v] + a];
+                    vertex[MeshTree.LEAF_FLOATS * leaf + MeshTree.AXIS_FLOATS * a + MeshTree.CORNER_FLOATS * k + s] =
+                            v < 0 ? Float.NaN : p[3 * v + a];
                 }
             }
         }

@@ -40,7 +40,7 @@ final class RayTrianglePairs {
             int s = Integer.numberOfTrailingZeros(left);
             int n = pairCount++;
             pairRay[n] = ray;
-            pairTriangle[n] = tree.triangle[MeshTree.WIDTH * leaf + s];
+            pairTriangle[n] = MeshTree.id(tree.triangle[MeshTree.WIDTH * leaf + s]);
             pairRays.ox[n] = rays.ox[ray];
             pairRays.oy[n] = rays.oy[ray];
             pairRays.oz[n] = rays.oz[ray];
@@ -48,8 +48,11 @@ final class RayTrianglePairs {
             pairRays.dy[n] = rays.dy[ray];
             pairRays.dz[n] = rays.dz[ray];
             pairRays.padding[n] = rays.padding[ray];
-            for (int c = 0; c < 9; c++) {
-                pairs.vertex[MeshTree.WIDTH * c + n] = tree.vertex[MeshTree.LEAF_FLOATS * leaf + MeshTree.WIDTH * c + s];
+            for (int v = 0; v < 3; v++) {
+                int corner = tree.corner(leaf, s, v);
+                for (int axis = 0; axis < 3; axis++) {
+                    pairs.vertex[MeshTree.WIDTH * (3 * v + axis) + n] = tree.vertex[corner + MeshTree.AXIS_FLOATS * axis];
+                }
             }
             if (pairCount == LeafTriangleLanes.RAYS) {
                 test();

@@ -4,13 +4,13 @@ import java.util.Arrays;
 import lightning.scene.Mesh;
 
 /**
- * Boxes of a mesh's triangles, in an order that the builder permutes. A box stores its minimum x y z and its negated maximum,
+ * Boxes of a mesh's pairs of triangles, in an order that the builder permutes. A box stores its minimum x y z and its negated maximum,
  * so that the smaller value is the larger box in all six.
  */
 final class TriangleBoxes {
-    /** Six floats per triangle. */
+    /** Six floats per pair. */
     final float[] boxes;
-    /** Indices of the triangles. */
+    /** Indices of the pairs. */
     final int[] ids;
 
     TriangleBoxes(int count) {
@@ -18,20 +18,19 @@ final class TriangleBoxes {
         ids = new int[count];
     }
 
-    /** Sets a range of a mesh's triangles, each at its own index. */
-    void setTriangles(Mesh mesh, int from, int to) {
+    /** Sets a range of a mesh's pairs, each at its own index. */
+    void setPairs(Mesh mesh, TrianglePairs pairs, int from, int to) {
         float[] p = mesh.positions();
-        int[] t = mesh.triangles();
         for (int i = from; i < to; i++) {
             ids[i] = i;
+            int u = 3 * pairs.vertex(i, 0);
+            int v = 3 * pairs.vertex(i, 1);
+            int w = 3 * pairs.vertex(i, 2);
+            int last = pairs.vertex(i, 3);
+            int x = last < 0 ? u : 3 * last;
             for (int a = 0; a < 3; a++) {
-                float x = p[3 * t[3 * i] + a];
-                float y = p[3 * t[3 * i + 1] + a];
-                float z = p[3 * t[3 * i + 2] + a];
-                float min = x < y ? x : y;
-                float max = x < y ? y : x;
-                boxes[6 * i + a] = min < z ? min : z;
-                boxes[6 * i + 3 + a] = -(max > z ? max : z);
+                boxes[6 * i + a] = Math.min(Math.min(p[u + a], p[v + a]), Math.min(p[w + a], p[x + a]));
+                boxes[6 * i + 3 + a] = -Math.max(Math.max(p[u + a], p[v + a]), Math.max(p[w + a], p[x + a]));
             }
         }
     }

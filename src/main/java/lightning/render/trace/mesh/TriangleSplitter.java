@@ -86,8 +86,8 @@ final class TriangleSplitter {
         return axis >= 0;
     }
 
-    private static int blocks(int triangles) {
-        return (triangles + MeshTree.WIDTH - 1) / MeshTree.WIDTH;
+    private static int blocks(int strips) {
+        return (strips + MeshTree.STRIPS - 1) / MeshTree.STRIPS;
     }
 
     /** Computes the range of the bins. One pass over all axes, because large sets do not fit into the CPU cache. */
