@@ -12,9 +12,9 @@ import lightning.scene.Solid;
 public final class MeshMemory {
     /**
      * Bytes of a triangle in its BVH: about 40 if most triangles share an edge with another, up to 80 if none does. During the
-     * build, add about 30 for boxes, indices and sets of triangles, twice as many if none does. The rest is reserve.
+     * build, add about 30 for boxes, indices and sets of triangles, twice as many if none does.
      */
-    private static final long TREE_BYTES = 112;
+    private static final long TREE_BYTES = 144;
 
     private MeshMemory() {}
 

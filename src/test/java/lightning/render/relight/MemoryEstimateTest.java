@@ -125,11 +125,11 @@ class MemoryEstimateTest {
         nodes.add(new Shape(mesh, "mesh", "default", Placement.IDENTITY));
         nodes.add(new Shape(mesh, "again", "default", Placement.IDENTITY));
         Scene scene = balls.withNodes(nodes);
-        long each = 130L * mesh.mesh().triangleCount();
+        long each = 165L * mesh.mesh().triangleCount();
         long picture = MemoryEstimate.upperBound(scene, OPTIONS);
         assertThatCode(() -> MemoryEstimate.check(scene, OPTIONS.withMemory(picture + each + each))).doesNotThrowAnyException();
         assertThatThrownBy(() -> MemoryEstimate.check(scene, OPTIONS.withMemory(each / 2))).isInstanceOf(PictureTooLargeException.class);
-        assertThat(MeshMemory.bytes(scene)).isBetween(112L * mesh.mesh().triangleCount(), each + each / 10);
+        assertThat(MeshMemory.bytes(scene)).isBetween(144L * mesh.mesh().triangleCount(), each + each / 10);
     }
 
     @Test
