@@ -22,7 +22,7 @@ final class AreaLightKernel {
     private ShadowCaster shadowCaster;
     private final Tracer tracer;
     private final TermKernel terms;
-    private final TermColumnWriter columnWriter;
+    private final AreaTermSums sums;
     private final RequiredWork requiredWork;
     private final RowShadowRays shadowRays = new RowShadowRays();
     /** For each sample: the rows that face it, those in its cone, and those with an unblocked shadow ray to it. */
@@ -30,39 +30,25 @@ final class AreaLightKernel {
     private final int[][] inside = allocateSets();
     private final int[][] unblocked = allocateSets();
     private final int[] chosen = RowBits.allocate();
-    private final int[] metallicRows = RowBits.allocate();
     private final int[] blocked = RowBits.allocate();
     private final int[] queried = RowBits.allocate();
-    /** Rows that may face any sample, and rows that may have a specular term for any sample. */
+    /** Rows that may face any sample. */
     private final int[] mayFace = RowBits.allocate();
-    private final int[] mayHaveHighlight = RowBits.allocate();
-    private final int[] highlightRows = RowBits.allocate();
     private final int[] anyFacing = RowBits.allocate();
     private final int[] anyInside = RowBits.allocate();
     private final int[] anyUnblocked = RowBits.allocate();
     private final int[] anyLit = RowBits.allocate();
     private final float[] cosine = new float[TermKernel.MAX_ROWS];
-    private final float[] falloff = new float[TermKernel.MAX_ROWS];
-    private final float[] specular = new float[TermKernel.MAX_ROWS];
-    private final float[] grazing = new float[TermKernel.MAX_ROWS];
-    private final double[] factors = new double[TermKernel.MAX_ROWS];
-    /** Square of bits: as many samples and rows as a word and a sample column hold. */
-    private final int[] bitSquare = new int[RowBits.WIDTH];
-    private final double[] diffuseSum = new double[TermKernel.MAX_ROWS];
-    private final double[] specularSum = new double[TermKernel.MAX_ROWS];
-    private final double[] grazingSum = new double[TermKernel.MAX_ROWS];
+    private final VisibleSampleColumns sampleColumns = new VisibleSampleColumns();
     /** Sums of the tints of unblocked shadow rays; allocated on first use. */
     private double[][] tintSum;
     private boolean hasTint;
-    /** True if any row's material has specular terms or is metallic; computed once per tile and light. */
-    private boolean hasSpecular;
-    private boolean hasMetallic;
 
     AreaLightKernel(LightLinks links, Tracer tracer, TermKernel terms, TermColumnWriter writer, RequiredWork required) {
         this.links = links;
         this.tracer = tracer;
         this.terms = terms;
-        this.columnWriter = writer;
+        sums = new AreaTermSums(terms, writer);
         this.requiredWork = required;
     }
 
@@ -103,6 +89,7 @@ final class AreaLightKernel {
     private LightRows recomputeWithoutCone(HitRows rows, LightSource source, byte[] state, ColumnAllocator columns) {
         int words = RowBits.words(rows.count);
         begin(rows, source);
+        sums.begin(rows, source);
         shadowCaster.aim(rows, source, shadowRays);
         beginTints();
         for (int s = 0; s < source.samples(rows).samples(); s++) {
@@ -115,32 +102,18 @@ final class AreaLightKernel {
                 // cone.
                 mayFace[b] &= ~(shadowCaster.fullyOccluded()[b] & anyInside[b]);
             }
-            accumulate(rows, source, s, unblocked[s]);
+            sums.add(rows, source, s, unblocked[s], cosine, shadowRays);
         }
         sumTints(rows, source, anyInside);
         short[][] visibleSamples = writeStates(rows, source, state, ALL_ROWS, anyInside, columns);
-        return buildLayer(rows, source, state, visibleSamples, columns).withTint(tintColumns(rows, source, anyInside, null, columns));
+        return sums.layer(rows, source, state, visibleSamples, RowBits.count(anyLit, rows.count), columns)
+                .withTint(tintColumns(rows, source, anyInside, null, columns));
     }
 
     private void begin(HitRows rows, LightSource source) {
         Arrays.fill(anyFacing, 0);
         Arrays.fill(anyInside, 0);
         terms.addPossiblyFacing(rows, source, mayFace);
-        beginSums(rows, source);
-    }
-
-    private void beginSums(HitRows rows, LightSource source) {
-        hasSpecular = columnWriter.hasSpecular(rows);
-        hasMetallic = columnWriter.hasMetallic(rows);
-        Arrays.fill(diffuseSum, 0);
-        Arrays.fill(specularSum, 0);
-        if (hasMetallic) {
-            Arrays.fill(grazingSum, 0);
-        }
-        Arrays.fill(mayHaveHighlight, 0);
-        if (hasSpecular) {
-            columnWriter.addPossibleHighlights(rows, source, mayHaveHighlight);
-        }
     }
 
     /**
@@ -158,7 +131,7 @@ final class AreaLightKernel {
         findVisibleSamples(rows, source);
         byte[] state = columns.states(rows.count);
         System.arraycopy(before.state, 0, state, 0, rows.count);
-        unpackVisibleSamples(rows, source, before.visibleSamples);
+        sampleColumns.read(rows, before.visibleSamples, source.samples(rows).samples(), unblocked);
         Arrays.fill(queried, 0);
         // Rows that were tested before keep their results.
         for (int i = 0; i < rows.count; i++) {
@@ -186,7 +159,7 @@ final class AreaLightKernel {
             mayFace[b] &= queried[b];
         }
         findVisibleSamples(rows, source);
-        unpackVisibleSamples(rows, source, before.visibleSamples);
+        sampleColumns.read(rows, before.visibleSamples, source.samples(rows).samples(), unblocked);
         for (int s = 0; s < source.samples(rows).samples(); s++) {
             for (int b = 0; b < words; b++) {
                 unblocked[s][b] &= ~queried[b];
@@ -197,18 +170,10 @@ final class AreaLightKernel {
         System.arraycopy(before.state, 0, state, 0, rows.count);
         short[][] visibleSamples = writeStates(rows, source, state, queried, queried, columns);
         float[][] tint = tintColumns(rows, source, queried, before.tint, columns);
-        if (hasSameSamples(rows, before.visibleSamples, visibleSamples) && TintTracer.areEqual(rows, tint, before.tint)) {
+        if (VisibleSampleColumns.areEqual(rows, before.visibleSamples, visibleSamples) && TintTracer.areEqual(rows, tint, before.tint)) {
             return before;
         }
         return mergeTerms(rows, before, meanTerms(rows, source, state, visibleSamples, columns), columns).withTint(tint);
-    }
-
-    private static boolean hasSameSamples(HitRows rows, short[][] before, short[][] after) {
-        boolean isEqual = before == null == (after == null);
-        for (int k = 0; isEqual && before != null && k < before.length; k++) {
-            isEqual = Arrays.equals(before[k], 0, rows.count, after[k], 0, rows.count);
-        }
-        return isEqual;
     }
 
     /** Returns a layer with the terms of {@code changed} for the rows in {@link #queried} and those of {@code before} for others. */
@@ -240,7 +205,7 @@ final class AreaLightKernel {
             return LightRows.unlit(before.states(), before.visibleSamples()).withTint(before.tint());
         }
         AreaSamples.writePatterns(rows, shadowRays);
-        unpackVisibleSamples(rows, source, before.visibleSamples());
+        sampleColumns.read(rows, before.visibleSamples(), source.samples(rows).samples(), unblocked);
         RowBits.selectState(before.states(), rows.count, LightRows.LIT, anyLit);
         return meanTerms(rows, source, before.states(), before.visibleSamples(), columns).withTint(before.tint());
     }
@@ -341,24 +306,6 @@ final class AreaLightKernel {
         }
     }
 
-    /** Reads the stored visibility of all samples. */
-    private void unpackVisibleSamples(HitRows rows, LightSource source, short[][] visibleSamples) {
-        int samples = source.samples(rows).samples();
-        for (int first = 0; first < samples; first += LightRows.SAMPLES_PER_COLUMN) {
-            short[] column = visibleSamples == null ? null : visibleSamples[first / LightRows.SAMPLES_PER_COLUMN];
-            for (int b = 0; b < RowBits.words(rows.count); b++) {
-                int row = b * RowBits.WIDTH;
-                for (int i = row; i < row + RowBits.WIDTH; i++) {
-                    bitSquare[i - row] = column != null && i < rows.count ? column[i] & 0xFFFF : 0;
-                }
-                RowBits.transpose(bitSquare);
-                for (int s = first; s < Math.min(samples, first + LightRows.SAMPLES_PER_COLUMN); s++) {
-                    unblocked[s][b] = bitSquare[s - first];
-                }
-            }
-        }
-    }
-
     /**
      * Builds the layer from the current sample visibility.
      *
@@ -396,28 +343,8 @@ final class AreaLightKernel {
                     : !RowBits.contains(anyInside, i) ? LightRows.OUTSIDE_CONE
                     : RowBits.contains(anyLit, i) ? LightRows.LIT : LightRows.SHADOWED));
         }
-        return RowBits.count(anyUnblocked, rows.count) == 0 ? null : packVisibleSamples(rows, source, columns);
-    }
-
-    private short[][] packVisibleSamples(HitRows rows, LightSource source, ColumnAllocator columns) {
-        int samples = source.samples(rows).samples();
-        short[][] visibleSamples = new short[(samples - 1) / LightRows.SAMPLES_PER_COLUMN + 1][];
-        for (int k = 0; k < visibleSamples.length; k++) {
-            visibleSamples[k] = columns.shorts(rows.count);
-            int first = k * LightRows.SAMPLES_PER_COLUMN;
-            int count = Math.min(LightRows.SAMPLES_PER_COLUMN, samples - first);
-            for (int b = 0; b < RowBits.words(rows.count); b++) {
-                for (int s = 0; s < LightRows.SAMPLES_PER_COLUMN; s++) {
-                    bitSquare[s] = s < count ? unblocked[first + s][b] : 0;
-                }
-                RowBits.transpose(bitSquare);
-                int row = b * RowBits.WIDTH;
-                for (int i = row; i < Math.min(row + RowBits.WIDTH, rows.count); i++) {
-                    visibleSamples[k][i] = (short) bitSquare[i - row];
-                }
-            }
-        }
-        return visibleSamples;
+        return RowBits.count(anyUnblocked, rows.count) == 0 ? null
+                : sampleColumns.write(rows, unblocked, source.samples(rows).samples(), columns);
     }
 
     /** Computes the mean terms over all samples, whose visibility is known, for the rows in {@link #anyLit}. */
@@ -426,7 +353,7 @@ final class AreaLightKernel {
             return LightRows.unlit(state, visibleSamples);
         }
         int samples = source.samples(rows).samples();
-        beginSums(rows, source);
+        sums.begin(rows, source);
         for (int s = 0; s < samples; s++) {
             aim(rows, source, s, anyLit);
             if (source.hasCone()) {
@@ -438,71 +365,8 @@ final class AreaLightKernel {
                 // Excludes rows that the light does not illuminate, whose visibility may be known.
                 chosen[b] &= anyLit[b];
             }
-            accumulate(rows, source, s, chosen);
+            sums.add(rows, source, s, chosen, cosine, shadowRays);
         }
-        return buildLayer(rows, source, state, visibleSamples, columns);
-    }
-
-    /** Adds the terms of the sample that was aimed at to the sums of a set of rows; expects its cosines. */
-    private void accumulate(HitRows rows, LightSource source, int s, int[] rowSet) {
-        float[] falloffOrNull = source.hasFalloff() ? falloff : null;
-        if (source.hasFalloff()) {
-            falloffs(rows, source, s);
-        }
-        columnWriter.writeMetallicDiffuse(rows, rowSet, cosine);
-        terms.accumulate(cosine, falloffOrNull, rowSet, rows.count, diffuseSum);
-        if (hasSpecular) {
-            for (int b = 0; b < RowBits.words(rows.count); b++) {
-                highlightRows[b] = rowSet[b] & mayHaveHighlight[b];
-            }
-            columnWriter.writeSpeculars(rows, highlightRows, specular, grazing);
-            terms.accumulate(specular, falloffOrNull, highlightRows, rows.count, specularSum);
-        }
-        if (hasMetallic) {
-            addGrazing(rows, falloffOrNull, rowSet);
-        }
-    }
-
-    private void addGrazing(HitRows rows, float[] falloffOrNull, int[] rowSet) {
-        System.arraycopy(rowSet, 0, metallicRows, 0, RowBits.words(rows.count));
-        for (int r = 0; r < rows.runCount; r++) {
-            if (!columnWriter.isMetallic(rows.runMaterial[r])) {
-                RowBits.remove(metallicRows, rows.runStart(r), rows.runEnd[r]);
-            }
-        }
-        terms.accumulate(grazing, falloffOrNull, metallicRows, rows.count, grazingSum);
-    }
-
-    private void falloffs(HitRows rows, LightSource source, int s) {
-        if (!AngularMask.isActive(source)) {
-            terms.falloffs(rows, source, falloff);
-            return;
-        }
-        AreaSamples samples = source.samples(rows);
-        AngularMask[] doors = new AngularMask[samples.patterns];
-        Arrays.setAll(doors, t -> AngularMask.of(source.at(samples.position(t, s))));
-        terms.unroundedFalloffs(rows, source, factors);
-        for (int i = 0; i < rows.count; i++) {
-            falloff[i] = (float) (factors[i] * doors[shadowRays.pattern[i]].factor(rows.px[i], rows.py[i], rows.pz[i]));
-        }
-    }
-
-    private LightRows buildLayer(HitRows rows, LightSource source, byte[] state, short[][] visibleSamples, ColumnAllocator columns) {
-        int lit = RowBits.count(anyLit, rows.count);
-        if (lit == 0) {
-            return LightRows.unlit(state, visibleSamples);
-        }
-        int samples = source.samples(rows).samples();
-        return new LightRows(state, meanColumn(diffuseSum, samples, rows, columns),
-                hasSpecular ? meanColumn(specularSum, samples, rows, columns) : null,
-                hasMetallic ? meanColumn(grazingSum, samples, rows, columns) : null, null, visibleSamples, lit);
-    }
-
-    private static float[] meanColumn(double[] sum, int samples, HitRows rows, ColumnAllocator columns) {
-        float[] mean = columns.floats(rows.count);
-        for (int i = 0; i < rows.count; i++) {
-            mean[i] = LightingEquation.mean(sum[i], samples);
-        }
-        return mean;
+        return sums.layer(rows, source, state, visibleSamples, RowBits.count(anyLit, rows.count), columns);
     }
 }
