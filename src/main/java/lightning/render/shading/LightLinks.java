@@ -59,9 +59,12 @@ final class LightLinks {
         return any;
     }
 
-    /** Removes from a set the rows that the light does not illuminate. */
+    /**
+     * Removes from a set the rows that the light does not illuminate. Rows without owners all stay: an edit removes the last links of
+     * the scene, and will update the layers that had some.
+     */
     void retainLit(LightSource source, HitRows rows, int[] set) {
-        boolean[] lit = litPrimitives(source);
+        boolean[] lit = rows.owner == null ? null : litPrimitives(source);
         for (int i = 0; lit != null && i < rows.count; i++) {
             if (!lit[rows.owner[i]]) {
                 RowBits.remove(set, i, i + 1);

@@ -25,6 +25,7 @@ import lightning.scene.Placement;
 import lightning.scene.Scene;
 import lightning.scene.SceneNode;
 import lightning.scene.Shape;
+import lightning.scene.ShapeLinks;
 import lightning.scene.Solid;
 import lightning.scene.World;
 import org.junit.jupiter.api.Test;
@@ -168,6 +169,16 @@ class ObjectWorkTest {
             long below = reference.count(0, row -> row.px() > 4 - width);
             assertThat(update.rays().eye()).isZero();
             assertThat(update.rays().shadow()).isBetween(1L, WIDE_SUN.area().samples() * below);
+        }
+    }
+
+    @Test
+    void movedSphereAndRemovedLinksOfAreaLight_areExact() {
+        Light linked = WIDE_SUN.withIlluminates(ShapeLinks.only("right"));
+        try (StudioRenderer studio = studio(scene(linked))) {
+            Scene moved = studio.scene().withNode("above", moved(studio.scene().stage().node("above").orElseThrow(), 1.2, 0, 0));
+            studio.render(moved.withLight(WIDE_SUN));
+            FilmAssert.assertSameBits(studio.renderer().film(), new ReferenceTracer(studio.scene()).trace(), "object-work");
         }
     }
 
