@@ -164,7 +164,7 @@ public final class AreaSamples {
         return new Vec3(x[i], y[i], z[i]);
     }
 
-    /** Returns the positions of all samples in all patterns. */
+    /** Returns the positions of all samples in all patterns, by {@link #index}. */
     Stream<Vec3> positions() {
         return IntStream.range(0, x.length).mapToObj(i -> new Vec3(x[i], y[i], z[i]));
     }

@@ -308,9 +308,7 @@ final class ShadowCaster {
     }
 
     private ShadowRayTarget[] createTargets(AreaSamples samples) {
-        ShadowRayTarget[] all = new ShadowRayTarget[samples.x.length];
-        Arrays.setAll(all, i -> geometry.shadowRayTarget(new Vec3(samples.x[i], samples.y[i], samples.z[i])));
-        return all;
+        return samples.positions().map(geometry::shadowRayTarget).toArray(ShadowRayTarget[]::new);
     }
 
     /** Returns the shadow ray target of one position in the current area. */

@@ -161,8 +161,7 @@ final class TintTracer {
 
     /** Returns the shadow ray targets of an area; {@link #OPEN} if none of them lies on a clear shape. */
     private ShadowRayTarget[] createTargets(AreaSamples area) {
-        ShadowRayTarget[] all = new ShadowRayTarget[area.x.length];
-        Arrays.setAll(all, i -> ShadowRayTarget.find(new Vec3(area.x[i], area.y[i], area.z[i]), tree));
+        ShadowRayTarget[] all = area.positions().map(point -> ShadowRayTarget.find(point, tree)).toArray(ShadowRayTarget[]::new);
         return Arrays.stream(all).allMatch(ShadowRayTarget::isOffSurface) ? OPEN : all;
     }
 

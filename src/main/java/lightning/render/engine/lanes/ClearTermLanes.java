@@ -41,8 +41,7 @@ final class ClearTermLanes {
 
     /** Returns the reflectance for absolute cosines and indices of refraction in front of the surface over those behind it. */
     static DoubleVector reflectance(DoubleVector cosine, DoubleVector eta, boolean thin) {
-        DoubleVector c = cosine;
-        c = DoubleVector.broadcast(D, 1).blend(c, c.compare(VectorOperators.LT, 1));
+        DoubleVector c = DoubleVector.broadcast(D, 1).blend(cosine, cosine.compare(VectorOperators.LT, 1));
         DoubleVector k = DoubleVector.broadcast(D, 1).sub(eta.mul(eta).mul(DoubleVector.broadcast(D, 1).sub(c.mul(c))));
         DoubleVector root = k.lanewise(VectorOperators.SQRT);
         DoubleVector along = eta.mul(c);

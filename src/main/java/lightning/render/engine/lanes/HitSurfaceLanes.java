@@ -11,7 +11,6 @@ import static jdk.incubator.vector.VectorOperators.LT;
 import jdk.incubator.vector.DoubleVector;
 import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorMask;
-import jdk.incubator.vector.VectorShape;
 import jdk.incubator.vector.VectorSpecies;
 import lightning.render.trace.ShadowRayBatch;
 import lightning.render.trace.ShadowRayHitFinder;
@@ -33,8 +32,7 @@ import lightning.scene.Transmission;
 final class HitSurfaceLanes {
     private static final VectorSpecies<Double> SPECIES = DoubleLanes.SPECIES;
     private static final int W = DoubleLanes.COUNT;
-    private static final VectorSpecies<Float> HALF =
-            VectorSpecies.of(float.class, VectorShape.forBitSize(SPECIES.vectorBitSize() / 2));
+    private static final VectorSpecies<Float> HALF = ColumnLanes.F;
     /** Hits per pass over the arrays. */
     private static final int CHUNK = 64;
     /** Minimum number of adjacent hits on a mesh for lanes. */

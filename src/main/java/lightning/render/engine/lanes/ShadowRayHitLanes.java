@@ -14,8 +14,8 @@ import lightning.render.trace.solid.SolidGeometryLanes;
 import lightning.render.trace.tree.CandidateList;
 
 /**
- * Lane version of {@link ShadowRayHitFinder}. Tests all shadow rays of a batch against the boxes of the shapes. Those that enter a
- * mesh's box walk over its BVH together, those that enter a solid's are tested in lanes.
+ * Lane version of {@link ShadowRayHitFinder}. Tests all shadow rays of a batch against the boxes of the shapes. Rays that enter the
+ * box of a mesh traverse its BVH together; rays that enter the box of a solid are tested in lanes.
  *
  * <p>Rays are tested one by one if any may end on a shape, if the shape has cutouts, or if the eye is on it. Holds scratch memory:
  * use one per thread.

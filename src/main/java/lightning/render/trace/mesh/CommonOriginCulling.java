@@ -108,7 +108,7 @@ final class CommonOriginCulling {
      * @param minLimitBits lines with a shorter limit are not tested
      * @param slots receives the slots of the triangles that each line may hit
      * @param firstSlot receives the first of them
-     * @return lines that may hit a triangle; {@link #multipleLines} are those that may hit more
+     * @return lines that may hit a triangle; {@link #multipleLines} receives the lines that may hit more than one
      */
     int candidateLines(MeshFloatLines lines, int h, int triangles, float margin, int minLimitBits, int[] slots, int[] firstSlot) {
         float[] n = normal;

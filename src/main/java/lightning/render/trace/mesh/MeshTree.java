@@ -16,7 +16,7 @@ import lightning.scene.Mesh;
  * <p>A leaf has four strips of four vertices ({@link TrianglePairs}), one for two triangles: the first three vertices of strip
  * {@code s} form the triangle of slot {@code s}, the last three that of slot {@code s + 4}. Coordinate {@code a} of corner
  * {@code k} of slot {@code s} of leaf {@code l} is {@code vertex[48 l + 16 a + 4 k + s]}, so that eight adjacent floats are a
- * corner of all slots. Missing vertices are NaN. {@code triangle[8 l + s]} tells the triangle of the mesh and which corner is its
+ * corner of all slots. Missing vertices are NaN. {@code triangle[8 l + s]} stores the triangle of the mesh and which corner is its
  * last vertex ({@link #id}, {@link #lastCorner}), or is negative for an empty slot. The triangle's vertices run through the corners
  * in ascending cyclic order in the first four slots and in descending order in the others ({@link #corner}).
  */
