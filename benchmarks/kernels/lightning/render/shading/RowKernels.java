@@ -138,7 +138,7 @@ public class RowKernels {
     @Benchmark
     @OperationsPerInvocation(ROWS)
     public Object compose() {
-        composer.compose(rows, lights, layers, null, null, loadedScene.world(), new BounceImages(mirrored, null), colors);
+        composer.compose(rows, lights, layers, null, null, loadedScene.world(), null, new BounceImages(mirrored, null), colors);
         return colors;
     }
 

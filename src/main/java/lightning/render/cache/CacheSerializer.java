@@ -108,7 +108,8 @@ public final class CacheSerializer {
             fine[i] = new FineTile(withColors(fine[i].first(), colors), withColors(fine[i].rest(), colors), colors.readFloatArrays());
         }
         colors.expectEnd();
-        return new PixelCache(outline.geometry(), tiles, fine, outline.scenes(), outline.lights(), outline.mirroredLights());
+        return new PixelCache(outline.geometry(), tiles, fine, outline.scenes(), outline.lights(), outline.mirroredLights(),
+                outline.indirect(), outline.mirroredIndirect());
     }
 
     private static FineSamples readSamples(ColumnReader in) throws IOException {

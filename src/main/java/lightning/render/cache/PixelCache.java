@@ -21,6 +21,8 @@ public final class PixelCache {
     private final RenderedScenes scenes;
     private final List<CachedLight> lights;
     private final List<CachedLight> mirroredLights;
+    private final IndirectCache indirect;
+    private final IndirectCache mirroredIndirect;
 
     /**
      * @param tiles pixel centers; empty if all pixels have several samples
@@ -28,15 +30,19 @@ public final class PixelCache {
      * @param scenes scene of the film and the first level, and scene of the reflection levels and Cr
      * @param lights all lights of the scene, in order
      * @param mirroredLights all lights of the reflected scene, in order
+     * @param indirect indirect light of the scene, or null
+     * @param mirroredIndirect indirect light of the reflected scene, or null
      */
     public PixelCache(Geometry geometry, CachedTile[] tiles, FineTile[] fineTiles, RenderedScenes scenes, List<CachedLight> lights,
-            List<CachedLight> mirroredLights) {
+            List<CachedLight> mirroredLights, IndirectCache indirect, IndirectCache mirroredIndirect) {
         this.geometry = geometry;
         this.tiles = tiles;
         this.fineTiles = fineTiles;
         this.scenes = scenes;
         this.lights = List.copyOf(lights);
         this.mirroredLights = List.copyOf(mirroredLights);
+        this.indirect = indirect;
+        this.mirroredIndirect = mirroredIndirect;
     }
 
     /** Returns the geometry with the materials of the first level. */
@@ -108,6 +114,16 @@ public final class PixelCache {
         return mirroredLights;
     }
 
+    /** Returns the indirect light of the scene; null if it has none. */
+    public IndirectCache indirect() {
+        return indirect;
+    }
+
+    /** Returns the indirect light of the reflected scene; null if it has none. */
+    public IndirectCache mirroredIndirect() {
+        return mirroredIndirect;
+    }
+
     /** Returns the image as a view of the tiles' arrays. */
     public Film film() {
         int count = Math.max(tiles.length, fineTiles.length);
@@ -140,7 +156,7 @@ public final class PixelCache {
 
     /** Returns the bytes of all rows, without colors. */
     public long bytes() {
-        return allTiles().stream().mapToLong(CachedTile::bytes).sum();
+        return allTiles().stream().mapToLong(CachedTile::bytes).sum() + indirectBytes();
     }
 
     /** Returns the bytes of the pixel centers: rows and colors. */
@@ -150,6 +166,11 @@ public final class PixelCache {
             bytes += tile.bytes() + tile.colorBytes();
         }
         return bytes;
+    }
+
+    private long indirectBytes() {
+        return (indirect == null ? 0 : indirect.bytes())
+                + (mirroredIndirect == null || mirroredIndirect == indirect ? 0 : mirroredIndirect.bytes());
     }
 
     /** Returns the number of hit rows of all samples and levels. */

@@ -1,5 +1,7 @@
 package lightning.render.cache;
 
+import lightning.render.gather.GatherStructure;
+import lightning.render.gather.RowWeights;
 import lightning.render.shading.BranchSums;
 import lightning.render.shading.ClearTerms;
 import lightning.render.shading.LightLayer;
@@ -13,23 +15,34 @@ import lightning.render.trace.HitRows;
  * @param branches optional partial sums that speed up composing while one light is edited, or null; valid only if their key is
  *     that of the update
  * @param clearTerms optional terms of the clear rows that speed up composing, or null
+ * @param weights weights of gather points for the rows, or null
  */
-public record TileLevel(HitRows rows, LightLayer[] layers, BranchSums branches, ClearTerms clearTerms) {
+public record TileLevel(HitRows rows, LightLayer[] layers, BranchSums branches, ClearTerms clearTerms, RowWeights weights) {
     // An array in a record: written once by its creator.
 
-    /** Creates a level without partial sums and terms of clear rows. */
+    /** Creates a level without partial sums, terms of clear rows and weights. */
     public TileLevel(HitRows rows, LightLayer[] layers) {
-        this(rows, layers, null, null);
+        this(rows, layers, null, null, null);
     }
 
     /** Returns this level with other partial sums and terms of clear rows. */
     public TileLevel withCached(BranchSums sums, ClearTerms terms) {
-        return sums == branches && terms == clearTerms ? this : new TileLevel(rows, layers, sums, terms);
+        return sums == branches && terms == clearTerms ? this : new TileLevel(rows, layers, sums, terms, weights);
     }
 
     /** Returns this level with other owners of its rows, or none. */
     public TileLevel withOwner(int[] owner) {
-        return new TileLevel(rows.withOwner(owner), layers, branches, clearTerms);
+        return new TileLevel(rows.withOwner(owner), layers, branches, clearTerms, weights);
+    }
+
+    /** Returns this level with other weights of gather points, or none. */
+    public TileLevel withWeights(RowWeights to) {
+        return to == weights ? this : new TileLevel(rows, layers, branches, clearTerms, to);
+    }
+
+    /** Returns whether this level has the weights of a structure's gather points. */
+    public boolean hasWeightsOf(GatherStructure structure) {
+        return weights != null && weights.structure() == structure;
     }
 
     /** Returns the bytes of all columns without array headers and partial sums. */
@@ -38,6 +51,6 @@ public record TileLevel(HitRows rows, LightLayer[] layers, BranchSums branches, 
         for (LightLayer layer : layers) {
             bytes += layer == null ? 0 : layer.bytes();
         }
-        return bytes + (clearTerms == null ? 0 : clearTerms.bytes());
+        return bytes + (clearTerms == null ? 0 : clearTerms.bytes()) + (weights == null ? 0 : weights.bytes());
     }
 }

@@ -5,10 +5,14 @@ import java.util.BitSet;
 import java.util.function.BiConsumer;
 import lightning.base.work.Progress;
 import lightning.render.engine.Engine;
+import lightning.render.gather.RowWeigher;
+import lightning.render.gather.RowWeights;
 import lightning.render.image.Film;
 import lightning.render.shading.BounceImages;
 import lightning.render.shading.EdgeColors;
 import lightning.render.shading.EdgeDetector;
+import lightning.render.shading.IndirectLight;
+import lightning.render.shading.IndirectRows;
 import lightning.render.shading.LightKernel;
 import lightning.render.shading.LightLayer;
 import lightning.render.shading.RayCounts;
@@ -55,13 +59,20 @@ final class TileTracer {
     /**
      * Lights of the two scenes of a trace.
      *
-     * @param direct   lights of the first level
-     * @param mirrored lights of the levels in mirrors
+     * @param direct           lights of the first level
+     * @param mirrored         lights of the levels in mirrors
+     * @param indirect         indirect light of the first level; null if the scene has none
+     * @param mirroredIndirect indirect light of the levels in mirrors; null if their scene has none
      */
-    record SceneLights(WeightedLight[] direct, WeightedLight[] mirrored) {
+    record SceneLights(WeightedLight[] direct, WeightedLight[] mirrored, IndirectLight indirect, IndirectLight mirroredIndirect) {
         static SceneLights of(RenderedScenes scenes) {
             WeightedLight[] lights = WeightedLight.ofScene(scenes.scene());
-            return new SceneLights(lights, scenes.mirrored() == scenes.scene() ? lights : WeightedLight.ofScene(scenes.mirrored()));
+            return new SceneLights(lights, scenes.mirrored() == scenes.scene() ? lights : WeightedLight.ofScene(scenes.mirrored()), null,
+                    null);
+        }
+
+        SceneLights withIndirect(IndirectLight light, IndirectLight inMirrors) {
+            return new SceneLights(direct, mirrored, light, inMirrors);
         }
     }
 
@@ -77,9 +88,14 @@ final class TileTracer {
         private final TileComposer composer;
         /** Composes the colors by which edges are detected. */
         private final TileComposer edgeComposer;
+        /** Null if the scene has no indirect light, as the weigher. */
+        private final IndirectLight indirect;
+        private final RowWeigher weigher;
 
-        LevelContext(Geometry geometry, Scene scene, WeightedLight[] lights, Engine engine, Tracer tracer) {
+        LevelContext(Geometry geometry, Scene scene, WeightedLight[] lights, IndirectLight indirect, Engine engine, Tracer tracer) {
             this.lights = lights;
+            this.indirect = indirect;
+            weigher = indirect == null ? null : new RowWeigher(indirect.structure());
             edgeLights = WeightedLight.forEdges(lights);
             this.scene = scene;
             world = scene.world();
@@ -104,10 +120,11 @@ final class TileTracer {
         this.sampling = sampling;
         depth = scenes.scene().picture().depth();
         Tracer tracer = engine.tracer(geometry);
-        eyeLevel = new LevelContext(geometry, scenes.scene(), lights.direct(), engine, tracer);
+        eyeLevel = new LevelContext(geometry, scenes.scene(), lights.direct(), lights.indirect(), engine, tracer);
         mirrorLevels =
                 scenes.mirrored() == scenes.scene() ? eyeLevel
-                        : new LevelContext(mirroredGeometry, scenes.mirrored(), lights.mirrored(), engine, tracer);
+                        : new LevelContext(mirroredGeometry, scenes.mirrored(), lights.mirrored(), lights.mirroredIndirect(), engine,
+                                tracer);
         centerLevels = new HitRows[depth + 1];
         sampleLevels = new HitRows[depth + 1];
         layers = new LightLayer[Math.max(eyeLevel.lights.length, mirrorLevels.lights.length)];
@@ -226,9 +243,12 @@ final class TileTracer {
             layers[l] = side.lights[l].isDark() ? null : side.kernel.recompute(levels[level], side.lights[l].source(), columns);
         }
         if (!progress.isCanceled()) {
-            side.composer.composeLevel(levels[level], side.lights, layers, side.world, images.colors(), to);
+            RowWeights weights = side.indirect == null ? null : side.weigher.weigh(levels[level]);
+            side.composer.composeLevel(levels[level], side.lights, layers, side.world,
+                    weights == null ? null : new IndirectRows(weights, side.indirect.light()), images.colors(), to);
             if (edgeTo != null) {
-                side.edgeComposer.composeLevel(levels[level], side.edgeLights, layers, side.world, images.edges(), edgeTo);
+                side.edgeComposer.composeLevel(levels[level], side.edgeLights, layers, side.world,
+                        weights == null ? null : new IndirectRows(weights, side.indirect.edgeLight()), images.edges(), edgeTo);
             }
         }
     }

@@ -10,6 +10,7 @@ import lightning.render.engine.choice.Engines;
 import lightning.render.image.Film;
 import lightning.render.shading.EdgeColors;
 import lightning.render.shading.EdgeDetector;
+import lightning.render.shading.IndirectLight;
 import lightning.render.shading.RayCounts;
 import lightning.render.shading.RenderedScenes;
 import lightning.render.trace.Geometry;
@@ -89,7 +90,14 @@ public final class TraditionalTracer {
      */
     public Result trace(WorkerPool workers, int[] tiles, Progress progress) {
         Film film = Film.black(scene.picture().width(), scene.picture().height());
-        List<EngineWorkers<TileTracer>> threads = createTracers(workers);
+        RenderedScenes scenes = new RenderedScenes(scene, mirrored);
+        TileTracer.SceneLights lights = TileTracer.SceneLights.of(scenes);
+        IndirectTracer indirect = new IndirectTracer(geometry, scene, lights.direct(), engines, workers, progress);
+        IndirectTracer inMirrors = scene == mirrored ? indirect
+                : new IndirectTracer(mirroredGeometry, mirrored, lights.mirrored(), engines, workers, progress);
+        IndirectLight light = indirect.trace();
+        List<EngineWorkers<TileTracer>> threads =
+                createTracers(workers, scenes, lights.withIndirect(light, inMirrors == indirect ? light : inMirrors.trace()));
         switch (sampling.antialias()) {
             case OFF ->
                     workers.run(tiles.length, (worker, i) -> threads.get(worker).forTile(tiles[i]).traceCenters(film, tiles[i], progress),
@@ -100,7 +108,7 @@ public final class TraditionalTracer {
                     progress);
             case EDGES -> traceEdges(film, workers, threads, tiles, progress);
         }
-        RayCounts rays = RayCounts.NONE;
+        RayCounts rays = indirect.rays().plus(inMirrors == indirect ? RayCounts.NONE : inMirrors.rays());
         for (EngineWorkers<TileTracer> thread : threads) {
             for (TileTracer tracer : thread.workers()) {
                 rays = rays.plus(tracer.rays());
@@ -129,9 +137,7 @@ public final class TraditionalTracer {
                 progress.subProgress(edgeTiles.length, edgeTiles.length + tiles.length));
     }
 
-    private List<EngineWorkers<TileTracer>> createTracers(WorkerPool workers) {
-        RenderedScenes scenes = new RenderedScenes(scene, mirrored);
-        TileTracer.SceneLights lights = TileTracer.SceneLights.of(scenes);
+    private List<EngineWorkers<TileTracer>> createTracers(WorkerPool workers, RenderedScenes scenes, TileTracer.SceneLights lights) {
         return EngineWorkers.perThread(workers.count(), engines,
                 engine -> new TileTracer(geometry, mirroredGeometry, scenes, lights, sampling, engine));
     }

@@ -38,9 +38,9 @@ import lightning.scene.Scene;
  */
 record CacheConversion(PixelCache cache, RenderOptions options) {
 
-    /** Returns whether a cache can be converted. Mirror levels stored as hit shapes have no rows and cannot. */
+    /** Returns whether a cache can be converted: neither mirror levels stored as hit shapes, which have no rows, nor indirect light. */
     static boolean canConvert(PixelCache cache) {
-        return cache.allTiles().stream().allMatch(CachedTile::storesRows);
+        return cache.indirect() == null && cache.mirroredIndirect() == null && cache.allTiles().stream().allMatch(CachedTile::storesRows);
     }
 
     /** Returns the conversion as a plan. */
@@ -78,7 +78,7 @@ record CacheConversion(PixelCache cache, RenderOptions options) {
         WorkCounts work = threads.stream().flatMap(thread -> thread.workers().stream()).map(TileConverter::work).reduce(WorkCounts.NONE,
                 WorkCounts::plus);
         return new Result(new PixelCache(cache.geometry(), tiles, fine, cache.scenes(), recomputed(cache.lights()),
-                recomputed(cache.mirroredLights())), work);
+                recomputed(cache.mirroredLights()), null, null), work);
     }
 
     private static List<CachedLight> recomputed(List<CachedLight> lights) {

@@ -22,6 +22,8 @@ final class LevelComposer {
     private final float[][] colors = new float[3][ROWS];
     /** Stands for an omitted sum. */
     private final float[][] zeros = new float[3][ROWS];
+    /** Allocated on first use. */
+    private float[][] indirectSum;
     private LightComponent component = LightComponent.ALL;
 
     LevelComposer(MaterialTable materials, SumKernel sums, ViewEffects view) {
@@ -48,23 +50,37 @@ final class LevelComposer {
      * @param layers   layer of each light; unread if the light is dark
      * @param branches cached partial sums, or null
      * @param terms    cached terms of clear rows, or null
+     * @param indirect indirect light of the rows, or null
      * @param images   colors of the rays that bounce from the rows; null if there are none
      * @param to       receives the linear colors: red, green, blue, {@code float[1024]} each
      */
     void compose(HitRows rows, WeightedLight[] lights, LightLayer[] layers, BranchSums branches, ClearTerms terms, World world,
-            BounceImages images, float[][] to) {
+            IndirectRows indirect, BounceImages images, float[][] to) {
         int from = firstLitRow(rows);
         SumColumns sum = branches == null ? lightSum.total(from, rows.count, lights, layers)
                 : lightSum.total(from, rows.count, lights, layers, branches);
+        float[][] diffuse = indirect == null ? sum.diffuse : addIndirect(indirect, sum.diffuse, from, rows.count);
         float ambience = (float) world.ambience();
         // Rows of one material keep the order of their parents. If every position has a row, row i goes to position i.
         boolean inOrder = rows.runCount == 1 && rows.count == ROWS;
         for (int r = 0; r < rows.runCount; r++) {
-            shade(rows, r, sum, ambience, terms, images, inOrder ? to : colors);
+            shade(rows, r, sum, diffuse, ambience, terms, images, inOrder ? to : colors);
             if (!inOrder) {
                 scatter(rows.parent, rows.runStart(r), rows.runEnd[r], to);
             }
         }
+    }
+
+    /** Returns the lights' diffuse sum plus the indirect light. */
+    private float[][] addIndirect(IndirectRows indirect, float[][] direct, int from, int to) {
+        indirectSum = indirectSum == null ? new float[3][ROWS] : indirectSum;
+        indirect.weights().interpolate(indirect.light(), indirectSum);
+        for (int c = 0; c < 3; c++) {
+            for (int i = from; i < to; i++) {
+                indirectSum[c][i] += direct[c][i];
+            }
+        }
+        return indirectSum;
     }
 
     private ClearMaterialShader clearShader() {
@@ -96,14 +112,15 @@ final class LevelComposer {
         return run == rows.runCount ? rows.count : rows.runStart(run);
     }
 
-    private void shade(HitRows rows, int run, SumColumns sum, float ambience, ClearTerms terms, BounceImages images, float[][] to) {
+    private void shade(HitRows rows, int run, SumColumns sum, float[][] allDiffuse, float ambience, ClearTerms terms, BounceImages images,
+            float[][] to) {
         ShadingMaterial material = shadingMaterials[rows.runMaterial[run]];
         if (material.hasImage() && !litTextures) {
             shadeUnlit(rows, run, material, ambience, to);
             return;
         }
         boolean shines = component != LightComponent.DIFFUSE;
-        float[][] diffuse = component == LightComponent.SPECULAR ? zeros : sum.diffuse;
+        float[][] diffuse = component == LightComponent.SPECULAR ? zeros : allDiffuse;
         float[][] specular = shines && sum.hasSpecular && material.hasSpecular() ? sum.specular : null;
         float[][] grazing = shines && sum.hasGrazing && material.texturedF0() != null ? sum.grazing : null;
         if (material.clarity() != null) {

@@ -73,17 +73,24 @@ public final class TileComposer {
      * @param layers   layer of each light; unread if the light is dark
      * @param branches cached partial sums, or null
      * @param terms    cached terms of clear rows, or null
+     * @param indirect indirect light of the rows, or null
      * @param images   colors of the rays that bounce from the rows; null if there are none
      * @param to       receives each row's linear color at its parent: red, green, blue, {@code float[1024]} each
      */
     public void composeLevel(HitRows rows, WeightedLight[] lights, LightLayer[] layers, BranchSums branches, ClearTerms terms,
-            World world, BounceImages images, float[][] to) {
-        composer.compose(rows, lights, layers, branches, terms, world, images, to);
+            World world, IndirectRows indirect, BounceImages images, float[][] to) {
+        composer.compose(rows, lights, layers, branches, terms, world, indirect, images, to);
     }
 
     /** Composes the rows of one level without cached sums and terms. */
+    public void composeLevel(HitRows rows, WeightedLight[] lights, LightLayer[] layers, World world, IndirectRows indirect,
+            BounceImages images, float[][] to) {
+        composeLevel(rows, lights, layers, null, null, world, indirect, images, to);
+    }
+
+    /** Composes the rows of one level without cached sums and terms, and without indirect light. */
     public void composeLevel(HitRows rows, WeightedLight[] lights, LightLayer[] layers, World world, BounceImages images, float[][] to) {
-        composeLevel(rows, lights, layers, null, null, world, images, to);
+        composeLevel(rows, lights, layers, world, null, images, to);
     }
 
     /** Returns the terms of a level's clear rows, for {@link #composeLevel}; null if its colors do not depend on them. */

@@ -2,8 +2,6 @@ package lightning.render.trace;
 
 import java.util.Arrays;
 import java.util.BitSet;
-import lightning.render.trace.primitive.PrimitiveTable;
-import lightning.render.trace.primitive.SurfaceHit;
 import lightning.render.trace.tree.BoxRay;
 import lightning.render.trace.tree.BoxSet;
 import lightning.render.trace.tree.CandidateList;
@@ -18,7 +16,6 @@ public final class TileVisibility {
         HitRows allocate(int count, boolean textured, boolean transparent);
     }
 
-    private final PrimitiveTable primitives;
     private final MaterialTable materials;
     private final CameraRays camera;
     private final int width;
@@ -29,27 +26,20 @@ public final class TileVisibility {
     private final BoxRay boxRay = new BoxRay();
     private final CandidateList candidates = new CandidateList();
     private final RayColumns rays;
-    private final int[] starts;
-    /** Rank of the material that each ray hit, −1 for a miss. */
-    private final int[] ranks = new int[RayColumns.MAX_RAYS];
     /** Sample patterns by the slots of the rays; undefined for rays of pixel centers. */
     private byte[] patterns = {};
     private final double[] direction = new double[3];
-    /** Created on first use. */
-    private SurfaceHit surface;
-    private final TexelWriter texels;
+    private final HitRowBuilder rowBuilder;
 
     public TileVisibility(Geometry geometry, Scene scene, Tracer tracer) {
         this.geometry = geometry;
-        primitives = geometry.primitives();
         materials = geometry.materials();
         camera = new CameraRays(scene.camera(), scene.picture());
         rays = new RayColumns(camera);
         width = scene.picture().width();
         height = scene.picture().height();
         this.tracer = tracer;
-        starts = new int[materials.count() + 1];
-        texels = new TexelWriter(geometry);
+        rowBuilder = new HitRowBuilder(geometry, tracer);
     }
 
     /**
@@ -65,7 +55,7 @@ public final class TileVisibility {
         camera.boundBeam(beam, x0, y0, columns, lines);
         candidates.collect(geometry.bvh(), beam);
         tracer.findNearest(rays, candidates);
-        return buildRows(allocator);
+        return rowBuilder.build(rays, patterns, allocator);
     }
 
     private void setCenterRays(int x0, int y0, int size, int columns, int lines) {
@@ -170,7 +160,7 @@ public final class TileVisibility {
         rays.addDirectionsTo(beam, tracer);
         candidates.collect(geometry.bvh(), beam);
         tracer.findNearest(rays, candidates);
-        return buildRows(allocator);
+        return rowBuilder.build(rays, patterns, allocator);
     }
 
     /**
@@ -184,7 +174,7 @@ public final class TileVisibility {
         positions.boundBeam(beam, camera);
         candidates.collect(geometry.bvh(), beam);
         tracer.findNearest(rays, candidates);
-        return buildRows(allocator);
+        return rowBuilder.build(rays, patterns, allocator);
     }
 
     /**
@@ -201,7 +191,7 @@ public final class TileVisibility {
             System.arraycopy(knownPrimitives, 0, rays.primitive, 0, rays.count);
             tracer.writeDistances(rays);
         }
-        return buildRows(allocator);
+        return rowBuilder.build(rays, patterns, allocator);
     }
 
     /**
@@ -217,7 +207,7 @@ public final class TileVisibility {
         }
         setBounceRays(parentRows, bounce, count);
         findNearest(bounce);
-        return buildRows(allocator);
+        return rowBuilder.build(rays, patterns, allocator);
     }
 
     /** Returns the number of rays of the latest trace. */
@@ -277,93 +267,5 @@ public final class TileVisibility {
     /** Returns the shape that each ray of the latest trace hit, −1 for none. */
     public int[] hitShapes() {
         return Arrays.copyOf(rays.primitive, rays.count);
-    }
-
-    /** Sorts the hits by material and computes their surfaces. */
-    private HitRows buildRows(Allocator allocator) {
-        Arrays.fill(starts, 0);
-        rankHits();
-        for (int i = 0; i < rays.count; i++) {
-            if (ranks[i] >= 0) {
-                starts[ranks[i] + 1]++;
-            }
-        }
-        boolean textured = false;
-        for (int r = 0; r < materials.count(); r++) {
-            textured |= starts[r + 1] > 0 && materials.isTextured(materials.materialAtRank(r));
-            starts[r + 1] += starts[r];
-        }
-        rays.hitCount = starts[materials.count()];
-        int transparentCount = starts[materials.transparentCount()];
-        HitRows rows = allocator.allocate(rays.hitCount, textured, transparentCount > 0);
-        rows.count = rays.hitCount;
-        rows.runCount = 0;
-        rows.bounds = null;
-        rows.transparentCount = transparentCount;
-        rows.reflectiveCount = starts[materials.reflectiveCount()];
-        for (int r = 0; r < materials.count(); r++) {
-            if (starts[r + 1] > starts[r]) {
-                rows.addRun(materials.materialAtRank(r), starts[r + 1]);
-            }
-        }
-        for (int i = 0; i < rays.count; i++) {
-            if (ranks[i] >= 0) {
-                rays.order[starts[ranks[i]]++] = (short) i;
-            }
-        }
-        writeRows(rows, textured);
-        return rows;
-    }
-
-    private void writeRows(HitRows rows, boolean textured) {
-        tracer.writeSurfaces(rays, rows, textured);
-        for (int row = 0; row < rows.count; row++) {
-            int ray = rays.order[row];
-            rows.vx[row] = (float) rays.dx[ray];
-            rows.vy[row] = (float) rays.dy[ray];
-            rows.vz[row] = (float) rays.dz[ray];
-            rows.parent[row] = rays.slot[ray];
-        }
-        for (int row = 0; row < rows.transparentCount; row++) {
-            writeBackSide(rows, row);
-        }
-        if (textured) {
-            texels.write(rows, 0, rays);
-        }
-        for (int row = 0; rows.pattern != null && row < rows.count; row++) {
-            rows.pattern[row] = patterns[rows.parent[row]];
-        }
-        for (int row = 0; rows.owner != null && row < rows.count; row++) {
-            rows.owner[row] = rays.primitive[rays.order[row]];
-        }
-    }
-
-    /** Writes the start of the refracted ray of a row with a transparent material. */
-    private void writeBackSide(HitRows rows, int row) {
-        surface = surface == null ? new SurfaceHit() : surface;
-        int ray = rays.order[row];
-        int primitive = rays.primitive[ray];
-        surface.compute(primitives, primitive, rays.part[ray], rays.originX(ray), rays.originY(ray), rays.originZ(ray), rays.dx[ray],
-                rays.dy[ray], rays.dz[ray], rays.t[ray]);
-        surface.computeBackPoint();
-        rows.backX[row] = surface.backX;
-        rows.backY[row] = surface.backY;
-        rows.backZ[row] = surface.backZ;
-        rows.insideDistance[row] =
-                SurfacePointBuilder.insideDistance(materials.transmission(primitives.material[primitive]), surface, rays.t[ray]);
-    }
-
-    /** Finds the rank of the material that each ray hit; adjacent rays mostly hit the same primitive. */
-    private void rankHits() {
-        int last = -1;
-        int rank = -1;
-        for (int i = 0; i < rays.count; i++) {
-            int primitive = rays.primitive[i];
-            if (primitive != last) {
-                last = primitive;
-                rank = primitive < 0 ? -1 : materials.rank(primitives.material[primitive]);
-            }
-            ranks[i] = rank;
-        }
     }
 }

@@ -126,7 +126,7 @@ final class BounceLevels {
         if (!job.storesMirrorRows()) {
             hitShapes.add(shapes == null ? worker.visibility().hitShapes() : shapes);
         }
-        TileLevel level = worker.lightLevel(bounceRows);
+        TileLevel level = worker.withWeights(worker.lightLevel(bounceRows));
         levels.add(level);
         trace(level.rows(), depth + 1);
     }
@@ -202,6 +202,7 @@ final class BounceLevels {
             level = worker.join(all, level, added);
             rowSplice = rowSplice == null ? all : rowSplice.andThen(all);
         }
+        level = worker.withWeights(level);
         levels.add(level);
         changed |= rowSplice != null;
         changedEdges |= rowSplice != null;

@@ -9,6 +9,7 @@ import lightning.base.work.WorkerPool;
 import lightning.render.cache.CachedLight;
 import lightning.render.cache.CachedTile;
 import lightning.render.cache.FineTile;
+import lightning.render.cache.IndirectCache;
 import lightning.render.cache.LayerStamp;
 import lightning.render.cache.PixelCache;
 import lightning.render.engine.EngineWorkers;
@@ -28,7 +29,8 @@ public final class CacheBuilder {
     /** Minimum number of batches per thread in a small picture, so that all threads finish at about the same time. */
     private static final int MIN_BATCHES_PER_THREAD = 8;
 
-    private final RenderJob job;
+    /** With its indirect light once that is computed. */
+    private RenderJob job;
     private final WorkerPool workers;
     private final PixelCache oldCache;
     private final List<EngineWorkers<TileWorker>> tileWorkers;
@@ -56,6 +58,10 @@ public final class CacheBuilder {
      * @throws java.util.concurrent.CancellationException if the job's progress requested cancellation
      */
     public BuildResult build(boolean centersOnly) {
+        IndirectBuilder indirectBuilder = new IndirectBuilder(job, workers, oldCache);
+        IndirectCache indirect = indirectBuilder.build();
+        IndirectCache mirroredIndirect = job.mirrorTarget() == job.target() ? indirect : oldCache.mirroredIndirect();
+        job = job.withIndirect(indirect, mirroredIndirect);
         CachedTile[] centers = buildCenters(centersOnly ? 0 : fineTileCount());
         FineTile[] fine = centersOnly ? new FineTile[0] : buildSamples(centers, centers.length);
         List<CachedLight> lights = job.plan() == null ? CachedLight.ofScene(job.scene(), this::freshStamp) : lightsAfter(job.topPlan());
@@ -63,8 +69,8 @@ public final class CacheBuilder {
                 job.plan() == null ? lights : job.mirrorPlan() == null ? oldCache.mirroredLights() : lightsAfter(job.mirrorPlan());
         return new BuildResult(
                 new PixelCache(job.target().geometry(), centers, fine, new RenderedScenes(job.scene(), job.mirrorTarget().scene()), lights,
-                        mirrored),
-                work());
+                        mirrored, indirect, mirroredIndirect),
+                work().plus(indirectBuilder.work()));
     }
 
     private LayerStamp freshStamp(Light light) {
@@ -81,8 +87,9 @@ public final class CacheBuilder {
      * @throws java.util.concurrent.CancellationException if the job's progress requested cancellation
      */
     public BuildResult finish(PixelCache centers) {
+        job = job.withIndirect(centers.indirect(), centers.mirroredIndirect());
         return new BuildResult(new PixelCache(centers.geometry(), centers.tiles(), buildSamples(centers.tiles(), 0), centers.scenes(),
-                centers.lights(), centers.mirroredLights()), work());
+                centers.lights(), centers.mirroredLights(), centers.indirect(), centers.mirroredIndirect()), work());
     }
 
     /**

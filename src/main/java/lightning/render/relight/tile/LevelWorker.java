@@ -5,6 +5,7 @@ import java.util.BitSet;
 import java.util.function.Function;
 import lightning.render.cache.TileLevel;
 import lightning.render.engine.Engine;
+import lightning.render.gather.RowWeigher;
 import lightning.render.relight.plan.LayerPlan;
 import lightning.render.relight.plan.LayerUpdater;
 import lightning.render.relight.plan.LevelPlan;
@@ -12,6 +13,7 @@ import lightning.render.relight.plan.LightUpdate;
 import lightning.render.shading.BounceImages;
 import lightning.render.shading.BranchSums;
 import lightning.render.shading.ClearTerms;
+import lightning.render.shading.IndirectRows;
 import lightning.render.shading.LightKernel;
 import lightning.render.shading.LightLayer;
 import lightning.render.shading.TileComposer;
@@ -42,6 +44,8 @@ final class LevelWorker {
     private TexelUpdater retexturing;
     private final LightKernel lightKernel;
     private final LayerUpdater updater;
+    /** Created on first use. */
+    private RowWeigher weigher;
     private long rowsComposed;
     private long bytesMoved;
 
@@ -97,6 +101,15 @@ final class LevelWorker {
         return new TileLevel(rows, layers);
     }
 
+    /** Returns a level with the weights of gather points, if the scene has indirect light. */
+    TileLevel withWeights(TileLevel level) {
+        if (target.indirect() == null || level.hasWeightsOf(target.indirect().structure())) {
+            return level;
+        }
+        weigher = weigher == null ? new RowWeigher(target.indirect().structure()) : weigher;
+        return level.withWeights(weigher.weigh(level.rows()));
+    }
+
     /**
      * Returns the first level with the texels of the plan's materials.
      *
@@ -128,7 +141,7 @@ final class LevelWorker {
             return level;
         }
         bytesMoved += 12L * rows.count + (12L + 36) * changed.countIn(rows);
-        return new TileLevel(rows, level.layers());
+        return new TileLevel(rows, level.layers()).withWeights(level.weights());
     }
 
     /** Applies a plan to a level's layers; counts the row data read and the layer data written. */
@@ -145,7 +158,7 @@ final class LevelWorker {
         }
         BranchSums sums = old.branches() != null && old.branches().key() == update.key() ? old.branches() : null;
         return sums == old.branches() && Arrays.equals(layers, old.layers()) ? old
-                : new TileLevel(old.rows(), layers, sums, old.clearTerms());
+                : new TileLevel(old.rows(), layers, sums, old.clearTerms(), old.weights());
     }
 
     /**
@@ -210,7 +223,7 @@ final class LevelWorker {
         for (int l = 0; l < terms.length; l++) {
             terms[l] = target.lights()[l].isDark() ? null : updater.terms(level.rows(), target.lights()[l], level.layers()[l]);
         }
-        return new TileLevel(level.rows(), terms);
+        return new TileLevel(level.rows(), terms).withWeights(withWeights(level).weights());
     }
 
     /**
@@ -218,7 +231,8 @@ final class LevelWorker {
      *
      * @param to receives the colors
      */
-    TileLevel compose(TileLevel level, LevelPlan update, BounceImages images, float[][] to) {
+    TileLevel compose(TileLevel before, LevelPlan update, BounceImages images, float[][] to) {
+        TileLevel level = withWeights(before);
         rowsComposed += level.rows().count;
         boolean isRepeated = update != null && update.key() != null;
         BranchSums sums = !isRepeated || target.lights().length < RepeatedEditDetector.MIN_LIGHTS ? null
@@ -229,7 +243,8 @@ final class LevelWorker {
             terms = null;
         }
         terms = terms == null && isRepeated ? composer.clearTerms(level.rows(), images) : terms;
-        composer.composeLevel(level.rows(), target.lights(), level.layers(), sums, terms, target.scene().world(), images, to);
+        composer.composeLevel(level.rows(), target.lights(), level.layers(), sums, terms, target.scene().world(),
+                target.indirect() == null ? null : new IndirectRows(level.weights(), target.indirect().light()), images, to);
         bytesMoved += bytesRead(level, update == null ? null : update.key(), sums) + (terms == null ? 0 : terms.bytes());
         return level.withCached(sums, terms);
     }

@@ -1,6 +1,7 @@
 package lightning.render.relight.tile;
 
 import lightning.base.work.Progress;
+import lightning.render.cache.IndirectCache;
 import lightning.render.cache.PixelCache;
 import lightning.render.image.Film;
 import lightning.render.relight.plan.LevelPlan;
@@ -48,6 +49,21 @@ public record RenderJob(PreparedScene target, PreparedScene mirrorTarget, Render
         PreparedScene mirrored = centers.mirroredScene().equals(centers.scene()) ? shown
                 : PreparedScene.of(centers.geometry(), centers.mirroredScene());
         return new RenderJob(shown, mirrored, options, null, progress);
+    }
+
+    /**
+     * Returns this job with indirect light, each null if its scene has none.
+     *
+     * @param shown    indirect light of the target scene
+     * @param mirrored indirect light of the scene that mirrors show
+     */
+    RenderJob withIndirect(IndirectCache shown, IndirectCache mirrored) {
+        if (shown == null && mirrored == null) {
+            return this;
+        }
+        PreparedScene top = target.withIndirect(shown == null ? null : shown.light());
+        return new RenderJob(top, mirrorTarget == target ? top : mirrorTarget.withIndirect(mirrored == null ? null : mirrored.light()),
+                options, plan, progress);
     }
 
     /** Returns whether the scene has finer samples only at edges. */

@@ -5,6 +5,7 @@ import lightning.render.cache.TileLevel;
 import lightning.render.engine.Engine;
 import lightning.render.image.Film;
 import lightning.render.shading.BounceImages;
+import lightning.render.shading.IndirectRows;
 import lightning.render.shading.TileComposer;
 import lightning.render.shading.WeightedLight;
 import lightning.render.trace.BounceKind;
@@ -23,6 +24,9 @@ public final class TileRecomposer {
     private final TileComposer eye;
     private final TileComposer mirror;
     private final int depth;
+    /** Light of gather points that is added to the first level and to the others; null for none. */
+    private float[][] eyeIndirect;
+    private float[][] mirrorIndirect;
     /** Index of the next level to compose. */
     private int nextLevel;
 
@@ -39,6 +43,19 @@ public final class TileRecomposer {
         this.depth = depth;
         eye = new TileComposer(materials, engine.sums(), view);
         mirror = new TileComposer(mirrored, engine.sums(), view);
+    }
+
+    /**
+     * Sets the indirect light that is added from now on: red, green and blue of the gather points of which all levels have weights; null
+     * for none.
+     */
+    public void setIndirect(float[][] direct, float[][] mirrored) {
+        eyeIndirect = direct;
+        mirrorIndirect = mirrored;
+    }
+
+    private static IndirectRows indirect(TileLevel level, float[][] light) {
+        return light == null ? null : new IndirectRows(level.weights(), light);
     }
 
     /**
@@ -62,7 +79,8 @@ public final class TileRecomposer {
             if (bounce.rowCount(rows) > 0) {
                 int at = nextLevel++;
                 BounceImages below = composeImages(levels, at, level + 1, lights, world);
-                mirror.composeLevel(levels[at].rows(), lights, levels[at].layers(), world, below, images.forBounce(bounce));
+                mirror.composeLevel(levels[at].rows(), lights, levels[at].layers(), world, indirect(levels[at], mirrorIndirect), below,
+                        images.forBounce(bounce));
             }
         }
         return images;
@@ -72,7 +90,7 @@ public final class TileRecomposer {
     public float[][] composeFilm(TileLevel top, WeightedLight[] lights, Scene scene, SamplePositions places, BounceImages images) {
         float[][] pixels = new float[3][Film.TILE_PIXELS];
         eye.fillBackground(top.rows(), scene, places, pixels);
-        eye.composeLevel(top.rows(), lights, top.layers(), scene.world(), images, pixels);
+        eye.composeLevel(top.rows(), lights, top.layers(), scene.world(), indirect(top, eyeIndirect), images, pixels);
         return pixels;
     }
 }

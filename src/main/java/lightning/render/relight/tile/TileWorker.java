@@ -103,7 +103,7 @@ final class TileWorker {
     }
 
     private CachedTile buildTraced(SamplePositions places, HitRows rows, boolean detectEdges, boolean fine) {
-        TileLevel top = eyeWorker.lightLevel(rows);
+        TileLevel top = eyeWorker.withWeights(eyeWorker.lightLevel(rows));
         BounceLevels.TracedLevels below =
                 top.rows().reflectiveCount == 0 ? new BounceLevels.TracedLevels(new TileLevel[] {top}, new int[0][], null, true)
                         : bounceLevels().traceAll(top, new int[0][]);
@@ -114,11 +114,16 @@ final class TileWorker {
     }
 
     private TileRecomposer edgeComposer() {
-        edgeComposer = edgeComposer == null
-                ? new TileRecomposer(job.target().geometry().materials(), job.mirrorTarget().geometry().materials(), job.depth(), engine,
-                        job.options().view())
-                : edgeComposer;
+        if (edgeComposer == null) {
+            edgeComposer = new TileRecomposer(job.target().geometry().materials(), job.mirrorTarget().geometry().materials(), job.depth(),
+                    engine, job.options().view());
+            edgeComposer.setIndirect(edgeIndirect(job.target()), edgeIndirect(job.mirrorTarget()));
+        }
         return edgeComposer;
+    }
+
+    private static float[][] edgeIndirect(PreparedScene scene) {
+        return scene.indirect() == null ? null : scene.indirect().edgeLight();
     }
 
     /** Returns the colors for edges of the rays that bounce from the first level's rows, of the levels traced or updated last. */
@@ -229,6 +234,7 @@ final class TileWorker {
         if (job.progress().isCanceled()) {
             return null;
         }
+        top = eyeWorker.withWeights(top);
         boolean knowsEdges = !detectEdges || old.edges != null;
         // Colors for edges that were never composed need levels, which may not be stored.
         boolean reusesBounces = job.mirrorPlan() == null && order == null

@@ -1,0 +1,106 @@
+package lightning.render.fulltrace;
+
+import java.util.List;
+import java.util.Optional;
+import lightning.base.work.Progress;
+import lightning.base.work.WorkerPool;
+import lightning.render.engine.Engine;
+import lightning.render.engine.EngineChoice;
+import lightning.render.engine.EngineWorkers;
+import lightning.render.gather.GatherBuilder;
+import lightning.render.gather.GatherStructure;
+import lightning.render.shading.IndirectLight;
+import lightning.render.shading.IndirectSolver;
+import lightning.render.shading.LightKernel;
+import lightning.render.shading.LightLayer;
+import lightning.render.shading.RayCounts;
+import lightning.render.shading.ScratchColumns;
+import lightning.render.shading.SurfelShader;
+import lightning.render.shading.WeightedLight;
+import lightning.render.trace.Geometry;
+import lightning.render.trace.HitRows;
+import lightning.scene.AntialiasMode;
+import lightning.scene.IndirectSettings;
+import lightning.scene.Scene;
+import lightning.scene.effects.ViewEffects;
+
+/** Computes the indirect light of a scene for a full trace: stores nothing but the light of gather points. */
+final class IndirectTracer {
+    private final Geometry geometry;
+    private final Scene scene;
+    private final WeightedLight[] lights;
+    private final EngineChoice engines;
+    private final WorkerPool workers;
+    private final Progress progress;
+    private long gatherRays;
+    private long shadowRays;
+
+    IndirectTracer(Geometry geometry, Scene scene, WeightedLight[] lights, EngineChoice engines, WorkerPool workers, Progress progress) {
+        this.geometry = geometry;
+        this.scene = scene;
+        this.lights = lights;
+        this.engines = engines;
+        this.workers = workers;
+        this.progress = progress.cancellationOnly();
+    }
+
+    /** Lights and shades surfels with scratch memory. */
+    private final class SurfelTracer {
+        private final LightKernel kernel;
+        private final SurfelShader shader;
+        private final ScratchColumns columns = new ScratchColumns();
+
+        SurfelTracer(Engine engine) {
+            kernel = new LightKernel(geometry, engine.tracer(geometry), engine.terms(), ViewEffects.ALL);
+            shader = new SurfelShader(geometry.materials(), engine.sums());
+        }
+
+        /** Computes the light of a block; {@code edges} is null without edge detection. */
+        void shade(HitRows rows, int first, WeightedLight[] edgeLights, float[][] direct, float[][] edges, float[][] albedo) {
+            columns.reset();
+            LightLayer[] layers = new LightLayer[lights.length];
+            for (int l = 0; l < lights.length && !progress.isCanceled(); l++) {
+                layers[l] = lights[l].isDark() ? null : kernel.recompute(rows, lights[l].source(), columns);
+            }
+            if (!progress.isCanceled()) {
+                shader.writeDirectLight(rows, lights, layers, first, direct);
+                if (edges != null) {
+                    shader.writeDirectLight(rows, edgeLights, layers, first, edges);
+                }
+                shader.writeAlbedo(rows, first, albedo);
+            }
+        }
+    }
+
+    /**
+     * Returns the light; null if the scene has no indirect light.
+     *
+     * @throws java.util.concurrent.CancellationException if the progress requested cancellation
+     */
+    IndirectLight trace() {
+        Optional<IndirectSettings> settings = scene.picture().indirect();
+        if (settings.isEmpty()) {
+            return null;
+        }
+        GatherStructure structure = new GatherBuilder(geometry, scene, settings.get(), workers,
+                worker -> engines.forTile(0).tracer(geometry), progress).build();
+        WeightedLight[] edgeLights = WeightedLight.forEdges(lights);
+        float[][] direct = new float[3][structure.surfelCount()];
+        float[][] edges =
+                scene.picture().sampling().antialias() == AntialiasMode.EDGES ? new float[3][structure.surfelCount()] : null;
+        float[][] albedo = new float[3][structure.surfelCount()];
+        HitRows[] rows = structure.surfels();
+        List<EngineWorkers<SurfelTracer>> threads = EngineWorkers.perThread(workers.count(), engines, SurfelTracer::new);
+        workers.run(rows.length, (worker, block) -> threads.get(worker).forTile(block).shade(rows[block], structure.firstSurfel(block),
+                edgeLights, direct, edges, albedo), progress);
+        gatherRays = structure.rays();
+        shadowRays = threads.stream().flatMap(thread -> thread.workers().stream()).mapToLong(tracer -> tracer.kernel.shadowRays()).sum();
+        IndirectSolver solver = new IndirectSolver(structure, scene, workers, progress);
+        return new IndirectLight(structure, solver.solve(direct, albedo), edges == null ? null : solver.solve(edges, albedo));
+    }
+
+    /** Returns the rays cast so far. */
+    RayCounts rays() {
+        return new RayCounts(0, gatherRays, shadowRays);
+    }
+}

@@ -1,0 +1,99 @@
+package lightning.render.gather;
+
+import lightning.render.trace.Geometry;
+import lightning.render.trace.HitRows;
+import lightning.render.trace.RayBatch;
+import lightning.render.trace.Tracer;
+import lightning.scene.Scene;
+
+/** Casts the rays by which points on surfaces gather light. Holds scratch memory: use one instance per thread. */
+final class GatherCaster {
+    private final DirectionTable directions;
+    private final RayBatch batch;
+    private final CellKeys keys;
+
+    GatherCaster(Geometry geometry, Scene scene, Tracer tracer, CellKeys keys, DirectionTable directions) {
+        this.directions = directions;
+        this.keys = keys;
+        batch = new RayBatch(geometry, scene, tracer);
+    }
+
+    /** Points whose rays are cast together. */
+    static int pointsPerBatch(DirectionTable directions) {
+        return Math.max(1, RayBatch.MAX_RAYS / directions.rays());
+    }
+
+    /**
+     * Casts the rays of points {@code from … to − 1}, at most {@link #pointsPerBatch}.
+     *
+     * @param seeds    of the points' directions
+     * @param links    receives the cell that each ray hit
+     * @param harmonic receives the harmonic mean length of each point's rays, {@code +∞} if none hits; null if not wanted
+     */
+    void cast(SurfaceColumns points, long[] seeds, int from, int to, RayLinks links, float[] harmonic) {
+        int rays = directions.rays();
+        for (int p = from; p < to; p++) {
+            aim(points, p, seeds[p], (p - from) * rays);
+        }
+        int count = (to - from) * rays;
+        batch.trace(count);
+        HitRows rows = batch.rows((hits, textured, transparent) -> new HitRows(hits, textured, transparent, false, false));
+        links.clear(from * rays, to * rays);
+        for (int row = 0; row < rows.count; row++) {
+            int ray = rows.parent[row];
+            long key = keys.surfelKey(rows.px[row], rows.py[row], rows.pz[row], rows.nx[row], rows.ny[row], rows.nz[row],
+                    batch.primitive(ray), batch.distance(ray));
+            links.setKey(from * rays + ray, key);
+        }
+        if (batch.isTinted()) {
+            links.setTints(from * rays, count, batch.tint);
+        }
+        if (harmonic != null) {
+            for (int p = from; p < to; p++) {
+                harmonic[p] = harmonicMean((p - from) * rays, rays);
+            }
+        }
+    }
+
+    private void aim(SurfaceColumns points, int p, long seed, int at) {
+        directions.write(seed, points.nx[p], points.ny[p], points.nz[p], batch, at);
+        for (int ray = at; ray < at + directions.rays(); ray++) {
+            batch.startX[ray] = points.px[p];
+            batch.startY[ray] = points.py[p];
+            batch.startZ[ray] = points.pz[p];
+        }
+    }
+
+    private float harmonicMean(int first, int rays) {
+        double sum = 0;
+        for (int ray = first; ray < first + rays; ray++) {
+            sum += batch.primitive(ray) < 0 ? 0 : 1 / batch.distance(ray);
+        }
+        return (float) (rays / sum);
+    }
+
+    /**
+     * Casts some rays again and returns what they hit.
+     *
+     * @param selected indices of the rays, at most 1024, ascending; each hits a surface
+     * @param from     first of them
+     * @return rows sorted by material; {@code parent} is the position among the selected
+     */
+    HitRows hits(SurfaceColumns points, long[] seeds, int[] selected, int from, int to, RayBatch one) {
+        int rays = directions.rays();
+        int known = -1;
+        for (int i = from; i < to; i++) {
+            int p = selected[i] / rays;
+            if (p != known) {
+                directions.write(seeds[p], points.nx[p], points.ny[p], points.nz[p], one, 0);
+                known = p;
+            }
+            batch.copyDirection(one, selected[i] % rays, i - from);
+            batch.startX[i - from] = points.px[p];
+            batch.startY[i - from] = points.py[p];
+            batch.startZ[i - from] = points.pz[p];
+        }
+        batch.trace(to - from);
+        return batch.rows((hits, textured, transparent) -> new HitRows(hits, textured, transparent, false, true)).compact();
+    }
+}

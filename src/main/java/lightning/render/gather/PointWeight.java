@@ -1,0 +1,51 @@
+package lightning.render.gather;
+
+/**
+ * Weight of a gather point at a place on a surface, after E. Tabellion and A. Lamorlette, An approximate global illumination system for
+ * computer generated films, 2004: it falls with the distance, with the angle between the normals, and with the distance from the tangent
+ * plane, and the largest of the three counts.
+ */
+final class PointWeight {
+    /** Smallest cosine between the normals: 45°. */
+    private static final float MIN_COSINE = 0.7f;
+    private static final float COSINE_SCALE = 1 / (1 - MIN_COSINE);
+    /** Distance from the tangent plane at which a point is not valid, relative to its radius. */
+    private static final float PLANE = 0.3f;
+    /** Weight of an angle in the distance to the nearest point where none is valid. */
+    private static final float ANGLE = 40;
+
+    private PointWeight() {}
+
+    /**
+     * Returns the weight, 0…1.
+     *
+     * @param p      gather point
+     * @param radius distance at which it is 0, scene units
+     */
+    static float at(SurfaceColumns points, int p, float radius, float x, float y, float z, float nx, float ny, float nz) {
+        float dx = x - points.px[p];
+        float dy = y - points.py[p];
+        float dz = z - points.pz[p];
+        float square = dx * dx + dy * dy + dz * dz;
+        if (!(square < radius * radius)) {
+            return 0;
+        }
+        float cosine = nx * points.nx[p] + ny * points.ny[p] + nz * points.nz[p];
+        if (!(cosine > MIN_COSINE)) {
+            return 0;
+        }
+        float plane = Math.abs(dx * (points.nx[p] + nx) + dy * (points.ny[p] + ny) + dz * (points.nz[p] + nz)) * 0.5f;
+        float angle = Math.max(0, (1 - cosine) * COSINE_SCALE);
+        float worst = Math.max(Math.max((float) Math.sqrt(square) / radius, (float) Math.sqrt(angle)), plane / (PLANE * radius));
+        return worst < 1 ? (1 - worst) * (1 - worst) : 0;
+    }
+
+    /** Returns a measure by which the nearest point is chosen where none is valid: the square of the distance, more for other normals. */
+    static float distance(SurfaceColumns points, int p, float x, float y, float z, float nx, float ny, float nz) {
+        float dx = x - points.px[p];
+        float dy = y - points.py[p];
+        float dz = z - points.pz[p];
+        float cosine = nx * points.nx[p] + ny * points.ny[p] + nz * points.nz[p];
+        return (dx * dx + dy * dy + dz * dz) * (1 + ANGLE * Math.max(0, 1 - cosine));
+    }
+}

@@ -1,0 +1,132 @@
+package lightning.render.relight.tile;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.IntStream;
+import lightning.base.work.WorkerPool;
+import lightning.render.cache.IndirectCache;
+import lightning.render.cache.PixelCache;
+import lightning.render.cache.TileLevel;
+import lightning.render.engine.Engine;
+import lightning.render.engine.EngineWorkers;
+import lightning.render.gather.GatherBuilder;
+import lightning.render.gather.GatherStructure;
+import lightning.render.relight.plan.UpdatePlan;
+import lightning.render.shading.IndirectLight;
+import lightning.render.shading.IndirectSolver;
+import lightning.render.shading.RayCounts;
+import lightning.render.shading.SurfelShader;
+import lightning.render.shading.WeightedLight;
+import lightning.render.trace.MaterialTable;
+import lightning.render.trace.ShapeChange;
+import lightning.scene.IndirectSettings;
+
+/**
+ * Computes the indirect light of a job's target scene on all threads. Keeps the paths of the last picture if no ray can differ, and
+ * updates the layers of surfels like those of any level.
+ */
+final class IndirectBuilder {
+    private final RenderJob job;
+    private final WorkerPool workers;
+    private final PixelCache oldCache;
+    private final List<EngineWorkers<SurfelWorker>> surfelWorkers;
+    private long gatherRays;
+
+    /** Lights and shades surfels. Holds scratch memory. */
+    private static final class SurfelWorker {
+        private final LevelWorker levels;
+        private final SurfelShader shader;
+
+        SurfelWorker(RenderJob job, Engine engine) {
+            levels = new LevelWorker(job, job.target(), engine, engine.tracer(job.target().geometry()));
+            shader = new SurfelShader(job.target().geometry().materials(), engine.sums());
+        }
+    }
+
+    /** @param old cache of the last picture, or null */
+    IndirectBuilder(RenderJob job, WorkerPool workers, PixelCache old) {
+        this.job = job;
+        this.workers = workers;
+        this.oldCache = old;
+        surfelWorkers = EngineWorkers.perThread(workers.count(), job.options().engines(), engine -> new SurfelWorker(job, engine));
+    }
+
+    /**
+     * Returns the indirect light; null if the scene has none.
+     *
+     * @throws java.util.concurrent.CancellationException if the job's progress requested cancellation
+     */
+    IndirectCache build() {
+        Optional<IndirectSettings> settings = job.scene().picture().indirect();
+        if (settings.isEmpty()) {
+            return null;
+        }
+        IndirectCache before = canKeepPaths(settings.get()) ? oldCache.indirect() : null;
+        GatherStructure structure = before == null ? trace(settings.get()) : before.structure();
+        TileLevel[] surfels = before == null ? lightSurfels(structure) : updateSurfels(before.surfels());
+        float[][] albedo = new float[3][structure.surfelCount()];
+        workers.run(surfels.length, (worker, block) -> surfelWorker(worker, block).shader.writeAlbedo(surfels[block].rows(),
+                structure.firstSurfel(block), albedo), job.progress().cancellationOnly());
+        IndirectLight light = new IndirectLight(structure, solve(structure, surfels, job.target().lights(), albedo),
+                job.detectsEdges() ? solve(structure, surfels, job.target().edgeLights(), albedo) : null);
+        return new IndirectCache(settings.get(), surfels, light);
+    }
+
+    private SurfelWorker surfelWorker(int worker, int block) {
+        return surfelWorkers.get(worker).forTile(block);
+    }
+
+    /** Returns whether the paths of the last picture's indirect light are those of the target scene. */
+    private boolean canKeepPaths(IndirectSettings settings) {
+        UpdatePlan.Relight plan = job.plan();
+        if (plan == null || oldCache == null || oldCache.indirect() == null || !oldCache.indirect().settings().equals(settings)
+                || plan.shapes() != ShapeChange.NONE || plan.oldDepth() != plan.newDepth()) {
+            return false;
+        }
+        MaterialTable before = oldCache.geometry().materials();
+        MaterialTable after = job.target().geometry().materials();
+        return before == after || before.count() == after.count()
+                && IntStream.range(0, after.count()).allMatch(m -> before.isReflective(m) == after.isReflective(m)
+                        && before.isTextured(m) == after.isTextured(m)
+                        && before.material(m).texture().equals(after.material(m).texture())
+                        && before.transmission(m).equals(after.transmission(m)));
+    }
+
+    private GatherStructure trace(IndirectSettings settings) {
+        GatherStructure structure = new GatherBuilder(job.target().geometry(), job.scene(), settings, workers,
+                worker -> job.options().engines().forTile(0).tracer(job.target().geometry()), job.progress()).build();
+        gatherRays += structure.rays();
+        return structure;
+    }
+
+    private TileLevel[] lightSurfels(GatherStructure structure) {
+        var rows = structure.surfels();
+        TileLevel[] surfels = new TileLevel[rows.length];
+        workers.run(surfels.length, (worker, block) -> surfels[block] = surfelWorker(worker, block).levels.lightLevel(rows[block]),
+                job.progress().cancellationOnly());
+        return surfels;
+    }
+
+    private TileLevel[] updateSurfels(TileLevel[] before) {
+        TileLevel[] surfels = new TileLevel[before.length];
+        workers.run(surfels.length,
+                (worker, block) -> surfels[block] = surfelWorker(worker, block).levels.update(before[block], job.topPlan()),
+                job.progress().cancellationOnly());
+        return surfels;
+    }
+
+    private float[][] solve(GatherStructure structure, TileLevel[] surfels, WeightedLight[] lights, float[][] albedo) {
+        float[][] direct = new float[3][structure.surfelCount()];
+        workers.run(surfels.length, (worker, block) -> surfelWorker(worker, block).shader.writeDirectLight(surfels[block].rows(), lights,
+                surfels[block].layers(), structure.firstSurfel(block), direct), job.progress().cancellationOnly());
+        return new IndirectSolver(structure, job.scene(), workers, job.progress()).solve(direct, albedo);
+    }
+
+    /** Returns the work since the start. */
+    WorkCounts work() {
+        return surfelWorkers.stream().flatMap(thread -> thread.workers().stream())
+                .map(worker -> new WorkCounts(worker.levels.rowsTouched(), 0, worker.levels.bytesMoved(),
+                        new RayCounts(0, 0, worker.levels.shadowRays())))
+                .reduce(new WorkCounts(0, 0, 0, new RayCounts(0, gatherRays, 0)), WorkCounts::plus);
+    }
+}

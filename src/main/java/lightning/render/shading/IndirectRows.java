@@ -1,0 +1,13 @@
+package lightning.render.shading;
+
+import lightning.render.gather.RowWeights;
+
+/**
+ * Indirect light of a level's rows.
+ *
+ * @param weights weights of gather points
+ * @param light   light at each gather point: red, green, blue
+ */
+public record IndirectRows(RowWeights weights, float[][] light) {
+    // An array in a record: written once by its creator, never after.
+}

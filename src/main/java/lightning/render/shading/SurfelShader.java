@@ -1,0 +1,46 @@
+package lightning.render.shading;
+
+import java.util.Arrays;
+import lightning.render.trace.HitRows;
+import lightning.render.trace.MaterialTable;
+
+/** Computes the direct light and the albedo of surfels. Holds scratch columns: use one instance per thread. */
+public final class SurfelShader {
+    private final LightSum lightSum;
+    private final ShadingMaterial[] materials;
+
+    public SurfelShader(MaterialTable table, SumKernel sums) {
+        lightSum = new LightSum(sums);
+        materials = new ShadingMaterial[table.count()];
+        Arrays.setAll(materials, m -> ShadingMaterial.of(table, m));
+    }
+
+    /**
+     * Writes the lights' diffuse sum at each surfel of a block.
+     *
+     * @param layers layer of each light; unread if the light is dark
+     * @param first  number of the block's first surfel
+     * @param to     receives red, green and blue of all surfels
+     */
+    public void writeDirectLight(HitRows rows, WeightedLight[] lights, LightLayer[] layers, int first, float[][] to) {
+        float[][] sum = lightSum.total(0, rows.count, lights, layers).diffuse;
+        for (int c = 0; c < 3; c++) {
+            for (int row = 0; row < rows.count; row++) {
+                to[c][first + rows.parent[row]] = sum[c][row];
+            }
+        }
+    }
+
+    /** Writes the share of the incoming light that each surfel of a block sends back diffusely; parameters as above. */
+    public void writeAlbedo(HitRows rows, int first, float[][] to) {
+        for (int run = 0; run < rows.runCount; run++) {
+            ShadingMaterial material = materials[rows.runMaterial[run]];
+            for (int c = 0; c < 3; c++) {
+                float share = (1 - material.reflective()[c]) * material.diffuse()[c];
+                for (int row = rows.runStart(run); row < rows.runEnd[run]; row++) {
+                    to[c][first + rows.parent[row]] = material.isTextured() ? share * rows.texel(c)[row] : share;
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,118 @@
+package lightning.render.trace;
+
+import java.util.Arrays;
+import lightning.render.trace.primitive.PrimitiveTable;
+import lightning.render.trace.primitive.SurfaceHit;
+
+/** Builds hit rows from traced rays. Holds scratch memory: use one per thread. */
+final class HitRowBuilder {
+    private final PrimitiveTable primitives;
+    private final MaterialTable materials;
+    private final Tracer tracer;
+    private final TexelWriter texels;
+    private final int[] starts;
+    /** Rank of the material that each ray hit, −1 for a miss. */
+    private final int[] ranks = new int[RayColumns.MAX_RAYS];
+    /** Created on first use. */
+    private SurfaceHit surface;
+
+    HitRowBuilder(Geometry geometry, Tracer tracer) {
+        primitives = geometry.primitives();
+        materials = geometry.materials();
+        this.tracer = tracer;
+        texels = new TexelWriter(geometry);
+        starts = new int[materials.count() + 1];
+    }
+
+    /**
+     * Sorts the hits of rays by material and computes their surfaces.
+     *
+     * @param patterns sample patterns by the slots of the rays; unread if the rows have none
+     */
+    HitRows build(RayColumns rays, byte[] patterns, TileVisibility.Allocator allocator) {
+        Arrays.fill(starts, 0);
+        rankHits(rays);
+        for (int i = 0; i < rays.count; i++) {
+            if (ranks[i] >= 0) {
+                starts[ranks[i] + 1]++;
+            }
+        }
+        boolean textured = false;
+        for (int r = 0; r < materials.count(); r++) {
+            textured |= starts[r + 1] > 0 && materials.isTextured(materials.materialAtRank(r));
+            starts[r + 1] += starts[r];
+        }
+        rays.hitCount = starts[materials.count()];
+        int transparentCount = starts[materials.transparentCount()];
+        HitRows rows = allocator.allocate(rays.hitCount, textured, transparentCount > 0);
+        rows.count = rays.hitCount;
+        rows.runCount = 0;
+        rows.bounds = null;
+        rows.transparentCount = transparentCount;
+        rows.reflectiveCount = starts[materials.reflectiveCount()];
+        for (int r = 0; r < materials.count(); r++) {
+            if (starts[r + 1] > starts[r]) {
+                rows.addRun(materials.materialAtRank(r), starts[r + 1]);
+            }
+        }
+        for (int i = 0; i < rays.count; i++) {
+            if (ranks[i] >= 0) {
+                rays.order[starts[ranks[i]]++] = (short) i;
+            }
+        }
+        writeRows(rays, patterns, rows, textured);
+        return rows;
+    }
+
+    private void writeRows(RayColumns rays, byte[] patterns, HitRows rows, boolean textured) {
+        tracer.writeSurfaces(rays, rows, textured);
+        for (int row = 0; row < rows.count; row++) {
+            int ray = rays.order[row];
+            rows.vx[row] = (float) rays.dx[ray];
+            rows.vy[row] = (float) rays.dy[ray];
+            rows.vz[row] = (float) rays.dz[ray];
+            rows.parent[row] = rays.slot[ray];
+        }
+        for (int row = 0; row < rows.transparentCount; row++) {
+            writeBackSide(rays, rows, row);
+        }
+        if (textured) {
+            texels.write(rows, 0, rays);
+        }
+        for (int row = 0; rows.pattern != null && row < rows.count; row++) {
+            rows.pattern[row] = patterns[rows.parent[row]];
+        }
+        for (int row = 0; rows.owner != null && row < rows.count; row++) {
+            rows.owner[row] = rays.primitive[rays.order[row]];
+        }
+    }
+
+    /** Writes the start of the refracted ray of a row with a transparent material. */
+    private void writeBackSide(RayColumns rays, HitRows rows, int row) {
+        surface = surface == null ? new SurfaceHit() : surface;
+        int ray = rays.order[row];
+        int primitive = rays.primitive[ray];
+        surface.compute(primitives, primitive, rays.part[ray], rays.originX(ray), rays.originY(ray), rays.originZ(ray), rays.dx[ray],
+                rays.dy[ray], rays.dz[ray], rays.t[ray]);
+        surface.computeBackPoint();
+        rows.backX[row] = surface.backX;
+        rows.backY[row] = surface.backY;
+        rows.backZ[row] = surface.backZ;
+        rows.insideDistance[row] =
+                SurfacePointBuilder.insideDistance(materials.transmission(primitives.material[primitive]), surface, rays.t[ray]);
+    }
+
+    /** Finds the rank of the material that each ray hit; adjacent rays mostly hit the same primitive. */
+    private void rankHits(RayColumns rays) {
+        int last = -1;
+        int rank = -1;
+        for (int i = 0; i < rays.count; i++) {
+            int primitive = rays.primitive[i];
+            if (primitive != last) {
+                last = primitive;
+                rank = primitive < 0 ? -1 : materials.rank(primitives.material[primitive]);
+            }
+            ranks[i] = rank;
+        }
+    }
+}

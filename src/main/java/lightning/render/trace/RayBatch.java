@@ -1,0 +1,154 @@
+package lightning.render.trace;
+
+import java.util.Arrays;
+import lightning.base.math.Rgb;
+import lightning.render.trace.primitive.PrimitiveTable;
+import lightning.render.trace.primitive.SurfaceHit;
+import lightning.render.trace.tree.CandidateList;
+import lightning.scene.Scene;
+import lightning.scene.Transmission;
+
+/**
+ * Up to 1024 rays with any origins and directions, which pass through transparent surfaces. Holds scratch memory: use one per thread.
+ *
+ * <p>A ray that hits a transparent surface goes on behind it in the same direction, tinted by the surface's color and by the path
+ * inside the body.
+ */
+public final class RayBatch {
+    /** Maximum number of rays. */
+    public static final int MAX_RAYS = RayColumns.MAX_RAYS;
+    /** A ray that passes more surfaces than this counts as a miss. */
+    private static final int MAX_SURFACES = 16;
+
+    /** Origins, render space. */
+    public final float[] startX = new float[MAX_RAYS + 64];
+    public final float[] startY = new float[MAX_RAYS + 64];
+    public final float[] startZ = new float[MAX_RAYS + 64];
+    /** Product of the tints of the surfaces that each ray passed: red, green, blue. Valid only if {@link #isTinted}. */
+    public final float[][] tint = new float[3][MAX_RAYS];
+    private final Geometry geometry;
+    private final PrimitiveTable primitives;
+    private final MaterialTable materials;
+    private final Tracer tracer;
+    private final HitRowBuilder rowBuilder;
+    private final RayColumns rays;
+    private final CandidateList candidates = new CandidateList();
+    private final SurfaceHit surface = new SurfaceHit();
+    /** Length of each ray before its last segment. */
+    private final double[] passed = new double[MAX_RAYS];
+    private boolean tinted;
+
+    public RayBatch(Geometry geometry, Scene scene, Tracer tracer) {
+        this.geometry = geometry;
+        primitives = geometry.primitives();
+        materials = geometry.materials();
+        this.tracer = tracer;
+        rowBuilder = new HitRowBuilder(geometry, tracer);
+        rays = new RayColumns(new CameraRays(scene.camera(), scene.picture()));
+        // The rays go in all directions, so a beam would select all shapes.
+        candidates.overflow = true;
+    }
+
+    /** Sets the direction of a ray, of any length. */
+    public void setDirection(int ray, double x, double y, double z) {
+        rays.dx[ray] = x;
+        rays.dy[ray] = y;
+        rays.dz[ray] = z;
+    }
+
+    /** Sets the direction of a ray to that of another batch's ray. */
+    public void copyDirection(RayBatch from, int itsRay, int ray) {
+        setDirection(ray, from.rays.dx[itsRay], from.rays.dy[itsRay], from.rays.dz[itsRay]);
+    }
+
+    /** Traces rays {@code 0 … count − 1}. Replaces the origins of those that pass a transparent surface. */
+    public void trace(int count) {
+        rays.startX = startX;
+        rays.startY = startY;
+        rays.startZ = startZ;
+        rays.columns = 0;
+        rays.count = count;
+        for (int i = 0; i < count; i++) {
+            rays.slot[i] = (short) i;
+            passed[i] = 0;
+        }
+        tinted = false;
+        findNearest();
+        for (int pass = 1; materials.transparentCount() > 0 && moveThroughSurfaces(pass > MAX_SURFACES); pass++) {
+            findNearest();
+        }
+    }
+
+    private void findNearest() {
+        if (geometry.primitiveCount() == 0) {
+            Arrays.fill(rays.primitive, 0, rays.count, -1);
+            return;
+        }
+        tracer.findNearest(rays, candidates);
+    }
+
+    /** Moves the rays that hit a transparent surface behind it; returns whether there are any. */
+    private boolean moveThroughSurfaces(boolean stop) {
+        boolean moved = false;
+        for (int i = 0; i < rays.count; i++) {
+            int primitive = rays.primitive[i];
+            if (primitive >= 0 && materials.isTransparent(primitives.material[primitive])) {
+                if (stop) {
+                    rays.primitive[i] = -1;
+                } else {
+                    moveThroughSurface(i, primitive);
+                    moved = true;
+                }
+            }
+        }
+        return moved;
+    }
+
+    private void moveThroughSurface(int ray, int primitive) {
+        if (!tinted) {
+            tinted = true;
+            for (float[] channel : tint) {
+                Arrays.fill(channel, 1);
+            }
+        }
+        surface.compute(primitives, primitive, rays.part[ray], startX[ray], startY[ray], startZ[ray], rays.dx[ray], rays.dy[ray],
+                rays.dz[ray], rays.t[ray]);
+        surface.computeBackPoint();
+        Transmission transmission = materials.transmission(primitives.material[primitive]);
+        multiplyTint(ray, transmission.color(), 1);
+        double inside = SurfacePointBuilder.insideDistance(transmission, surface, rays.t[ray]);
+        if (inside >= 0) {
+            multiplyTint(ray, transmission.tint(), inside / transmission.tintDistance());
+        }
+        passed[ray] += rays.t[ray];
+        startX[ray] = surface.backX;
+        startY[ray] = surface.backY;
+        startZ[ray] = surface.backZ;
+    }
+
+    private void multiplyTint(int ray, Rgb color, double power) {
+        tint[0][ray] *= (float) StrictMath.pow(color.r(), power);
+        tint[1][ray] *= (float) StrictMath.pow(color.g(), power);
+        tint[2][ray] *= (float) StrictMath.pow(color.b(), power);
+    }
+
+    /** Returns whether any ray passed a transparent surface. */
+    public boolean isTinted() {
+        return tinted;
+    }
+
+    /** Returns the primitive that a ray hit, −1 for a miss. */
+    public int primitive(int ray) {
+        return rays.primitive[ray];
+    }
+
+    /** Returns the length of a ray that hit, in lengths of its direction. */
+    public double distance(int ray) {
+        return passed[ray] + rays.t[ray];
+    }
+
+    /** Returns the hits sorted by material; {@code parent} is the ray. */
+    public HitRows rows(TileVisibility.Allocator allocator) {
+        return rowBuilder.build(rays, null, allocator);
+    }
+}
