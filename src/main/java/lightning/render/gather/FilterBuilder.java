@@ -6,7 +6,9 @@ import lightning.base.work.WorkerPool;
 
 /** Builds the {@link PointFilter} of gather points. */
 final class FilterBuilder {
-    private static final int BATCH = 256;
+    private static final int BATCH = 128;
+    /** Points whose neighbors are selected together. */
+    private static final int CHUNK = 8;
     /** Reach of the filter in cells of gather points. */
     private static final float CELLS = 4;
     /** Reach of the filter relative to the harmonic mean distance: contacts stay sharp. */
@@ -35,14 +37,10 @@ final class FilterBuilder {
         int jobs = Math.ceilDiv(points.count, BATCH);
         int[][] neighbors = new int[points.count][];
         float[][] weights = new float[points.count][];
-        int[][] found = new int[workers.count()][];
+        NearPoints[] near = new NearPoints[workers.count()];
         workers.run(jobs, (worker, job) -> {
-            if (found[worker] == null) {
-                found[worker] = new int[points.count];
-            }
-            for (int p = job * BATCH; p < Math.min(points.count, job * BATCH + BATCH); p++) {
-                link(p, found[worker], neighbors, weights);
-            }
+            near[worker] = near[worker] == null ? new NearPoints(points, reach, groups) : near[worker];
+            link(near[worker], job * BATCH, Math.min(points.count, job * BATCH + BATCH), neighbors, weights);
         }, progress.cancellationOnly());
         int[] start = new int[points.count + 1];
         for (int p = 0; p < points.count; p++) {
@@ -57,17 +55,27 @@ final class FilterBuilder {
         return new PointFilter(start, point, weight);
     }
 
-    private void link(int p, int[] found, int[][] neighbors, float[][] weights) {
-        float[] box = {points.px[p], points.py[p], points.pz[p], points.px[p], points.py[p], points.pz[p]};
-        int candidates = groups.find(box, found);
-        int[] point = new int[candidates];
-        float[] weight = new float[candidates];
+    private void link(NearPoints near, int from, int to, int[][] neighbors, float[][] weights) {
+        near.collect(points.px, points.py, points.pz, from, to);
+        for (int first = from; first < to; first += CHUNK) {
+            int end = Math.min(to, first + CHUNK);
+            int selected = near.select(points.px, points.py, points.pz, first, end);
+            for (int p = first; p < end; p++) {
+                link(p, near, selected, neighbors, weights);
+            }
+        }
+    }
+
+    private void link(int p, NearPoints near, int selected, int[][] neighbors, float[][] weights) {
+        int[] point = new int[selected];
+        float[] weight = new float[selected];
         int count = 0;
         float sum = 0;
-        for (int i = 0; i < candidates; i++) {
-            float w = weight(p, found[i]);
+        for (int i = 0; i < selected; i++) {
+            int column = near.selected[i];
+            float w = weight(p, near.columns, column, near.point(column));
             if (w > 0) {
-                point[count] = found[i];
+                point[count] = near.point(column);
                 weight[count++] = w;
                 sum += w;
             }
@@ -86,9 +94,9 @@ final class FilterBuilder {
     }
 
     /** Returns the weight of a neighbor: a point near a contact takes nothing from afar. It stands for its share of the surface. */
-    private float weight(int p, int neighbor) {
+    private float weight(int p, SurfaceColumns columns, int column, int neighbor) {
         float share = radius[neighbor] / radius[p];
-        return PointWeight.at(points, neighbor, Math.min(reach[p], reach[neighbor]), points.px[p], points.py[p], points.pz[p], points.nx[p],
+        return PointWeight.at(columns, column, Math.min(reach[p], reach[neighbor]), points.px[p], points.py[p], points.pz[p], points.nx[p],
                 points.ny[p], points.nz[p]) * (share * share);
     }
 }

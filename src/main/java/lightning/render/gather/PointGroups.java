@@ -1,8 +1,11 @@
 package lightning.render.gather;
 
-import java.util.Arrays;
-
-/** Boxes of groups of consecutive gather points, by which those near a place are found. */
+/**
+ * Boxes of groups of consecutive gather points, and of groups of these groups, by which the points near a place are found.
+ *
+ * <p>Rounding is monotonic: if a place is beyond the rounded sum of a point's coordinate and its radius, then the rounded difference is
+ * at least the radius, and the point's weight is 0. So boxes need no margin.
+ */
 final class PointGroups {
     private static final int SIZE = 32;
 
@@ -11,6 +14,8 @@ final class PointGroups {
     private final float[] radius;
     /** Boxes of the groups, enlarged by the radii: least x, y, z, greatest x, y, z. */
     private final float[] boxes;
+    /** Boxes of {@link #SIZE} groups each. */
+    private final float[] outerBoxes;
     /** Boxes of the groups' points. */
     private final float[] pointBoxes;
     private final int count;
@@ -19,24 +24,33 @@ final class PointGroups {
         this.points = points;
         this.radius = radius;
         count = Math.ceilDiv(points.count, SIZE);
-        boxes = new float[6 * count];
-        pointBoxes = new float[6 * count];
-        for (int g = 0; g < count; g++) {
-            write(boxes, g, 1);
-            write(pointBoxes, g, 0);
+        boxes = emptyBoxes(count);
+        pointBoxes = emptyBoxes(count);
+        outerBoxes = emptyBoxes(Math.ceilDiv(count, SIZE));
+        for (int p = 0; p < points.count; p++) {
+            enlarge(boxes, p / SIZE, p, radius[p]);
+            enlarge(outerBoxes, p / SIZE / SIZE, p, radius[p]);
+            enlarge(pointBoxes, p / SIZE, p, 0);
         }
     }
 
-    private void write(float[] to, int group, int grow) {
-        Arrays.fill(to, 6 * group, 6 * group + 3, Float.POSITIVE_INFINITY);
-        Arrays.fill(to, 6 * group + 3, 6 * group + 6, Float.NEGATIVE_INFINITY);
-        for (int p = group * SIZE; p < Math.min(points.count, group * SIZE + SIZE); p++) {
-            for (int axis = 0; axis < 3; axis++) {
-                float place = (axis == 0 ? points.px : axis == 1 ? points.py : points.pz)[p];
-                to[6 * group + axis] = Math.min(to[6 * group + axis], Math.nextDown(place - grow * radius[p]));
-                to[6 * group + 3 + axis] = Math.max(to[6 * group + 3 + axis], Math.nextUp(place + grow * radius[p]));
-            }
+    private static float[] emptyBoxes(int count) {
+        float[] boxes = new float[6 * count];
+        for (int i = 0; i < boxes.length; i++) {
+            boxes[i] = i % 6 < 3 ? Float.POSITIVE_INFINITY : Float.NEGATIVE_INFINITY;
         }
+        return boxes;
+    }
+
+    private void enlarge(float[] to, int box, int p, float distance) {
+        enlarge(to, 6 * box, points.px[p], distance);
+        enlarge(to, 6 * box + 1, points.py[p], distance);
+        enlarge(to, 6 * box + 2, points.pz[p], distance);
+    }
+
+    private static void enlarge(float[] to, int at, float place, float distance) {
+        to[at] = Math.min(to[at], place - distance);
+        to[at + 3] = Math.max(to[at + 3], place + distance);
     }
 
     /**
@@ -48,13 +62,11 @@ final class PointGroups {
      */
     int find(float[] box, int[] to) {
         int found = 0;
-        for (int g = 0; g < count; g++) {
-            if (boxes[6 * g] <= box[3] && boxes[6 * g + 3] >= box[0] && boxes[6 * g + 1] <= box[4] && boxes[6 * g + 4] >= box[1]
-                    && boxes[6 * g + 2] <= box[5] && boxes[6 * g + 5] >= box[2]) {
-                for (int p = g * SIZE; p < Math.min(points.count, g * SIZE + SIZE); p++) {
-                    if (touches(points.px[p], radius[p], box[0], box[3]) && touches(points.py[p], radius[p], box[1], box[4])
-                            && touches(points.pz[p], radius[p], box[2], box[5])) {
-                        to[found++] = p;
+        for (int outer = 0; SIZE * outer < count; outer++) {
+            if (touches(outerBoxes, outer, box)) {
+                for (int g = SIZE * outer; g < Math.min(count, SIZE * outer + SIZE); g++) {
+                    if (touches(boxes, g, box)) {
+                        found = addPoints(g, box, to, found);
                     }
                 }
             }
@@ -62,8 +74,21 @@ final class PointGroups {
         return found;
     }
 
-    private static boolean touches(float place, float radius, float least, float greatest) {
-        return Math.nextDown(place - radius) <= greatest && Math.nextUp(place + radius) >= least;
+    private int addPoints(int group, float[] box, int[] to, int count) {
+        int found = count;
+        for (int p = group * SIZE; p < Math.min(points.count, group * SIZE + SIZE); p++) {
+            float r = radius[p];
+            if (points.px[p] - r <= box[3] && points.px[p] + r >= box[0] && points.py[p] - r <= box[4] && points.py[p] + r >= box[1]
+                    && points.pz[p] - r <= box[5] && points.pz[p] + r >= box[2]) {
+                to[found++] = p;
+            }
+        }
+        return found;
+    }
+
+    private static boolean touches(float[] boxes, int at, float[] box) {
+        return boxes[6 * at] <= box[3] && boxes[6 * at + 3] >= box[0] && boxes[6 * at + 1] <= box[4] && boxes[6 * at + 4] >= box[1]
+                && boxes[6 * at + 2] <= box[5] && boxes[6 * at + 5] >= box[2];
     }
 
     /** Returns the point with the least {@link PointWeight#distance}, the first of equals; −1 if there is none. */
@@ -71,8 +96,10 @@ final class PointGroups {
         int nearest = -1;
         float least = Float.POSITIVE_INFINITY;
         for (int g = 0; g < count; g++) {
-            // Rounding is monotonic, so no point of the box is nearer than the box.
-            if (nearest < 0 || boxDistance(g, x, y, z) < least) {
+            if (g % SIZE == 0 && nearest >= 0 && boxDistance(outerBoxes, g / SIZE, x, y, z) >= least) {
+                // No point of a box is nearer than the box.
+                g += SIZE - 1;
+            } else if (nearest < 0 || boxDistance(pointBoxes, g, x, y, z) < least) {
                 for (int p = g * SIZE; p < Math.min(points.count, g * SIZE + SIZE); p++) {
                     float distance = PointWeight.distance(points, p, x, y, z, nx, ny, nz);
                     if (nearest < 0 || distance < least) {
@@ -85,10 +112,10 @@ final class PointGroups {
         return nearest;
     }
 
-    private float boxDistance(int g, float x, float y, float z) {
-        float dx = Math.max(0, Math.max(pointBoxes[6 * g] - x, x - pointBoxes[6 * g + 3]));
-        float dy = Math.max(0, Math.max(pointBoxes[6 * g + 1] - y, y - pointBoxes[6 * g + 4]));
-        float dz = Math.max(0, Math.max(pointBoxes[6 * g + 2] - z, z - pointBoxes[6 * g + 5]));
+    private static float boxDistance(float[] boxes, int at, float x, float y, float z) {
+        float dx = Math.max(0, Math.max(boxes[6 * at] - x, x - boxes[6 * at + 3]));
+        float dy = Math.max(0, Math.max(boxes[6 * at + 1] - y, y - boxes[6 * at + 4]));
+        float dz = Math.max(0, Math.max(boxes[6 * at + 2] - z, z - boxes[6 * at + 5]));
         return dx * dx + dy * dy + dz * dz;
     }
 }
