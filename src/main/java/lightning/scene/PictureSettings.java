@@ -1,5 +1,7 @@
 package lightning.scene;
 
+import java.util.Optional;
+
 /**
  * Image settings of a scene.
  *
@@ -7,8 +9,9 @@ package lightning.scene;
  * @param height   pixels
  * @param depth    maximum reflection bounces, 0 to 10
  * @param sampling samples per pixel
+ * @param indirect diffuse indirect light; empty for none
  */
-public record PictureSettings(int width, int height, int depth, SamplingSettings sampling) {
+public record PictureSettings(int width, int height, int depth, SamplingSettings sampling, Optional<IndirectSettings> indirect) {
     public static final SceneAttribute<PictureSettings, Integer> DEPTH = new SceneAttribute<>("depth", "depth", "reflection bounces",
             NumericKind.integer(0, SceneLimits.MAX_DEPTH), 3, "reflection bounces", PictureSettings::depth, PictureSettings::withDepth);
 
@@ -19,6 +22,11 @@ public record PictureSettings(int width, int height, int depth, SamplingSettings
         this(width, height, depth, SamplingSettings.DEFAULT);
     }
 
+    /** Creates settings without indirect light. */
+    public PictureSettings(int width, int height, int depth, SamplingSettings sampling) {
+        this(width, height, depth, sampling, Optional.empty());
+    }
+
     public PictureSettings {
         SceneLimits.checkRange("size: width", width, 1, SceneLimits.MAX_SIZE);
         SceneLimits.checkRange("size: height", height, 1, SceneLimits.MAX_SIZE);
@@ -26,14 +34,18 @@ public record PictureSettings(int width, int height, int depth, SamplingSettings
     }
 
     public PictureSettings withSize(int newWidth, int newHeight) {
-        return new PictureSettings(newWidth, newHeight, depth, sampling);
+        return new PictureSettings(newWidth, newHeight, depth, sampling, indirect);
     }
 
     public PictureSettings withDepth(int newDepth) {
-        return new PictureSettings(width, height, newDepth, sampling);
+        return new PictureSettings(width, height, newDepth, sampling, indirect);
     }
 
     public PictureSettings withSampling(SamplingSettings newSampling) {
-        return new PictureSettings(width, height, depth, newSampling);
+        return new PictureSettings(width, height, depth, newSampling, indirect);
+    }
+
+    public PictureSettings withIndirect(Optional<IndirectSettings> newIndirect) {
+        return new PictureSettings(width, height, depth, sampling, newIndirect);
     }
 }
