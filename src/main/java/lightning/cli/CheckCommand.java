@@ -17,7 +17,7 @@ import picocli.CommandLine.Mixin;
 @Command(name = "check", abbreviateSynopsis = true, header = "Validate a scene.",
         description = {
             "Reads the scene and its textures. Prints one line per problem, FILE:LINE:COLUMN: what was expected and what was "
-                    + "found; the exit code is then 2. Prints a one-line summary of a valid scene."},
+                    + "found; the exit code is then 2. Prints a one-line summary of a valid scene, and warnings to the error stream."},
         footer = {
             "Example:",
             "  lightning check scenes/bird.jen"})
@@ -46,6 +46,7 @@ final class CheckCommand implements Callable<Integer> {
         }
         console.print("%s: no problems; %s; %d x %d pixels, depth %d", input.path(), String.join(", ", parts),
                 scene.picture().width(), scene.picture().height(), scene.picture().depth());
+        console.printWarnings(input.path(), scene);
         return ExitCode.OK;
     }
 

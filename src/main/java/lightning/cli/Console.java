@@ -8,6 +8,8 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import lightning.base.text.PrintableText;
 import lightning.base.text.Quote;
+import lightning.scene.Scene;
+import lightning.scene.SceneWarnings;
 
 /**
  * Output streams of a command.
@@ -38,6 +40,11 @@ record Console(PrintStream out, PrintStream err, boolean terminal) {
     void printNotes(Path file, String title, Map<String, Integer> counts) {
         counts.entrySet().stream().sorted(Map.Entry.comparingByKey())
                 .forEach(note -> warn("%s: %s: %s (%d)", file, title, note.getKey(), note.getValue()));
+    }
+
+    /** Prints a note line for each warning about a scene. */
+    void printWarnings(Path file, Scene scene) {
+        SceneWarnings.of(scene).forEach(warning -> warn("%s: %s", file, warning));
     }
 
     /** Prints an error on one line, also if quoted text has line breaks. */

@@ -66,6 +66,7 @@ final class RenderCommand implements Callable<Integer> {
             throw new BadInputException("--layers and --traditional cannot be combined: a trace without a cache has no layers");
         }
         Scene scene = picture.apply(input.read().scene());
+        console.printWarnings(input.path(), scene);
         LongRenderRestart.restartIfLong(scene, command.root().commandLine().getParseResult().originalArgs());
         if (traditional) {
             traceTraditionally(scene);

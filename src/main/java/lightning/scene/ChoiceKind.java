@@ -13,6 +13,7 @@ import java.util.Locale;
 public record ChoiceKind<V>(List<V> values, List<String> words, List<String> labels)
         implements ValueKind.LightKind<V>, ValueKind.MaterialKind<V> {
     static final ChoiceKind<Boolean> YES_OR_NO = new ChoiceKind<>(List.of(true, false), List.of("yes", "no"));
+    static final ChoiceKind<Boolean> ON_OR_OFF = new ChoiceKind<>(List.of(true, false), List.of("on", "off"));
 
     /** Creates a kind whose labels are its words. */
     ChoiceKind(List<V> values, List<String> words) {

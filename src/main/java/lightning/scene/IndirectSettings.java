@@ -1,5 +1,7 @@
 package lightning.scene;
 
+import java.util.List;
+
 /**
  * Diffuse indirect light of an image: light that surfaces pass on to other surfaces.
  *
@@ -12,18 +14,60 @@ public record IndirectSettings(int bounces, int rays, int spacing, boolean backg
     public static final int MAX_BOUNCES = 8;
     public static final int MIN_SPACING = 2;
     public static final int MAX_SPACING = 64;
+    /** Allowed numbers of rays, ascending. All are squares. */
+    public static final List<Integer> RAY_COUNTS = List.of(16, 64, 256, 1024);
     public static final IndirectSettings DEFAULT = new IndirectSettings(2, 64, 8, false);
+
+    public static final SceneAttribute<IndirectSettings, Integer> BOUNCES = new SceneAttribute<>("bounces", "indirect bounces",
+            NumericKind.integer(1, MAX_BOUNCES), DEFAULT.bounces, "diffuse bounces", IndirectSettings::bounces,
+            IndirectSettings::withBounces);
+    public static final SceneAttribute<IndirectSettings, Integer> RAYS = new SceneAttribute<>("rays", "indirect rays",
+            NumericKind.integer(RAY_COUNTS.getFirst(), RAY_COUNTS.getLast()).withCheck(IndirectSettings::checkRays), DEFAULT.rays,
+            "16, 64, 256 or 1024 for each gather point", IndirectSettings::rays, IndirectSettings::withRays);
+    public static final SceneAttribute<IndirectSettings, Integer> SPACING = new SceneAttribute<>("spacing", "indirect spacing",
+            NumericKind.integer(MIN_SPACING, MAX_SPACING), DEFAULT.spacing, "pixels between gather points", IndirectSettings::spacing,
+            IndirectSettings::withSpacing);
+    public static final SceneAttribute<IndirectSettings, Boolean> BACKGROUND = new SceneAttribute<>("background", "indirect background",
+            ChoiceKind.ON_OR_OFF, DEFAULT.background, "", IndirectSettings::background, IndirectSettings::withBackground);
+
+    public static final List<SceneAttribute<IndirectSettings, ?>> ATTRIBUTES = List.of(BOUNCES, RAYS, SPACING, BACKGROUND);
 
     public IndirectSettings {
         SceneLimits.checkRange("indirect: bounces", bounces, 1, MAX_BOUNCES);
-        if (rays != 16 && rays != 64 && rays != 256 && rays != 1024) {
-            throw new IllegalArgumentException("indirect: rays must be 16, 64, 256 or 1024, was " + rays);
-        }
+        checkRays("indirect: rays", rays);
         SceneLimits.checkRange("indirect: spacing", spacing, MIN_SPACING, MAX_SPACING);
+    }
+
+    private static void checkRays(String name, int rays) {
+        if (!RAY_COUNTS.contains(rays)) {
+            throw new IllegalArgumentException(name + " must be 16, 64, 256 or 1024, was " + rays);
+        }
+    }
+
+    public IndirectSettings withBounces(int v) {
+        return new IndirectSettings(v, rays, spacing, background);
+    }
+
+    public IndirectSettings withRays(int v) {
+        return new IndirectSettings(bounces, v, spacing, background);
+    }
+
+    public IndirectSettings withSpacing(int v) {
+        return new IndirectSettings(bounces, rays, v, background);
+    }
+
+    public IndirectSettings withBackground(boolean v) {
+        return new IndirectSettings(bounces, rays, spacing, v);
     }
 
     /** Returns the rays along each side of the square pattern of a gather point: the square root of {@link #rays}. */
     public int raysPerSide() {
         return (int) Math.round(Math.sqrt(rays));
+    }
+
+    /** Returns all settings in a line: {@code 2 bounces, 64 rays, every 8 pixels}. */
+    public String label() {
+        return bounces + (bounces == 1 ? " bounce, " : " bounces, ") + rays + " rays, every " + spacing + " pixels"
+                + (background ? ", background" : "");
     }
 }

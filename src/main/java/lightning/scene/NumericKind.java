@@ -73,6 +73,11 @@ public record NumericKind<V>(Form form, List<String> labels, double min, double 
                 (what, v) -> SceneLimits.checkRange(what, v, min, max));
     }
 
+    /** Returns this kind with another check of its values. */
+    NumericKind<V> withCheck(RangeCheck<V> newCheck) {
+        return new NumericKind<>(form, labels, min, max, step, integer, unit, components, compose, newCheck);
+    }
+
     /** Returns a kind for red, green and blue, from 0. */
     static NumericKind<Rgb> color(double max) {
         return new NumericKind<>(Form.COLOR, CHANNELS, 0, max, 0.1, false, NumberUnit.FACTOR, c -> List.of(c.r(), c.g(), c.b()),

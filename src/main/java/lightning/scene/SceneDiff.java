@@ -66,6 +66,7 @@ public final class SceneDiff {
         if (!before.picture().equals(after.picture())) {
             change(PictureSettings.DEPTH, before.picture(), after.picture()).ifPresent(this::addPart);
             addPart(new Change(Messages.key("anti-aliasing"), sampling(before), sampling(after)));
+            addIndirect(before.picture().indirect(), after.picture().indirect());
             addPart(new Change(Messages.key("size"), size(before), size(after)));
         }
         boolean describable = addMaterials(before, after) & addNodes(before, after);
@@ -267,6 +268,19 @@ public final class SceneDiff {
 
     private static String size(Scene scene) {
         return scene.picture().width() + " × " + scene.picture().height();
+    }
+
+    /** Adds the changed settings, or all of them if indirect light was switched on or off. */
+    private void addIndirect(Optional<IndirectSettings> before, Optional<IndirectSettings> after) {
+        if (before.isPresent() && after.isPresent()) {
+            changes(IndirectSettings.ATTRIBUTES, before.get(), after.get()).forEach(this::addPart);
+        } else {
+            addPart(new Change(Messages.key("indirect light"), indirect(before), indirect(after)));
+        }
+    }
+
+    private static String indirect(Optional<IndirectSettings> settings) {
+        return settings.map(IndirectSettings::label).orElse("off");
     }
 
     private static String sampling(Scene scene) {

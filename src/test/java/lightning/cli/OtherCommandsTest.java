@@ -42,6 +42,14 @@ class OtherCommandsTest {
     }
 
     @Test
+    void check_ambienceAndIndirectLight_areReported() throws Exception {
+        Files.writeString(scene, "jen 1\npicture { indirect {} }\nmaterial m { ambient 1 1 1 }\nsphere a { material m }\n");
+        CliResult checked = CliResult.run("check", scene).assertSuccess();
+        assertThat(checked.out()).contains("no problems").hasLineCount(1);
+        assertThat(checked.err()).isEqualTo(scene + ": ambience and indirect light count twice: set ambience to 0\n");
+    }
+
+    @Test
     void check_everyProblem_hasLocation() throws Exception {
         Files.writeString(scene, "jen 1\nsphere a { scale 1 0 1 }\nlight b laser {}\n");
         CliResult refused = CliResult.run("check", scene);

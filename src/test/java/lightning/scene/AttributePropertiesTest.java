@@ -50,6 +50,8 @@ class AttributePropertiesTest {
         assertThat(titles(MaterialAttribute.ALL)).containsExactlyInAnyOrderElementsOf(components(Material.class));
         // Not by title: titles of the world name the owner of an intensity or a rotation.
         assertThat(World.ATTRIBUTES.stream().map(SceneAttribute::name)).containsExactlyInAnyOrderElementsOf(components(World.class));
+        assertThat(IndirectSettings.ATTRIBUTES.stream().map(SceneAttribute::name))
+                .containsExactlyInAnyOrderElementsOf(components(IndirectSettings.class));
     }
 
     private static List<String> titles(List<? extends SceneAttribute<?, ?>> attributes) {

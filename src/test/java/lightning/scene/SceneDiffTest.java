@@ -28,6 +28,11 @@ class SceneDiffTest {
         assertThat(diffTo(scene.withPicture(scene.picture().withDepth(9)))).isEqualTo("depth 2 → 9");
         assertThat(diffTo(scene.withPicture(scene.picture().withSampling(new SamplingSettings(AntialiasMode.EDGES, 3)))))
                 .isEqualTo("anti-aliasing off 4 × 4 → edges 3 × 3");
+        Scene indirect = scene.withPicture(scene.picture().withIndirect(Optional.of(IndirectSettings.DEFAULT)));
+        assertThat(diffTo(indirect)).isEqualTo("indirect light off → 2 bounces, 64 rays, every 8 pixels");
+        assertThat(SceneDiff.describe(indirect, scene.withPicture(
+                scene.picture().withIndirect(Optional.of(new IndirectSettings(3, 64, 8, true))))))
+                .isEqualTo("indirect bounces 2 → 3, indirect background off → on");
         assertThat(diffTo(scene.withWorld(scene.world().withBackground(Rgb.WHITE)))).isEqualTo("the scene");
     }
 

@@ -164,6 +164,10 @@ final class DisabledReasons {
         return reasonUnless(s.scene().picture().sampling().isSupersampled(), Messages.tr("anti-aliasing is off"));
     }
 
+    static Optional<String> noIndirectLight(EditorState s) {
+        return reasonUnless(s.scene().picture().indirect().isPresent(), Messages.tr("indirect light is off"));
+    }
+
     static Optional<String> nothingToRender(EditorState s) {
         if (!s.hasPendingEdits() && !s.lacksSamples()) {
             return Optional.of(Messages.tr("nothing to render"));

@@ -26,6 +26,7 @@ import lightning.editor.window.command.SizeMenu;
 import lightning.editor.window.model.AccuracyMode;
 import lightning.editor.window.model.CommandRegistry;
 import lightning.editor.window.model.SceneEditor;
+import lightning.editor.window.traced.IndirectMenu;
 import lightning.editor.window.traced.SamplingMenu;
 import lightning.scene.SceneLimits;
 import org.kordamp.ikonli.javafx.FontIcon;
@@ -105,11 +106,12 @@ final class EditorToolBar extends ToolBar {
     private MenuButton size() {
         var sizes = new MenuButton("", new FontIcon(MaterialDesignR.RESIZE));
         sizes.setId("traced-sizes");
-        sizes.setAccessibleText(Messages.tr("Resolution and anti-aliasing"));
-        sizes.setTooltip(new Tooltip(Messages.tr("Resolution and anti-aliasing\nA new resolution renders the image in full.")));
+        sizes.setAccessibleText(Messages.tr("Resolution, anti-aliasing and indirect light"));
+        sizes.setTooltip(
+                new Tooltip(Messages.tr("Resolution, anti-aliasing and indirect light\nA new resolution renders the image in full.")));
         CommandMenuItems items = CommandMenuItems.forMenu(commands);
         sizes.getItems().setAll(SizeMenu.pictureSizeItems(editor, items));
-        sizes.getItems().addAll(new SeparatorMenuItem(), SamplingMenu.of(editor, items));
+        sizes.getItems().addAll(new SeparatorMenuItem(), SamplingMenu.of(editor, items), IndirectMenu.of(editor, items));
         editor.sceneProperty().subscribe(s -> sizes.setText(s.picture().width() + " × " + s.picture().height() + SamplingMenu.text(s)));
         return sizes;
     }

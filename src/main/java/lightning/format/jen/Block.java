@@ -2,7 +2,9 @@ package lightning.format.jen;
 
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import lightning.base.text.Quote;
 import lightning.scene.shot.Keyframe;
 
@@ -35,7 +37,7 @@ final class Block {
     String name = "";
     int openToken = -1;
     int closeToken = -1;
-    /** Children of a group, or animated blocks of a shot. */
+    /** Children of a group, animated blocks of a shot, or blocks that are properties of a picture. */
     final List<Block> children;
     /** Keyframes of an animated block. */
     List<PropertyKeys> keys = List.of();
@@ -47,7 +49,7 @@ final class Block {
     Block(BlockType<?> type, int keywordToken) {
         this.type = type;
         this.keywordToken = keywordToken;
-        children = type == BlockTypes.GROUP || type == BlockTypes.SHOT ? new ArrayList<>() : List.of();
+        children = type == BlockTypes.GROUP || type == BlockTypes.SHOT || type == BlockTypes.PICTURE ? new ArrayList<>() : List.of();
     }
 
     /** Records that a property is present; returns true the first time. */
@@ -85,6 +87,13 @@ final class Block {
     Value value(String property) {
         Entry entry = entry(property);
         return entry == null ? type.initials().get(property) : entry.value();
+    }
+
+    /** Returns all values, written or default, without children. */
+    BlockContent content() {
+        Map<String, Value> values = new LinkedHashMap<>();
+        type.properties().forEach(p -> values.put(p.name(), value(p.name())));
+        return new BlockContent(type, name, values, List.of());
     }
 
     /** Returns the valid properties, in text order. */

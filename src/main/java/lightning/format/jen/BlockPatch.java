@@ -28,6 +28,8 @@ final class BlockPatch {
                 if (target.mustWrite(property)) {
                     insert(block, JenWriter.property(property, value));
                 }
+            } else if (value instanceof Value.Nested(BlockContent content)) {
+                apply(nested(block, entry), content);
             } else if (value instanceof Value.Absent) {
                 remove(entry);
             } else {
@@ -55,9 +57,36 @@ final class BlockPatch {
         edits.replace(tokens.start(token), tokens.end(token), replacement);
     }
 
-    /** Removes a property token by token, so that comments between them remain. */
+    private static Block nested(Block block, Block.Entry entry) {
+        return block.children.stream().filter(c -> c.keywordToken == entry.nameToken()).findFirst().orElseThrow();
+    }
+
+    /** Removes a property token by token, so that comments between them remain; a block with the comments inside. */
     private void remove(Block.Entry entry) {
-        remove(entry.nameToken(), entry.to());
+        if (entry.value() instanceof Value.Nested) {
+            removeBlock(tokens.start(entry.nameToken()), tokens.end(entry.to() - 1));
+        } else {
+            remove(entry.nameToken(), entry.to());
+        }
+    }
+
+    /** Removes a range of the text, with its lines if they contain nothing else. */
+    private void removeBlock(int start, int end) {
+        String text = source.text();
+        int lineStart = source.lineStart(start);
+        int lineEnd = source.lineEnd(end);
+        if (text.substring(lineStart, start).isBlank() && text.substring(end, lineEnd).isBlank()) {
+            // Keeps the line end after it, where another edit may insert a property.
+            int previousEnd = lineStart - (text.startsWith("\r\n", lineStart - 2) ? 2 : 1);
+            edits.replace(previousEnd, lineEnd, "");
+            return;
+        }
+        int blank = start;
+        while (SourceText.isBlank(text.charAt(blank - 1))) {
+            blank--;
+        }
+        boolean touchesNext = end < lineEnd && !SourceText.isBlank(text.charAt(end)) && text.charAt(end) != '}';
+        edits.replace(blank, end, touchesNext ? " " : "");
     }
 
     private void remove(int from, int to) {

@@ -9,6 +9,7 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import lightning.scene.AntialiasMode;
 import lightning.scene.Camera;
+import lightning.scene.IndirectSettings;
 import lightning.scene.Light;
 import lightning.scene.LightAttribute;
 import lightning.scene.LightGroup;
@@ -33,6 +34,11 @@ final class BlockTypes {
     static final String PART = "part";
     static final String COLORS = "colors";
 
+    /** Block in the braces of {@code picture}. */
+    static final BlockType<IndirectSettings> INDIRECT = new BlockType<>("indirect", false, Optional.empty(),
+            Property.of(IndirectSettings.ATTRIBUTES),
+            (name, v, children) -> v.applyAll(IndirectSettings.DEFAULT, IndirectSettings.ATTRIBUTES));
+
     static final BlockType<PictureSettings> PICTURE = new BlockType<>("picture", false, Optional.empty(), List.of(
             Property.<PictureSettings>numbers("size", List.of(" width", " height"),
                     Value.of(PictureSettings.DEFAULT.width(), PictureSettings.DEFAULT.height()), 1, SceneLimits.MAX_SIZE, "pixels",
@@ -41,9 +47,11 @@ final class BlockTypes {
             Property.choice("antialias", word(SamplingSettings.DEFAULT.antialias()), words(AntialiasMode.values()),
                     p -> word(p.sampling().antialias())),
             Property.<PictureSettings>number("samples", SamplingSettings.DEFAULT.grid(), SceneLimits.MIN_SAMPLES, SceneLimits.MAX_SAMPLES,
-                    "along each side of a pixel", p -> (double) p.sampling().grid()).asIntegers()),
+                    "along each side of a pixel", p -> (double) p.sampling().grid()).asIntegers(),
+            Property.block(INDIRECT, "diffuse indirect light", PictureSettings::indirect)),
             (name, v, children) -> new PictureSettings(v.integer("size", 0), v.integer("size", 1), v.integer("depth", 0),
-                    new SamplingSettings(AntialiasMode.valueOf(v.word("antialias").toUpperCase(Locale.ROOT)), v.integer("samples", 0))));
+                    new SamplingSettings(AntialiasMode.valueOf(v.word("antialias").toUpperCase(Locale.ROOT)), v.integer("samples", 0)),
+                    v.nested(INDIRECT)));
 
     static final BlockType<Camera> CAMERA = new BlockType<>("camera", false, Optional.empty(), Property.of(Camera.ATTRIBUTES),
             (name, v, children) -> new Camera(v.vector("from"), v.vector("to"), v.vector("up"), v.number("fov")));
@@ -100,6 +108,14 @@ final class BlockTypes {
             Stream.concat(Stream.of(CAMERA, LIGHT, LIGHT_GROUP).map(BlockType::keyword), NODE_KEYWORDS.stream()).toList();
 
     private BlockTypes() {}
+
+    /** Returns the type of the block that is a property's value. */
+    static BlockType<?> nested(Property<?> property) {
+        if (!property.name().equals(INDIRECT.keyword())) {
+            throw new IllegalArgumentException(property.name() + " is no block");
+        }
+        return INDIRECT;
+    }
 
     static Optional<BlockType<?>> of(String keyword) {
         return Optional.ofNullable(BY_KEYWORD.get(keyword));

@@ -58,9 +58,8 @@ public final class JenWriter {
             header.append(' ').append(NameSyntax.format(element.name()));
         }
         element.type().header().ifPresent(p -> header.append(' ').append(element.values().get(p.name()).text()));
-        List<String> properties = element.type().properties().stream().filter(element::mustWrite)
-                .map(p -> property(p, element.values().get(p.name()))).toList();
-        String line = properties.isEmpty() ? header + " {}" : header + " { " + String.join("  ", properties) + " }";
+        List<String> properties = properties(element);
+        String line = header + " " + braces(properties);
         if (element.children().isEmpty() && line.length() <= MAX_LINE_LENGTH) {
             return line;
         }
@@ -68,6 +67,17 @@ public final class JenWriter {
         properties.forEach(p -> header.append(indent).append("  ").append(p).append(newline));
         element.children().forEach(c -> header.append(block(c, indent + "  ", newline)).append(newline));
         return header.append(indent).append('}').toString();
+    }
+
+    /** Returns the texts of the properties that must be written. */
+    static List<String> properties(BlockContent element) {
+        return element.type().properties().stream().filter(element::mustWrite).map(p -> property(p, element.values().get(p.name())))
+                .toList();
+    }
+
+    /** Returns properties in braces, on one line. */
+    static String braces(List<String> properties) {
+        return properties.isEmpty() ? "{}" : "{ " + String.join("  ", properties) + " }";
     }
 
     /** Returns the text of a property, name and value. */

@@ -47,7 +47,7 @@ final class KeyframeParser {
             }
             if (kind(token) != Kind.WORD) {
                 problem(token, token, "expected a property with keys, found " + tokens.describe(token));
-                token = skipBraces(token);
+                token = tokens.skipBraces(token);
             } else {
                 token = parseProperty(token);
             }
@@ -70,7 +70,7 @@ final class KeyframeParser {
         } else {
             return parseKeys(property.get(), nameToken);
         }
-        return kind(nameToken + 1) == Kind.OPEN ? skipBraces(nameToken + 1) : skipLiterals(nameToken + 1);
+        return kind(nameToken + 1) == Kind.OPEN ? tokens.skipBraces(nameToken + 1) : tokens.skipLiterals(nameToken + 1);
     }
 
     private Stream<Property<?>> targetProperties() {
@@ -90,7 +90,7 @@ final class KeyframeParser {
         while (kind(token) != Kind.CLOSE) {
             int next = parseKey(property, token, keys);
             if (next < 0) {
-                return skipBraces(nameToken + 1);
+                return tokens.skipBraces(nameToken + 1);
             }
             token = next;
         }
@@ -184,29 +184,6 @@ final class KeyframeParser {
 
     private static String word(Interpolation interpolation) {
         return interpolation.name().toLowerCase(Locale.ROOT);
-    }
-
-    /** Skips the braces that open at a token, or the token itself. */
-    private int skipBraces(int start) {
-        int depth = 0;
-        int token = start;
-        do {
-            if (kind(token) == Kind.END) {
-                return token;
-            }
-            depth += kind(token) == Kind.OPEN ? 1 : kind(token) == Kind.CLOSE ? -1 : 0;
-            token++;
-        } while (depth > 0);
-        return token;
-    }
-
-    /** Skips to the next word or brace. */
-    private int skipLiterals(int start) {
-        int token = start;
-        while (kind(token) == Kind.NUMBER || kind(token) == Kind.BAD_NUMBER || kind(token) == Kind.STRING) {
-            token++;
-        }
-        return token;
     }
 
     private Kind kind(int token) {

@@ -40,7 +40,8 @@ record Property<T>(String name, Form form, List<String> labels, double min, doub
         WORD,
         NAME,
         QUOTED,
-        LINKS
+        LINKS,
+        BLOCK
     }
 
     /** Returns the properties that represent attributes, in order. */
@@ -108,6 +109,12 @@ record Property<T>(String name, Form form, List<String> labels, double min, doub
 
     static <T> Property<T> quoted(String name, String unit, Consumer<Value> valueCheck, Function<T, Value> getter) {
         return new Property<>(name, Form.QUOTED, List.of(), 0, 0, List.of(), new Value.Absent(), unit, false, valueCheck, getter);
+    }
+
+    /** Creates an optional property whose value is a block without a name, with the block's keyword as its name. */
+    static <T, B> Property<T> block(BlockType<B> type, String unit, Function<T, Optional<B>> getter) {
+        return new Property<>(type.keyword(), Form.BLOCK, List.of(), 0, 0, List.of(), new Value.Absent(), unit, false, v -> {},
+                t -> getter.apply(t).<Value>map(b -> new Value.Nested(BlockContent.of(type, b))).orElse(new Value.Absent()));
     }
 
     /** Returns this property for a record that contains {@code T}. */
@@ -180,6 +187,7 @@ record Property<T>(String name, Form form, List<String> labels, double min, doub
             case WORD, LINKS -> alternatives();
             case NAME -> "a name";
             case QUOTED -> "a file name in quotes";
+            case BLOCK -> "'{'";
         };
     }
 

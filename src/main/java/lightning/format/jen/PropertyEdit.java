@@ -11,6 +11,7 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import lightning.base.text.Quote;
 import lightning.scene.FileAsset;
+import lightning.scene.IndirectSettings;
 import lightning.scene.Light;
 import lightning.scene.LightAttribute;
 import lightning.scene.LightGroup;
@@ -29,13 +30,14 @@ import lightning.scene.World;
 /**
  * Scene edits in the syntax of the scene file: {@code key.intensity=0.4}, {@code picture.size=640 480}.
  *
- * <p>The part before the dot is {@code picture}, {@code camera}, {@code world}, or the name of a light, a bank, a shape, a
- * group or a material, resolved in this order; {@code material:gold} always means a material. A name in double quotes,
- * {@code "key light".intensity=0.4}, is never one of the three words and may contain a dot and an equals sign; see {@link
- * NameSyntax}.
+ * <p>The part before the dot is {@code picture}, {@code picture.indirect}, {@code camera}, {@code world}, or the name of a
+ * light, a bank, a shape, a group or a material, resolved in this order; {@code material:gold} always means a material. A
+ * name in double quotes, {@code "key light".intensity=0.4}, is never one of these four words and may contain a dot and an
+ * equals sign; see {@link NameSyntax}.
  *
  * <p>The properties are those of the file, {@code name} of everything but materials, {@code type} of lights, {@code
- * texture=none} to remove a texture, and {@code bank=none} to remove a light from its bank. The material {@code default} can
+ * texture=none} to remove a texture, {@code bank=none} to remove a light from its bank, and {@code picture.indirect=none} to
+ * switch off indirect light. An edit of {@code picture.indirect} switches it on. The material {@code default} can
  * be edited before it is written. An image or a mesh that the scene has not loaded can be named if a folder is given, which
  * it is resolved against. Every method throws an {@link IllegalArgumentException} with a one-sentence message if the edit is
  * invalid.
@@ -45,10 +47,11 @@ public final class PropertyEdit {
     private static final String MATERIAL = "material:";
     private static final String NONE = "none";
     private static final String PICTURE = "picture";
+    private static final String INDIRECT = "picture.indirect";
     private static final String CAMERA = "camera";
     private static final String WORLD = "world";
     /** Targets for parts of the scene without names. */
-    private static final List<String> SCENE_TARGETS = List.of(PICTURE, CAMERA, WORLD);
+    private static final List<String> SCENE_TARGETS = List.of(PICTURE, INDIRECT, CAMERA, WORLD);
 
     private PropertyEdit() {}
 
@@ -196,6 +199,8 @@ public final class PropertyEdit {
     private static Scene set(Scene scene, String target, String property, String value, AssetSource files) {
         return switch (target) {
             case PICTURE -> scene.withPicture(editProperty(files, BlockTypes.PICTURE, "", scene.picture(), property, value));
+            case INDIRECT -> scene.withPicture(scene.picture().withIndirect(Optional.of(editProperty(files, BlockTypes.INDIRECT, "",
+                    scene.picture().indirect().orElse(IndirectSettings.DEFAULT), property, value))));
             case CAMERA -> scene.withCamera(editProperty(files, BlockTypes.CAMERA, "", scene.camera(), property, value));
             case WORLD -> scene.withWorld(editProperty(files, BlockTypes.WORLD, "", scene.world(), property, value));
             default -> target.startsWith(MATERIAL)
@@ -363,7 +368,8 @@ public final class PropertyEdit {
 
     /** Returns true if an unquoted {@code none} removes the property. */
     private static boolean canBeNone(BlockType<?> type, String property) {
-        return type == BlockTypes.WORLD && property.equals(World.ENVIRONMENT.name())
+        return type == BlockTypes.PICTURE && property.equals(BlockTypes.INDIRECT.keyword())
+                || type == BlockTypes.WORLD && property.equals(World.ENVIRONMENT.name())
                 || type == BlockTypes.LIGHT
                         && (property.equals(LightAttribute.LIGHT_GROUP.name()) || property.equals(LightAttribute.PROFILE.name()))
                 || (type == BlockTypes.LIGHT || type == BlockTypes.MATERIAL)

@@ -55,6 +55,7 @@ final class PropertyParser {
             case NAME -> parseSingle(block, property, tokens.isName(token), nameToken, token);
             case QUOTED -> parseSingle(block, property, tokens.kind(token) == Kind.STRING, nameToken, token);
             case LINKS -> parseLinks(block, property, nameToken, token);
+            case BLOCK -> parseBlock(block, property, nameToken, token);
         };
     }
 
@@ -91,6 +92,44 @@ final class PropertyParser {
         return token;
     }
 
+    /** Parses properties in braces. */
+    private int parseBlock(Block block, Property<?> property, int nameToken, int openToken) {
+        if (tokens.kind(openToken) != Kind.OPEN) {
+            return problem(openToken, skipValue(block, openToken), block.title() + ": " + property.name() + ": expected "
+                    + property.expected() + ", found " + tokens.describe(openToken));
+        }
+        var nested = new Block(BlockTypes.nested(property), nameToken);
+        nested.openToken = openToken;
+        int end = parseBody(nested, openToken + 1);
+        block.children.add(nested);
+        block.add(new Block.Entry(property, nameToken, openToken, end, new Value.Nested(nested.content())));
+        return end;
+    }
+
+    /** Parses properties up to the closing brace, or to a block that cannot be in the braces. */
+    private int parseBody(Block nested, int start) {
+        int token = start;
+        while (true) {
+            switch (tokens.kind(token)) {
+                case CLOSE -> {
+                    nested.closeToken = token;
+                    return token + 1;
+                }
+                case END -> {
+                    return expected("'}'", nested, token, token);
+                }
+                case OPEN -> token = expected("a property", nested, token, tokens.skipBraces(token));
+                case NUMBER, BAD_NUMBER, STRING -> token = expected("a property", nested, token, tokens.skipLiterals(token));
+                case WORD -> {
+                    if (BlockTypes.of(tokens.text(token)).isPresent()) {
+                        return expected("'}' before the next block", nested, token, token);
+                    }
+                    token = parseProperty(nested, token);
+                }
+            }
+        }
+    }
+
     private int parseSingle(Block block, Property<?> property, boolean isExpectedKind, int nameToken, int token) {
         if (!isExpectedKind) {
             String prefix = nameToken < 0 ? "" : property.name() + ": ";
@@ -115,7 +154,7 @@ final class PropertyParser {
             }
             case NAME -> names.computeIfAbsent(text, Value.Name::new);
             case QUOTED -> new Value.Quoted(text);
-            case NUMBERS, LINKS -> throw new IllegalStateException(property.name() + " is not a single word");
+            case NUMBERS, LINKS, BLOCK -> throw new IllegalStateException(property.name() + " is not a single word");
         };
     }
 
@@ -193,6 +232,10 @@ final class PropertyParser {
 
     private static boolean isValue(Kind kind) {
         return kind == Kind.NUMBER || kind == Kind.BAD_NUMBER || kind == Kind.STRING;
+    }
+
+    private int expected(String what, Block block, int token, int nextToken) {
+        return problem(token, nextToken, block.title() + ": expected " + what + ", found " + tokens.describe(token));
     }
 
     private int problem(int token, int nextToken, String message) {

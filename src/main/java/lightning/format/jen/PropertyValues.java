@@ -77,6 +77,12 @@ record PropertyValues(Function<String, Value> lookup, AssetSource files) {
         return new Solid.TriangleMesh(file, part, word(BlockTypes.COLORS).equals("yes"), files.mesh(file, part));
     }
 
+    /** Returns the record of a nested block; empty if the block is absent. */
+    <B> Optional<B> nested(BlockType<B> type) {
+        return lookup.apply(type.keyword()) instanceof Value.Nested(BlockContent content)
+                ? Optional.of(type.builder().build("", new PropertyValues(content.values()::get, files), List.of())) : Optional.empty();
+    }
+
     double number(String property) {
         return numbers(property).get(0);
     }

@@ -97,6 +97,29 @@ final class TokenList {
         return DecimalNumber.parseRange(text, start(i), end(i));
     }
 
+    /** Returns the token after the braces that open at token {@code i}, or after the token itself if it opens none. */
+    int skipBraces(int i) {
+        int depth = 0;
+        int token = i;
+        do {
+            if (kind(token) == Kind.END) {
+                return token;
+            }
+            depth += kind(token) == Kind.OPEN ? 1 : kind(token) == Kind.CLOSE ? -1 : 0;
+            token++;
+        } while (depth > 0);
+        return token;
+    }
+
+    /** Returns the next word, brace or end from token {@code i} on. */
+    int skipLiterals(int i) {
+        int token = i;
+        while (kind(token) == Kind.NUMBER || kind(token) == Kind.BAD_NUMBER || kind(token) == Kind.STRING) {
+            token++;
+        }
+        return token;
+    }
+
     /** Returns token {@code i} as quoted in messages. */
     String describe(int i) {
         if (kind(i) == Kind.END) {

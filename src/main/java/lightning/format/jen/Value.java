@@ -52,6 +52,14 @@ sealed interface Value {
         }
     }
 
+    /** Properties of a nested block, in braces. */
+    record Nested(BlockContent content) implements Value {
+        @Override
+        public String text() {
+            return JenWriter.braces(JenWriter.properties(content));
+        }
+    }
+
     String ALL = "all";
     String NONE = "none";
     String ONLY = "only";

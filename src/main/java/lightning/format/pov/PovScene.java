@@ -67,6 +67,9 @@ public final class PovScene {
                     .append(scene.world().rotation() - 90).append(", 0>\n  emission rgb ").append(scene.world().intensity())
                     .append("\n}\n");
         });
+        if (scene.picture().indirect().isPresent()) {
+            warnings.add("indirect light is left out");
+        }
         body.append(camera(scene));
         var meshes = new PovMeshWriter(scene, warnings);
         body.append(meshes.declarations());

@@ -3,6 +3,7 @@ package lightning.scene.effects;
 import java.util.List;
 import java.util.function.Predicate;
 import java.util.stream.Stream;
+import lightning.scene.IndirectSettings;
 import lightning.scene.Light;
 import lightning.scene.Material;
 import lightning.scene.PlacedShape;
@@ -63,6 +64,11 @@ record EffectUsers(Scene scene, List<PlacedShape> shapes, List<Light> lights) {
     /** Returns the image, if its pixels have several samples. */
     Stream<String> supersampling() {
         return scene.picture().sampling().isSupersampled() ? Stream.of("picture") : Stream.empty();
+    }
+
+    /** Returns the settings of indirect light, if the image has it and shapes that it can light. */
+    Stream<String> indirectLight() {
+        return shapes.isEmpty() ? Stream.empty() : scene.picture().indirect().stream().map(IndirectSettings::label);
     }
 
     /** Returns the names of shapes with lit vertex colors. */

@@ -18,8 +18,8 @@ public record ViewEffects(Set<RenderEffect> hidden, Set<RenderEffect> forced, bo
     public static final ViewEffects ALL = new ViewEffects(Set.of(), Set.of(), true);
     /** Fast shading of the preview (paper §3.3). */
     public static final ViewEffects PREVIEW =
-            new ViewEffects(Set.of(RenderEffect.SHADOWS, RenderEffect.SOFT_SHADOWS, RenderEffect.REFLECTION, RenderEffect.ANTIALIASING),
-                    Set.of(), true);
+            new ViewEffects(Set.of(RenderEffect.SHADOWS, RenderEffect.SOFT_SHADOWS, RenderEffect.REFLECTION, RenderEffect.ANTIALIASING,
+                    RenderEffect.INDIRECT), Set.of(), true);
     /** Preview with emissive textures as in the paper (§3.1): lights are not visible on them. */
     public static final ViewEffects PREVIEW_1998 = PREVIEW.withLitTextures(false);
 

@@ -4,7 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import lightning.sample.EditSession;
+import lightning.scene.IndirectSettings;
 import lightning.scene.Light;
 import lightning.scene.Scene;
 import lightning.scene.SceneDiff;
@@ -88,6 +90,21 @@ class EditHistoryTest {
                 .isEqualTo("fill: type, intensity, attenuation");
         assertThat(label(NumericParameter.AMBIENCE.set(scene, "", 0.5))).isEqualTo("ambient light 1 → 0.5");
         assertThat(label(NumericParameter.DEPTH.set(scene, "", 3))).isEqualTo("reflection bounces 2 → 3");
+    }
+
+    @Test
+    void indirectLight_isUndoneAndRedone() {
+        Scene indirect = scene.withPicture(scene.picture().withIndirect(Optional.of(IndirectSettings.DEFAULT)));
+        history.edit(indirect);
+        history.edit(indirect.withPicture(indirect.picture().withIndirect(Optional.of(IndirectSettings.DEFAULT.withRays(256)))));
+        assertThat(history.undoLabel()).contains("indirect rays 64 → 256");
+        history.undo();
+        assertThat(history.scene()).isEqualTo(indirect);
+        assertThat(history.undoLabel()).contains("indirect light off → 2 bounces, 64 rays, every 8 pixels");
+        history.undo();
+        assertThat(history.scene()).isEqualTo(scene);
+        history.redo();
+        assertThat(history.scene()).isEqualTo(indirect);
     }
 
     private String label(EditOutcome change) {

@@ -14,6 +14,7 @@ import lightning.editor.document.NumericParameter;
 import lightning.render.image.DisplayCurve;
 import lightning.sample.Slow;
 import lightning.scene.ChoiceKind;
+import lightning.scene.IndirectSettings;
 import lightning.scene.LightAttribute;
 import lightning.scene.LightGroup;
 import lightning.scene.MaterialAttribute;
@@ -57,6 +58,7 @@ class EditorTextsTest {
         LightGroup.ATTRIBUTES.forEach(EditorTextsTest::addTexts);
         World.ATTRIBUTES.forEach(EditorTextsTest::addTexts);
         addTexts(PictureSettings.DEPTH);
+        IndirectSettings.ATTRIBUTES.forEach(a -> usedTexts.add(a.title()));
         NumericParameter.ALL.forEach(d -> usedTexts.addAll(List.of(d.title().strip(), d.label())));
         RenderEffect.ALL.forEach(e -> usedTexts.add(e.title()));
         for (var section : LightAttribute.Section.values()) {

@@ -53,7 +53,7 @@ class BlockTypesTest {
     };
 
     static Stream<BlockType<?>> types() {
-        return BlockTypes.KEYWORDS.stream().map(k -> BlockTypes.of(k).orElseThrow());
+        return Stream.concat(BlockTypes.KEYWORDS.stream().map(k -> BlockTypes.of(k).orElseThrow()), Stream.of(BlockTypes.INDIRECT));
     }
 
     @ParameterizedTest
@@ -99,8 +99,10 @@ class BlockTypesTest {
                 case Value.Name(String name) -> lightning.scene.SceneLimits.checkName(name);
                 case Value.Quoted q -> p.checkValue(q);
                 case Value.LinkSet(ShapeLinks links) -> assertThat(links.isAll()).isTrue();
+                case Value.Nested n -> throw new AssertionError(n);
                 case Value.Absent a ->
                         assertThat(p.name()).isIn("texture", "cutout", "bump", "normal_map", "gobo", "profile", "environment", "bank",
+                                "indirect",
                                 BlockTypes.FILE, BlockTypes.PART);
             }
         }));

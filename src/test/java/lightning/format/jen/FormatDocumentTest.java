@@ -91,6 +91,7 @@ class FormatDocumentTest {
             case WORD -> "`" + String.join("`, `", p.choices()) + "`";
             case NAME -> "name";
             case QUOTED -> "file name in quotes";
+            case BLOCK -> "block";
         };
         String range = p.form() == Property.Form.NUMBERS
                 ? DecimalNumber.format(p.min()) + " … " + DecimalNumber.format(p.max()) : "";

@@ -3,6 +3,7 @@ package lightning.format.jen;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
+import lightning.scene.IndirectSettings;
 
 /** Generator of scene texts from the grammar, about half of them with an error. */
 final class RandomJenText {
@@ -64,6 +65,17 @@ final class RandomJenText {
         }
         type.header().ifPresent(p -> word(p.choices().get(random.nextInt(p.choices().size()))));
         word("{");
+        properties(type);
+        if (type == BlockTypes.GROUP && nesting < 5) {
+            for (int i = random.nextInt(3); i > 0; i--) {
+                block(BlockTypes.of(BlockTypes.NODE_KEYWORDS.get(random.nextInt(BlockTypes.NODE_KEYWORDS.size()))).orElseThrow(),
+                        nesting + 1);
+            }
+        }
+        word("}");
+    }
+
+    private void properties(BlockType<?> type) {
         for (Property<?> p : type.properties()) {
             boolean file = p.name().equals(BlockTypes.FILE) && type.keyword().equals("mesh");
             boolean missing = p.form() == Property.Form.QUOTED || p.name().endsWith("repeat") || p.name().equals(BlockTypes.PART)
@@ -73,13 +85,6 @@ final class RandomJenText {
                 value(p);
             }
         }
-        if (type == BlockTypes.GROUP && nesting < 5) {
-            for (int i = random.nextInt(3); i > 0; i--) {
-                block(BlockTypes.of(BlockTypes.NODE_KEYWORDS.get(random.nextInt(BlockTypes.NODE_KEYWORDS.size()))).orElseThrow(),
-                        nesting + 1);
-            }
-        }
-        word("}");
     }
 
     private void value(Property<?> p) {
@@ -92,6 +97,11 @@ final class RandomJenText {
             case WORD -> word(p.choices().get(random.nextInt(p.choices().size())));
             case LINKS -> links();
             case NAME -> word(NameSyntax.format(p.name().equals("bank") ? groupName() : material()));
+            case BLOCK -> {
+                word("{");
+                properties(BlockTypes.nested(p));
+                word("}");
+            }
             case QUOTED -> word(p.name().equals(BlockTypes.FILE) ? '"' + MESH + '"' : "\"a.png\"");
         }
     }
@@ -117,6 +127,9 @@ final class RandomJenText {
     }
 
     private String number(Property<?> p, int index) {
+        if (p.name().equals("rays") && !mistake()) {
+            return Integer.toString(IndirectSettings.RAY_COUNTS.get(random.nextInt(IndirectSettings.RAY_COUNTS.size())));
+        }
         if (p.isInteger()) {
             return Integer.toString(random.nextInt((int) p.min(), (int) p.max() + 1));
         }

@@ -12,6 +12,7 @@ import lightning.scene.AlphaCutout;
 import lightning.scene.Attenuation;
 import lightning.scene.BumpMapping;
 import lightning.scene.Camera;
+import lightning.scene.IndirectSettings;
 import lightning.scene.Light;
 import lightning.scene.LightGroup;
 import lightning.scene.LightRig;
@@ -73,7 +74,11 @@ final class RandomScenes {
         Scene s = scene;
         for (int i = random.nextInt(4); i >= 0; i--) {
             s = switch (random.nextInt(8)) {
-                case 0 -> s.withPicture(chance() ? picture() : s.picture().withDepth(random.nextInt(11)));
+                case 0 -> s.withPicture(switch (random.nextInt(3)) {
+                    case 0 -> picture();
+                    case 1 -> s.picture().withIndirect(indirect()).withDepth(random.nextInt(11));
+                    default -> s.picture().withDepth(random.nextInt(11));
+                });
                 case 1 -> s.withCamera(camera());
                 case 2 -> s.withWorld(chance() ? world() : s.world().withAmbience(positive(1e6)));
                 case 3 -> s.withNodes(nodes(s.nodes(), s.materials(), 0));
@@ -269,7 +274,13 @@ final class RandomScenes {
 
     private PictureSettings picture() {
         return chance() ? PictureSettings.DEFAULT
-                : new PictureSettings(1 + random.nextInt(16384), 1 + random.nextInt(16384), random.nextInt(11));
+                : new PictureSettings(1 + random.nextInt(16384), 1 + random.nextInt(16384), random.nextInt(11)).withIndirect(indirect());
+    }
+
+    private Optional<IndirectSettings> indirect() {
+        return chance() ? Optional.empty() : Optional.of(new IndirectSettings(1 + random.nextInt(IndirectSettings.MAX_BOUNCES),
+                IndirectSettings.RAY_COUNTS.get(random.nextInt(IndirectSettings.RAY_COUNTS.size())),
+                chance() ? IndirectSettings.DEFAULT.spacing() : 2 + random.nextInt(63), chance()));
     }
 
     private World world() {

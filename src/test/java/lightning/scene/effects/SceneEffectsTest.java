@@ -4,9 +4,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import lightning.format.jen.JenReader;
 import lightning.sample.SampleMeshes;
+import lightning.scene.IndirectSettings;
 import lightning.scene.Material;
 import lightning.scene.Placement;
 import lightning.scene.Scene;
@@ -123,6 +125,24 @@ class SceneEffectsTest {
     }
 
     @Test
+    void indirectLight_isUsedByThePicture() throws Exception {
+        SceneEffects effects = of(PLAIN, "picture { indirect { bounces 3 } }");
+        assertThat(effects.reason(RenderEffect.INDIRECT)).isEqualTo("3 bounces, 64 rays, every 8 pixels");
+        assertThat(of(PLAIN).has(RenderEffect.INDIRECT)).isFalse();
+        assertThat(of("picture { indirect {} }").has(RenderEffect.INDIRECT)).as("without shapes").isFalse();
+    }
+
+    @Test
+    void indirectLight_isRemovedAndNotAdded() throws Exception {
+        Scene without = JenReader.read("jen 1\npicture { depth 5 }\n" + PLAIN, "test", Path.of("")).scene();
+        Scene scene = without.withPicture(without.picture().withIndirect(Optional.of(IndirectSettings.DEFAULT)));
+        assertThat(ViewEffects.ALL.with(RenderEffect.INDIRECT, false).apply(scene)).isEqualTo(without);
+        assertThat(ViewEffects.ALL.withForced(Set.of(RenderEffect.INDIRECT)).apply(without)).isEqualTo(without);
+        assertThat(ViewEffects.PREVIEW.apply(scene).picture().indirect()).isEmpty();
+        assertThat(RenderEffect.of("indirect")).isSameAs(RenderEffect.INDIRECT);
+    }
+
+    @Test
     void vertexColors_areUsedByShapesShowingThem() throws Exception {
         Scene lit = JenReader.read("jen 1\nlight a point {}\n", "test", Path.of("")).scene();
         Solid.TriangleMesh tinted = SampleMeshes.solid(SampleMeshes.withVertexColors(SampleMeshes.cube()));
@@ -146,6 +166,7 @@ class SceneEffectsTest {
                 RenderEffect.PROFILES, RenderEffect.LIGHT_LINKS,
                 RenderEffect.SHADOW_LINKS,
                 RenderEffect.LIGHT_GROUPS, RenderEffect.SOFT_SHADOWS, RenderEffect.ANTIALIASING, RenderEffect.ENVIRONMENT,
+                RenderEffect.INDIRECT,
                 RenderEffect.of("rect-lights"),
                 RenderEffect.of("disc-lights"),
                 RenderEffect.of("frustums"), RenderEffect.of("meshes"));

@@ -20,7 +20,7 @@ class SamplingMenuTest extends EditorFixture {
     }
 
     private MenuItem item(String id) {
-        Menu menu = (Menu) sizes().getItems().getLast();
+        Menu menu = (Menu) sizes().getItems().stream().filter(i -> "antialias".equals(i.getId())).findFirst().orElseThrow();
         return menu.getItems().stream().filter(i -> id.equals(i.getId())).findFirst().orElseThrow();
     }
 

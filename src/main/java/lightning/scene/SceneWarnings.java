@@ -1,0 +1,21 @@
+package lightning.scene;
+
+import java.util.List;
+import lightning.base.text.Messages;
+
+/** Warnings about scenes that are valid, but probably not as intended. */
+public final class SceneWarnings {
+    private SceneWarnings() {}
+
+    /** Returns the warnings about a scene, clauses without a period; empty for most scenes. */
+    public static List<String> of(Scene scene) {
+        return countsAmbienceTwice(scene)
+                ? List.of(Messages.tr("ambience and indirect light count twice: set ambience to 0")) : List.of();
+    }
+
+    /** Ambience stands for the light that surfaces pass on, which indirect light computes. It acts only on ambient colors. */
+    private static boolean countsAmbienceTwice(Scene scene) {
+        return scene.picture().indirect().isPresent() && scene.world().ambience() > 0
+                && scene.placedShapes().stream().anyMatch(shape -> !shape.material().ambient().isBlack());
+    }
+}

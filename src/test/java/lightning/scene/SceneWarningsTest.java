@@ -1,0 +1,33 @@
+package lightning.scene;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Path;
+import java.util.List;
+import lightning.format.jen.JenReader;
+import org.junit.jupiter.api.Test;
+
+class SceneWarningsTest {
+    private static final String BALL = "material glowing { ambient 0.1 0 0 }\nsphere ball { material glowing }\n";
+
+    private static List<String> warnings(String text) throws Exception {
+        return SceneWarnings.of(JenReader.read("jen 1\n" + text, "test", Path.of("")).scene());
+    }
+
+    @Test
+    void indirectLightAndAmbience_countTwice() throws Exception {
+        assertThat(warnings(BALL + "picture { indirect {} }"))
+                .containsExactly("ambience and indirect light count twice: set ambience to 0");
+    }
+
+    @Test
+    void oneOfBoth_isNoWarning() throws Exception {
+        assertThat(warnings(BALL)).isEmpty();
+        assertThat(warnings(BALL + "picture { indirect {} }\nworld { ambience 0 }")).isEmpty();
+    }
+
+    @Test
+    void ambienceWithoutAmbientColors_isNoWarning() throws Exception {
+        assertThat(warnings("material glowing { ambient 0.1 0 0 }\nsphere ball {}\npicture { indirect {} }")).isEmpty();
+    }
+}
