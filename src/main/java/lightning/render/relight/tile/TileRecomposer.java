@@ -41,6 +41,12 @@ public final class TileRecomposer {
         mirror = new TileComposer(mirrored, engine.sums(), view);
     }
 
+    /** Sets whether surfaces glow from now on, in mirrors too; initially they do. */
+    public void setShowsGlow(boolean v) {
+        eye.setShowsGlow(v);
+        mirror.setShowsGlow(v);
+    }
+
     /**
      * Composes the colors of the rays that bounce from the first level's rows. Returns scratch memory, valid until the next call;
      * null if there are none.
