@@ -135,6 +135,9 @@ final class ExplainCommand implements Callable<Integer> {
         double total = channelSum(report.color());
         PointContributions parts = PointContributions.of(material, at);
         console.print("%s  %-12s adds %s %s", indent, "ambient", formatRgb(report.ambient()), formatShare(report.ambient(), total));
+        if (!material.glow().isBlack()) {
+            console.print("%s  %-12s adds %s %s", indent, "glow", formatRgb(report.glow()), formatShare(report.glow(), total));
+        }
         for (LightReport light : report.lights()) {
             float[] added = parts.ofLight(light);
             console.print("%s  %-12s adds %s %s  %s", indent, light.light().name(), formatRgb(added), formatShare(added, total),

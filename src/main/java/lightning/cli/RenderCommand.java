@@ -48,7 +48,7 @@ final class RenderCommand implements Callable<Integer> {
     private boolean traditional;
 
     @Option(names = "--layers",
-            description = "Also write layers to the .exr: background, ambient, each light's diffuse and specular, reflections "
+            description = "Also write layers to the .exr: background, ambient, emission, each light's diffuse and specular, reflections "
                     + "(which add up to the image), normals, positions, depth, objects and materials.")
     private boolean layers;
 

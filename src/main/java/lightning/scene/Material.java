@@ -9,7 +9,8 @@ import lightning.base.math.Rgb;
  * model; those of the other model always have their initial values.
  *
  * @param name         unique among the materials
- * @param ambient      k<sub>ambient</sub>, also the emitted color
+ * @param ambient      k<sub>ambient</sub>, multiplied by the scene's ambience
+ * @param glow         light that the surface emits itself, independent of the scene's ambience and lights
  * @param model        shading model
  * @param diffuse      Phong: k<sub>diffuse</sub>, multiplied by the texture, if any
  * @param specular     Phong: k<sub>specular</sub>
@@ -25,7 +26,7 @@ import lightning.base.math.Rgb;
  * @param cutout       opacity cutout
  */
 @RecordBuilder
-public record Material(String name, Rgb ambient, ShadingModel model, Rgb diffuse, Rgb specular, double shininess, Rgb base,
+public record Material(String name, Rgb ambient, Rgb glow, ShadingModel model, Rgb diffuse, Rgb specular, double shininess, Rgb base,
         double metalness, double roughness, double f0, Rgb reflective, Optional<TextureMap> texture,
         BumpMapping bumpMapping, Transmission transmission, AlphaCutout cutout) implements MaterialBuilder.With {
 
@@ -41,6 +42,7 @@ public record Material(String name, Rgb ambient, ShadingModel model, Rgb diffuse
     public Material {
         SceneLimits.checkName(name);
         MaterialAttribute.AMBIENT.check(ambient);
+        MaterialAttribute.GLOW.check(glow);
         diffuse = MaterialAttribute.DIFFUSE.checkFor(model, diffuse);
         specular = MaterialAttribute.SPECULAR.checkFor(model, specular);
         shininess = MaterialAttribute.SHININESS.checkFor(model, shininess);
@@ -53,8 +55,9 @@ public record Material(String name, Rgb ambient, ShadingModel model, Rgb diffuse
 
     /** Returns a material with initial values. */
     public static Material of(String name) {
-        return new Material(name, MaterialAttribute.AMBIENT.initial(), MaterialAttribute.MODEL.initial(),
-                MaterialAttribute.DIFFUSE.initial(), MaterialAttribute.SPECULAR.initial(), MaterialAttribute.SHININESS.initial(),
+        return new Material(name, MaterialAttribute.AMBIENT.initial(), MaterialAttribute.GLOW.initial(),
+                MaterialAttribute.MODEL.initial(), MaterialAttribute.DIFFUSE.initial(), MaterialAttribute.SPECULAR.initial(),
+                MaterialAttribute.SHININESS.initial(),
                 MaterialAttribute.BASE.initial(), MaterialAttribute.METALNESS.initial(), MaterialAttribute.ROUGHNESS.initial(),
                 MaterialAttribute.F0.initial(), MaterialAttribute.REFLECTIVE.initial(), MaterialAttribute.TEXTURE.initial(),
                 BumpMapping.NONE, Transmission.NONE, AlphaCutout.NONE);

@@ -24,7 +24,8 @@ public final class MaterialAttribute<V> extends SceneAttribute<Material, V> {
         SURFACE,
         REFLECTIVE,
         CLEAR(Messages.key("transparency")),
-        AMBIENT;
+        AMBIENT,
+        GLOW;
 
         private final String title;
 
@@ -45,6 +46,8 @@ public final class MaterialAttribute<V> extends SceneAttribute<Material, V> {
 
     public static final MaterialAttribute<Rgb> AMBIENT = colorAttribute("ambient", SceneLimits.MAX_EMISSION, Rgb.BLACK, Material::ambient,
             Material::withAmbient, null, Section.AMBIENT, "Color emitted without any light; multiplied by the scene's ambient light");
+    public static final MaterialAttribute<Rgb> GLOW = colorAttribute("glow", SceneLimits.MAX_EMISSION, Rgb.BLACK, Material::glow,
+            Material::withGlow, null, Section.GLOW, "Light that the surface emits itself, independent of the scene's ambient light");
     public static final MaterialAttribute<ShadingModel> MODEL = new MaterialAttribute<>("model", ChoiceKind.of(ShadingModel.class),
             ShadingModel.PHONG, "", Material::model, Material::withModel, MaterialTerm.MODEL, null, Section.MODEL,
             "Shading model: Phong, or base color with metalness and roughness");

@@ -12,8 +12,9 @@ import lightning.base.text.Quote;
  *
  * <p>They are wide enough for any image, and narrow enough that no product in the lighting equation overflows a float. A light's weight is
  * at most 1e3·1e30 = 1e33, including its group. Terms are at most 1, so a thousand lights sum to 1e36 ({@link #MAX_TOTAL_LIGHT}). Material
- * factors are at most 1. Ten mirrors add at most eleven such sums, each of a diffuse, a specular and a grazing one: 3.3e37. Terms of
- * metallic materials can reach 6.1e7; for such scenes {@link OverflowCheck} limits the sum over the lights to the same bound.
+ * factors are at most 1. Ten mirrors add at most eleven such sums, each of a diffuse, a specular and a grazing one: 3.3e37. Emitted light
+ * adds at most 1e6·1e6 + 1e6 per surface, less than a rounding error of this sum. Terms of metallic materials can reach 6.1e7; for such
+ * scenes {@link OverflowCheck} limits the sum over the lights to the same bound.
  */
 public final class SceneLimits {
     public static final int MAX_SIZE = 16384;
@@ -34,6 +35,7 @@ public final class SceneLimits {
     public static final double MAX_SCALE = 1e9;
     /** Radius of a frustum's top, relative to its base. */
     public static final double MAX_TOP = 1e6;
+    /** Ambient color, glow and background, per channel. */
     public static final double MAX_EMISSION = 1e6;
     public static final double MAX_AMBIENCE = 1e6;
     public static final double MAX_LIGHT_COLOR = 1e3;

@@ -127,6 +127,21 @@ class OtherCommandsTest {
         }
     }
 
+    /** A mirror of 0.25 shows 0.75 of its glow, and reflects a black background. */
+    @Test
+    void explainedGlow_isItsOwnPart() throws Exception {
+        Files.writeString(scene, """
+                jen 1
+                picture { size 9 9 depth 1 }
+                camera { from 0 0 5 to 0 0 0 fov 20 }
+                material neon { ambient 0.5 0 0  glow 1 2 4  reflective 0.25 0.25 0.25 }
+                sphere ball { material neon }
+                """);
+        assertThat(CliResult.run("explain", scene, "4,4").assertSuccess().out()).contains(
+                "ambient      adds  0.375000  0.000000  0.000000 (",
+                "glow         adds  0.750000  1.500000  3.000000 (", "sum          is    1.125000  1.500000  3.000000");
+    }
+
     @Test
     void explainedBumps_showEachStep() throws Exception {
         Files.copy(Path.of("textures/brick.png"), folder.resolve("brick.png"));

@@ -144,17 +144,23 @@ public final class EdgeCaseScenes {
     private static Arbitrary<Material> metallic() {
         Arbitrary<Rgb> factors = Arbitraries.of(Rgb.BLACK, Rgb.WHITE, new Rgb(0, 1, 0.5));
         Arbitrary<Double> shares = Arbitraries.of(0.0, 1e-300, 0.5, 1.0);
-        return Combinators.combine(Arbitraries.of(0.0, SceneLimits.MAX_EMISSION), factors, shares, shares, shares, factors)
-                .as((ambient, base, metalness, roughness, f0, reflective) -> Material.of("m").withModel(ShadingModel.METALLIC)
-                        .withAmbient(Rgb.gray(ambient)).withBase(base).withMetalness(metalness).withRoughness(roughness).withF0(f0)
+        return Combinators
+                .combine(Arbitraries.of(0.0, SceneLimits.MAX_EMISSION), Arbitraries.of(0.0, 1e-300, SceneLimits.MAX_EMISSION), factors,
+                        shares, shares, shares, factors)
+                .as((ambient, glow, base, metalness, roughness, f0, reflective) -> Material.of("m").withModel(ShadingModel.METALLIC)
+                        .withAmbient(Rgb.gray(ambient)).withGlow(Rgb.gray(glow)).withBase(base).withMetalness(metalness)
+                        .withRoughness(roughness).withF0(f0)
                         .withReflective(reflective));
     }
 
     private static Arbitrary<Material> phong() {
         Arbitrary<Rgb> factors = Arbitraries.of(Rgb.BLACK, Rgb.WHITE, new Rgb(0, 1, 0.5));
-        return Combinators.combine(Arbitraries.of(0.0, SceneLimits.MAX_EMISSION), factors, factors,
-                Arbitraries.of(0.0, 1e-300, 0.5, 16.0, SceneLimits.MAX_SHININESS), factors)
-                .as((ambient, diffuse, specular, shininess, reflective) -> Material.of("m").withAmbient(Rgb.gray(ambient))
+        return Combinators
+                .combine(Arbitraries.of(0.0, SceneLimits.MAX_EMISSION), Arbitraries.of(0.0, 1e-300, SceneLimits.MAX_EMISSION), factors,
+                        factors,
+                        Arbitraries.of(0.0, 1e-300, 0.5, 16.0, SceneLimits.MAX_SHININESS), factors)
+                .as((ambient, glow, diffuse, specular, shininess, reflective) -> Material.of("m").withAmbient(Rgb.gray(ambient))
+                        .withGlow(Rgb.gray(glow))
                         .withDiffuse(diffuse).withSpecular(specular).withShininess(shininess).withReflective(reflective));
     }
 

@@ -16,14 +16,14 @@ import net.jqwik.api.Arbitrary;
 import net.jqwik.api.Combinators;
 import net.jqwik.api.Tuple;
 
-/** Arbitrary materials: matte and glossy, reflective and black, plain and textured. */
+/** Arbitrary materials: matte and glossy, glowing and not, reflective and black, plain and textured. */
 final class MaterialArbitraries {
     private MaterialArbitraries() {}
 
     static Arbitrary<Material> materials(String name) {
         Arbitrary<Material> opaque = Arbitraries.frequencyOf(Tuple.of(2, phong(name)), Tuple.of(1, metallic(name)));
-        return Combinators.combine(opaque, transmissions(), cutouts())
-                .as((material, clarity, cutout) -> material.withTransmission(clarity).withCutout(cutout));
+        return Combinators.combine(opaque, transmissions(), cutouts(), glows())
+                .as((material, clarity, cutout, glow) -> material.withTransmission(clarity).withCutout(cutout).withGlow(glow));
     }
 
     private static Arbitrary<Material> metallic(String name) {
@@ -59,6 +59,8 @@ final class MaterialArbitraries {
     static Arbitrary<MaterialChange> changes() {
         return Arbitraries.oneOf(List.of(
                 ambient().map(MaterialChange.Ambient::new),
+                ambient().map(MaterialChange.Glow::new),
+                Arbitraries.of(Rgb.BLACK).map(MaterialChange.Glow::new),
                 NumberArbitraries.colors().map(MaterialChange.Diffuse::new),
                 colorsOrBlack().map(MaterialChange.Specular::new),
                 colorsOrBlack().map(MaterialChange.Specular::new),
@@ -91,6 +93,11 @@ final class MaterialArbitraries {
     private static Arbitrary<Rgb> ambient() {
         return Arbitraries.frequencyOf(Tuple.of(6, NumberArbitraries.colors()),
                 Tuple.of(1, NumberArbitraries.colors().map(c -> c.times(1e6))));
+    }
+
+    /** Returns black in half of the cases. */
+    private static Arbitrary<Rgb> glows() {
+        return Arbitraries.frequencyOf(Tuple.of(1, Arbitraries.of(Rgb.BLACK)), Tuple.of(1, ambient()));
     }
 
     private static Arbitrary<Rgb> colorsOrBlack() {

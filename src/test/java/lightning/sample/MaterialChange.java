@@ -24,6 +24,13 @@ sealed interface MaterialChange {
         }
     }
 
+    record Glow(Rgb to) implements MaterialChange {
+        @Override
+        public Material on(Material material) {
+            return material.withGlow(to);
+        }
+    }
+
     record Diffuse(Rgb to) implements MaterialChange {
         @Override
         public Material on(Material material) {

@@ -51,7 +51,7 @@ final class GltfMaterialImport {
         }
         TextureMeans means = m.metallicRoughnessImage() < 0 ? TextureMeans.NONE : metallicRoughnessMeans(m.metallicRoughnessImage());
         Material material = Material.of("material").withModel(ShadingModel.METALLIC).withBase(base)
-                .withAmbient(
+                .withGlow(
                         assembler.clampColor(m.emission().times(emissionTextureMean(m)), SceneLimits.MAX_EMISSION, "emission of materials"))
                 .withMetalness(SceneAssembler.clamp(m.metallic() * means.metalness(), 1))
                 .withRoughness(SceneAssembler.clamp(m.roughness() * means.roughness(), 1)).withTexture(textureMap(m.baseImage()));
@@ -76,7 +76,7 @@ final class GltfMaterialImport {
      */
     private Material withReflection(Material material) {
         boolean isMirror = material.metalness() == 1 && material.roughness() <= MAX_MIRROR_ROUGHNESS && material.texture().isEmpty()
-                && material.ambient().isBlack();
+                && material.glow().isBlack();
         assembler.notes.add("metals that reflect only lights (rough, partly metallic, textured or emissive)",
                 material.metalness() > 0 && !isMirror ? 1 : 0);
         return isMirror ? material.withReflective(material.base()) : material;

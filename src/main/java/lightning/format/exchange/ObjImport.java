@@ -111,17 +111,17 @@ final class ObjImport {
         Rgb diffuse = assembler.clampColor(m.diffuse(), 1, "diffuse colors of materials");
         Rgb emission = assembler.clampColor(m.emission(), SceneLimits.MAX_EMISSION, "emission of materials");
         Material opaque = switch (m.illumination()) {
-            case CONSTANT -> constant(m, diffuse.plus(emission));
+            case CONSTANT -> constant(m, diffuse).withGlow(emission);
             case DIFFUSE, HIGHLIGHT, REFLECTION, GLASS, FRESNEL, REFRACTION, FRESNEL_REFRACTION, REFLECTION_MAP, GLASS_MAP,
                     SHADOW_CATCHER ->
-                    highlightMaterial(m).withDiffuse(diffuse).withAmbient(emission).withTexture(textureMap(m.texture()));
+                    highlightMaterial(m).withDiffuse(diffuse).withGlow(emission).withTexture(textureMap(m.texture()));
         };
         Optional<TextureMap> cutout = textureMap(m.cutout());
         assembler.notes.add("opacity maps (map_d), imported as cutouts at half opacity", cutout.isPresent() ? 1 : 0);
         return withTransmission(m, opaque).withCutout(AlphaCutout.NONE.withMap(cutout));
     }
 
-    /** Returns a surface of constant color, independent of lighting. */
+    /** Returns a surface of constant color, independent of lighting. It is ambient light, since the surface is no light source. */
     private Material constant(MtlMaterial m, Rgb color) {
         assembler.notes.add("textures of unlit materials", m.texture().isPresent() ? 1 : 0);
         return Material.of("material").withAmbient(color).withDiffuse(Rgb.BLACK);

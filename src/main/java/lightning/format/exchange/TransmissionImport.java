@@ -34,7 +34,7 @@ final class TransmissionImport {
             return opaque;
         }
         assembler.picture = assembler.picture.withDepth(Math.max(assembler.picture.depth(), MIN_DEPTH));
-        assembler.notes.add("emission of transparent materials, weakened", opaque.ambient().isBlack() ? 0 : 1);
+        assembler.notes.add("emission of transparent materials, weakened", opaque.ambient().isBlack() && opaque.glow().isBlack() ? 0 : 1);
         double remaining = transmitted.max() < 1 ? (1 - transmission) / (1 - transmitted.max()) : 0;
         Material body = metallic > 0 ? opaque : opaque.withAlbedo(opaque.albedo().times(Math.min(remaining, 1)));
         return body.withTransmission(new Transmission(transmitted, ior >= 1 ? Math.min(ior, SceneLimits.MAX_IOR) : 1, isThin,

@@ -15,6 +15,9 @@ sealed interface Layer {
     /** Ambient term of directly visible surfaces. */
     record Ambient() implements Layer {}
 
+    /** Light that directly visible surfaces emit themselves. */
+    record Emission() implements Layer {}
+
     /**
      * One term of some lights on directly visible surfaces.
      *
@@ -30,9 +33,12 @@ sealed interface Layer {
 
     String ENVIRONMENT = "environment";
 
-    /** Returns the layers of an image, in summation order. Inactive lights have none. */
+    /** Returns the layers of an image, in summation order. Inactive lights and scenes without glowing materials have none. */
     static List<Layer> of(Scene scene) {
         List<Layer> layers = new ArrayList<>(List.of(new Background(), new Ambient()));
+        if (scene.materials().stream().anyMatch(m -> !m.glow().isBlack())) {
+            layers.add(new Emission());
+        }
         WeightedLight[] lights = WeightedLight.ofScene(scene);
         List<Light> sceneLights = scene.lights();
         for (int i = 0; i < sceneLights.size(); i++) {

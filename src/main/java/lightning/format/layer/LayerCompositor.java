@@ -35,6 +35,7 @@ final class LayerCompositor {
         darkWorld = scene.world().withAmbience(0);
         lights = WeightedLight.ofScene(scene);
         composer = new TileComposer(cache.geometry().materials(), engine.sums(), ViewEffects.ALL);
+        composer.setShowsGlow(false);
     }
 
     /** Returns the colors of a layer: red, green, blue, {@code float[1024]} each; for a block of samples those of the samples. */
@@ -47,6 +48,11 @@ final class LayerCompositor {
                 composer.composeLevel(rows, NO_LIGHTS, NO_LAYERS, darkWorld, BLACK, result);
             }
             case Layer.Ambient _ -> composer.composeLevel(rows, NO_LIGHTS, NO_LAYERS, scene.world(), BLACK, result);
+            case Layer.Emission _ -> {
+                composer.setShowsGlow(true);
+                composer.composeLevel(rows, NO_LIGHTS, NO_LAYERS, darkWorld, BLACK, result);
+                composer.setShowsGlow(false);
+            }
             case Layer.Reflections _ -> {
                 if (rows.reflectiveCount > 0) {
                     composer.composeLevel(rows, NO_LIGHTS, NO_LAYERS, darkWorld, tile.images, result);

@@ -13,8 +13,8 @@ import lightning.scene.TextureMap;
 import lightning.scene.Transmission;
 
 /**
- * Writer for materials. POV-Ray computes a point's color as pigment·(ambient·ambient_light + Σ diffuse) + phong +
- * reflection, so the pigment is kd·(1 − kr), and emission is divided by it.
+ * Writer for materials. POV-Ray computes a point's color as pigment·(ambient·ambient_light + emission + Σ diffuse) +
+ * phong + reflection, so the pigment is kd·(1 − kr), and ambient color and glow are divided by it.
  */
 final class PovMaterialWriter {
     /** Replacement for a pigment of 0 on emissive surfaces: far below half a step of 8 bits. */
@@ -139,7 +139,9 @@ final class PovMaterialWriter {
         String fade = clarity.isTinted() ? " fade_color " + PovFormat.rgb(new Rgb(fade(clarity.tint().r()), fade(clarity.tint().g()),
                 fade(clarity.tint().b()))) + " fade_distance " + clarity.tintDistance() + " fade_power 1001" : "";
         return "texture {\n    pigment { rgbf <" + pigment.r() + ", " + pigment.g() + ", " + pigment.b() + ", " + filter + "> }\n"
-                + "    finish { ambient " + PovFormat.rgb(m.ambient()) + " diffuse " + gray(m.name(), "diffuse", m.diffuse()) + phong
+                + "    finish { ambient " + PovFormat.rgb(m.ambient()) + emission(m.glow()) + " diffuse "
+                + gray(m.name(), "diffuse", m.diffuse())
+                + phong
                 + reflection + " }\n  }\n  interior { ior " + (clarity.thin() ? 1 : clarity.ior()) + fade + " }";
     }
 
@@ -166,12 +168,13 @@ final class PovMaterialWriter {
 
     private String untextured(Material m) {
         Rgb unreflected = new Rgb(1 - m.reflective().r(), 1 - m.reflective().g(), 1 - m.reflective().b());
-        Rgb emission = times(m.ambient(), unreflected);
+        Rgb ambient = times(m.ambient(), unreflected);
+        Rgb glow = times(m.glow(), unreflected);
+        Rgb own = ambient.plus(glow);
         Rgb diffuse = times(m.diffuse(), unreflected);
-        Rgb pigment = new Rgb(pigment(diffuse.r(), emission.r()), pigment(diffuse.g(), emission.g()), pigment(diffuse.b(), emission.b()));
-        Rgb ambient = new Rgb(ratio(emission.r(), pigment.r()), ratio(emission.g(), pigment.g()), ratio(emission.b(), pigment.b()));
-        return "texture {\n    pigment { " + PovFormat.rgb(pigment) + " }\n    finish { ambient " + PovFormat.rgb(ambient)
-                + " diffuse 1 " + highlightText(m) + " }\n  }";
+        Rgb pigment = new Rgb(pigment(diffuse.r(), own.r()), pigment(diffuse.g(), own.g()), pigment(diffuse.b(), own.b()));
+        return "texture {\n    pigment { " + PovFormat.rgb(pigment) + " }\n    finish { ambient " + PovFormat.rgb(ratio(ambient, pigment))
+                + emission(ratio(glow, pigment)) + " diffuse 1 " + highlightText(m) + " }\n  }";
     }
 
     private String textured(Material m, TextureMap map, Solid solid, String image) {
@@ -180,12 +183,15 @@ final class PovMaterialWriter {
         if (!m.ambient().isBlack()) {
             warn("material " + m.name() + ": ambient is multiplied by the texture");
         }
+        if (!m.glow().isBlack()) {
+            warn("material " + m.name() + ": glow is multiplied by the texture");
+        }
         Rgb ambient = m.ambient().times(unreflected);
         return "texture {\n    pigment { " + (solid instanceof Solid.TriangleMesh ? "uv_mapping " : "") + "image_map { png \"" + image
                 + "\" "
                 + mapping(solid) + " interpolate 2 } "
-                + String.join(" ", textureTransform(m, map, solid)) + " }\n    finish { ambient " + PovFormat.rgb(ambient) + " diffuse "
-                + diffuse * unreflected + " " + highlightText(m) + " }\n  }";
+                + String.join(" ", textureTransform(m, map, solid)) + " }\n    finish { ambient " + PovFormat.rgb(ambient)
+                + emission(m.glow().times(unreflected)) + " diffuse " + diffuse * unreflected + " " + highlightText(m) + " }\n  }";
     }
 
     private static String mapping(Solid solid) {
@@ -254,6 +260,15 @@ final class PovMaterialWriter {
 
     private static double pigment(double diffuse, double emission) {
         return diffuse > 0 || emission == 0 ? diffuse : MIN_PIGMENT;
+    }
+
+    /** Returns the statement for a glow: empty if there is none. */
+    private static String emission(Rgb glow) {
+        return glow.isBlack() ? "" : " emission " + PovFormat.rgb(glow);
+    }
+
+    private static Rgb ratio(Rgb emission, Rgb pigment) {
+        return new Rgb(ratio(emission.r(), pigment.r()), ratio(emission.g(), pigment.g()), ratio(emission.b(), pigment.b()));
     }
 
     private static double ratio(double emission, double pigment) {

@@ -9,6 +9,7 @@ import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
 import lightning.render.cache.CachedTile;
 import lightning.render.cache.PixelCache;
+import lightning.render.engine.Engine;
 import lightning.render.engine.EngineWorkers;
 import lightning.render.image.Film;
 import lightning.render.relight.tile.RenderOptions;
@@ -17,11 +18,12 @@ import lightning.render.shading.WeightedLight;
 import lightning.render.trace.SamplePositions;
 import lightning.scene.Light;
 import lightning.scene.Scene;
+import lightning.scene.Stage;
 import lightning.scene.World;
 
 /**
- * Image of one light's contribution: the picture without all other lights, the ambience and the background, in mirrors too. Apart
- * from rounding, the images of all lights and that of ambience and background add up to the picture.
+ * Image of one light's contribution: the picture without all other lights, the ambience, the glow of materials and the background, in
+ * mirrors too. Apart from rounding, the images of all lights and that of ambience, glow and background add up to the picture.
  */
 public final class LightImage {
     private LightImage() {}
@@ -37,7 +39,9 @@ public final class LightImage {
             // A solo light that is switched off mutes no light.
             lights.add(l.name().equals(light) && scene.isActive(l) ? l : l.withOn(false));
         }
-        return new Scene(scene.picture(), scene.camera(), new World(0, Rgb.BLACK), scene.stage(), scene.rig().withLights(lights));
+        Stage stage =
+                scene.stage().withMaterials(scene.materials().stream().map(m -> m.glow().isBlack() ? m : m.withGlow(Rgb.BLACK)).toList());
+        return new Scene(scene.picture(), scene.camera(), new World(0, Rgb.BLACK), stage, scene.rig().withLights(lights));
     }
 
     /**
@@ -51,7 +55,7 @@ public final class LightImage {
         WeightedLight[] top = WeightedLight.ofScene(scene);
         WeightedLight[] mirrors = WeightedLight.ofScene(scene(cache.mirroredScene(), light));
         List<EngineWorkers<TileRecomposer>> recomposers = EngineWorkers.perThread(workers.count(), options.engines(),
-                engine -> new TileRecomposer(cache, engine, options.view()));
+                engine -> recomposer(cache, engine, options));
         float[][][] films = new float[Math.max(cache.tileCount(), cache.fineCount())][][];
         workers.run(films.length, (worker, i) -> {
             Function<CachedTile, float[][]> share = tile -> tileImage(tile, recomposers.get(worker).forTile(i), top, mirrors, scene);
@@ -59,6 +63,12 @@ public final class LightImage {
             films[i] = cache.fineCount() == 0 ? share.apply(center) : cache.fineTile(i).film(center, share);
         }, progress);
         return film(scene, films);
+    }
+
+    private static TileRecomposer recomposer(PixelCache cache, Engine engine, RenderOptions options) {
+        var recomposer = new TileRecomposer(cache, engine, options.view());
+        recomposer.setShowsGlow(false);
+        return recomposer;
     }
 
     private static float[][] tileImage(CachedTile tile, TileRecomposer recomposer, WeightedLight[] top, WeightedLight[] mirrors,

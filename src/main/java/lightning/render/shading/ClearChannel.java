@@ -3,7 +3,7 @@ package lightning.render.shading;
 /**
  * Factors of one color channel of a clear material, as {@link LightingEquation#clearColor} needs them.
  *
- * @param emitted    k<sub>ambient</sub> times the scene's ambience
+ * @param emitted    {@link LightingEquation#emitted}
  * @param diffuse    k<sub>diffuse</sub> before the texture
  * @param specular   k<sub>specular</sub>, or the part of F0 that no texture multiplies
  * @param texturedF0 the part of F0 that texels multiply; 0 if the material is not metallic
@@ -14,8 +14,8 @@ package lightning.render.shading;
 public record ClearChannel(float emitted, float diffuse, float specular, float texturedF0, float reflective, float body, float clear) {
 
     /** Returns the factors of channel {@code c} of a material. */
-    static ClearChannel of(ShadingMaterial material, int c, float ambience) {
-        return new ClearChannel(material.ambient()[c] * ambience, material.diffuse()[c], material.specular()[c],
+    static ClearChannel of(ShadingMaterial material, int c, float emitted) {
+        return new ClearChannel(emitted, material.diffuse()[c], material.specular()[c],
                 material.texturedF0() == null ? 0 : material.texturedF0()[c], material.reflective()[c], material.bodyShare(),
                 ClearMaterialShader.channel(material.clarity().color(), c));
     }

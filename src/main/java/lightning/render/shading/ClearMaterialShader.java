@@ -29,9 +29,10 @@ final class ClearMaterialShader {
     /**
      * Shades a run of rows, as {@link SumKernel#shade}, including refraction.
      *
-     * @param cached terms of the level's clear rows; computed if null
+     * @param emitted {@link LightingEquation#emitted} of red, green and blue
+     * @param cached  terms of the level's clear rows; computed if null
      */
-    void shade(HitRows rows, int run, ShadingMaterial material, float ambience, float[][] diffuse, float[][] specular, float[][] grazing,
+    void shade(HitRows rows, int run, ShadingMaterial material, float[] emitted, float[][] diffuse, float[][] specular, float[][] grazing,
             ClearTerms cached, BounceImages images, float[][] to) {
         int start = rows.runStart(run);
         int end = rows.runEnd[run];
@@ -46,7 +47,7 @@ final class ClearMaterialShader {
             kernel.clearTerms(rows, start, end, material.clarity(), material.interior(), scratch.share, scratch.tint);
         }
         for (int c = 0; c < 3; c++) {
-            ClearChannel channel = ClearChannel.of(material, c, ambience);
+            ClearChannel channel = ClearChannel.of(material, c, emitted[c]);
             if (material.takesLight()) {
                 kernel.clearSurface(start, end, channel, material.isTextured() ? rows.texel(c) : ClearTerms.WHITE, diffuse[c],
                         specular == null ? zeros : specular[c], grazing == null ? zeros : grazing[c], terms.share, to[c]);

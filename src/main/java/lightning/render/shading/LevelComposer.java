@@ -25,6 +25,9 @@ final class LevelComposer {
     /** Allocated on first use. */
     private float[][] indirectSum;
     private LightComponent component = LightComponent.ALL;
+    private boolean showsGlow = true;
+    /** Emitted light of the run that is being shaded: red, green, blue. */
+    private final float[] emitted = new float[3];
 
     LevelComposer(MaterialTable materials, SumKernel sums, ViewEffects view) {
         this.sumKernel = sums;
@@ -41,6 +44,11 @@ final class LevelComposer {
     /** Sets the light component that is composed from now on. */
     void setComponent(LightComponent v) {
         component = v;
+    }
+
+    /** Sets whether surfaces glow from now on. */
+    void setShowsGlow(boolean v) {
+        showsGlow = v;
     }
 
     /**
@@ -115,8 +123,11 @@ final class LevelComposer {
     private void shade(HitRows rows, int run, SumColumns sum, float[][] allDiffuse, float ambience, ClearTerms terms, BounceImages images,
             float[][] to) {
         ShadingMaterial material = shadingMaterials[rows.runMaterial[run]];
+        for (int c = 0; c < 3; c++) {
+            emitted[c] = LightingEquation.emitted(material.ambient()[c], ambience, showsGlow ? material.glow()[c] : 0);
+        }
         if (material.hasImage() && !litTextures) {
-            shadeUnlit(rows, run, material, ambience, to);
+            shadeUnlit(rows, run, material, to);
             return;
         }
         boolean shines = component != LightComponent.DIFFUSE;
@@ -124,18 +135,18 @@ final class LevelComposer {
         float[][] specular = shines && sum.hasSpecular && material.hasSpecular() ? sum.specular : null;
         float[][] grazing = shines && sum.hasGrazing && material.texturedF0() != null ? sum.grazing : null;
         if (material.clarity() != null) {
-            clearShader().shade(rows, run, material, ambience, diffuse, specular, grazing, terms, images, to);
+            clearShader().shade(rows, run, material, emitted, diffuse, specular, grazing, terms, images, to);
         } else {
-            sumKernel.shade(rows, run, material, ambience, diffuse, specular, grazing, images == null ? null : images.mirrored(), to);
+            sumKernel.shade(rows, run, material, emitted, diffuse, specular, grazing, images == null ? null : images.mirrored(), to);
         }
     }
 
     /** Shades an unlit texture, which shows its own color regardless of the lights. */
-    private static void shadeUnlit(HitRows rows, int run, ShadingMaterial material, float ambience, float[][] to) {
+    private void shadeUnlit(HitRows rows, int run, ShadingMaterial material, float[][] to) {
         for (int c = 0; c < 3; c++) {
             float[] texel = rows.texel(c);
             for (int i = rows.runStart(run); i < rows.runEnd[run]; i++) {
-                to[c][i] = material.ambient()[c] * ambience + material.diffuse()[c] * texel[i];
+                to[c][i] = emitted[c] + material.diffuse()[c] * texel[i];
             }
         }
     }

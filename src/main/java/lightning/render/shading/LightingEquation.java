@@ -7,7 +7,7 @@ import lightning.scene.Attenuation;
  * Lighting equation (paper §2.2), term by term, for one row and one light.
  *
  * <pre>
- * I     = [ka·ambience + kd·Σ Idiff]·(1 − kr) + (ks·Σ Ispec + Σ Igraz) + kr·Cr
+ * I     = [(ka·ambience + glow) + kd·Σ Idiff]·(1 − kr) + (ks·Σ Ispec + Σ Igraz) + kr·Cr
  * Idiff = weight·(cosine·falloff)      weight  = color·intensity
  * Ispec = weight·(specular·falloff)    falloff = atten·spot·doors
  * Igraz = weight·(grazing·falloff)     metallic materials only
@@ -17,7 +17,7 @@ import lightning.scene.Attenuation;
  * transmits T = tint<sup>path/distance</sup> (Beer's law), and b = 1 − the largest channel of kt:
  *
  * <pre>
- * I     = {[ka·ambience + kd·Σ Idiff]·(1 − m)·b + (ks·Σ Ispec + Σ Igraz) + m·Cr + (1 − m)·kt·Ct}·T
+ * I     = {[(ka·ambience + glow) + kd·Σ Idiff]·(1 − m)·b + (ks·Σ Ispec + Σ Igraz) + m·Cr + (1 − m)·kt·Ct}·T
  * </pre>
  *
  * <p>Metallic materials follow glTF 2.0 (appendix B.3): D is GGX, V is Smith's visibility, F is Schlick's F0 + (1 − F0)·s with
@@ -222,9 +222,17 @@ public final class LightingEquation {
     }
 
     /**
+     * Returns one channel of the light that a surface sends even if no light reaches it: ambient light and its glow. A glow of 0 changes
+     * no bit of a product that is at least +0.
+     */
+    static float emitted(float ka, float ambience, float glow) {
+        return ka * ambience + glow;
+    }
+
+    /**
      * Returns one channel of the light that a clear surface itself sends, before the interior tint.
      *
-     * @param emitted ambient light
+     * @param emitted {@link #emitted}
      */
     public static float clearSurface(float emitted, float kd, float diffuse, float ks, float specular, float grazing, float kr, float body,
             float share) {
@@ -247,21 +255,24 @@ public final class LightingEquation {
      * Returns one channel of the whole equation of a clear surface, at most the sum of its parts: {@code left·body}, {@code mirror}
      * and {@code left·kt} add up to at most 1.
      *
-     * @param share F
-     * @param tint  T
+     * @param emitted {@link #emitted}
+     * @param share   F
+     * @param tint    T
      */
-    static float clearColor(float ka, float ambience, float kd, float diffuse, float ks, float specular, float grazing, float kr,
+    static float clearColor(float emitted, float kd, float diffuse, float ks, float specular, float grazing, float kr,
             float mirrored, float body, float share, float kt, float refracted, float tint) {
-        return clearColor(clearSurface(ka * ambience, kd, diffuse, ks, specular, grazing, kr, body, share), kr, mirrored, share, kt,
+        return clearColor(clearSurface(emitted, kd, diffuse, ks, specular, grazing, kr, body, share), kr, mirrored, share, kt,
                 refracted, tint);
     }
 
     /**
      * Returns one channel of the whole equation of an opaque surface; {@code diffuse}, {@code specular} and {@code grazing} are the
      * lights' sums.
+     *
+     * @param emitted {@link #emitted}
      */
-    static float color(float ka, float ambience, float kd, float diffuse, float ks, float specular, float grazing, float kr,
+    static float color(float emitted, float kd, float diffuse, float ks, float specular, float grazing, float kr,
             float mirrored) {
-        return (ka * ambience + kd * diffuse) * (1 - kr) + (ks * specular + grazing) + kr * mirrored;
+        return (emitted + kd * diffuse) * (1 - kr) + (ks * specular + grazing) + kr * mirrored;
     }
 }

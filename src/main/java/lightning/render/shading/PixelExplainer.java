@@ -71,7 +71,7 @@ public final class PixelExplainer {
         int shape = geometry.nearest(ray);
         if (shape < 0) {
             return new PointReport(null, passedCutouts(ray, Double.POSITIVE_INFINITY), null,
-                    BackgroundShader.color(scene.world(), ray.direction()), ZERO,
+                    BackgroundShader.color(scene.world(), ray.direction()), ZERO, ZERO,
                     List.of(), null, null);
         }
         SurfacePoint hit = geometry.surface(shape, ray);
@@ -85,21 +85,24 @@ public final class PixelExplainer {
         }
         float[] color = new float[3];
         float[] ambient = new float[3];
+        float[] glow = new float[3];
         float ambience = (float) scene.world().ambience();
         var share = new SurfaceWeights(hit);
         for (int c = 0; c < 3; c++) {
             float ka = materials.ambient(hit.material(), c);
             float kr = materials.reflective(hit.material(), c);
+            float emitted = LightingEquation.emitted(ka, ambience, materials.glow(hit.material(), c));
             ambient[c] = ka * ambience * share.bodyWeight(kr, c);
+            glow[c] = materials.glow(hit.material(), c) * share.bodyWeight(kr, c);
             color[c] = materials.isTransparent(hit.material())
-                    ? share.color(c, ka, ambience, hit.diffuse()[c], sum(reports, c, LightReport::diffuse),
+                    ? share.color(c, emitted, hit.diffuse()[c], sum(reports, c, LightReport::diffuse),
                             hit.specular()[c], sum(reports, c, LightReport::highlight), sum(reports, c, LightReport::sheen), kr,
                             reflected == null ? 0 : reflected.color()[c], refracted == null ? 0 : refracted.color()[c])
-                    : LightingEquation.color(ka, ambience, hit.diffuse()[c], sum(reports, c, LightReport::diffuse),
+                    : LightingEquation.color(emitted, hit.diffuse()[c], sum(reports, c, LightReport::diffuse),
                             hit.specular()[c], sum(reports, c, LightReport::highlight), sum(reports, c, LightReport::sheen), kr,
                             reflected == null ? 0 : reflected.color()[c]);
         }
-        return new PointReport(hit, passedCutouts(ray, geometry.distance(shape, ray)), normals, color, ambient, reports, reflected,
+        return new PointReport(hit, passedCutouts(ray, geometry.distance(shape, ray)), normals, color, ambient, glow, reports, reflected,
                 refracted);
     }
 

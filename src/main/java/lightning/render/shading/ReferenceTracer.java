@@ -165,9 +165,7 @@ public final class ReferenceTracer {
                 grazing[l] = LightingEquation.contribution(weight, terms[l][3], terms[l][2], terms[l][4 + c]);
             }
             color[c] = materials.isTransparent(material) ? clearColor(hit, c, diffuse, specular, grazing, mirrored, refracted)
-                    : LightingEquation.color(
-                            materials.ambient(material, c), (float) scene.world().ambience(),
-                            hit.diffuse()[c], LightingEquation.sum(diffuse, 0, lights.length),
+                    : LightingEquation.color(emitted(material, c), hit.diffuse()[c], LightingEquation.sum(diffuse, 0, lights.length),
                             hit.specular()[c], LightingEquation.sum(specular, 0, lights.length),
                             LightingEquation.sum(grazing, 0, lights.length),
                             materials.reflective(material, c), mirrored[c]);
@@ -175,11 +173,15 @@ public final class ReferenceTracer {
         return color;
     }
 
+    private float emitted(int material, int c) {
+        return LightingEquation.emitted(materials.ambient(material, c), (float) scene.world().ambience(), materials.glow(material, c));
+    }
+
     /** Returns one channel of the color of a clear surface. */
     private float clearColor(SurfacePoint hit, int c, float[] diffuse, float[] specular, float[] grazing, float[] mirrored,
             float[] refracted) {
-        return new SurfaceWeights(hit).color(c, materials.ambient(hit.material(), c), (float) scene.world().ambience(),
-                hit.diffuse()[c], LightingEquation.sum(diffuse, 0, lights.length),
+        return new SurfaceWeights(hit).color(c, emitted(hit.material(), c), hit.diffuse()[c],
+                LightingEquation.sum(diffuse, 0, lights.length),
                 hit.specular()[c], LightingEquation.sum(specular, 0, lights.length), LightingEquation.sum(grazing, 0, lights.length),
                 materials.reflective(hit.material(), c), mirrored[c], refracted[c]);
     }

@@ -6,7 +6,7 @@ import lightning.render.trace.MaterialTable;
 import lightning.render.trace.Refraction;
 
 /**
- * Contribution of one light to single rows, without ambience, by the {@link LightingEquation} itself. Used for the few rows of a
+ * Contribution of one light to single rows, without ambience and glow, by the {@link LightingEquation} itself. Used for the few rows of a
  * thumbnail, where processing all rows would be wasted. The bits are those of a picture that has only this light.
  */
 public final class RowContribution {
@@ -60,8 +60,8 @@ public final class RowContribution {
             }
             float kd = shading.isTextured() ? texel * shading.diffuse()[c] : shading.diffuse()[c];
             to[at + c] = shading.clarity() == null
-                    ? LightingEquation.color(0, 0, kd, diffuse, ks, specular, grazing, shading.reflective()[c], mirrored[from + c])
-                    : LightingEquation.clearColor(0, 0, kd, diffuse, ks, specular, grazing, shading.reflective()[c], mirrored[from + c],
+                    ? LightingEquation.color(0, kd, diffuse, ks, specular, grazing, shading.reflective()[c], mirrored[from + c])
+                    : LightingEquation.clearColor(0, kd, diffuse, ks, specular, grazing, shading.reflective()[c], mirrored[from + c],
                             shading.bodyShare(), fresnel, ClearMaterialShader.channel(shading.clarity().color(), c), refracted[from + c],
                             tint[c]);
         }

@@ -7,6 +7,7 @@ import lightning.scene.Transmission;
  * Material properties as the {@link LightingEquation} needs them: red, green, blue each.
  *
  * @param ambient      k<sub>ambient</sub> before the scene's ambience
+ * @param glow         light that the surface emits itself
  * @param diffuse      k<sub>diffuse</sub> before the texture
  * @param specular     k<sub>specular</sub>, or the part of F0 that no texture multiplies
  * @param texturedF0   the part of F0 that texels multiply; null if the material is not metallic
@@ -19,7 +20,7 @@ import lightning.scene.Transmission;
  * @param hasSpecular  true if it has specular terms: k<sub>specular</sub> is above 0 in any channel, or the material is metallic
  * @param isReflective true if k<sub>reflective</sub> is above 0 in any channel
  */
-public record ShadingMaterial(float[] ambient, float[] diffuse, float[] specular, float[] texturedF0, float[] reflective,
+public record ShadingMaterial(float[] ambient, float[] glow, float[] diffuse, float[] specular, float[] texturedF0, float[] reflective,
         Transmission clarity, InteriorTint interior, float bodyShare,
         boolean isTextured,
         boolean hasImage,
@@ -39,6 +40,7 @@ public record ShadingMaterial(float[] ambient, float[] diffuse, float[] specular
     static ShadingMaterial of(MaterialTable t, int m) {
         float[] reflective = {t.reflective(m, 0), t.reflective(m, 1), t.reflective(m, 2)};
         return new ShadingMaterial(new float[] {t.ambient(m, 0), t.ambient(m, 1), t.ambient(m, 2)},
+                new float[] {t.glow(m, 0), t.glow(m, 1), t.glow(m, 2)},
                 new float[] {t.diffuse(m, 0), t.diffuse(m, 1), t.diffuse(m, 2)},
                 new float[] {t.specular(m, 0), t.specular(m, 1), t.specular(m, 2)},
                 t.isMetallic(m) ? new float[] {t.metalF0(m, 0), t.metalF0(m, 1), t.metalF0(m, 2)} : null, reflective,

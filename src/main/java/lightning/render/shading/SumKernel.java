@@ -17,14 +17,14 @@ public interface SumKernel {
      * are red, green and blue columns.
      *
      * @param material the run's material
-     * @param ambience the scene's ambience
+     * @param emitted  {@link LightingEquation#emitted} of red, green and blue
      * @param diffuse  the lights' diffuse sum
      * @param specular their specular sum; null if there is none, or none is shown
      * @param grazing  their grazing sum; null if there is none, or the material is not metallic
      * @param mirrored Cr; unread if the material is not reflective
      * @param to       receives the colors
      */
-    void shade(HitRows rows, int run, ShadingMaterial material, float ambience, float[][] diffuse, float[][] specular, float[][] grazing,
+    void shade(HitRows rows, int run, ShadingMaterial material, float[] emitted, float[][] diffuse, float[][] specular, float[][] grazing,
             float[][] mirrored, float[][] to);
 
     /**

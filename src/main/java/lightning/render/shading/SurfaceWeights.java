@@ -26,7 +26,7 @@ public final class SurfaceWeights {
         return tint[c];
     }
 
-    /** Returns the factor of diffuse and ambient light. */
+    /** Returns the factor of diffuse, ambient and emitted light. */
     public float bodyWeight(float kr, int c) {
         return hit.backSide() == null ? 1 - kr
                 : (1 - reflectance(kr)) * ClearMaterialShader.bodyShare(hit.backSide().transmission()) * tint[c];
@@ -48,9 +48,9 @@ public final class SurfaceWeights {
     }
 
     /** Returns one channel of the color of a clear surface by the {@link LightingEquation}. */
-    float color(int c, float ka, float ambience, float kd, float diffuse, float ks, float specular, float grazing, float kr,
+    float color(int c, float emitted, float kd, float diffuse, float ks, float specular, float grazing, float kr,
             float mirroredColor, float refractedColor) {
-        return LightingEquation.clearColor(ka, ambience, kd, diffuse, ks, specular, grazing, kr, mirroredColor,
+        return LightingEquation.clearColor(emitted, kd, diffuse, ks, specular, grazing, kr, mirroredColor,
                 ClearMaterialShader.bodyShare(hit.backSide().transmission()), fresnel,
                 ClearMaterialShader.channel(hit.backSide().transmission().color(), c), refractedColor,
                 tint[c]);

@@ -108,6 +108,11 @@ public final class TileComposer {
         composer.setComponent(part);
     }
 
+    /** Sets whether surfaces glow from now on; initially they do. */
+    public void setShowsGlow(boolean v) {
+        composer.setShowsGlow(v);
+    }
+
     /** Returns the partial sums next to one light, for {@link #composeLevel} while only that light is edited. */
     public BranchSums branchSums(HitRows rows, WeightedLight[] lights, LightLayer[] layers, BranchSums.Key key) {
         return composer.lightSum().branchSums(rows.count, lights, layers, key);

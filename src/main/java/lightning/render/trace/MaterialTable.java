@@ -36,6 +36,7 @@ public final class MaterialTable {
     private final int[] rank;
     private final int[] materialByRank;
     private final float[] ambient;
+    private final float[] glow;
     private final float[] diffuse;
     private final float[] specular;
     private final float[] reflective;
@@ -59,6 +60,7 @@ public final class MaterialTable {
         int count = materials.size();
         this.vertexColored = new boolean[count];
         ambient = new float[3 * count];
+        glow = new float[3 * count];
         diffuse = new float[3 * count];
         specular = new float[3 * count];
         reflective = new float[3 * count];
@@ -71,6 +73,7 @@ public final class MaterialTable {
             Material material = materials.get(m);
             this.vertexColored[m] = vertexColorMaterials.contains(material.name());
             store(material.ambient(), ambient, 3 * m);
+            store(material.glow(), glow, 3 * m);
             switch (material.model()) {
                 case PHONG -> {
                     store(material.diffuse(), diffuse, 3 * m);
@@ -213,6 +216,11 @@ public final class MaterialTable {
     /** Returns k<sub>ambient</sub> without the scene's ambient light; {@code channel} is 0, 1, 2 for red, green, blue. */
     public float ambient(int m, int channel) {
         return ambient[3 * m + channel];
+    }
+
+    /** Returns the light that the surface emits itself. */
+    public float glow(int m, int channel) {
+        return glow[3 * m + channel];
     }
 
     /** Returns k<sub>diffuse</sub> without the texture; base·(1 − metalness)·(1 − f0) for a metallic material. */

@@ -54,6 +54,8 @@ public final class RenderEffect {
     public static final RenderEffect TRANSMISSION = register("clear", "transparent materials",
             uses -> uses.materials(m -> m.transmission().isTransparent() || !m.transmission().castsShadows()),
             scene -> EffectRemoval.mapMaterials(scene, m -> m.withTransmission(Transmission.NONE)), UnaryOperator.identity(), false);
+    public static final RenderEffect GLOW = register("glow", "glowing materials", uses -> uses.materials(m -> !m.glow().isBlack()),
+            scene -> EffectRemoval.mapMaterials(scene, m -> m.withGlow(Rgb.BLACK)), UnaryOperator.identity(), false);
     public static final RenderEffect TINTED_SHADOWS =
             register("tinted-shadows", "tinted shadows", uses -> uses.materials(m -> m.transmission().tintsShadows()),
                     scene -> EffectRemoval.mapMaterials(scene, m -> m.transmission().tintsShadows()

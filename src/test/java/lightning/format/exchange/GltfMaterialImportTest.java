@@ -164,7 +164,7 @@ class GltfMaterialImportTest {
     @Test
     void emissiveTexture_isReplacedByItsMean() throws Exception {
         ImportedScene imported = importJson("{'emissiveTexture': {'index': 0}, 'emissiveFactor': [1, 0.5, 1]}");
-        Rgb emission = imported.scene().materials().getFirst().ambient();
+        Rgb emission = imported.scene().materials().getFirst().glow();
         assertThat(emission.r()).isEqualTo(SrgbCurve.toLinear(128 / 255.0), within(1e-6));
         assertThat(emission.g()).isEqualTo(0.5 * SrgbCurve.toLinear(192 / 255.0), within(1e-6));
         assertThat(emission.b()).isEqualTo(1, within(1e-6));
@@ -175,7 +175,7 @@ class GltfMaterialImportTest {
     void unreadableEmissiveTexture_isIgnored() throws Exception {
         String broken = "{'emissiveTexture': {'index': 1}, 'emissiveFactor': [1, 1, 1]}";
         ImportedScene imported = importJson(broken, "'textures': [{'source': 0}]", "'textures': [{'source': 0}, {}]");
-        assertThat(imported.scene().materials().getFirst().ambient()).isEqualTo(Rgb.BLACK);
+        assertThat(imported.scene().materials().getFirst().glow()).isEqualTo(Rgb.BLACK);
         assertThat(imported.notes()).containsEntry("emissiveTexture of materials", 1);
     }
 
@@ -187,7 +187,8 @@ class GltfMaterialImportTest {
                         .replace("}}", "}, 'emissiveFactor': [0, 0.5, 1]}"));
         imported.write();
         assertThat(JenReader.read(folder.resolve("a.jen")).scene().materials()).isEqualTo(imported.scene().materials());
-        assertThat(imported.scene().materials().getFirst().ambient()).isEqualTo(new Rgb(0, 0.5, 1));
+        assertThat(imported.scene().materials().getFirst().glow()).isEqualTo(new Rgb(0, 0.5, 1));
+        assertThat(imported.scene().materials().getFirst().ambient()).isEqualTo(Rgb.BLACK);
     }
 
     @Test

@@ -236,9 +236,18 @@ class SceneImporterTest {
     @Test
     void constantModel_ignoresLights() throws Exception {
         Material material = objMaterial("Kd 0.5 0.2 0.1\nKe 0 0 1\nKs 1 1 1\nNs 50\nillum 0\n").material();
-        assertThat(material.ambient()).isEqualTo(new Rgb(0.5, 0.2, 1.1));
+        assertThat(material.ambient()).isEqualTo(new Rgb(0.5, 0.2, 0.1));
+        assertThat(material.glow()).isEqualTo(new Rgb(0, 0, 1));
         assertThat(material.diffuse()).isEqualTo(Rgb.BLACK);
         assertThat(material.specular()).isEqualTo(Rgb.BLACK);
+    }
+
+    @Test
+    void emission_becomesGlow() throws Exception {
+        Material material = objMaterial("Kd 0.5 0.2 0.1\nKe 0 3 1\n").material();
+        assertThat(material.glow()).isEqualTo(new Rgb(0, 3, 1));
+        assertThat(material.ambient()).isEqualTo(Rgb.BLACK);
+        assertThat(material.diffuse()).isEqualTo(new Rgb(0.5, 0.2, 0.1));
     }
 
     @Test

@@ -160,7 +160,8 @@ final class RandomScenes {
         java.util.Collections.shuffle(materials, random);
         materials.replaceAll(m -> switch (random.nextInt(3)) {
             case 0 -> m;
-            case 1 -> Material.of(m.name()).withAmbient(m.ambient()).withDiffuse(m.diffuse()).withSpecular(m.specular())
+            case 1 -> Material.of(m.name()).withAmbient(m.ambient()).withGlow(chance() ? m.glow() : color(1e6)).withDiffuse(m.diffuse())
+                    .withSpecular(m.specular())
                     .withShininess(m.shininess()).withReflective(m.reflective()).withTexture(texture())
                     .withBumpMapping(chance() ? m.bumpMapping() : relief()).withTransmission(chance() ? m.transmission() : clarity())
                     .withCutout(chance() ? m.cutout() : cutout());
@@ -217,7 +218,8 @@ final class RandomScenes {
 
     private Material material(String name) {
         return chance()
-                ? Material.of(name).withAmbient(color(1e6)).withDiffuse(color(1)).withSpecular(color(1)).withShininess(positive(1e6))
+                ? Material.of(name).withAmbient(color(1e6)).withGlow(color(1e6)).withDiffuse(color(1)).withSpecular(color(1))
+                        .withShininess(positive(1e6))
                         .withReflective(color(1)).withTexture(texture()).withBumpMapping(relief()).withTransmission(clarity())
                         .withCutout(cutout())
                 : Material.of(name).withTexture(texture());

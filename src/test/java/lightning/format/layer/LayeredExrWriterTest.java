@@ -14,6 +14,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CancellationException;
 import lightning.base.math.Ray;
+import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
@@ -167,6 +168,28 @@ class LayeredExrWriterTest {
                     assertThat(file.channel("P.Y")[i]).isEqualTo((float) (point.y() + scene.camera().from().y()));
                     assertThat(file.channel("N.X")[i]).isEqualTo(Float.float16ToFloat(Float.floatToFloat16(at.nx())));
                 }
+            }
+        }
+    }
+
+    /** The floor and a ball mirror half of the light, so they show half of their glow; the other ball does not glow. */
+    @Test
+    void emission_isALayerOfItsOwn() throws IOException {
+        Scene studio = StudioScene.of(LightType.SPOT);
+        Scene scene = studio.withMaterial(studio.material("glass").orElseThrow().withGlow(new Rgb(3, 0.5, 0.25)));
+        try (Renderer renderer = new Renderer(RenderOptions.DEFAULT.withThreads(1))) {
+            renderer.render(scene, Progress.NONE);
+            ExrValues file = writeFile(renderer, ExrType.FLOAT);
+            assertThat(file.list("lightning/sum")).containsExactly("background", "ambient", "emission", "key.diffuse", "key.specular",
+                    "reflections", "rounding");
+            List<String> materials = file.list("lightning/materials");
+            for (int i = 0; i < file.width * file.height; i++) {
+                int id = (int) file.channel("material.id")[i];
+                boolean glows = id > 0 && materials.get(id - 1).equals("glass");
+                assertThat(file.channel("emission.R")[i]).isEqualTo(glows ? 1.5f : 0);
+                assertThat(file.channel("emission.G")[i]).isEqualTo(glows ? 0.25f : 0);
+                assertThat(file.channel("emission.B")[i]).isEqualTo(glows ? 0.125f : 0);
+                assertThat(file.channel("ambient.R")[i]).isEqualTo(id == 0 ? 0 : glows ? 0.1f * 0.5f : 0.1f);
             }
         }
     }

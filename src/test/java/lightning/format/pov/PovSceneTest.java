@@ -160,6 +160,27 @@ class PovSceneTest {
                 "material pane: its surface color is not reduced by Fresnel reflection");
     }
 
+    /** POV-Ray multiplies ambient by ambient_light but not emission, and both by the pigment. */
+    @Test
+    void glow_becomesEmission() throws Exception {
+        String text = PovScene.of(JenReader.read("""
+                jen 1
+                world { ambience 0.5 }
+                material neon { ambient 0.1 0.2 0.4  glow 1 2 0  diffuse 0.5 0.25 1 }
+                material mirror { glow 1 1 1  diffuse 0.5 0.5 0.5  reflective 0.5 0.5 0.5 }
+                material pane { glow 3 0 0  clear 0.5 0.5 0.5  shadows tinted }
+                plane a { material neon }
+                plane b { material mirror }
+                plane c { material pane }
+                """, "p.jen", Path.of("")).scene(), "x").text();
+        assertThat(text).contains(
+                "pigment { rgb <0.5, 0.25, 1.0> }\n    finish { ambient rgb <0.2, 0.8, 0.4> emission rgb <2.0, 8.0, 0.0> diffuse 1 ")
+                .contains(
+                        "pigment { rgb <0.25, 0.25, 0.25> }\n    finish { ambient rgb <0.0, 0.0, 0.0> emission rgb <2.0, 2.0, 2.0> diffuse 1 ")
+                .contains("finish { ambient rgb <0.0, 0.0, 0.0> emission rgb <3.0, 0.0, 0.0> diffuse 0.8");
+        assertThat(PovScene.of(JenReader.read("jen 1 plane p {}", "p.jen", Path.of("")).scene(), "x").text()).doesNotContain("emission");
+    }
+
     @Test
     void bumpMaps_becomeHeightPatterns() throws Exception {
         Path textures = Path.of("textures").toAbsolutePath();

@@ -94,6 +94,7 @@ class MaterialWorkTest {
     void colors_onlyCompose(MirrorStorage storage) {
         try (StudioRenderer studio = studio(ReflectionMode.STALE, storage)) {
             for (UnaryOperator<Material> edit : List.<UnaryOperator<Material>>of(m -> m.withAmbient(Rgb.WHITE),
+                    m -> m.withGlow(new Rgb(0.3, 2, 0)),
                     m -> m.withDiffuse(new Rgb(1, 0, 0.3)), m -> m.withSpecular(Rgb.gray(0.9)), m -> m.withReflective(Rgb.gray(0.1)))) {
                 UpdateResult update = edit(studio, GLASS, edit);
                 assertThat(update.plan().steps()).containsExactly("glass: colors");

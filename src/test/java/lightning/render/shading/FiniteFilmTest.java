@@ -104,7 +104,8 @@ class FiniteFilmTest {
     @ParameterizedTest
     @ValueSource(doubles = {0, 0.5, 1})
     void brightestValidScene_doesNotOverflow(double reflective) {
-        Material mirror = Material.of("m").withAmbient(Rgb.gray(SceneLimits.MAX_EMISSION)).withDiffuse(Rgb.WHITE).withSpecular(Rgb.WHITE)
+        Material mirror = Material.of("m").withAmbient(Rgb.gray(SceneLimits.MAX_EMISSION)).withGlow(Rgb.gray(SceneLimits.MAX_EMISSION))
+                .withDiffuse(Rgb.WHITE).withSpecular(Rgb.WHITE)
                 .withShininess(0).withReflective(Rgb.gray(reflective));
         Scene scene = betweenMirrors(mirror, SceneLimits.MAX_INTENSITY, new Vec3(0.01, 0.02, -1));
         assertFinite(scene);

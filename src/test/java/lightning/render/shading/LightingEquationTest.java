@@ -151,10 +151,20 @@ class LightingEquationTest {
         assertThat(LightingEquation.sum(new float[0], 0, 0)).isZero();
     }
 
-    /** [0.25·2 + 0.5·3]·(1 − 0.75) + (0.5·4 + 0.125) + 0.75·8 = 0.5 + 2.125 + 6. */
+    /** [(0.25·2 + 1) + 0.5·3]·(1 − 0.75) + (0.5·4 + 0.125) + 0.75·8 = 0.75 + 2.125 + 6. */
     @Test
     void color_matchesEquation() {
-        assertThat(LightingEquation.color(0.25f, 2, 0.5f, 3, 0.5f, 4, 0.125f, 0.75f, 8)).isEqualTo(8.625f);
+        assertThat(LightingEquation.color(LightingEquation.emitted(0.25f, 2, 1), 0.5f, 3, 0.5f, 4, 0.125f, 0.75f, 8)).isEqualTo(8.875f);
+    }
+
+    @Test
+    void blackGlow_keepsTheBitsOfAmbientLight() {
+        for (float ka : new float[] {0, Float.MIN_VALUE, 0x1p-130f, 0.1f, 1, 1e6f}) {
+            for (float ambience : new float[] {0, Float.MIN_VALUE, 0.3f, 1, 1e6f}) {
+                assertThat(Float.floatToRawIntBits(LightingEquation.emitted(ka, ambience, 0)))
+                        .isEqualTo(Float.floatToRawIntBits(ka * ambience));
+            }
+        }
     }
 
     @Test

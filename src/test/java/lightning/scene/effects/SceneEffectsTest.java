@@ -119,6 +119,18 @@ class SceneEffectsTest {
     }
 
     @Test
+    void glowingMaterialsOnShapes_areListedByNameAndRemoved() throws Exception {
+        Scene scene = JenReader.read(
+                "jen 1 material neon { glow 0 0.1 0 } material unused { glow 1 1 1 } material gray {} "
+                        + "plane p { material neon } cone c { material gray }",
+                "test", Path.of("")).scene();
+        SceneEffects effects = SceneEffects.of(scene);
+        assertThat(effects.users(RenderEffect.GLOW)).containsExactly("neon");
+        assertThat(RenderEffect.GLOW.isForcible()).isFalse();
+        assertThat(SceneEffects.of(ViewEffects.ALL.withHidden(Set.of(RenderEffect.GLOW)).apply(scene)).has(RenderEffect.GLOW)).isFalse();
+    }
+
+    @Test
     void supersampling_isUsedByThePicture() throws Exception {
         assertThat(of(PLAIN, "picture { antialias edges }").users(RenderEffect.ANTIALIASING)).containsExactly("picture");
         assertThat(of(PLAIN, "picture { antialias off  samples 8 }").has(RenderEffect.ANTIALIASING)).isFalse();
@@ -161,7 +173,7 @@ class SceneEffectsTest {
     @Test
     void bird_usesOnlyItsEffects() throws Exception {
         assertThat(SceneEffects.of(JenReader.read(Path.of("scenes/bird.jen")).scene()).unused()).containsExactly(RenderEffect.METALLIC,
-                RenderEffect.CUTOUTS, RenderEffect.BUMPS, RenderEffect.VERTEX_COLORS, RenderEffect.TRANSMISSION,
+                RenderEffect.CUTOUTS, RenderEffect.BUMPS, RenderEffect.VERTEX_COLORS, RenderEffect.TRANSMISSION, RenderEffect.GLOW,
                 RenderEffect.TINTED_SHADOWS, RenderEffect.BARN_DOORS, RenderEffect.GOBOS,
                 RenderEffect.PROFILES, RenderEffect.LIGHT_LINKS,
                 RenderEffect.SHADOW_LINKS,

@@ -85,7 +85,7 @@ final class SumLanes implements SumKernel {
     }
 
     @Override
-    public void shade(HitRows rows, int run, ShadingMaterial material, float ambience, float[][] diffuse, float[][] specular,
+    public void shade(HitRows rows, int run, ShadingMaterial material, float[] emitted, float[][] diffuse, float[][] specular,
             float[][] grazing,
             float[][] mirrored, float[][] to) {
         int start = rows.runStart(run) & -F.length();
@@ -98,7 +98,7 @@ final class SumLanes implements SumKernel {
                 writeMetalSpecular(start, end, material, c, highlights, grazing[c], texel);
                 highlights = metalSpecular;
             }
-            shadeChannel(start, end, material, c, material.ambient()[c] * ambience, diffuse[c], highlights,
+            shadeChannel(start, end, material, c, emitted[c], diffuse[c], highlights,
                     grazing == null ? material.specular()[c] : 1, texel,
                     image, to[c]);
         }

@@ -51,16 +51,16 @@ final class ScalarSums implements SumKernel {
     }
 
     @Override
-    public void shade(HitRows rows, int run, ShadingMaterial material, float ambience, float[][] diffuse, float[][] specular,
+    public void shade(HitRows rows, int run, ShadingMaterial material, float[] emitted, float[][] diffuse, float[][] specular,
             float[][] grazing,
             float[][] mirrored, float[][] to) {
         for (int c = 0; c < 3; c++) {
-            float emitted = material.ambient()[c] * ambience;
+            float own = emitted[c];
             float kd = material.diffuse()[c];
             float kr = material.reflective()[c];
             float[] texel = rows.texel(c);
             for (int i = rows.runStart(run); i < rows.runEnd[run]; i++) {
-                float color = diffuse[c][i] * (material.isTextured() ? texel[i] * kd : kd) + emitted;
+                float color = diffuse[c][i] * (material.isTextured() ? texel[i] * kd : kd) + own;
                 if (material.isReflective()) {
                     color *= 1 - kr;
                 }

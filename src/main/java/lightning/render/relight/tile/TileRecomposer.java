@@ -45,6 +45,12 @@ public final class TileRecomposer {
         mirror = new TileComposer(mirrored, engine.sums(), view);
     }
 
+    /** Sets whether surfaces glow from now on, in mirrors too; initially they do. */
+    public void setShowsGlow(boolean v) {
+        eye.setShowsGlow(v);
+        mirror.setShowsGlow(v);
+    }
+
     /**
      * Sets the indirect light that is added from now on: red, green and blue of the gather points of which all levels have weights; null
      * for none.

@@ -200,11 +200,13 @@ class MaterialPaneTest extends EditorFixture {
         typeRed("specular", "0.5");
         typeRed("reflective", "0.75");
         typeRed("ambient", "2000");
+        typeRed("glow", "30");
         type("shininess .number-field", "40");
         Material matt = material("matt");
         assertThat(matt.specular().r()).isEqualTo(0.5);
         assertThat(matt.reflective().r()).isEqualTo(0.75);
         assertThat(matt.ambient().r()).isEqualTo(2000);
+        assertThat(matt.glow().r()).isEqualTo(30);
         assertThat(matt.shininess()).isEqualTo(40);
     }
 
