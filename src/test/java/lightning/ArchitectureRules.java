@@ -148,7 +148,8 @@ final class ArchitectureRules {
     }
 
     /** The reference tracer: the oracle of every equality test, kept simple enough to trust. */
-    private static final String REFERENCE = "lightning\\.render\\.shading\\.Reference(Tracer|Indirect|GatherPoints|GatherRay|PointLight)(\\$.*)?";
+    private static final String REFERENCE =
+            "lightning\\.render\\.shading\\.Reference(Tracer|Indirect|GatherPoints|GatherRay|PointLight)(\\$.*)?";
 
     private ArchitectureRules() {}
 

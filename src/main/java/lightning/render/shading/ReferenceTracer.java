@@ -202,7 +202,8 @@ public final class ReferenceTracer {
     private float clearColor(SurfacePoint hit, int c, float diffuse, float specular, float grazing, float[] mirrored,
             float[] refracted) {
         return new SurfaceWeights(hit).color(c, materials.ambient(hit.material(), c), (float) scene.world().ambience(),
-                hit.diffuse()[c], diffuse, hit.specular()[c], specular, grazing, materials.reflective(hit.material(), c), mirrored[c], refracted[c]);
+                hit.diffuse()[c], diffuse, hit.specular()[c], specular, grazing, materials.reflective(hit.material(), c), mirrored[c],
+                refracted[c]);
     }
 
     /**

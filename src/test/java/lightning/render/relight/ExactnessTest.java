@@ -156,7 +156,7 @@ class ExactnessTest {
      * Returns whether an edit refreshes mirror images: edits of depth, size and hit geometry, and of the normals and shadow rays
      * there.
      */
-    private static boolean refreshesReflections(Scene before, Scene scene) {
+    static boolean refreshesReflections(Scene before, Scene scene) {
         return !before.picture().equals(scene.picture()) || !before.camera().equals(scene.camera())
                 || !before.nodes().equals(scene.nodes()) || !haveSameShadowRayTargets(before, scene);
     }
