@@ -43,7 +43,7 @@ public final class CacheBuilder {
         this.job = job;
         this.workers = workers;
         this.oldCache = old;
-        tileWorkers = EngineWorkers.perThread(workers.count(), job.options().engines(), engine -> new TileWorker(job, engine));
+        tileWorkers = EngineWorkers.perThread(workers.count(), job.options().engines(), engine -> new TileWorker(this.job, engine));
         reportedRays = new long[workers.count()];
         tileOrder = old == null ? CenterFirstOrder.tileOrder(job.tilesX(), job.tileCount()) : IntStream.range(0, job.tileCount()).toArray();
     }
