@@ -29,7 +29,8 @@ public final class IndirectArbitraries {
     private static Scene withIndirect(IndirectSettings settings, Scene scene) {
         SamplingSettings sampling = scene.picture().sampling();
         return scene.withPicture(scene.picture().withIndirect(Optional.of(settings))
-                .withSampling(sampling.isSupersampled() ? new SamplingSettings(sampling.antialias(), Math.min(sampling.grid(), 3)) : sampling));
+                .withSampling(
+                        sampling.isSupersampled() ? new SamplingSettings(sampling.antialias(), Math.min(sampling.grid(), 3)) : sampling));
     }
 
     /** Returns sequences of one to eight edits; some switch indirect light on or off, or change its settings. */

@@ -33,7 +33,8 @@ public final class IndirectScenes {
             plane right { material green  at 1 0 0  rotate 0 0 90 }
             """;
     private static final TextureMap CHECKERS =
-            new TextureMap("checkers.png", 3, 2, new Texture(2, 2, new float[] {1, 1, 1, 0.2f, 0.3f, 0.1f, 0.1f, 0.4f, 0.6f, 0.9f, 0.8f, 1}));
+            new TextureMap("checkers.png", 3, 2,
+                    new Texture(2, 2, new float[] {1, 1, 1, 0.2f, 0.3f, 0.1f, 0.1f, 0.4f, 0.6f, 0.9f, 0.8f, 1}));
     private static final String CAMERA = "camera { from 0 0 4  to 0 0 0 }\n";
     private static final String LAMP = "light lamp point { at 0.2 0.8 0.3  color 0.7 0.6 0.5  attenuation 0.5 0 0.2 }\n";
 
@@ -46,6 +47,11 @@ public final class IndirectScenes {
         scenes.put("mirror ball", scene("size 40 24  depth 3", CAMERA + ROOM + LAMP + """
                 sphere ball { material mirror  at 0.2 -0.5 -0.2  scale 0.5 0.5 0.5 }
                 sphere other { material mirror  at -0.5 -0.6 0.3  scale 0.3 0.3 0.3 }
+                """, new IndirectSettings(2, 16, 4, false)));
+        scenes.put("two mirrors", scene("size 40 24  depth 2", CAMERA + ROOM + LAMP + """
+                material dark_mirror { diffuse 0.1 0 0  reflective 0.5 0.5 0.5 }
+                sphere ball { material mirror  at 0.45 -0.5 -0.2  scale 0.5 0.5 0.5 }
+                sphere other { material dark_mirror  at -0.45 -0.5 -0.2  scale 0.5 0.5 0.5 }
                 """, new IndirectSettings(2, 16, 4, false)));
         scenes.put("glass ball", scene("size 33 24  depth 4", CAMERA + ROOM + LAMP + """
                 sphere ball { material glass  at 0.2 -0.5 -0.2  scale 0.5 0.5 0.5 }
@@ -106,7 +112,8 @@ public final class IndirectScenes {
                 sphere ball { material mirror  at 0.2 -0.5 -0.2  scale 0.5 0.5 0.5 }
                 light lamp point { at 0.2 0.8 0.3  color 0.7 0.6 0.5 }
                 """, new IndirectSettings(2, 16, 4, false));
-        return scene.withCamera(new Camera(scene.camera().from().times(unit), scene.camera().to(), scene.camera().up(), scene.camera().fov()))
+        return scene
+                .withCamera(new Camera(scene.camera().from().times(unit), scene.camera().to(), scene.camera().up(), scene.camera().fov()))
                 .withNodes(scene.placedShapes().stream().map(PlacedShape::shape).<SceneNode>map(shape -> scaled(shape, unit)).toList())
                 .withLights(scene.lights().stream().map(l -> l.withPosition(l.position().times(unit))).toList());
     }
