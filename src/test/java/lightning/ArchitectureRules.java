@@ -33,7 +33,7 @@ import lightning.base.text.UserFacingException;
 final class ArchitectureRules {
     private static final String ENGINE =
             "base.text base.math base.work scene scene.effects render.column render.image render.trace.solid"
-                    + " render.trace.mesh render.trace.primitive render.trace.tree render.trace render.shading render.engine"
+                    + " render.trace.mesh render.trace.primitive render.trace.tree render.trace render.gather render.shading render.engine"
                     + " render.engine.scalar render.engine.lanes render.engine.choice render.fulltrace render.warmup render.cache"
                     + " render.relight.plan render.relight.tile render.relight";
     private static final String DOCUMENT =
@@ -60,8 +60,10 @@ final class ArchitectureRules {
             row("render.trace.tree", "base.math render.trace.solid render.trace.mesh render.trace.primitive"),
             row("render.trace",
                     "base.math scene render.column render.trace.solid render.trace.mesh render.trace.primitive render.trace.tree"),
+            row("render.gather", "base.math base.work scene render.image render.trace"),
             row("render.shading",
-                    "base.math scene scene.effects render.column render.image render.trace.primitive render.trace.tree render.trace"),
+                    "base.math base.work scene scene.effects render.column render.image render.trace.primitive render.trace.tree render.trace"
+                            + " render.gather"),
             row("render.engine", "render.trace render.shading"),
             row("render.engine.scalar",
                     "base.math scene render.trace.primitive render.trace.tree render.trace render.shading render.engine"),
@@ -70,14 +72,15 @@ final class ArchitectureRules {
                             + " render.shading render.engine"),
             row("render.engine.choice", "render.engine render.engine.scalar render.engine.lanes"),
             row("render.fulltrace",
-                    "base.work scene scene.effects render.image render.trace render.shading render.engine render.engine.choice"),
+                    "base.work scene scene.effects render.image render.trace render.gather render.shading render.engine"
+                            + " render.engine.choice"),
             row("render.warmup", "base.work scene render.image render.trace render.engine render.engine.choice render.fulltrace"),
-            row("render.cache", "scene render.column render.image render.trace render.shading"),
+            row("render.cache", "scene render.column render.image render.trace render.gather render.shading"),
             row("render.relight.plan", "base.text scene render.image render.trace render.shading render.cache"),
             row("render.relight.paper",
                     "base.math scene render.column render.image render.trace render.shading render.cache render.relight.plan"),
             row("render.relight.tile",
-                    "base.work scene scene.effects render.column render.image render.trace render.shading render.engine"
+                    "base.work scene scene.effects render.column render.image render.trace render.gather render.shading render.engine"
                             + " render.engine.choice render.cache render.relight.plan render.relight.paper"),
             row("render.relight",
                     "base.math base.work scene scene.effects render.image render.trace render.shading render.engine"
@@ -148,7 +151,8 @@ final class ArchitectureRules {
     }
 
     /** The reference tracer: the oracle of every equality test, kept simple enough to trust. */
-    private static final String REFERENCE = "lightning\\.render\\.shading\\.ReferenceTracer(\\$.*)?";
+    private static final String REFERENCE =
+            "lightning\\.render\\.shading\\.Reference(Tracer|Indirect|GatherPoints|GatherRay|PointLight)(\\$.*)?";
 
     private ArchitectureRules() {}
 

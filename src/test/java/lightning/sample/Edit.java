@@ -9,6 +9,7 @@ import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.scene.Camera;
 import lightning.scene.Environment;
+import lightning.scene.IndirectSettings;
 import lightning.scene.Light;
 import lightning.scene.LightGroup;
 import lightning.scene.LightRig;
@@ -206,6 +207,13 @@ public sealed interface Edit {
         @Override
         public Scene apply(List<Scene> history) {
             return history.getLast().withPicture(history.getLast().picture().withSampling(to));
+        }
+    }
+
+    record SetIndirect(Optional<IndirectSettings> to) implements Edit {
+        @Override
+        public Scene apply(List<Scene> history) {
+            return history.getLast().withPicture(history.getLast().picture().withIndirect(to));
         }
     }
 

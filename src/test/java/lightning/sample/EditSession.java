@@ -30,6 +30,11 @@ public final class EditSession {
         return Combinators.combine(EditArbitraries.scaleSequences(), SceneArbitraries.scenes()).as(EditSession::new);
     }
 
+    /** Returns sessions of one to eight edits of scenes with indirect light. */
+    public static Arbitrary<EditSession> indirectSessions() {
+        return Combinators.combine(IndirectArbitraries.edits(), IndirectArbitraries.scenes()).as(EditSession::new);
+    }
+
     /** Returns sessions of one to ten edits with weights, falloffs and highlights down to the underflow of a float. */
     public static Arbitrary<EditSession> extremeSessions() {
         return Combinators.combine(ExtremeArbitraries.edits(), ExtremeArbitraries.scenes()).as(EditSession::new);
@@ -44,6 +49,7 @@ public final class EditSession {
     @Override
     public String toString() {
         StringBuilder text = new StringBuilder("\n").append(JenWriter.write(scenes.getFirst())).append('\n');
+        scenes.getFirst().picture().indirect().ifPresent(indirect -> text.append("# ").append(indirect).append('\n'));
         edits.forEach(e -> text.append("# ").append(e).append('\n'));
         return text.toString();
     }

@@ -1,12 +1,14 @@
 package lightning.render.gather;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.BitSet;
 import java.util.List;
 import lightning.render.image.Film;
 import lightning.render.trace.BounceKind;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.HitRows;
+import lightning.render.trace.MaterialTable;
 import lightning.render.trace.SamplePositions;
 import lightning.render.trace.TileVisibility;
 import lightning.render.trace.Tracer;
@@ -17,15 +19,25 @@ import lightning.scene.Scene;
  * transparent surfaces. Gather points are chosen among them. Use one instance per thread.
  */
 final class CandidateTracer {
+    private static final short NONE = -1;
+
     private final TileVisibility visibility;
     private final int depth;
     private final BitSet selected = new BitSet();
+    /** For each material whether it mirrors or transmits light; others may cast bounce rays too, which show nothing. */
+    private final boolean[] bounces;
+    private final short[] rowByPixel = new short[Film.TILE_PIXELS];
     private long rays;
 
     /** @param step distance of the pixels */
     CandidateTracer(Geometry geometry, Scene scene, Tracer tracer, int step) {
         visibility = new TileVisibility(geometry, scene, tracer);
         depth = scene.picture().depth();
+        MaterialTable materials = geometry.materials();
+        bounces = new boolean[materials.count()];
+        for (int m = 0; m < bounces.length; m++) {
+            bounces[m] = MaterialTable.CASTS_REFLECTIONS.test(materials.material(m));
+        }
         for (int y = 0; y < Film.TILE_SIZE; y += step) {
             for (int x = 0; x < Film.TILE_SIZE; x += step) {
                 selected.set(y * Film.TILE_SIZE + x);
@@ -38,25 +50,48 @@ final class CandidateTracer {
         return rays;
     }
 
-    /** Traces a tile whose upper left pixel is {@code x0, y0}; returns its levels in preorder. */
-    List<HitRows> trace(int x0, int y0) {
-        List<HitRows> levels = new ArrayList<>();
+    /** Traces a tile whose upper left pixel is {@code x0, y0}; returns its levels in preorder, each in the order of the pixels. */
+    List<SurfaceColumns> trace(int x0, int y0) {
+        List<SurfaceColumns> levels = new ArrayList<>();
         HitRows rows = visibility.traceEyeRays(SamplePositions.centers(x0, y0), selected, CandidateTracer::allocate);
         rays += visibility.rayCount();
-        levels.add(rows);
-        traceBounces(rows, 0, levels);
+        levels.add(sort(rows, rows.parent));
+        traceBounces(rows, rows.parent, 0, levels);
         return levels;
     }
 
-    private void traceBounces(HitRows rows, int level, List<HitRows> levels) {
+    /** @param pixels pixel of each row, {@link #NONE} for rows that are no candidates */
+    private void traceBounces(HitRows rows, short[] pixels, int level, List<SurfaceColumns> levels) {
         for (BounceKind bounce : BounceKind.values()) {
             if (level < depth && bounce.rowCount(rows) > 0) {
                 HitRows next = visibility.traceBounceRays(rows, bounce, null, CandidateTracer::allocate);
                 rays += visibility.rayCount();
-                levels.add(next);
-                traceBounces(next, level + 1, levels);
+                short[] itsPixels = new short[next.count];
+                for (int row = 0; row < next.count; row++) {
+                    int parent = next.parent[row];
+                    itsPixels[row] = bounces[rows.material(parent)] ? pixels[parent] : NONE;
+                }
+                levels.add(sort(next, itsPixels));
+                traceBounces(next, itsPixels, level + 1, levels);
             }
         }
+    }
+
+    /** Returns rows in the order of their pixels. The order of rows depends on the numbers of materials, which depend on earlier edits. */
+    private SurfaceColumns sort(HitRows rows, short[] pixels) {
+        Arrays.fill(rowByPixel, NONE);
+        for (int row = 0; row < rows.count; row++) {
+            if (pixels[row] != NONE) {
+                rowByPixel[pixels[row]] = (short) row;
+            }
+        }
+        SurfaceColumns sorted = new SurfaceColumns(rows.count);
+        for (int row : rowByPixel) {
+            if (row != NONE) {
+                sorted.add(rows.px[row], rows.py[row], rows.pz[row], rows.nx[row], rows.ny[row], rows.nz[row], rows.owner[row]);
+            }
+        }
+        return sorted;
     }
 
     private static HitRows allocate(int count, boolean textured, boolean transparent) {

@@ -13,7 +13,7 @@ import lightning.scene.Scene;
  */
 public final class CellKeys {
     /** Sizes of the cells of gather points; each is half of the previous. */
-    static final int LEVELS = 3;
+    public static final int LEVELS = 3;
     /** Cells of surfels along the height of the picture. */
     private static final double SURFELS_PER_HEIGHT = 30;
     /** A surfel nearer to the ray's start than this many sides gets a smaller cell. */
@@ -55,12 +55,12 @@ public final class CellKeys {
      *
      * @param level 0 for the largest
      */
-    double side(float x, float y, float z, int level) {
+    public double side(float x, float y, float z, int level) {
         return Math.scalb(pointSide, octave(x, y, z) - level);
     }
 
     /** Returns the key of a gather point's cell. */
-    long pointKey(float x, float y, float z, float nx, float ny, float nz, int primitive, int level) {
+    public long pointKey(float x, float y, float z, float nx, float ny, float nz, int primitive, int level) {
         int octave = octave(x, y, z) - level;
         float ax = Math.abs(nx);
         float ay = Math.abs(ny);
@@ -75,7 +75,7 @@ public final class CellKeys {
      *
      * @param distance length of the ray that hit it, scene units
      */
-    long surfelKey(float x, float y, float z, float nx, float ny, float nz, int primitive, double distance) {
+    public long surfelKey(float x, float y, float z, float nx, float ny, float nz, int primitive, double distance) {
         int octave = octave(x, y, z);
         if (distance < NEAR * Math.scalb(surfelSide, octave)) {
             octave--;

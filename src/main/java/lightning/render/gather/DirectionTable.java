@@ -1,7 +1,5 @@
 package lightning.render.gather;
 
-import lightning.render.trace.RayBatch;
-
 /**
  * Cosine-distributed directions around a normal, one in each cell of a square grid, at a random place of the cell. 64 patterns in 256
  * rotations are tabulated, so no trigonometric function is evaluated per ray.
@@ -55,12 +53,13 @@ public final class DirectionTable {
     }
 
     /**
-     * Writes the directions around a normal to rays {@code at … at + rays() − 1}. The tangents follow T. Duff and others, Building an
+     * Writes the directions around a normal to elements {@code at … at + rays() − 1}. The tangents follow T. Duff and others, Building an
      * orthonormal basis, revisited, 2017.
      *
      * @param seed selects the pattern and the rotation
+     * @param toX  receives the components x, as {@code toY} and {@code toZ}
      */
-    public void write(long seed, float nx, float ny, float nz, RayBatch to, int at) {
+    public void write(long seed, float nx, float ny, float nz, double[] toX, double[] toY, double[] toZ, int at) {
         long h = Hash64.mix(seed);
         int from = (int) (h & PATTERNS - 1) * rays;
         int rotation = (int) (h >>> 32 & ROTATIONS - 1);
@@ -76,7 +75,9 @@ public final class DirectionTable {
             double u = x[from + k] * cosine[rotation] - y[from + k] * sine[rotation];
             double v = x[from + k] * sine[rotation] + y[from + k] * cosine[rotation];
             double w = z[from + k];
-            to.setDirection(at + k, u * tx + v * b + w * nx, u * ty + v * by + w * ny, u * tz + v * bz + w * nz);
+            toX[at + k] = u * tx + v * b + w * nx;
+            toY[at + k] = u * ty + v * by + w * ny;
+            toZ[at + k] = u * tz + v * bz + w * nz;
         }
     }
 }

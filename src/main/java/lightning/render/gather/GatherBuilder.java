@@ -8,8 +8,6 @@ import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
 import lightning.render.image.Film;
 import lightning.render.trace.Geometry;
-import lightning.render.trace.HitRows;
-import lightning.render.trace.RayBatch;
 import lightning.render.trace.Tracer;
 import lightning.scene.IndirectSettings;
 import lightning.scene.PictureSettings;
@@ -48,16 +46,14 @@ public final class GatherBuilder {
         CandidateTracer[] candidateTracers = new CandidateTracer[workers.count()];
         int step = Math.max(1, settings.spacing() / CANDIDATES_PER_CELL);
         Arrays.setAll(candidateTracers, worker -> new CandidateTracer(geometry, scene, tracers[worker], step));
-        List<HitRows> candidates = traceCandidates(candidateTracers);
+        List<SurfaceColumns> candidates = traceCandidates(candidateTracers);
         CellKeys keys = new CellKeys(scene, settings);
         DirectionTable pointDirections = new DirectionTable(settings.raysPerSide());
         GatherCaster[] pointCasters = casters(keys, pointDirections);
         PointPlacer placer = new PointPlacer(workers, progress, keys, pointCasters, pointDirections);
         placer.place(candidates);
         DirectionTable surfelDirections = new DirectionTable(settings.raysPerSide() / 2);
-        RayBatch[] scratch = new RayBatch[workers.count()];
-        Arrays.setAll(scratch, worker -> new RayBatch(geometry, scene, tracers[worker]));
-        SurfelBuilder surfels = new SurfelBuilder(workers, progress, casters(keys, surfelDirections), scratch, surfelDirections);
+        SurfelBuilder surfels = new SurfelBuilder(workers, progress, casters(keys, surfelDirections), surfelDirections);
         surfels.build(placer.points, placer.seeds(), placer.links, pointCasters, settings.bounces());
         PointFilter filter = new FilterBuilder(placer.points, placer.radius, placer.harmonic, placer.side).build(workers, progress);
         long rays = Arrays.stream(candidateTracers).mapToLong(CandidateTracer::rayCount).sum() + placer.links.surfels().length
@@ -73,17 +69,17 @@ public final class GatherBuilder {
         return casters;
     }
 
-    private List<HitRows> traceCandidates(CandidateTracer[] candidateTracers) {
+    private List<SurfaceColumns> traceCandidates(CandidateTracer[] candidateTracers) {
         PictureSettings picture = scene.picture();
         int tilesX = Film.tilesAlong(picture.width());
         @SuppressWarnings("unchecked")
-        List<HitRows>[] levels = new List[tilesX * Film.tilesAlong(picture.height())];
+        List<SurfaceColumns>[] levels = new List[tilesX * Film.tilesAlong(picture.height())];
         workers.run(levels.length,
                 (worker, tile) -> levels[tile] =
                         candidateTracers[worker].trace(tile % tilesX * Film.TILE_SIZE, tile / tilesX * Film.TILE_SIZE),
                 progress.cancellationOnly());
-        List<HitRows> all = new ArrayList<>();
-        for (List<HitRows> tile : levels) {
+        List<SurfaceColumns> all = new ArrayList<>();
+        for (List<SurfaceColumns> tile : levels) {
             all.addAll(tile);
         }
         return all;

@@ -11,11 +11,18 @@ final class GatherCaster {
     private final DirectionTable directions;
     private final RayBatch batch;
     private final CellKeys keys;
+    /** Directions around one point. */
+    private final double[] x;
+    private final double[] y;
+    private final double[] z;
 
     GatherCaster(Geometry geometry, Scene scene, Tracer tracer, CellKeys keys, DirectionTable directions) {
         this.directions = directions;
         this.keys = keys;
         batch = new RayBatch(geometry, scene, tracer);
+        x = new double[directions.rays()];
+        y = new double[directions.rays()];
+        z = new double[directions.rays()];
     }
 
     /** Points whose rays are cast together. */
@@ -56,7 +63,7 @@ final class GatherCaster {
     }
 
     private void aim(SurfaceColumns points, int p, long seed, int at) {
-        directions.write(seed, points.nx[p], points.ny[p], points.nz[p], batch, at);
+        directions.write(seed, points.nx[p], points.ny[p], points.nz[p], batch.directionX, batch.directionY, batch.directionZ, at);
         for (int ray = at; ray < at + directions.rays(); ray++) {
             batch.startX[ray] = points.px[p];
             batch.startY[ray] = points.py[p];
@@ -79,16 +86,19 @@ final class GatherCaster {
      * @param from     first of them
      * @return rows sorted by material; {@code parent} is the position among the selected
      */
-    HitRows hits(SurfaceColumns points, long[] seeds, int[] selected, int from, int to, RayBatch one) {
+    HitRows hits(SurfaceColumns points, long[] seeds, int[] selected, int from, int to) {
         int rays = directions.rays();
         int known = -1;
         for (int i = from; i < to; i++) {
             int p = selected[i] / rays;
             if (p != known) {
-                directions.write(seeds[p], points.nx[p], points.ny[p], points.nz[p], one, 0);
+                directions.write(seeds[p], points.nx[p], points.ny[p], points.nz[p], x, y, z, 0);
                 known = p;
             }
-            batch.copyDirection(one, selected[i] % rays, i - from);
+            int k = selected[i] % rays;
+            batch.directionX[i - from] = x[k];
+            batch.directionY[i - from] = y[k];
+            batch.directionZ[i - from] = z[k];
             batch.startX[i - from] = points.px[p];
             batch.startY[i - from] = points.py[p];
             batch.startZ[i - from] = points.pz[p];

@@ -4,7 +4,6 @@ import java.util.Arrays;
 import java.util.List;
 import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
-import lightning.render.trace.HitRows;
 
 /**
  * Chooses gather points among candidates: one in each cell. Where other surfaces are near, seen from the point, the cell is divided, as an
@@ -40,7 +39,7 @@ final class PointPlacer {
     }
 
     /** @param levels surfaces that the picture shows, in order */
-    void place(List<HitRows> levels) {
+    void place(List<SurfaceColumns> levels) {
         SurfaceColumns candidates = join(levels);
         int[] active = new int[candidates.count];
         Arrays.setAll(active, i -> i);
@@ -62,12 +61,12 @@ final class PointPlacer {
         }
     }
 
-    private static SurfaceColumns join(List<HitRows> levels) {
+    private static SurfaceColumns join(List<SurfaceColumns> levels) {
         SurfaceColumns all = new SurfaceColumns();
-        all.reserve(levels.stream().mapToInt(rows -> rows.count).sum());
-        for (HitRows rows : levels) {
-            for (int i = 0; i < rows.count; i++) {
-                all.set(all.count++, rows.px[i], rows.py[i], rows.pz[i], rows.nx[i], rows.ny[i], rows.nz[i], rows.owner[i]);
+        all.reserve(levels.stream().mapToInt(SurfaceColumns::count).sum());
+        for (SurfaceColumns level : levels) {
+            for (int i = 0; i < level.count; i++) {
+                all.add(level, i);
             }
         }
         return all;

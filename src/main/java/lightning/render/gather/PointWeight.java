@@ -5,7 +5,7 @@ package lightning.render.gather;
  * computer generated films, 2004: it falls with the distance, with the angle between the normals, and with the distance from the tangent
  * plane, and the largest of the three counts.
  */
-final class PointWeight {
+public final class PointWeight {
     /** Smallest cosine between the normals: 45°. */
     private static final float MIN_COSINE = 0.7f;
     private static final float COSINE_SCALE = 1 / (1 - MIN_COSINE);
@@ -22,7 +22,7 @@ final class PointWeight {
      * @param p      gather point
      * @param radius distance at which it is 0, scene units
      */
-    static float at(SurfaceColumns points, int p, float radius, float x, float y, float z, float nx, float ny, float nz) {
+    public static float at(SurfaceColumns points, int p, float radius, float x, float y, float z, float nx, float ny, float nz) {
         float dx = x - points.px[p];
         float dy = y - points.py[p];
         float dz = z - points.pz[p];
@@ -41,7 +41,7 @@ final class PointWeight {
     }
 
     /** Returns a measure by which the nearest point is chosen where none is valid: the square of the distance, more for other normals. */
-    static float distance(SurfaceColumns points, int p, float x, float y, float z, float nx, float ny, float nz) {
+    public static float distance(SurfaceColumns points, int p, float x, float y, float z, float nx, float ny, float nz) {
         float dx = x - points.px[p];
         float dy = y - points.py[p];
         float dz = z - points.pz[p];

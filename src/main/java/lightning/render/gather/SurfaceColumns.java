@@ -3,16 +3,36 @@ package lightning.render.gather;
 import java.util.Arrays;
 
 /** Points on surfaces with their normals, as columns that share one index. Render space. */
-final class SurfaceColumns {
+public final class SurfaceColumns {
     int count;
-    float[] px = new float[1024];
-    float[] py = new float[1024];
-    float[] pz = new float[1024];
+    float[] px;
+    float[] py;
+    float[] pz;
     /** Unit normals, facing the ray that hit the point. */
-    float[] nx = new float[1024];
-    float[] ny = new float[1024];
-    float[] nz = new float[1024];
-    int[] primitive = new int[1024];
+    float[] nx;
+    float[] ny;
+    float[] nz;
+    int[] primitive;
+
+    public SurfaceColumns() {
+        this(1024);
+    }
+
+    /** @param capacity points for which there is room */
+    SurfaceColumns(int capacity) {
+        px = new float[capacity];
+        py = new float[capacity];
+        pz = new float[capacity];
+        nx = new float[capacity];
+        ny = new float[capacity];
+        nz = new float[capacity];
+        primitive = new int[capacity];
+    }
+
+    /** Returns the number of points. */
+    public int count() {
+        return count;
+    }
 
     /** Makes room for {@code total} points. */
     void reserve(int total) {
@@ -39,9 +59,18 @@ final class SurfaceColumns {
         primitive[i] = hit;
     }
 
+    /**
+     * Appends a point.
+     *
+     * @param ax unit normal, with {@code ay} and {@code az}
+     */
+    public void add(float x, float y, float z, float ax, float ay, float az, int hit) {
+        reserve(count + 1);
+        set(count++, x, y, z, ax, ay, az, hit);
+    }
+
     /** Appends a point of other columns. */
     void add(SurfaceColumns from, int i) {
-        reserve(count + 1);
-        set(count++, from.px[i], from.py[i], from.pz[i], from.nx[i], from.ny[i], from.nz[i], from.primitive[i]);
+        add(from.px[i], from.py[i], from.pz[i], from.nx[i], from.ny[i], from.nz[i], from.primitive[i]);
     }
 }

@@ -16,7 +16,6 @@ final class SurfelBuilder {
     private final WorkerPool workers;
     private final Progress progress;
     private final GatherCaster[] surfelCasters;
-    private final RayBatch[] scratch;
     private final int pointsPerBatch;
     private final CellTable cells = new CellTable();
     private final SurfaceColumns surfels = new SurfaceColumns();
@@ -27,11 +26,10 @@ final class SurfelBuilder {
     final RayLinks links;
 
     /** @param directions of the surfels' rays */
-    SurfelBuilder(WorkerPool workers, Progress progress, GatherCaster[] surfelCasters, RayBatch[] scratch, DirectionTable directions) {
+    SurfelBuilder(WorkerPool workers, Progress progress, GatherCaster[] surfelCasters, DirectionTable directions) {
         this.workers = workers;
         this.progress = progress;
         this.surfelCasters = surfelCasters;
-        this.scratch = scratch;
         pointsPerBatch = GatherCaster.pointsPerBatch(directions);
         links = new RayLinks(directions.rays());
         links.setPoints(0);
@@ -94,8 +92,7 @@ final class SurfelBuilder {
         }
         workers.run(all.length - blocksBefore, (worker, job) -> {
             int from = job * RayBatch.MAX_RAYS;
-            HitRows rows = casters[worker].hits(sources, sourceSeeds, firsts, from, Math.min(firsts.length, from + RayBatch.MAX_RAYS),
-                    scratch[worker]);
+            HitRows rows = casters[worker].hits(sources, sourceSeeds, firsts, from, Math.min(firsts.length, from + RayBatch.MAX_RAYS));
             all[blocksBefore + job] = rows;
             for (int row = 0; row < rows.count; row++) {
                 surfels.set(before + from + rows.parent[row], rows.px[row], rows.py[row], rows.pz[row], rows.nx[row], rows.ny[row],

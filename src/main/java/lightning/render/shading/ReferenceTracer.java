@@ -23,6 +23,10 @@ import lightning.scene.Scene;
  */
 public final class ReferenceTracer {
     private static final int NO_PATTERN = -1;
+    /** Indices of a light's terms ({@link #terms(SurfacePoint, int)}). */
+    private static final int DIFFUSE = 0;
+    private static final int SPECULAR = 1;
+    private static final int GRAZING = 3;
 
     private final Scene scene;
     private final Geometry geometry;
@@ -32,6 +36,8 @@ public final class ReferenceTracer {
     /** Shadow ray targets of area light samples. */
     private final Map<Vec3, ShadowRayTarget> sampleTargets = new HashMap<>();
     private final ReferenceTracer mirrorTracer;
+    /** Computed on first use; null if the scene has none. */
+    private ReferenceIndirect indirect;
     /** First samples of a pixel, and the further ones of some pixels. */
     private final SampleCells firstCells;
     private final SampleCells restCells;
@@ -153,22 +159,14 @@ public final class ReferenceTracer {
         Ray through = materials.isTransparent(material) && depth > 0 ? hit.refractedRay() : null;
         float[] refracted = through == null ? new float[3] : mirrorTracer.color(through, depth - 1, pattern);
         float[] color = new float[3];
-        float[] diffuse = new float[lights.length];
-        float[] specular = new float[lights.length];
-        float[] grazing = new float[lights.length];
         float[][] terms = terms(hit, pattern);
+        float[] diffuse = diffuse(hit, terms);
         for (int c = 0; c < 3; c++) {
-            for (int l = 0; l < lights.length; l++) {
-                float weight = weight(lights[l], c);
-                diffuse[l] = LightingEquation.contribution(weight, terms[l][0], terms[l][2], terms[l][4 + c]);
-                specular[l] = LightingEquation.contribution(weight, terms[l][1], terms[l][2], terms[l][4 + c]);
-                grazing[l] = LightingEquation.contribution(weight, terms[l][3], terms[l][2], terms[l][4 + c]);
-            }
-            color[c] = materials.isTransparent(material) ? clearColor(hit, c, diffuse, specular, grazing, mirrored, refracted)
-                    : LightingEquation.color(emitted(material, c), hit.diffuse()[c], LightingEquation.sum(diffuse, 0, lights.length),
-                            hit.specular()[c], LightingEquation.sum(specular, 0, lights.length),
-                            LightingEquation.sum(grazing, 0, lights.length),
-                            materials.reflective(material, c), mirrored[c]);
+            float specular = sum(terms, SPECULAR, c);
+            float grazing = sum(terms, GRAZING, c);
+            color[c] = materials.isTransparent(material) ? clearColor(hit, c, diffuse[c], specular, grazing, mirrored, refracted)
+                    : LightingEquation.color(emitted(material, c), hit.diffuse()[c], diffuse[c],
+                            hit.specular()[c], specular, grazing, materials.reflective(material, c), mirrored[c]);
         }
         return color;
     }
@@ -177,13 +175,38 @@ public final class ReferenceTracer {
         return LightingEquation.emitted(materials.ambient(material, c), (float) scene.world().ambience(), materials.glow(material, c));
     }
 
+    /** Returns the lights' diffuse sum plus the indirect light: red, green, blue. */
+    private float[] diffuse(SurfacePoint hit, float[][] terms) {
+        float[] direct = {sum(terms, DIFFUSE, 0), sum(terms, DIFFUSE, 1), sum(terms, DIFFUSE, 2)};
+        if (scene.picture().indirect().isEmpty()) {
+            return direct;
+        }
+        indirect = indirect == null ? new ReferenceIndirect(scene, geometry, scene.picture().indirect().get(), this::directLight)
+                : indirect;
+        float[] more = indirect.at(hit);
+        return new float[] {direct[0] + more[0], direct[1] + more[1], direct[2] + more[2]};
+    }
+
+    /** Returns the lights' diffuse sum at a surface outside pixels: red, green, blue. */
+    private float[] directLight(SurfacePoint hit) {
+        float[][] terms = terms(hit, NO_PATTERN);
+        return new float[] {sum(terms, DIFFUSE, 0), sum(terms, DIFFUSE, 1), sum(terms, DIFFUSE, 2)};
+    }
+
+    /** Returns one channel of the sum of a term over all lights. */
+    private float sum(float[][] terms, int term, int c) {
+        float[] contributions = new float[lights.length];
+        for (int l = 0; l < lights.length; l++) {
+            contributions[l] = LightingEquation.contribution(weight(lights[l], c), terms[l][term], terms[l][2], terms[l][4 + c]);
+        }
+        return LightingEquation.sum(contributions, 0, lights.length);
+    }
+
     /** Returns one channel of the color of a clear surface. */
-    private float clearColor(SurfacePoint hit, int c, float[] diffuse, float[] specular, float[] grazing, float[] mirrored,
+    private float clearColor(SurfacePoint hit, int c, float diffuse, float specular, float grazing, float[] mirrored,
             float[] refracted) {
-        return new SurfaceWeights(hit).color(c, emitted(hit.material(), c), hit.diffuse()[c],
-                LightingEquation.sum(diffuse, 0, lights.length),
-                hit.specular()[c], LightingEquation.sum(specular, 0, lights.length), LightingEquation.sum(grazing, 0, lights.length),
-                materials.reflective(hit.material(), c), mirrored[c], refracted[c]);
+        return new SurfaceWeights(hit).color(c, emitted(hit.material(), c), hit.diffuse()[c], diffuse, hit.specular()[c], specular, grazing, materials.reflective(hit.material(), c), mirrored[c],
+                refracted[c]);
     }
 
     /**

@@ -24,6 +24,10 @@ public final class RayBatch {
     public final float[] startX = new float[MAX_RAYS + 64];
     public final float[] startY = new float[MAX_RAYS + 64];
     public final float[] startZ = new float[MAX_RAYS + 64];
+    /** Directions, of any length. */
+    public final double[] directionX;
+    public final double[] directionY;
+    public final double[] directionZ;
     /** Product of the tints of the surfaces that each ray passed: red, green, blue. Valid only if {@link #isTinted}. */
     public final float[][] tint = new float[3][MAX_RAYS];
     private final Geometry geometry;
@@ -45,20 +49,11 @@ public final class RayBatch {
         this.tracer = tracer;
         rowBuilder = new HitRowBuilder(geometry, tracer);
         rays = new RayColumns(new CameraRays(scene.camera(), scene.picture()));
+        directionX = rays.dx;
+        directionY = rays.dy;
+        directionZ = rays.dz;
         // The rays go in all directions, so a beam would select all shapes.
         candidates.overflow = true;
-    }
-
-    /** Sets the direction of a ray, of any length. */
-    public void setDirection(int ray, double x, double y, double z) {
-        rays.dx[ray] = x;
-        rays.dy[ray] = y;
-        rays.dz[ray] = z;
-    }
-
-    /** Sets the direction of a ray to that of another batch's ray. */
-    public void copyDirection(RayBatch from, int itsRay, int ray) {
-        setDirection(ray, from.rays.dx[itsRay], from.rays.dy[itsRay], from.rays.dz[itsRay]);
     }
 
     /** Traces rays {@code 0 … count − 1}. Replaces the origins of those that pass a transparent surface. */

@@ -3,6 +3,7 @@ package lightning.render.relight;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import lightning.base.work.Progress;
 import lightning.bench.accuracy.AccuracyGuarantee;
@@ -153,11 +154,12 @@ class ExactnessTest {
     }
 
     /**
-     * Returns whether an edit refreshes mirror images: edits of depth, size and hit geometry, and of the normals and shadow rays
+     * Returns whether an edit refreshes mirror images: edits of depth, sampling, size and hit geometry, and of the normals and shadow rays
      * there.
      */
-    private static boolean refreshesReflections(Scene before, Scene scene) {
-        return !before.picture().equals(scene.picture()) || !before.camera().equals(scene.camera())
+    static boolean refreshesReflections(Scene before, Scene scene) {
+        return !before.picture().withIndirect(Optional.empty()).equals(scene.picture().withIndirect(Optional.empty()))
+                || !before.camera().equals(scene.camera())
                 || !before.nodes().equals(scene.nodes()) || !haveSameShadowRayTargets(before, scene);
     }
 

@@ -1,0 +1,86 @@
+package lightning.render.shading;
+
+import java.util.ArrayList;
+import java.util.List;
+import lightning.base.math.Ray;
+import lightning.base.math.Rgb;
+import lightning.base.math.Vec3;
+import lightning.render.gather.CellKeys;
+import lightning.render.gather.DirectionTable;
+import lightning.render.trace.Geometry;
+import lightning.render.trace.SurfacePoint;
+import lightning.scene.Transmission;
+
+/**
+ * Ray by which a point gathers light, for {@link ReferenceTracer}.
+ *
+ * @param hit    first surface that is not transparent; null for none
+ * @param length distance to it, in lengths of the direction
+ * @param cell   cell of surfels that the ray hits; undefined for none
+ * @param tint   product of the tints of the transparent surfaces in between: red, green, blue
+ */
+record ReferenceGatherRay(SurfacePoint hit, double length, long cell, float[] tint) {
+    // An array in a record: written once by its creator, never after.
+
+    /** A ray that passes more surfaces than this counts as a miss. */
+    private static final int MAX_SURFACES = 16;
+
+    /** Casts the rays of a point. */
+    static List<ReferenceGatherRay> cast(Geometry geometry, CellKeys keys, DirectionTable directions, long seed, SurfacePoint from) {
+        double[] x = new double[directions.rays()];
+        double[] y = new double[directions.rays()];
+        double[] z = new double[directions.rays()];
+        directions.write(seed, from.nx(), from.ny(), from.nz(), x, y, z, 0);
+        List<ReferenceGatherRay> rays = new ArrayList<>();
+        for (int k = 0; k < directions.rays(); k++) {
+            rays.add(cast(geometry, keys, new Ray(new Vec3(from.px(), from.py(), from.pz()), new Vec3(x[k], y[k], z[k]))));
+        }
+        return rays;
+    }
+
+    private static ReferenceGatherRay cast(Geometry geometry, CellKeys keys, Ray first) {
+        float[] tint = {1, 1, 1};
+        double passed = 0;
+        Ray ray = first;
+        for (int surfaces = 0; surfaces <= MAX_SURFACES; surfaces++) {
+            int primitive = geometry.nearestBruteForce(ray);
+            if (primitive < 0) {
+                break;
+            }
+            SurfacePoint hit = geometry.surfaceBruteForce(primitive, ray);
+            double distance = geometry.distance(primitive, ray);
+            if (hit.backSide() == null) {
+                double length = passed + distance;
+                return new ReferenceGatherRay(hit, length,
+                        keys.surfelKey(hit.px(), hit.py(), hit.pz(), hit.nx(), hit.ny(), hit.nz(), primitive, length), tint);
+            }
+            multiply(tint, hit.backSide());
+            passed += distance;
+            ray = new Ray(new Vec3(hit.backSide().x(), hit.backSide().y(), hit.backSide().z()), ray.direction());
+        }
+        return new ReferenceGatherRay(null, Double.POSITIVE_INFINITY, 0, tint);
+    }
+
+    private static void multiply(float[] tint, SurfacePoint.BackSide surface) {
+        Transmission transmission = surface.transmission();
+        multiply(tint, transmission.color(), 1);
+        if (surface.isInside()) {
+            multiply(tint, transmission.tint(), surface.insideDistance() / transmission.tintDistance());
+        }
+    }
+
+    private static void multiply(float[] tint, Rgb color, double power) {
+        tint[0] *= (float) StrictMath.pow(color.r(), power);
+        tint[1] *= (float) StrictMath.pow(color.g(), power);
+        tint[2] *= (float) StrictMath.pow(color.b(), power);
+    }
+
+    /** Returns the harmonic mean length of a point's rays; {@code +∞} if none hits a surface. */
+    static float harmonicMean(List<ReferenceGatherRay> rays) {
+        double sum = 0;
+        for (ReferenceGatherRay ray : rays) {
+            sum += ray.hit == null ? 0 : 1 / ray.length;
+        }
+        return (float) (rays.size() / sum);
+    }
+}

@@ -1,0 +1,129 @@
+package lightning.render.shading;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Function;
+import lightning.base.math.Rgb;
+import lightning.render.gather.CellKeys;
+import lightning.render.gather.DirectionTable;
+import lightning.render.trace.Geometry;
+import lightning.render.trace.MaterialTable;
+import lightning.render.trace.SurfacePoint;
+import lightning.scene.IndirectSettings;
+import lightning.scene.Scene;
+
+/**
+ * Diffuse indirect light of a scene for {@link ReferenceTracer}: the oracle of {@link IndirectSolver} and of everything that it reads. It
+ * shares with them only the formulas of cells, directions and weights.
+ */
+final class ReferenceIndirect {
+    private final Scene scene;
+    private final Geometry geometry;
+    private final IndirectSettings settings;
+    private final CellKeys keys;
+    private final Function<SurfacePoint, float[]> directLight;
+    private final List<Surfel> surfels = new ArrayList<>();
+    /** Rays of the first surfels; further ones cast none. */
+    private final List<List<ReferenceGatherRay>> surfelRays = new ArrayList<>();
+    private final Map<Long, Integer> surfelByCell = new HashMap<>();
+    private final ReferencePointLight light;
+
+    /**
+     * Small part of a surface, lit at one place.
+     *
+     * @param direct lights' diffuse sum: red, green, blue
+     * @param albedo share that it sends back: red, green, blue
+     */
+    private record Surfel(SurfacePoint at, long cell, float[] direct, float[] albedo) {}
+
+    /** @param directLight returns the lights' diffuse sum at a surface: red, green, blue */
+    ReferenceIndirect(Scene scene, Geometry geometry, IndirectSettings settings, Function<SurfacePoint, float[]> directLight) {
+        this.scene = scene;
+        this.geometry = geometry;
+        this.settings = settings;
+        this.directLight = directLight;
+        keys = new CellKeys(scene, settings);
+        List<ReferenceGatherPoints.GatherPoint> points = new ReferenceGatherPoints(scene, geometry, keys, settings).place();
+        for (ReferenceGatherPoints.GatherPoint point : points) {
+            addSurfels(point.rays());
+        }
+        for (int bounce = 2; bounce <= settings.bounces(); bounce++) {
+            castSurfelRays();
+        }
+        light = new ReferencePointLight(points, gather(points));
+    }
+
+    /** Returns the indirect light at a surface that the picture shows: red, green, blue. */
+    float[] at(SurfacePoint hit) {
+        return light.at(hit);
+    }
+
+    /** Adds a surfel for each new cell that some rays hit. */
+    private void addSurfels(List<ReferenceGatherRay> rays) {
+        MaterialTable materials = geometry.materials();
+        for (ReferenceGatherRay ray : rays) {
+            if (ray.hit() != null && !surfelByCell.containsKey(ray.cell())) {
+                float[] albedo = new float[3];
+                for (int c = 0; c < 3; c++) {
+                    int material = ray.hit().material();
+                    albedo[c] = (1 - materials.reflective(material, c)) * materials.diffuse(material, c) * ray.hit().texel()[c];
+                }
+                surfelByCell.put(ray.cell(), surfels.size());
+                surfels.add(new Surfel(ray.hit(), ray.cell(), directLight.apply(ray.hit()), albedo));
+            }
+        }
+    }
+
+    /** Casts the rays of all surfels that have none, then adds a surfel for each new cell that they hit. */
+    private void castSurfelRays() {
+        DirectionTable directions = new DirectionTable(settings.raysPerSide() / 2);
+        int known = surfels.size();
+        for (int s = surfelRays.size(); s < known; s++) {
+            surfelRays.add(ReferenceGatherRay.cast(geometry, keys, directions, surfels.get(s).cell() + 1, surfels.get(s).at()));
+            addSurfels(surfelRays.getLast());
+        }
+    }
+
+    /** Returns the light at each point: red, green, blue. */
+    private float[][] gather(List<ReferenceGatherPoints.GatherPoint> points) {
+        float[][] gathered = new float[points.size()][3];
+        for (int c = 0; c < 3; c++) {
+            float[] radiosity = radiosity(c);
+            for (int p = 0; p < points.size(); p++) {
+                gathered[p][c] = mean(points.get(p).rays(), radiosity, c);
+            }
+        }
+        return gathered;
+    }
+
+    /** Returns one channel of the light that each surfel sends. */
+    private float[] radiosity(int c) {
+        float[] sent = new float[surfels.size()];
+        for (int bounce = 1; bounce <= settings.bounces(); bounce++) {
+            float[] before = sent;
+            sent = new float[surfels.size()];
+            for (int s = 0; s < sent.length; s++) {
+                float met = bounce > 1 && s < surfelRays.size() ? mean(surfelRays.get(s), before, c) : 0;
+                sent[s] = surfels.get(s).albedo()[c] * (surfels.get(s).direct()[c] + met);
+            }
+        }
+        return sent;
+    }
+
+    /** Returns one channel of the mean light that rays meet. */
+    private float mean(List<ReferenceGatherRay> rays, float[] radiosity, int c) {
+        double sum = 0;
+        for (ReferenceGatherRay ray : rays) {
+            float met = ray.hit() == null ? background(c) : radiosity[surfelByCell.get(ray.cell())];
+            sum += met * ray.tint()[c];
+        }
+        return (float) (sum / rays.size());
+    }
+
+    private float background(int c) {
+        Rgb color = settings.background() && scene.world().environment().isEmpty() ? scene.world().background() : Rgb.BLACK;
+        return (float) (c == 0 ? color.r() : c == 1 ? color.g() : color.b());
+    }
+}

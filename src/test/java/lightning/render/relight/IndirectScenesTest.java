@@ -1,0 +1,66 @@
+package lightning.render.relight;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.Optional;
+import java.util.stream.Stream;
+import lightning.base.work.Progress;
+import lightning.base.work.WorkerPool;
+import lightning.render.engine.EngineChoice;
+import lightning.render.engine.choice.Engines;
+import lightning.render.fulltrace.TraditionalTracer;
+import lightning.render.image.Film;
+import lightning.render.image.FilmAssert;
+import lightning.render.relight.tile.RenderOptions;
+import lightning.render.shading.ReferenceTracer;
+import lightning.sample.IndirectScenes;
+import lightning.scene.Scene;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** Tests that all renderers add the indirect light of the reference, on all engines and any number of threads. */
+class IndirectScenesTest {
+
+    static Stream<String> names() {
+        return IndirectScenes.all().keySet().stream();
+    }
+
+    @ParameterizedTest
+    @MethodSource("names")
+    void allRenderers_equalReference(String name) {
+        Scene scene = IndirectScenes.all().get(name);
+        Film expected = new ReferenceTracer(scene).trace();
+        for (EngineChoice engines : new EngineChoice[] {_ -> Engines.SCALAR, _ -> Engines.LANES}) {
+            for (int threads : new int[] {1, 3}) {
+                try (WorkerPool workers = new WorkerPool(threads);
+                        Renderer renderer = new Renderer(RenderOptions.DEFAULT.withThreads(threads).withEngines(engines))) {
+                    FilmAssert.assertSameBits(new TraditionalTracer(scene).withEngines(engines).trace(workers, Progress.NONE).film(),
+                            expected, "indirect " + name + ", full trace");
+                    renderer.render(scene, Progress.NONE);
+                    FilmAssert.assertSameBits(renderer.film(), expected, "indirect " + name + ", first pass");
+                }
+            }
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("names")
+    void indirectLight_isVisible(String name) {
+        Scene scene = IndirectScenes.all().get(name);
+        Scene without = scene.withPicture(scene.picture().withIndirect(Optional.empty()));
+        assertThat(new ReferenceTracer(scene).trace().hasSameBits(new ReferenceTracer(without).trace())).isEqualTo(name.equals("empty"));
+    }
+
+    /** The order in which shapes name materials decides the order of rows in a first pass, but not after an edit. */
+    @Test
+    void reorderedShapes_givePictureOfFirstPass() {
+        Scene scene = IndirectScenes.all().get("two mirrors");
+        Scene reversed = scene.withNodes(scene.nodes().reversed());
+        try (Renderer renderer = new Renderer(RenderOptions.DEFAULT.withThreads(1))) {
+            renderer.render(scene, Progress.NONE);
+            renderer.render(reversed, Progress.NONE);
+            FilmAssert.assertSameBits(renderer.film(), new ReferenceTracer(reversed).trace(), "indirect reordered");
+        }
+    }
+}

@@ -1,0 +1,41 @@
+package lightning.sample;
+
+import java.util.List;
+import java.util.Optional;
+import lightning.scene.IndirectSettings;
+import lightning.scene.SamplingSettings;
+import lightning.scene.Scene;
+import net.jqwik.api.Arbitraries;
+import net.jqwik.api.Arbitrary;
+import net.jqwik.api.Combinators;
+import net.jqwik.api.Tuple;
+
+/** Arbitrary scenes with indirect light, and edits of them. */
+public final class IndirectArbitraries {
+    private IndirectArbitraries() {}
+
+    /** Returns settings that take little time in small pictures. */
+    static Arbitrary<IndirectSettings> settings() {
+        return Combinators.combine(Arbitraries.integers().between(1, 3), Arbitraries.frequencyOf(Tuple.of(5, Arbitraries.of(16)),
+                Tuple.of(1, Arbitraries.of(64))), Arbitraries.of(2, 4, 5, 8, 16, 64), Arbitraries.of(true, false))
+                .as(IndirectSettings::new);
+    }
+
+    /** Returns the scenes of {@link SceneArbitraries} with indirect light and at most nine samples per pixel. */
+    public static Arbitrary<Scene> scenes() {
+        return Combinators.combine(settings(), SceneArbitraries.scenes()).as(IndirectArbitraries::withIndirect);
+    }
+
+    private static Scene withIndirect(IndirectSettings settings, Scene scene) {
+        SamplingSettings sampling = scene.picture().sampling();
+        return scene.withPicture(scene.picture().withIndirect(Optional.of(settings))
+                .withSampling(
+                        sampling.isSupersampled() ? new SamplingSettings(sampling.antialias(), Math.min(sampling.grid(), 3)) : sampling));
+    }
+
+    /** Returns sequences of one to eight edits; some switch indirect light on or off, or change its settings. */
+    static Arbitrary<List<Edit>> edits() {
+        return Arbitraries.frequencyOf(Tuple.of(6, EditArbitraries.edits()),
+                Tuple.of(1, settings().optional(0.7).map(Edit.SetIndirect::new))).list().ofMinSize(1).ofMaxSize(8);
+    }
+}

@@ -1,0 +1,125 @@
+package lightning.sample;
+
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Optional;
+import lightning.format.jen.JenException;
+import lightning.format.jen.JenReader;
+import lightning.scene.Camera;
+import lightning.scene.IndirectSettings;
+import lightning.scene.PlacedShape;
+import lightning.scene.Placement;
+import lightning.scene.Scene;
+import lightning.scene.SceneNode;
+import lightning.scene.Shape;
+import lightning.scene.Texture;
+import lightning.scene.TextureMap;
+
+/** Small scenes with indirect light by name: one for each kind of surface and light that its paths meet. */
+public final class IndirectScenes {
+    /** Room without a front wall, from −1 to 1; the side walls are red and green. */
+    private static final String ROOM = """
+            material white { diffuse 0.8 0.8 0.8 }
+            material red { diffuse 0.8 0.1 0.1 }
+            material green { diffuse 0.1 0.7 0.1 }
+            material blue { diffuse 0.2 0.2 0.9 }
+            material mirror { diffuse 0.1 0.1 0.1  reflective 0.8 0.8 0.8  specular 0.5 0.5 0.5 }
+            material glass { diffuse 0.1 0.1 0.1  clear 0.8 0.9 1  ior 1.5  tint 0.6 0.9 0.9  tint_distance 0.5 }
+            plane floor { material white  at 0 -1 0 }
+            plane ceiling { material white  at 0 1 0 }
+            plane back { material white  at 0 0 -1  rotate 90 0 0 }
+            plane left { material red  at -1 0 0  rotate 0 0 90 }
+            plane right { material green  at 1 0 0  rotate 0 0 90 }
+            """;
+    private static final TextureMap CHECKERS =
+            new TextureMap("checkers.png", 3, 2,
+                    new Texture(2, 2, new float[] {1, 1, 1, 0.2f, 0.3f, 0.1f, 0.1f, 0.4f, 0.6f, 0.9f, 0.8f, 1}));
+    private static final String CAMERA = "camera { from 0 0 4  to 0 0 0 }\n";
+    private static final String LAMP = "light lamp point { at 0.2 0.8 0.3  color 0.7 0.6 0.5  attenuation 0.5 0 0.2 }\n";
+
+    private IndirectScenes() {}
+
+    /** Returns all scenes by name. */
+    public static Map<String, Scene> all() {
+        Map<String, Scene> scenes = new LinkedHashMap<>();
+        scenes.put("room", scene("size 32 24  depth 2", CAMERA + ROOM + LAMP, new IndirectSettings(2, 16, 4, false)));
+        scenes.put("mirror ball", scene("size 40 24  depth 3", CAMERA + ROOM + LAMP + """
+                sphere ball { material mirror  at 0.2 -0.5 -0.2  scale 0.5 0.5 0.5 }
+                sphere other { material mirror  at -0.5 -0.6 0.3  scale 0.3 0.3 0.3 }
+                """, new IndirectSettings(2, 16, 4, false)));
+        scenes.put("two mirrors", scene("size 40 24  depth 2", CAMERA + ROOM + LAMP + """
+                material dark_mirror { diffuse 0.1 0 0  reflective 0.5 0.5 0.5 }
+                sphere ball { material mirror  at 0.45 -0.5 -0.2  scale 0.5 0.5 0.5 }
+                sphere other { material dark_mirror  at -0.45 -0.5 -0.2  scale 0.5 0.5 0.5 }
+                """, new IndirectSettings(2, 16, 4, false)));
+        scenes.put("glass ball", scene("size 33 24  depth 4", CAMERA + ROOM + LAMP + """
+                sphere ball { material glass  at 0.2 -0.5 -0.2  scale 0.5 0.5 0.5 }
+                plane pane { material glass  at -0.4 0 0.3  rotate 90 30 0  scale 0.3 1 0.5 }
+                """, new IndirectSettings(3, 16, 3, true)));
+        scenes.put("area light", scene("size 24 24  depth 1  antialias edges  samples 2", CAMERA + ROOM + """
+                cylinder block { material blue  at -0.3 -1 -0.3  scale 0.3 0.8 0.3 }
+                light panel rect { at 0 0.95 0  direction 0 -1 0  width 0.6  height 0.4  samples 8 }
+                """, new IndirectSettings(1, 16, 8, false)));
+        scenes.put("mesh", withMesh(scene("size 32 20  depth 1  antialias every  samples 2", CAMERA + ROOM + LAMP + """
+                sphere ball { material blue  at 0.2 -0.4 -0.2  rotate 10 20 30  scale 0.4 0.4 0.4 }
+                """, new IndirectSettings(2, 16, 5, false))));
+        scenes.put("textures", withTextures(scene("size 32 24  depth 2", CAMERA + ROOM + LAMP, new IndirectSettings(3, 16, 4, false))));
+        scenes.put("two rooms with a thin wall", scene("size 40 20  depth 0", CAMERA + ROOM + """
+                plane wall { material white  at 0 0 0  rotate 0 0 90 }
+                light lamp point { at 0.6 0.5 0 }
+                """, new IndirectSettings(3, 16, 4, false)));
+        scenes.put("sky", scene("size 24 16  depth 1", CAMERA + "world { background 0.4 0.6 1 }\n" + ROOM,
+                new IndirectSettings(2, 64, 2, true)));
+        scenes.put("empty", scene("size 16 16  depth 3", "light lamp point { at 0 1 0 }\nworld { background 0.1 0.2 0.3 }\n",
+                new IndirectSettings(2, 16, 8, true)));
+        scenes.put("single pixel", scene("size 1 1  depth 2", CAMERA + ROOM + LAMP, new IndirectSettings(2, 16, 64, false)));
+        scenes.put("camera inside a sphere", scene("size 20 16  depth 1", """
+                camera { from 0.3 0.2 0.5  to 0 0 -1  fov 80 }
+                material shell { diffuse 0.6 0.7 0.8 }
+                sphere around { material shell  scale 2 2 2 }
+                sphere ball { material shell  at 0 0 -1  scale 0.4 0.4 0.4 }
+                light lamp spot { at 0.5 1 0.5  direction 0 -1 -1  angle 40 }
+                """, new IndirectSettings(3, 16, 4, false)));
+        scenes.put("huge", scaled(1e6));
+        scenes.put("tiny", scaled(1e-6));
+        return scenes;
+    }
+
+    private static Scene scene(String picture, String text, IndirectSettings settings) {
+        try {
+            Scene scene = JenReader.read("jen 1\npicture { " + picture + " }\n" + text, "indirect.jen", Path.of("")).scene();
+            return scene.withPicture(scene.picture().withIndirect(Optional.of(settings)));
+        } catch (JenException e) {
+            throw new AssertionError(e);
+        }
+    }
+
+    private static Scene withMesh(Scene scene) {
+        return scene.withNodes(scene.nodes().stream().map(node -> node instanceof Shape shape && shape.name().equals("ball")
+                ? new Shape(SampleMeshes.solid(SampleMeshes.withVertexColors(SampleMeshes.ball(5, 8, true))), "ball", shape.material(),
+                        shape.placement())
+                : node).toList());
+    }
+
+    private static Scene withTextures(Scene scene) {
+        return scene.withMaterials(scene.materials().stream().map(m -> m.withTexture(Optional.of(CHECKERS))).toList());
+    }
+
+    /** Returns the room with a ball in units of {@code unit}. */
+    private static Scene scaled(double unit) {
+        Scene scene = scene("size 24 16  depth 2", CAMERA + ROOM + """
+                sphere ball { material mirror  at 0.2 -0.5 -0.2  scale 0.5 0.5 0.5 }
+                light lamp point { at 0.2 0.8 0.3  color 0.7 0.6 0.5 }
+                """, new IndirectSettings(2, 16, 4, false));
+        return scene
+                .withCamera(new Camera(scene.camera().from().times(unit), scene.camera().to(), scene.camera().up(), scene.camera().fov()))
+                .withNodes(scene.placedShapes().stream().map(PlacedShape::shape).<SceneNode>map(shape -> scaled(shape, unit)).toList())
+                .withLights(scene.lights().stream().map(l -> l.withPosition(l.position().times(unit))).toList());
+    }
+
+    private static Shape scaled(Shape shape, double unit) {
+        Placement p = shape.placement();
+        return shape.withPlacement(new Placement(p.position().times(unit), p.rotation(), p.scale().times(unit)));
+    }
+}
