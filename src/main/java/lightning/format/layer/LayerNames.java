@@ -26,6 +26,7 @@ final class LayerNames {
             names.add(switch (layer) {
                 case Layer.Background _ -> "background";
                 case Layer.Ambient _ -> "ambient";
+                case Layer.Indirect _ -> "indirect";
                 case Layer.Reflections _ -> "reflections";
                 case Layer.Lights lights -> {
                     if (lights.part() == LightComponent.DIFFUSE) {

@@ -44,7 +44,8 @@ public final class LightImage {
     }
 
     /**
-     * Composes the contribution from the cache of a picture, with the light's indirect light; in mirrors it is the contribution to the mirrored scene.
+     * Composes the contribution from the cache of a picture, with the light's indirect light; in mirrors it is the contribution to the
+     * mirrored scene.
      *
      * @throws IllegalStateException if mirror levels are not stored as rows
      * @throws CancellationException if {@code progress} requested cancellation
@@ -56,8 +57,7 @@ public final class LightImage {
         float[][] indirect = indirect(cache.indirect(), cache.geometry(), top, scene, options, workers, progress);
         float[][] mirroredIndirect = cache.mirroredIndirect() == cache.indirect() && cache.mirroredScene().equals(cache.scene()) ? indirect
                 : indirect(cache.mirroredIndirect(), cache.mirroredGeometry(), mirrors, scene(cache.mirroredScene(), light), options,
-                        workers,
-                        progress);
+                        workers, progress);
         List<EngineWorkers<TileRecomposer>> recomposers = EngineWorkers.perThread(workers.count(), options.engines(), engine -> {
             TileRecomposer recomposer = new TileRecomposer(cache, engine, options.view());
             recomposer.setIndirect(indirect, mirroredIndirect);
