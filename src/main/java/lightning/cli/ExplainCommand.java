@@ -81,7 +81,7 @@ final class ExplainCommand implements Callable<Integer> {
         if (scene.picture().indirect().isEmpty()) {
             return explainer;
         }
-        try (WorkerPool workers = new WorkerPool(Runtime.getRuntime().availableProcessors())) {
+        try (WorkerPool workers = new WorkerPool(WorkerPool.processorCount())) {
             return explainer.withIndirect(new TraditionalTracer(scene, explainer.geometry()).traceIndirect(workers, Progress.NONE));
         }
     }
