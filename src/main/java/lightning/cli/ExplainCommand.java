@@ -68,12 +68,22 @@ final class ExplainCommand implements Callable<Integer> {
             throw new BadInputException(Console.text("pixel %d,%d is outside the image, expected 0,0 to %d,%d", pixel.x(), pixel.y(),
                     width - 1, height - 1));
         }
-        var explainer = new PixelExplainer(scene);
+        PixelExplainer explainer = explainer(scene);
         PointReport report = explainer.explainPixel(pixel.x(), pixel.y());
         console.print("pixel %d,%d of %d x %d", pixel.x(), pixel.y(), width, height);
         print(explainer, report, "", 1);
         printPixel(scene, explainer.geometry(), report.color());
         return ExitCode.OK;
+    }
+
+    private static PixelExplainer explainer(Scene scene) {
+        var explainer = new PixelExplainer(scene);
+        if (scene.picture().indirect().isEmpty()) {
+            return explainer;
+        }
+        try (WorkerPool workers = new WorkerPool(WorkerPool.processorCount())) {
+            return explainer.withIndirect(new TraditionalTracer(scene, explainer.geometry()).traceIndirect(workers, Progress.NONE));
+        }
     }
 
     /**
@@ -143,6 +153,7 @@ final class ExplainCommand implements Callable<Integer> {
             console.print("%s  %-12s adds %s %s  %s", indent, light.light().name(), formatRgb(added), formatShare(added, total),
                     describeState(explainer, light));
         }
+        printPart("indirect light", report.indirect() == null ? null : parts.ofIndirect(report.indirect()), total, indent);
         if (at.backSide() != null) {
             console.print("%s  the ray comes from %s; the surface reflects %.1f %% of its light at this angle", indent,
                     at.backSide().isInside() ? Console.text("inside, path length %.6g", at.backSide().insideDistance()) : "outside",

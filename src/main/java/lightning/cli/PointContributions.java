@@ -26,6 +26,15 @@ record PointContributions(SurfacePoint at, float[] reflectivity, SurfaceWeights 
         return added;
     }
 
+    /** Returns kd·Idiff·(1 − kr) of indirect light, linear, {@code float[3]}; scaled as above. */
+    float[] ofIndirect(float[] light) {
+        float[] added = new float[3];
+        for (int c = 0; c < 3; c++) {
+            added[c] = at.diffuse()[c] * light[c] * surfaceShare.bodyWeight(reflectivity[c], c);
+        }
+        return added;
+    }
+
     /** Returns the mirrored ray's contribution, kr·Cr for an opaque surface, linear, {@code float[3]}. */
     float[] reflectedPart(float[] color) {
         return new float[] {surfaceShare.mirrorWeight(reflectivity[0], 0) * color[0],

@@ -10,8 +10,8 @@ import lightning.render.cache.PixelCache;
 import lightning.render.relight.MemoryEstimate;
 
 /**
- * Two-level cache of frames. Frames nearest to the focus stay in memory, the others are moved to disk, and dropped if the disk is full. Any
- * thread may call, but only one at a time for each frame.
+ * Two-level cache of frames. Frames nearest to the focus stay in memory, the others are moved to disk, and dropped if the disk is full.
+ * Frames with indirect light have no form on disk and are dropped. Any thread may call, but only one at a time for each frame.
  */
 final class FrameStore implements AutoCloseable {
     private final long memory;
@@ -27,6 +27,7 @@ final class FrameStore implements AutoCloseable {
         final int frame;
         final CacheMetadata outline;
         final long bytes;
+        final boolean hasIndirect;
         /** Null if it is on disk only. */
         PixelCache cache;
         FrameDiskCache.CacheFile rows;
@@ -38,6 +39,7 @@ final class FrameStore implements AutoCloseable {
             this.cache = cache;
             outline = CacheMetadata.of(cache);
             bytes = MemoryEstimate.usedBytes(cache);
+            hasIndirect = cache.indirectBytes() > 0;
         }
     }
 
@@ -57,10 +59,14 @@ final class FrameStore implements AutoCloseable {
         return pinned;
     }
 
-    /** Returns the bytes still available. */
-    synchronized long freeBytes() {
+    /**
+     * Returns the bytes still available.
+     *
+     * @param withIndirect true for frames with indirect light
+     */
+    synchronized long freeBytes(boolean withIndirect) {
         long half = Long.MAX_VALUE / 2;
-        return Math.min(half, memory - bytes) + (diskCache == null ? 0 : Math.min(half, diskCache.freeBytes()));
+        return Math.min(half, memory - bytes) + (diskCache == null || withIndirect ? 0 : Math.min(half, diskCache.freeBytes()));
     }
 
     /** Returns the cache of a frame; null for none. */
@@ -110,7 +116,8 @@ final class FrameStore implements AutoCloseable {
             bytes += stored.bytes;
             if (old != null) {
                 bytes -= old.cache != null && !old.evicting ? old.bytes : 0;
-                if (previous != null && old.rows != null && !isBeingWritten(old) && CacheSerializer.hasSameRows(previous, cache)) {
+                if (previous != null && !stored.hasIndirect && old.rows != null && !isBeingWritten(old)
+                        && CacheSerializer.hasSameRows(previous, cache)) {
                     stored.rows = old.rows;
                     old.rows = null;
                 }
@@ -145,9 +152,10 @@ final class FrameStore implements AutoCloseable {
         return farthest;
     }
 
-    /** Writes a frame to disk; only the thread that stored the frame waits for it. Returns whether it succeeded. */
+    /** Writes a frame to disk, or drops it; only the thread that stored the frame waits for it. Returns whether it succeeded. */
     private boolean writeToDisk(StoredFrame stored) {
-        FrameDiskCache.CacheFile rows = diskCache == null || stored.rows != null ? stored.rows : diskCache.writeRows(stored.cache);
+        FrameDiskCache.CacheFile rows =
+                diskCache == null || stored.hasIndirect || stored.rows != null ? stored.rows : diskCache.writeRows(stored.cache);
         FrameDiskCache.CacheFile colors = rows == null ? null : diskCache.writeColors(stored.cache);
         synchronized (this) {
             stored.rows = rows;

@@ -6,10 +6,12 @@ import java.util.Map;
 import java.util.Optional;
 import lightning.format.jen.JenException;
 import lightning.format.jen.JenReader;
+import lightning.scene.AntialiasMode;
 import lightning.scene.Camera;
 import lightning.scene.IndirectSettings;
 import lightning.scene.PlacedShape;
 import lightning.scene.Placement;
+import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
 import lightning.scene.SceneNode;
 import lightning.scene.Shape;
@@ -121,5 +123,25 @@ public final class IndirectScenes {
     private static Shape scaled(Shape shape, double unit) {
         Placement p = shape.placement();
         return shape.withPlacement(new Placement(p.position().times(unit), p.rotation(), p.scale().times(unit)));
+    }
+
+    /** Returns a scene with indirect light of its lights. */
+    public static Scene with(Scene scene) {
+        return with(scene, false);
+    }
+
+    /** Returns a scene with indirect light of its lights and its background. */
+    public static Scene withBackground(Scene scene) {
+        return with(scene, true);
+    }
+
+    private static Scene with(Scene scene, boolean background) {
+        return scene.withPicture(scene.picture().withIndirect(Optional.of(new IndirectSettings(2, 16, 4, background))));
+    }
+
+    /** Returns a scene without anti-aliasing at edges. */
+    public static Scene withoutEdges(Scene scene) {
+        return scene.picture().sampling().antialias() != AntialiasMode.EDGES ? scene
+                : scene.withPicture(scene.picture().withSampling(SamplingSettings.DEFAULT));
     }
 }

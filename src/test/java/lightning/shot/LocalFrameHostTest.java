@@ -13,9 +13,12 @@ import java.util.List;
 import java.util.concurrent.CancellationException;
 import java.util.stream.Stream;
 import lightning.base.work.Progress;
+import lightning.base.work.WorkerPool;
 import lightning.editor.document.DeskScene;
+import lightning.render.fulltrace.TraditionalTracer;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.render.shading.ReferenceTracer;
+import lightning.sample.IndirectScenes;
 import lightning.scene.Scene;
 import lightning.scene.shot.Shot;
 import org.junit.jupiter.api.Test;
@@ -112,6 +115,46 @@ class LocalFrameHostTest {
             assertThat(host.film(1)).isEmpty();
             assertThat(host.problem()).isPresent();
             assertThat(files("rows")).isEmpty();
+        }
+    }
+
+    @Test
+    void evictedFrameWithIndirectLight_isDroppedAndRetraced() throws Exception {
+        var first = new ShotRevision(IndirectScenes.with(FIRST.scene()), Shot.DEFAULT);
+        var brighter = new ShotRevision(IndirectScenes.with(BRIGHTER.scene()), Shot.DEFAULT);
+        try (LocalFrameHost host = hostOnDisk(); WorkerPool workers = new WorkerPool(1)) {
+            host.update(1, FIRST, Progress.NONE);
+            host.update(1, first, Progress.NONE);
+            assertThat(host.usage()).isEqualTo(CacheUsage.NONE);
+            assertThat(files("rows")).isEmpty();
+            FrameUpdate update = host.update(1, brighter, Progress.NONE);
+            assertThat(update.traced()).isTrue();
+            assertThat(update.film().hasSameBits(new TraditionalTracer(brighter.sceneAt(1)).trace(workers, Progress.NONE).film())).isTrue();
+            assertThat(host.film(1)).isEmpty();
+            assertThat(host.problem()).isEmpty();
+        }
+    }
+
+    @Test
+    void frameWithIndirectLightInMemory_isUpdated() throws Exception {
+        var first = new ShotRevision(IndirectScenes.with(FIRST.scene()), Shot.DEFAULT);
+        var brighter = new ShotRevision(IndirectScenes.with(BRIGHTER.scene()), Shot.DEFAULT);
+        try (LocalFrameHost host = new LocalFrameHost(RenderOptions.DEFAULT.withThreads(1), UNLIMITED, place, UNLIMITED);
+                WorkerPool workers = new WorkerPool(1)) {
+            host.update(1, first, Progress.NONE);
+            FrameUpdate update = host.update(1, brighter, Progress.NONE);
+            assertThat(update.traced()).isFalse();
+            assertThat(update.rays()).isZero();
+            assertThat(update.film().hasSameBits(new TraditionalTracer(brighter.sceneAt(1)).trace(workers, Progress.NONE).film())).isTrue();
+        }
+    }
+
+    @Test
+    void pinnedFrameWithIndirectLight_isRejectedWithoutMemory() throws Exception {
+        var first = new ShotRevision(IndirectScenes.with(FIRST.scene()), Shot.DEFAULT);
+        try (LocalFrameHost host = LocalFrameHost.createPinned(RenderOptions.DEFAULT.withThreads(1), 0, place, UNLIMITED)) {
+            assertThatThrownBy(() -> host.update(1, first, Progress.NONE)).isInstanceOf(FrameRejectedException.class);
+            assertThat(host.usage()).isEqualTo(CacheUsage.NONE);
         }
     }
 

@@ -3,6 +3,7 @@ package lightning.editor.loop;
 import lightning.bench.accuracy.AccuracyGuarantee;
 import lightning.render.image.Film;
 import lightning.render.relight.UpdateResult;
+import lightning.render.shading.IndirectLight;
 import lightning.render.shading.RenderedScenes;
 import lightning.render.trace.Geometry;
 import lightning.scene.SamplingSettings;
@@ -19,10 +20,12 @@ import lightning.scene.effects.ViewEffects;
  * @param mirroredScene scene of its reflections and transparency: an older one if reflections are stale (paper §4.8)
  * @param update        update that rendered it
  * @param geometry      primitives and BVH of the update
+ * @param indirect      indirect light of the scene; null if it has none
  * @param isFinished    whether it has all anti-aliasing samples; otherwise one sample per pixel center
  */
 public record Frame(Film film, Film displayed, DisplayMode displayMode, Scene scene, Scene mirroredScene, UpdateResult update,
         Geometry geometry,
+        IndirectLight indirect,
         boolean isFinished) {
     /** Returns the accuracy guarantee of the film. */
     public AccuracyGuarantee guarantee() {

@@ -280,7 +280,8 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
     private void publish(Film displayed, DisplayMode mode) {
         publishedCache = new WeakReference<>(renderer.cache());
         listener.rendered(new Frame(renderer.film(), displayed, mode, renderedScene, renderer.cache().mirroredScene(), lastUpdate,
-                renderer.cache().geometry(), renderer.isFinished()));
+                renderer.cache().geometry(), renderer.cache().indirect() == null ? null : renderer.cache().indirect().light(),
+                renderer.isFinished()));
     }
 
     private Optional<CoarsePicture> takeStartupPreview() {

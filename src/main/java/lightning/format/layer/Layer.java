@@ -28,6 +28,9 @@ sealed interface Layer {
      */
     record Lights(String name, int first, int end, LightComponent part) implements Layer {}
 
+    /** Diffuse indirect light of directly visible surfaces, from all lights and the background. */
+    record Indirect() implements Layer {}
+
     /** Reflections, and the scene through transparent surfaces. */
     record Reflections() implements Layer {}
 
@@ -48,6 +51,9 @@ sealed interface Layer {
         }
         if (lights.length > sceneLights.size()) {
             add(ENVIRONMENT, sceneLights.size(), lights.length, layers);
+        }
+        if (scene.picture().indirect().isPresent()) {
+            layers.add(new Indirect());
         }
         layers.add(new Reflections());
         return layers;

@@ -6,6 +6,7 @@ import lightning.render.cache.PixelCache;
 import lightning.render.engine.Engine;
 import lightning.render.image.Film;
 import lightning.render.shading.BounceImages;
+import lightning.render.shading.IndirectRows;
 import lightning.render.shading.LightComponent;
 import lightning.render.shading.LightLayer;
 import lightning.render.shading.TileComposer;
@@ -28,12 +29,15 @@ final class LayerCompositor {
     private final Scene scene;
     private final World darkWorld;
     private final WeightedLight[] lights;
+    /** Indirect light at gather points; null if the scene has none. */
+    private final float[][] indirect;
     private final TileComposer composer;
 
     LayerCompositor(PixelCache cache, Engine engine) {
         scene = cache.scene();
         darkWorld = scene.world().withAmbience(0);
         lights = WeightedLight.ofScene(scene);
+        indirect = cache.indirect() == null ? null : cache.indirect().light().light();
         composer = new TileComposer(cache.geometry().materials(), engine.sums(), ViewEffects.ALL);
         composer.setShowsGlow(false);
     }
@@ -53,6 +57,8 @@ final class LayerCompositor {
                 composer.composeLevel(rows, NO_LIGHTS, NO_LAYERS, darkWorld, BLACK, result);
                 composer.setShowsGlow(false);
             }
+            case Layer.Indirect _ -> composer.composeLevel(rows, NO_LIGHTS, NO_LAYERS, darkWorld,
+                    new IndirectRows(tile.levels[0].weights(), indirect), BLACK, result);
             case Layer.Reflections _ -> {
                 if (rows.reflectiveCount > 0) {
                     composer.composeLevel(rows, NO_LIGHTS, NO_LAYERS, darkWorld, tile.images, result);

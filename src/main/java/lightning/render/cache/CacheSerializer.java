@@ -13,7 +13,7 @@ import lightning.render.trace.SampleCells;
 
 /**
  * Serializer of a cached image's columns, in two parts: rows, layers and edge colors, which edits of weights do not change; and
- * colors, which nearly every edit changes. For images of accuracy exact.
+ * colors, which nearly every edit changes. For images of accuracy exact without indirect light.
  */
 public final class CacheSerializer {
     private CacheSerializer() {}
@@ -108,8 +108,8 @@ public final class CacheSerializer {
             fine[i] = new FineTile(withColors(fine[i].first(), colors), withColors(fine[i].rest(), colors), colors.readFloatArrays());
         }
         colors.expectEnd();
-        return new PixelCache(outline.geometry(), tiles, fine, outline.scenes(), outline.lights(), outline.mirroredLights(),
-                outline.indirect(), outline.mirroredIndirect());
+        return new PixelCache(outline.geometry(), tiles, fine, outline.scenes(), outline.lights(), outline.mirroredLights(), null,
+                null);
     }
 
     private static FineSamples readSamples(ColumnReader in) throws IOException {

@@ -168,7 +168,8 @@ public final class PixelCache {
         return bytes;
     }
 
-    private long indirectBytes() {
+    /** Returns the bytes of indirect light, without the weights of rows. */
+    public long indirectBytes() {
         return (indirect == null ? 0 : indirect.bytes())
                 + (mirroredIndirect == null || mirroredIndirect == indirect ? 0 : mirroredIndirect.bytes());
     }

@@ -13,6 +13,7 @@ import lightning.render.shading.EdgeDetector;
 import lightning.render.shading.IndirectLight;
 import lightning.render.shading.RayCounts;
 import lightning.render.shading.RenderedScenes;
+import lightning.render.shading.WeightedLight;
 import lightning.render.trace.Geometry;
 import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
@@ -74,6 +75,15 @@ public final class TraditionalTracer {
      */
     public Result trace(WorkerPool workers, Progress progress) {
         return trace(workers, allTiles(), progress);
+    }
+
+    /**
+     * Traces the indirect light of the scene alone; returns null if it has none.
+     *
+     * @throws java.util.concurrent.CancellationException if {@code progress} requested cancellation
+     */
+    public IndirectLight traceIndirect(WorkerPool workers, Progress progress) {
+        return new IndirectTracer(geometry, scene, WeightedLight.ofScene(scene), engines, workers, progress).trace();
     }
 
     private int[] allTiles() {

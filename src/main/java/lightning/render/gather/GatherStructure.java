@@ -79,7 +79,21 @@ public final class GatherStructure {
 
     /** Returns the bytes of all columns. */
     public long bytes() {
-        long bytes = pointLinks.bytes() + surfelLinks.bytes() + points.filter().bytes() + 32L * points.count();
+        return pointBytes() + surfelBytes();
+    }
+
+    /** Returns the bytes of the gather points, their filter and their links. */
+    public long pointBytes() {
+        return pointLinks.bytes() + points.filter().bytes() + 32L * points.count();
+    }
+
+    /** Returns the bytes that it took at most while it was built. */
+    public long buildBytes() {
+        return bytes() + RayLinks.BUILD_BYTES * ((long) pointLinks.surfels().length + surfelLinks.surfels().length);
+    }
+
+    private long surfelBytes() {
+        long bytes = surfelLinks.bytes();
         for (HitRows rows : surfels) {
             bytes += rows.bytes();
         }

@@ -6,6 +6,8 @@ import java.util.Arrays;
 public final class RayLinks {
     /** Number of a ray that hits nothing. */
     public static final int MISS = -1;
+    /** Bytes of a ray only while links are built: a key and a flag, half as many in reserve, and a copy of the key while they grow. */
+    public static final int BUILD_BYTES = 22;
 
     private final int raysPerPoint;
     private int rays;

@@ -2,6 +2,7 @@ package lightning.render.gather;
 
 import java.util.Arrays;
 import lightning.render.trace.HitRows;
+import lightning.render.trace.SurfacePoint;
 
 /** Finds the gather points of rows. Holds scratch memory: use one instance per thread. */
 public final class RowWeigher {
@@ -33,6 +34,19 @@ public final class RowWeigher {
         near = new NearPoints(points.surface(), points.radius(), groups);
         indexOf = new int[pointCount];
         usedBy = new int[pointCount];
+    }
+
+    /** Returns the weights of one point: those of its row in any level. */
+    public RowWeights weigh(SurfacePoint point) {
+        HitRows row = new HitRows(1, false);
+        row.px[0] = point.px();
+        row.py[0] = point.py();
+        row.pz[0] = point.pz();
+        row.nx[0] = point.nx();
+        row.ny[0] = point.ny();
+        row.nz[0] = point.nz();
+        row.count = 1;
+        return weigh(row);
     }
 
     /** Returns the weights of up to 1024 rows. */

@@ -8,13 +8,16 @@ import lightning.base.math.Rgb;
 import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
 import lightning.render.cache.CachedTile;
+import lightning.render.cache.IndirectCache;
 import lightning.render.cache.PixelCache;
 import lightning.render.engine.Engine;
 import lightning.render.engine.EngineWorkers;
 import lightning.render.image.Film;
 import lightning.render.relight.tile.RenderOptions;
+import lightning.render.relight.tile.SurfelSolver;
 import lightning.render.relight.tile.TileRecomposer;
 import lightning.render.shading.WeightedLight;
+import lightning.render.trace.Geometry;
 import lightning.render.trace.SamplePositions;
 import lightning.scene.Light;
 import lightning.scene.Scene;
@@ -45,7 +48,8 @@ public final class LightImage {
     }
 
     /**
-     * Composes the contribution from the cache of a picture; in mirrors it is the contribution to the mirrored scene.
+     * Composes the contribution from the cache of a picture, with the light's indirect light; in mirrors it is the contribution to the
+     * mirrored scene.
      *
      * @throws IllegalStateException if mirror levels are not stored as rows
      * @throws CancellationException if {@code progress} requested cancellation
@@ -54,8 +58,16 @@ public final class LightImage {
         Scene scene = scene(cache.scene(), light);
         WeightedLight[] top = WeightedLight.ofScene(scene);
         WeightedLight[] mirrors = WeightedLight.ofScene(scene(cache.mirroredScene(), light));
-        List<EngineWorkers<TileRecomposer>> recomposers = EngineWorkers.perThread(workers.count(), options.engines(),
-                engine -> recomposer(cache, engine, options));
+        float[][] indirect = indirect(cache.indirect(), cache.geometry(), top, scene, options, workers, progress);
+        float[][] mirroredIndirect = cache.mirroredIndirect() == cache.indirect() && cache.mirroredScene().equals(cache.scene()) ? indirect
+                : indirect(cache.mirroredIndirect(), cache.mirroredGeometry(), mirrors, scene(cache.mirroredScene(), light), options,
+                        workers, progress);
+        List<EngineWorkers<TileRecomposer>> recomposers = EngineWorkers.perThread(workers.count(), options.engines(), engine -> {
+            TileRecomposer recomposer = new TileRecomposer(cache, engine, options.view());
+            recomposer.setShowsGlow(false);
+            recomposer.setIndirect(indirect, mirroredIndirect);
+            return recomposer;
+        });
         float[][][] films = new float[Math.max(cache.tileCount(), cache.fineCount())][][];
         workers.run(films.length, (worker, i) -> {
             Function<CachedTile, float[][]> share = tile -> tileImage(tile, recomposers.get(worker).forTile(i), top, mirrors, scene);
@@ -65,10 +77,11 @@ public final class LightImage {
         return film(scene, films);
     }
 
-    private static TileRecomposer recomposer(PixelCache cache, Engine engine, RenderOptions options) {
-        var recomposer = new TileRecomposer(cache, engine, options.view());
-        recomposer.setShowsGlow(false);
-        return recomposer;
+    /** Returns the light at gather points that comes from some lights of a scene; null if it has no indirect light. */
+    private static float[][] indirect(IndirectCache indirect, Geometry geometry, WeightedLight[] lights, Scene scene, RenderOptions options,
+            WorkerPool workers, Progress progress) {
+        return indirect == null ? null
+                : new SurfelSolver(indirect, geometry.materials(), options.engines(), workers, progress).solve(lights, scene);
     }
 
     private static float[][] tileImage(CachedTile tile, TileRecomposer recomposer, WeightedLight[] top, WeightedLight[] mirrors,

@@ -16,10 +16,11 @@ import lightning.scene.Scene;
 
 /**
  * Thumbnails of every light's contribution to a picture, composed from its cache. No ray is cast, and only the rows of the
- * thumbnail's pixels are processed, so all lights together take less time than composing one picture.
+ * thumbnail's pixels are processed, so all lights together take less time than composing one picture. For the same reason
+ * contributions contain no diffuse indirect light: it must be solved for each light over the whole picture.
  *
  * <p>A pixel is represented by its center, or by its first sample if all pixels have several. Each value then has the bits of
- * {@link Renderer#lightImage} of a picture without anti-aliasing. A cache is never modified, so this may run on any thread
+ * {@link Renderer#lightImage} of a picture without anti-aliasing and indirect light. A cache is never modified, so this may run on any thread
  * concurrently with the renderer.
  */
 public final class LightThumbnails {
@@ -279,7 +280,7 @@ public final class LightThumbnails {
         return image.clone();
     }
 
-    /** Returns the contribution of the scene's light at an index, in the layout of {@link #image}. */
+    /** Returns the contribution of the scene's light at an index, without indirect light, in the layout of {@link #image}. */
     public float[] lightImage(int nodeIndex) {
         return lightImages[nodeIndex].clone();
     }

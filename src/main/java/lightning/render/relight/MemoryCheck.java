@@ -66,7 +66,7 @@ final class MemoryCheck {
     void requireSamples(Scene scene, PixelCache centers, RenderOptions options, SmallPictures pictures) {
         long memory = options.memory() - MeshMemory.bytes(scene);
         long centerBytes = centers.centerBytes();
-        if (maxBytes(scene.picture(), centerBytes) <= memory) {
+        if (maxBytes(scene.picture(), centerBytes) + centers.indirectBytes() <= memory) {
             return;
         }
         if (lastForecast == null || !lastForecast.servesSamples(scene, options)) {

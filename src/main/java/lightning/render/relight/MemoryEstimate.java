@@ -47,7 +47,8 @@ public final class MemoryEstimate {
         long row = ColumnGroup.HIT.bytesPerRow() + ColumnGroup.TEXEL.bytesPerRow()
                 + (sampling.isSupersampled() ? ColumnGroup.PATTERN.bytesPerRow() : 0)
                 + (scene.lights().stream().allMatch(l -> l.illuminates().isAll()) ? 0 : ColumnGroup.OWNER.bytesPerRow())
-                + (clear ? ColumnGroup.TRANSPARENT.bytesPerRow() : 0) + lights;
+                + (clear ? ColumnGroup.TRANSPARENT.bytesPerRow() : 0) + lights
+                + (picture.indirect().isPresent() ? IndirectEstimate.MAX_WEIGHT_BYTES_PER_ROW : 0);
         // A clear surface sends two rays, and each of these may send two again.
         long levels = clear ? (2L << picture.depth()) - 2 : mirrors ? picture.depth() : 0;
         long mirrored =
@@ -59,7 +60,7 @@ public final class MemoryEstimate {
         };
         // Samples store their colors if errors are bounded.
         long colored = !options.accuracy().isExact() ? samples : sampling.antialias() == AntialiasMode.EVERY ? 0 : 1;
-        return pixels(picture)
+        return IndirectEstimate.upperBound(picture, levels, lights) + pixels(picture)
                 * (samples * (row + mirrored) + colored * BYTES_PER_COLOR + edgeColorBytes(sampling)
                         + (sampling.isSupersampled() ? 3 * BYTES_PER_COLOR : 0));
     }

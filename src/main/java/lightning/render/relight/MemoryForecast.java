@@ -20,6 +20,8 @@ import lightning.scene.SceneLimits;
  * <p>Edge samples grow as a power of the picture's side: 1 for edges of shapes, which are lines, up to 2 for fine textures, which
  * fill areas. They also grow with the samples per pixel, because the centers alone determine the pixels on an edge.
  *
+ * <p>The paths of indirect light are forecast on their own ({@link IndirectEstimate}), because samples share them.
+ *
  * <p>An editor that renders centers first forecasts in two steps: the centers before the first pass, and their edge samples once
  * the bytes of the centers are known.
  */
@@ -42,9 +44,10 @@ final class MemoryForecast {
     private final double edgeBytes;
     private final double edgeExponent;
     private final boolean isUpper;
+    private final IndirectEstimate indirect;
 
     private MemoryForecast(Scene scene, RenderOptions options, PictureParts parts, double bytesPerCenter, double borderBytes,
-            double edgeBytes, double edgeExponent, boolean isUpper) {
+            double edgeBytes, double edgeExponent, boolean isUpper, IndirectEstimate indirect) {
         this.scene = scene;
         this.options = options;
         this.parts = parts;
@@ -53,6 +56,7 @@ final class MemoryForecast {
         this.edgeBytes = edgeBytes;
         this.edgeExponent = edgeExponent;
         this.isUpper = isUpper;
+        this.indirect = indirect;
     }
 
     /** Renders the small pictures; takes a fraction of a second once the code is warm, unless the scene's rays are slow. */
@@ -68,7 +72,8 @@ final class MemoryForecast {
         double border = Math.max(0, (small.bytesPerCenter() - large.bytesPerCenter()) * 2 * SMALL_SIDE);
         double center = large.bytesPerCenter() - border / (2 * SMALL_SIDE);
         return new MemoryForecast(scene, options, parts, center, border, small.fine,
-                samples ? edgeExponent(scene, options, small, pictures) : 2, false);
+                samples ? edgeExponent(scene, options, small, pictures) : 2, false,
+                IndirectEstimate.of(small.indirect, large.indirect));
     }
 
     /**
@@ -77,7 +82,8 @@ final class MemoryForecast {
     static MemoryForecast upperOf(Scene scene, RenderOptions options, PictureParts parts, SmallPictures pictures) {
         boolean edges = scene.picture().sampling().antialias() == AntialiasMode.EDGES;
         SmallRender tiny = SmallRender.of(scene, options, SMALL_SIDE / 2, edges, edges && parts == PictureParts.ALL, pictures);
-        return new MemoryForecast(scene, options, parts, TINY_MARGIN * tiny.bytesPerCenter(), 0, TINY_MARGIN * 4 * tiny.fine, 2, true);
+        return new MemoryForecast(scene, options, parts, TINY_MARGIN * tiny.bytesPerCenter(), 0, TINY_MARGIN * 4 * tiny.fine, 2, true,
+                IndirectEstimate.upperOf(tiny.indirect, TINY_MARGIN));
     }
 
     /**
@@ -89,7 +95,7 @@ final class MemoryForecast {
         double center = (double) centerBytes / scene.picture().width() / scene.picture().height();
         SmallRender small = SmallRender.of(scene, options, SMALL_SIDE, true, true, pictures);
         return new MemoryForecast(scene, options, PictureParts.ALL, center, 0, small.fine, edgeExponent(scene, options, small, pictures),
-                false);
+                false, IndirectEstimate.upperOf(small.indirect, 1));
     }
 
     private static double edgeExponent(Scene scene, RenderOptions options, SmallRender small, SmallPictures pictures) {
@@ -138,7 +144,8 @@ final class MemoryForecast {
             case EVERY -> pixels * each * sampling.samplesPerPixel();
             case EDGES -> pixels * each + Math.pow(side / SMALL_SIDE, edgeExponent) * edgeBytes * samplesAtEdges(sampling) / MIN_SAMPLES;
         };
-        return Math.min((long) bytes, MemoryEstimate.upperBound(scene.withPicture(picture), options, parts));
+        double peak = Math.max(bytes + indirect.bytes(picture), indirect.buildBytes(picture));
+        return Math.min((long) peak, MemoryEstimate.upperBound(scene.withPicture(picture), options, parts));
     }
 
     /** Returns the mean number of samples of a pixel that has several. */
@@ -146,8 +153,8 @@ final class MemoryForecast {
         return SampleCells.first(sampling.grid()).count() + REFINED_SHARE * SampleCells.rest(sampling.grid()).count();
     }
 
-    /** Small picture: its pixels, and the bytes of centers and of finer samples, colors included. */
-    private record SmallRender(long pixels, long centers, long fine) {
+    /** Small picture: its pixels, the bytes of centers and of finer samples, colors included, and its indirect light. */
+    private record SmallRender(long pixels, long centers, long fine, IndirectEstimate.Sample indirect) {
         /**
          * @param edges   true to detect edges
          * @param samples true to render the samples at these edges
@@ -171,7 +178,8 @@ final class MemoryForecast {
                 PixelCache cache = renderer.cache();
                 long centers = cache.centerBytes();
                 return new SmallRender((long) small.width() * small.height(), centers,
-                        cache.bytes() + cache.colorBytes() - centers);
+                        cache.bytes() + cache.colorBytes() - centers - cache.indirectBytes(),
+                        IndirectEstimate.Sample.of(small, cache.indirect()));
             }
         }
 

@@ -391,7 +391,7 @@ public final class Renderer implements AutoCloseable {
     private WorkCounts relight(UpdatePlan.Relight plan, Scene target, boolean centersOnly, Progress progress) {
         PixelCache old = cache;
         if (plan.resampled() && RenderJob.needsEdges(target)) {
-            checkSampleMemory(target, options.memory() - (bytes() - old.centerBytes()), progress);
+            checkSampleMemory(target, options.memory() - (bytes() - old.centerBytes() - old.indirectBytes()), progress);
         }
         var scenes = new RenderedScenes(target, plan.mirrors() == null ? old.mirroredScene() : target);
         RenderJob job = RenderJob.relight(repeatedEdits.withKeys(plan), plan.shapes().after(old.geometry()), scenes, options, progress);

@@ -1,6 +1,8 @@
 package lightning.render.shading;
 
 import lightning.render.gather.GatherStructure;
+import lightning.render.gather.RowWeigher;
+import lightning.render.trace.SurfacePoint;
 
 /**
  * Indirect light of a scene.
@@ -11,4 +13,15 @@ import lightning.render.gather.GatherStructure;
  */
 public record IndirectLight(GatherStructure structure, float[][] light, float[][] edgeLight) {
     // Arrays in a record: written once by their creator, never after.
+
+    /**
+     * Returns the light at one point: red, green, blue.
+     *
+     * @param weigher weigher of its paths
+     */
+    float[] at(SurfacePoint point, RowWeigher weigher) {
+        float[][] row = new float[3][1];
+        weigher.weigh(point).interpolate(light, row);
+        return new float[] {row[0][0], row[1][0], row[2][0]};
+    }
 }

@@ -8,6 +8,7 @@ import java.util.function.Function;
 import java.util.stream.IntStream;
 import lightning.base.math.Ray;
 import lightning.base.math.Vec3;
+import lightning.render.gather.RowWeigher;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.MaterialTable;
 import lightning.render.trace.NormalSteps;
@@ -27,26 +28,32 @@ public final class PixelExplainer {
     private final MaterialTable materials;
     private final Geometry uncutGeometry;
     private final List<WeightedLight> lights;
+    /** Null without indirect light, as the weigher. */
+    private final IndirectLight indirect;
+    private final RowWeigher weigher;
 
     /** Shadow ray targets by light position. */
     private final Map<Vec3, ShadowRayTarget> shadowRayTargets;
 
     /** Creates an explainer that also reports cutouts that rays passed; builds a second BVH for this. */
     public PixelExplainer(Scene scene) {
-        this(scene, new Geometry(scene), new HashMap<>(), withoutCutouts(scene));
+        this(scene, new Geometry(scene), new HashMap<>(), withoutCutouts(scene), null);
     }
 
     /** @param known existing geometry that serves the scene, from its traced picture */
     public PixelExplainer(Scene scene, Geometry known) {
-        this(scene, known.forScene(scene, known.castsReflections()), new HashMap<>(), null);
+        this(scene, known.forScene(scene, known.castsReflections()), new HashMap<>(), null, null);
     }
 
-    private PixelExplainer(Scene scene, Geometry geometry, Map<Vec3, ShadowRayTarget> ends, Geometry uncut) {
+    private PixelExplainer(Scene scene, Geometry geometry, Map<Vec3, ShadowRayTarget> ends, Geometry uncut,
+            IndirectLight indirect) {
         this.scene = scene;
         this.geometry = geometry;
         this.shadowRayTargets = ends;
         materials = geometry.materials();
         this.uncutGeometry = uncut;
+        this.indirect = indirect;
+        weigher = indirect == null ? null : new RowWeigher(indirect.structure());
         lights = scene.rig().effectiveLights().stream().map(light -> WeightedLight.of(light, scene)).toList();
     }
 
@@ -54,7 +61,12 @@ public final class PixelExplainer {
     public PixelExplainer forScene(Scene other, Geometry known) {
         boolean isUnchanged = geometry.canServe(other);
         return new PixelExplainer(other, (isUnchanged ? geometry : known).forScene(other, known.castsReflections()),
-                isUnchanged ? shadowRayTargets : new HashMap<>(), null);
+                isUnchanged ? shadowRayTargets : new HashMap<>(), null, null);
+    }
+
+    /** Returns this explainer with the indirect light of its scene; null for none, as initially. */
+    public PixelExplainer withIndirect(IndirectLight light) {
+        return light == indirect ? this : new PixelExplainer(scene, geometry, shadowRayTargets, uncutGeometry, light);
     }
 
     /** Returns the shapes and materials that reports refer to. */
@@ -71,7 +83,7 @@ public final class PixelExplainer {
         int shape = geometry.nearest(ray);
         if (shape < 0) {
             return new PointReport(null, passedCutouts(ray, Double.POSITIVE_INFINITY), null,
-                    BackgroundShader.color(scene.world(), ray.direction()), ZERO, ZERO,
+                    BackgroundShader.color(scene.world(), ray.direction()), ZERO, ZERO, null,
                     List.of(), null, null);
         }
         SurfacePoint hit = geometry.surface(shape, ray);
@@ -83,6 +95,7 @@ public final class PixelExplainer {
         for (WeightedLight light : lights) {
             reports.add(lightReport(light, hit, normals));
         }
+        float[] bounced = indirect == null ? null : indirect.at(hit, weigher);
         float[] color = new float[3];
         float[] ambient = new float[3];
         float[] glow = new float[3];
@@ -92,17 +105,18 @@ public final class PixelExplainer {
             float ka = materials.ambient(hit.material(), c);
             float kr = materials.reflective(hit.material(), c);
             float emitted = LightingEquation.emitted(ka, ambience, materials.glow(hit.material(), c));
+            float diffuse = sum(reports, c, LightReport::diffuse) + (bounced == null ? 0 : bounced[c]);
             ambient[c] = ka * ambience * share.bodyWeight(kr, c);
             glow[c] = materials.glow(hit.material(), c) * share.bodyWeight(kr, c);
             color[c] = materials.isTransparent(hit.material())
-                    ? share.color(c, emitted, hit.diffuse()[c], sum(reports, c, LightReport::diffuse),
+                    ? share.color(c, emitted, hit.diffuse()[c], diffuse,
                             hit.specular()[c], sum(reports, c, LightReport::highlight), sum(reports, c, LightReport::sheen), kr,
                             reflected == null ? 0 : reflected.color()[c], refracted == null ? 0 : refracted.color()[c])
-                    : LightingEquation.color(emitted, hit.diffuse()[c], sum(reports, c, LightReport::diffuse),
+                    : LightingEquation.color(emitted, hit.diffuse()[c], diffuse,
                             hit.specular()[c], sum(reports, c, LightReport::highlight), sum(reports, c, LightReport::sheen), kr,
                             reflected == null ? 0 : reflected.color()[c]);
         }
-        return new PointReport(hit, passedCutouts(ray, geometry.distance(shape, ray)), normals, color, ambient, glow, reports, reflected,
+        return new PointReport(hit, passedCutouts(ray, geometry.distance(shape, ray)), normals, color, ambient, glow, bounced, reports, reflected,
                 refracted);
     }
 

@@ -13,12 +13,14 @@ import lightning.render.trace.SurfacePoint;
  * @param color         the color of the ray, linear, {@code float[3]}
  * @param ambient       ka·ambience·(1 − kr), linear, {@code float[3]}
  * @param glow          glow·(1 − kr), linear, {@code float[3]}
+ * @param indirect      indirect light in the units of the lights' diffuse sum, linear, {@code float[3]}; null if there is none
  * @param lights        one report for each light of the scene, in its order
  * @param refracted     report of the refracted ray; null if the material is opaque, reflects totally, or the depth ends here
  * @param reflected     report of the mirrored ray; null if the material does not mirror or the depth ends here
  */
 public record PointReport(SurfacePoint hit, List<Integer> passedCutouts, NormalSteps normals, float[] color, float[] ambient,
         float[] glow,
+        float[] indirect,
         List<LightReport> lights,
         PointReport reflected,
         PointReport refracted) {

@@ -78,7 +78,7 @@ class RenderJobRunnerModelTest {
         private void show(Scene scene, boolean isFinished) {
             renderedScene = scene;
             this.isFinished = isFinished;
-            listener.rendered(new Frame(null, null, DisplayMode.FULL_PICTURE, scene, scene, null, null, isFinished));
+            listener.rendered(new Frame(null, null, DisplayMode.FULL_PICTURE, scene, scene, null, null, null, isFinished));
         }
 
         @Override

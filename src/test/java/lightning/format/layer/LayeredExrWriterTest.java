@@ -3,6 +3,7 @@ package lightning.format.layer;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIOException;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -34,6 +35,7 @@ import lightning.render.trace.Geometry;
 import lightning.render.trace.PixelRays;
 import lightning.render.trace.SurfacePoint;
 import lightning.sample.EditSession;
+import lightning.sample.IndirectScenes;
 import lightning.sample.Slow;
 import lightning.sample.StudioScene;
 import lightning.scene.Light;
@@ -65,14 +67,15 @@ class LayeredExrWriterTest {
 
     @Property(tries = 20, edgeCases = EdgeCasesMode.NONE)
     void layers_sumToTheImageBitForBit(@ForAll("sessions") EditSession session, @ForAll Accuracy accuracy,
-            @ForAll ReflectionMode reflections, @ForAll MirrorStorage storage) throws IOException {
+            @ForAll ReflectionMode reflections, @ForAll MirrorStorage storage, @ForAll boolean indirect) throws IOException {
         try (Renderer renderer = new Renderer(new RenderOptions(accuracy, reflections, storage, 2))) {
             for (Scene scene : session.scenes()) {
-                renderer.render(scene, Progress.NONE);
+                renderer.render(indirect ? IndirectScenes.withBackground(scene) : scene, Progress.NONE);
             }
             ExrValues file = writeFile(renderer, ExrType.FLOAT);
             Film film = renderer.film();
             List<String> layers = file.list("lightning/sum");
+            assertThat(layers.contains("indirect")).isEqualTo(indirect);
             for (int c = 0; c < 3; c++) {
                 float[] beauty = file.channel(COLORS.get(c));
                 float[] rounding = file.channel("rounding." + COLORS.get(c));
@@ -191,6 +194,38 @@ class LayeredExrWriterTest {
                 assertThat(file.channel("emission.B")[i]).isEqualTo(glows ? 0.125f : 0);
                 assertThat(file.channel("ambient.R")[i]).isEqualTo(id == 0 ? 0 : glows ? 0.1f * 0.5f : 0.1f);
             }
+        }
+    }
+
+    /** The other layers are those of the picture without indirect light. */
+    @Test
+    void indirectLayer_isTheDifferenceFromDirectLight() throws IOException {
+        Scene direct = StudioScene.of(LightType.SPOT);
+        Scene scene = IndirectScenes.with(direct.withPicture(direct.picture().withDepth(0)));
+        try (Renderer renderer = new Renderer(RenderOptions.DEFAULT.withThreads(1))) {
+            renderer.render(direct.withPicture(direct.picture().withDepth(0)), Progress.NONE);
+            ExrValues before = writeFile(renderer, ExrType.FLOAT);
+            renderer.render(scene, Progress.NONE);
+            ExrValues after = writeFile(renderer, ExrType.FLOAT);
+            List<String> layers = new ArrayList<>(after.list("lightning/sum"));
+            assertThat(layers.indexOf("indirect")).isEqualTo(layers.indexOf("reflections") - 1);
+            layers.remove("indirect");
+            assertThat(layers).isEqualTo(before.list("lightning/sum"));
+            float lightest = 0;
+            for (String color : COLORS) {
+                for (String layer : layers.subList(0, layers.size() - 1)) {
+                    assertThat(after.channel(layer + "." + color)).isEqualTo(before.channel(layer + "." + color));
+                }
+                for (int i = 0; i < after.width * after.height; i++) {
+                    float indirect = after.channel("indirect." + color)[i];
+                    assertThat(indirect).isNotNegative();
+                    // Both pictures are sums of few terms of at least 0, each rounded to 2⁻²⁴ of it.
+                    assertThat((double) after.channel(color)[i] - before.channel(color)[i]).isCloseTo(indirect,
+                            within(16 * 0x1p-24 * after.channel(color)[i]));
+                    lightest = Math.max(lightest, indirect);
+                }
+            }
+            assertThat(lightest).isGreaterThan(0.01f);
         }
     }
 

@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.base.work.Progress;
 import lightning.format.jen.JenReader;
@@ -18,6 +19,7 @@ import lightning.render.relight.tile.MirrorStorage;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.render.shading.ReferenceTracer;
 import lightning.sample.EditSession;
+import lightning.sample.IndirectScenes;
 import lightning.sample.Slow;
 import lightning.sample.StudioScene;
 import lightning.scene.Environment;
@@ -64,6 +66,26 @@ class LightContributionsTest {
             assertThat(LightContribution.FilmChange.between(picture, dark, ViewTransform.DEFAULT)).isEqualTo(found.changeWhenIdleOff());
             assertThat(found.changeWhenIdleOff().isInvisible()).isTrue();
             assertThat(renderer.film().hasSameBits(picture)).as("the picture stays").isTrue();
+        }
+    }
+
+    /** The only light of a black world adds all of the picture, indirect light included. */
+    @Test
+    void indirectLight_countsToItsLight() {
+        Scene studio = StudioScene.of(LightType.SPOT);
+        Scene scene = IndirectScenes.with(studio.withWorld(new World(0, Rgb.BLACK))
+                .withLights(List.of(studio.light(StudioScene.KEY).orElseThrow())));
+        Film direct = new ReferenceTracer(scene).trace();
+        try (Renderer renderer = new Renderer(OPTIONS)) {
+            renderer.render(scene, Progress.NONE);
+            LightContributions.Region all = LightContributions.Region.ofFilm(direct);
+            assertThat(all.luminance(renderer.film())).isGreaterThan(1.01 * all.luminance(direct));
+            LightContribution found =
+                    LightContributions.of(renderer.cache(), OPTIONS, ViewTransform.DEFAULT, all, Progress.NONE).lights().getFirst();
+            assertThat(found.imageShare()).isEqualTo(1);
+            Film black = Film.black(direct.width(), direct.height());
+            assertThat(found.changeWhenOff())
+                    .isEqualTo(LightContribution.FilmChange.between(renderer.film(), black, ViewTransform.DEFAULT));
         }
     }
 

@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.List;
 import lightning.base.work.Progress;
+import lightning.base.work.WorkerPool;
+import lightning.render.fulltrace.TraditionalTracer;
 import lightning.render.image.Film;
 import lightning.render.relight.plan.Accuracy;
 import lightning.render.relight.plan.ReflectionMode;
@@ -12,6 +14,7 @@ import lightning.render.relight.tile.MirrorStorage;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.render.shading.ReferenceTracer;
 import lightning.sample.EditSession;
+import lightning.sample.IndirectScenes;
 import lightning.sample.Slow;
 import lightning.sample.StudioScene;
 import lightning.scene.Light;
@@ -51,6 +54,27 @@ class LightImageTest {
                             light.name());
                 }
                 assertThat(renderer.film().hasSameBits(picture)).as("the picture stays").isTrue();
+            }
+        }
+    }
+
+    /** The background lights the picture, but is no part of a light's contribution. */
+    @Property(tries = 10, edgeCases = EdgeCasesMode.NONE)
+    void lightImageWithIndirectLight_matchesFullTraceOfSingleLight(@ForAll("sessions") EditSession session,
+            @ForAll ReflectionMode reflections, @ForAll @IntRange(min = 1, max = 2) int threads) {
+        try (Renderer renderer = new Renderer(new RenderOptions(Accuracy.EXACT, reflections, MirrorStorage.FULL_ROWS, threads));
+                WorkerPool workers = new WorkerPool(1)) {
+            for (int step = 0; step < session.scenes().size(); step++) {
+                Scene scene = IndirectScenes.withBackground(IndirectScenes.withoutEdges(session.scenes().get(step)));
+                renderer.render(scene, Progress.NONE);
+                for (Light light : scene.lights()) {
+                    Scene one = LightImage.scene(renderer.scene(), light.name());
+                    Scene mirrored = LightImage.scene(renderer.cache().mirroredScene(), light.name());
+                    Film expected = new TraditionalTracer(one, mirrored, renderer.cache().geometry()).trace(workers, Progress.NONE).film();
+                    SessionAssert.assertSameBits(renderer.lightImage(light.name(), Progress.NONE), expected, "indirect share", session,
+                            step,
+                            light.name());
+                }
             }
         }
     }

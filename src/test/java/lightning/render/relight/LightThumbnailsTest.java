@@ -9,6 +9,7 @@ import lightning.render.relight.plan.ReflectionMode;
 import lightning.render.relight.tile.MirrorStorage;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.sample.EditSession;
+import lightning.sample.IndirectScenes;
 import lightning.sample.Slow;
 import lightning.scene.AntialiasMode;
 import lightning.scene.Scene;
@@ -31,18 +32,20 @@ class LightThumbnailsTest {
     @Property(tries = 60, edgeCases = EdgeCasesMode.NONE)
     void lightThumbnail_matchesLightImageBits(@ForAll("sessions") EditSession session, @ForAll Accuracy accuracy,
             @ForAll ReflectionMode reflections, @ForAll @IntRange(min = 1, max = 70) int width,
-            @ForAll @IntRange(min = 1, max = 70) int height) {
-        try (Renderer renderer = new Renderer(new RenderOptions(accuracy, reflections, MirrorStorage.FULL_ROWS, 1))) {
+            @ForAll @IntRange(min = 1, max = 70) int height, @ForAll boolean indirect) {
+        RenderOptions options = new RenderOptions(accuracy, reflections, MirrorStorage.FULL_ROWS, 1);
+        try (Renderer renderer = new Renderer(options); Renderer direct = new Renderer(options)) {
             for (Scene drawn : session.scenes()) {
                 Scene scene = drawn.picture().sampling().antialias() == AntialiasMode.EVERY ? drawn
                         : drawn.withPicture(drawn.picture().withSampling(lightning.scene.SamplingSettings.DEFAULT));
-                renderer.render(scene, Progress.NONE);
+                renderer.render(indirect ? IndirectScenes.with(scene) : scene, Progress.NONE);
+                direct.render(scene, Progress.NONE);
                 LightThumbnails small = LightThumbnails.of(renderer.cache(), width, height);
                 assertThat(small.width()).isLessThanOrEqualTo(width);
                 assertThat(small.height()).isLessThanOrEqualTo(height);
                 if (scene.picture().sampling().antialias() != AntialiasMode.EVERY) {
                     for (int l = 0; l < scene.lights().size(); l++) {
-                        assertPixels(small, small.lightImage(l), renderer.lightImage(scene.lights().get(l).name(), Progress.NONE), scene);
+                        assertPixels(small, small.lightImage(l), direct.lightImage(scene.lights().get(l).name(), Progress.NONE), scene);
                     }
                 }
                 assertPixels(small, small.image(), renderer.film(), scene);

@@ -20,10 +20,12 @@ import lightning.render.relight.plan.Accuracy;
 import lightning.render.relight.tile.MirrorStorage;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.render.trace.MeshMemory;
+import lightning.sample.IndirectScenes;
 import lightning.sample.SampleMeshes;
 import lightning.sample.Slow;
 import lightning.scene.AntialiasMode;
 import lightning.scene.Camera;
+import lightning.scene.IndirectSettings;
 import lightning.scene.PictureSettings;
 import lightning.scene.Placement;
 import lightning.scene.SamplingSettings;
@@ -74,6 +76,32 @@ class MemoryEstimateTest {
         Scene scene = ballsScene(640, 448, antialias, 2);
         // Small pictures have partly empty tiles and edges of only a few pixels.
         assertThat(MemoryForecast.of(scene, OPTIONS).bytes(scene.picture())).isCloseTo(usedBytes(scene, OPTIONS), withPercentage(25));
+    }
+
+    @ParameterizedTest
+    @EnumSource(AntialiasMode.class)
+    void upperBoundWithIndirectLight_isNeverExceeded(AntialiasMode antialias) throws Exception {
+        Scene scene = IndirectScenes.with(ballsScene(96, 64, antialias, 3));
+        assertThat(usedBytes(scene, OPTIONS)).isLessThanOrEqualTo(MemoryEstimate.upperBound(scene, OPTIONS));
+    }
+
+    @ParameterizedTest
+    @EnumSource(AntialiasMode.class)
+    void forecastWithIndirectLight_isCloseToActual(AntialiasMode antialias) throws Exception {
+        Scene scene = IndirectScenes.with(ballsScene(640, 448, antialias, 2));
+        MemoryForecast forecast = MemoryForecast.of(scene, OPTIONS);
+        assertThat(forecast.bytes(scene.picture())).isCloseTo(usedBytes(scene, OPTIONS), withPercentage(25));
+        assertThat(MemoryForecast.upperOf(scene, OPTIONS, PictureParts.ALL, SmallPictures.UNSEEN).bytes(scene.picture()))
+                .isGreaterThan(usedBytes(scene, OPTIONS));
+    }
+
+    @Test
+    void pathsThatDoNotFit_areRejected() throws Exception {
+        Scene direct = ballsScene(640, 448, AntialiasMode.OFF, 2);
+        Scene dense = direct.withPicture(direct.picture().withIndirect(Optional.of(new IndirectSettings(2, 256, 2, false))));
+        long memory = 2 * MemoryEstimate.forecast(direct, OPTIONS);
+        assertThatCode(() -> MemoryEstimate.check(direct, OPTIONS.withMemory(memory))).doesNotThrowAnyException();
+        assertThatThrownBy(() -> MemoryEstimate.check(dense, OPTIONS.withMemory(memory))).isInstanceOf(PictureTooLargeException.class);
     }
 
     @Test

@@ -10,9 +10,14 @@ import java.util.Random;
 import java.util.Set;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
+import lightning.base.work.Progress;
+import lightning.base.work.WorkerPool;
 import lightning.format.jen.JenReader;
 import lightning.format.jen.JenWriter;
+import lightning.render.fulltrace.TraditionalTracer;
+import lightning.render.image.Film;
 import lightning.render.trace.NormalSteps;
+import lightning.sample.IndirectScenes;
 import lightning.sample.SceneArbitraries;
 import lightning.scene.AlphaCutout;
 import lightning.scene.BumpMapping;
@@ -22,6 +27,7 @@ import lightning.scene.LightType;
 import lightning.scene.Material;
 import lightning.scene.PictureSettings;
 import lightning.scene.Placement;
+import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
 import lightning.scene.ShapeLinks;
@@ -51,6 +57,26 @@ class PixelExplainerTest {
             int y = pixels.nextInt(scene.picture().height());
             assertThat(explainer.explainPixel(x, y).color()).as("pixel %d,%d of\n%s", x, y, JenWriter.write(scene))
                     .containsExactly(reference.pixel(x, y));
+        }
+    }
+
+    /** Mirrors, transparent surfaces and the background show it too. */
+    @Property(tries = 30, edgeCases = EdgeCasesMode.NONE)
+    void colorWithIndirectLight_matchesFullTraceBits(@ForAll("scenes") Scene drawn, @ForAll Random pixels) {
+        Scene scene = IndirectScenes.withBackground(drawn.withPicture(drawn.picture().withSampling(SamplingSettings.DEFAULT)));
+        var explainer = new PixelExplainer(scene);
+        var tracer = new TraditionalTracer(scene, explainer.geometry());
+        try (WorkerPool workers = new WorkerPool(1)) {
+            Film film = tracer.trace(workers, Progress.NONE).film();
+            explainer = explainer.withIndirect(tracer.traceIndirect(workers, Progress.NONE));
+            for (int i = 0; i < 30; i++) {
+                int x = pixels.nextInt(scene.picture().width());
+                int y = pixels.nextInt(scene.picture().height());
+                PointReport report = explainer.explainPixel(x, y);
+                assertThat(report.color()).as("pixel %d,%d of\n%s", x, y, JenWriter.write(scene)).containsExactly(film.red(x, y),
+                        film.green(x, y), film.blue(x, y));
+                assertThat(report.indirect() == null).isEqualTo(report.isBackground());
+            }
         }
     }
 

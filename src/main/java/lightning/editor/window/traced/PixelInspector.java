@@ -47,6 +47,7 @@ final class PixelInspector implements AutoCloseable {
             lastFrame = request.frame();
             explainer = explainer == null ? new PixelExplainer(lastFrame.scene(), lastFrame.geometry())
                     : explainer.forScene(lastFrame.scene(), lastFrame.geometry());
+            explainer = explainer.withIndirect(lastFrame.indirect());
         }
         PixelReport report = PixelReport.of(explainer.geometry(), explainer.explainPixel(request.x(), request.y()),
                 lastFrame.scene().lights().size(), request.x(), request.y());

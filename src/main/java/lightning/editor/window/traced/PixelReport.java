@@ -20,9 +20,10 @@ import lightning.render.trace.Geometry;
  * @param geometricNormal geometric normal if it differs from the shading normal; otherwise null
  * @param lights contribution of each light, in the scene's order
  * @param environmentLights contribution of each environment sample
+ * @param indirect indirect light: red, green, blue; null if there is none
  */
 record PixelReport(int x, int y, String shape, Vec3 point, Vec3 normal, Vec3 geometricNormal, List<LightReport> lights,
-        List<LightReport> environmentLights) {
+        List<LightReport> environmentLights, float[] indirect) {
     /**
      * Creates a report.
      *
@@ -30,13 +31,13 @@ record PixelReport(int x, int y, String shape, Vec3 point, Vec3 normal, Vec3 geo
      */
     static PixelReport of(Geometry geometry, PointReport report, int lightCount, int x, int y) {
         if (report.isBackground()) {
-            return new PixelReport(x, y, "", null, null, null, List.of(), List.of());
+            return new PixelReport(x, y, "", null, null, null, List.of(), List.of(), null);
         }
         var hit = report.hit();
         return new PixelReport(x, y, geometry.shape(hit.primitive()).name(),
                 geometry.toScene(new Vec3(hit.px(), hit.py(), hit.pz())), new Vec3(hit.nx(), hit.ny(), hit.nz()),
                 report.normals() == null ? null : report.normals().geometric(), report.lights().subList(0, lightCount),
-                report.lights().subList(lightCount, report.lights().size()));
+                report.lights().subList(lightCount, report.lights().size()), report.indirect());
     }
 
     /** Returns the light that contributes most to this pixel; empty if none does. */
@@ -88,7 +89,8 @@ record PixelReport(int x, int y, String shape, Vec3 point, Vec3 normal, Vec3 geo
         for (LightReport environmentLight : environmentLights) {
             environmentTotal += brightness(environmentLight);
         }
-        total += environmentTotal;
+        float indirectTotal = indirect == null ? 0 : indirect[0] + indirect[1] + indirect[2];
+        total += environmentTotal + indirectTotal;
         List<String> lines = new ArrayList<>();
         for (LightReport light : lights) {
             lines.add(light.light().name() + "  " + switch (light.state()) {
@@ -106,6 +108,9 @@ record PixelReport(int x, int y, String shape, Vec3 point, Vec3 normal, Vec3 geo
                     environmentLights.stream().filter(environmentLight -> environmentLight.state() == LightReport.State.LIT).count();
             lines.add(Messages.tr("environment  {0}, {1} of {2} samples", percent(environmentTotal, total), litCount,
                     environmentLights.size()));
+        }
+        if (indirect != null) {
+            lines.add(Messages.tr("indirect light  {0}", percent(indirectTotal, total)));
         }
         return lines;
     }

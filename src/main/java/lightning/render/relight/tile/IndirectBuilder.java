@@ -7,16 +7,12 @@ import lightning.base.work.WorkerPool;
 import lightning.render.cache.IndirectCache;
 import lightning.render.cache.PixelCache;
 import lightning.render.cache.TileLevel;
-import lightning.render.engine.Engine;
 import lightning.render.engine.EngineWorkers;
 import lightning.render.gather.GatherBuilder;
 import lightning.render.gather.GatherStructure;
 import lightning.render.relight.plan.UpdatePlan;
 import lightning.render.shading.IndirectLight;
-import lightning.render.shading.IndirectSolver;
 import lightning.render.shading.RayCounts;
-import lightning.render.shading.SurfelShader;
-import lightning.render.shading.WeightedLight;
 import lightning.render.trace.MaterialTable;
 import lightning.render.trace.ShapeChange;
 import lightning.scene.IndirectSettings;
@@ -29,26 +25,16 @@ final class IndirectBuilder {
     private final RenderJob job;
     private final WorkerPool workers;
     private final PixelCache oldCache;
-    private final List<EngineWorkers<SurfelWorker>> surfelWorkers;
+    private final List<EngineWorkers<LevelWorker>> surfelWorkers;
     private long gatherRays;
-
-    /** Lights and shades surfels. Holds scratch memory. */
-    private static final class SurfelWorker {
-        private final LevelWorker levels;
-        private final SurfelShader shader;
-
-        SurfelWorker(RenderJob job, Engine engine) {
-            levels = new LevelWorker(job, job.target(), engine, engine.tracer(job.target().geometry()));
-            shader = new SurfelShader(job.target().geometry().materials(), engine.sums());
-        }
-    }
 
     /** @param old cache of the last picture, or null */
     IndirectBuilder(RenderJob job, WorkerPool workers, PixelCache old) {
         this.job = job;
         this.workers = workers;
         this.oldCache = old;
-        surfelWorkers = EngineWorkers.perThread(workers.count(), job.options().engines(), engine -> new SurfelWorker(job, engine));
+        surfelWorkers = EngineWorkers.perThread(workers.count(), job.options().engines(),
+                engine -> new LevelWorker(job, job.target(), engine, engine.tracer(job.target().geometry())));
     }
 
     /**
@@ -64,15 +50,14 @@ final class IndirectBuilder {
         IndirectCache before = canKeepPaths(settings.get()) ? oldCache.indirect() : null;
         GatherStructure structure = before == null ? trace(settings.get()) : before.structure();
         TileLevel[] surfels = before == null ? lightSurfels(structure) : updateSurfels(before.surfels());
-        float[][] albedo = new float[3][structure.surfelCount()];
-        workers.run(surfels.length, (worker, block) -> surfelWorker(worker, block).shader.writeAlbedo(surfels[block].rows(),
-                structure.firstSurfel(block), albedo), job.progress().cancellationOnly());
-        IndirectLight light = new IndirectLight(structure, solve(structure, surfels, job.target().lights(), albedo),
-                job.detectsEdges() ? solve(structure, surfels, job.target().edgeLights(), albedo) : null);
+        SurfelSolver solver = new SurfelSolver(structure, surfels, job.target().geometry().materials(), job.options().engines(), workers,
+                job.progress());
+        IndirectLight light = new IndirectLight(structure, solver.solve(job.target().lights(), job.scene()),
+                job.detectsEdges() ? solver.solve(job.target().edgeLights(), job.scene()) : null);
         return new IndirectCache(settings.get(), surfels, light);
     }
 
-    private SurfelWorker surfelWorker(int worker, int block) {
+    private LevelWorker surfelWorker(int worker, int block) {
         return surfelWorkers.get(worker).forTile(block);
     }
 
@@ -102,7 +87,7 @@ final class IndirectBuilder {
     private TileLevel[] lightSurfels(GatherStructure structure) {
         var rows = structure.surfels();
         TileLevel[] surfels = new TileLevel[rows.length];
-        workers.run(surfels.length, (worker, block) -> surfels[block] = surfelWorker(worker, block).levels.lightLevel(rows[block]),
+        workers.run(surfels.length, (worker, block) -> surfels[block] = surfelWorker(worker, block).lightLevel(rows[block]),
                 job.progress().cancellationOnly());
         return surfels;
     }
@@ -110,23 +95,16 @@ final class IndirectBuilder {
     private TileLevel[] updateSurfels(TileLevel[] before) {
         TileLevel[] surfels = new TileLevel[before.length];
         workers.run(surfels.length,
-                (worker, block) -> surfels[block] = surfelWorker(worker, block).levels.update(before[block], job.topPlan()),
+                (worker, block) -> surfels[block] = surfelWorker(worker, block).update(before[block], job.topPlan()),
                 job.progress().cancellationOnly());
         return surfels;
-    }
-
-    private float[][] solve(GatherStructure structure, TileLevel[] surfels, WeightedLight[] lights, float[][] albedo) {
-        float[][] direct = new float[3][structure.surfelCount()];
-        workers.run(surfels.length, (worker, block) -> surfelWorker(worker, block).shader.writeDirectLight(surfels[block].rows(), lights,
-                surfels[block].layers(), structure.firstSurfel(block), direct), job.progress().cancellationOnly());
-        return new IndirectSolver(structure, job.scene(), workers, job.progress()).solve(direct, albedo);
     }
 
     /** Returns the work since the start. */
     WorkCounts work() {
         return surfelWorkers.stream().flatMap(thread -> thread.workers().stream())
-                .map(worker -> new WorkCounts(worker.levels.rowsTouched(), 0, worker.levels.bytesMoved(),
-                        new RayCounts(0, 0, worker.levels.shadowRays())))
+                .map(worker -> new WorkCounts(worker.rowsTouched(), 0, worker.bytesMoved(),
+                        new RayCounts(0, 0, worker.shadowRays())))
                 .reduce(new WorkCounts(0, 0, 0, new RayCounts(0, gatherRays, 0)), WorkCounts::plus);
     }
 }

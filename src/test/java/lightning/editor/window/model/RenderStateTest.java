@@ -33,7 +33,7 @@ class RenderStateTest {
     /** Frame of an update that took 60 ms in a cold JVM. */
     private static Frame frame(UpdatePlan plan) {
         return new Frame(FILM, FILM, DisplayMode.FULL_PICTURE, SCENE, SCENE,
-                new UpdateResult(plan, 0, 0, 0, RayCounts.NONE, 60_000_000, 0, false), null,
+                new UpdateResult(plan, 0, 0, 0, RayCounts.NONE, 60_000_000, 0, false), null, null,
                 true);
     }
 
@@ -56,7 +56,7 @@ class RenderStateTest {
     @Test
     void pictureOfCenters_isShownAsUnfinished() {
         Frame edit = frame(SAMPLES);
-        var centers = new Frame(FILM, FILM, DisplayMode.FULL_PICTURE, SCENE, SCENE, edit.update(), null, false);
+        var centers = new Frame(FILM, FILM, DisplayMode.FULL_PICTURE, SCENE, SCENE, edit.update(), null, null, false);
         assertThat(text(RenderState.NONE.withFrame(centers))).endsWith("60 ms · not anti-aliased yet").doesNotContain("exact");
     }
 
@@ -74,7 +74,8 @@ class RenderStateTest {
     @Test
     void otherDisplayMode_keepsMeasuredSaving() {
         Frame edit = frame(SAMPLES);
-        Frame look = new Frame(FILM, FILM, DisplayMode.FULL_PICTURE.withLight(Optional.of("key")), SCENE, SCENE, edit.update(), null, true);
+        Frame look = new Frame(FILM, FILM, DisplayMode.FULL_PICTURE.withLight(Optional.of("key")), SCENE, SCENE, edit.update(), null, null,
+                true);
         assertThat(RenderState.NONE.withFrame(edit).withSaving(saving(edit)).withFrame(look).saving()).isPresent();
     }
 

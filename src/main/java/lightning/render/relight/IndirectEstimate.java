@@ -1,0 +1,102 @@
+package lightning.render.relight;
+
+import lightning.render.cache.IndirectCache;
+import lightning.render.gather.RayLinks;
+import lightning.render.image.Film;
+import lightning.render.trace.HitRows.ColumnGroup;
+import lightning.scene.IndirectSettings;
+import lightning.scene.PictureSettings;
+
+/**
+ * Forecast of the memory of a picture's indirect light, without the weights of its rows. Gather points grow with the pixels, and a little
+ * more slowly, because small pictures have more contacts between surfaces in a pixel. Surfels, whose cells are a fixed part of the
+ * picture, grow as the root of its side: more rays find more cells.
+ *
+ * @param bytesPerPixel bytes of gather points per pixel in a picture of any size
+ * @param borderBytes   additional bytes per pixel for a longer side of one pixel
+ * @param surfelBytes   bytes of surfels and their layers in a picture whose longer side is {@code side}
+ * @param buildFactor   bytes of gather points while paths are built, relative to those kept
+ */
+record IndirectEstimate(double bytesPerPixel, double borderBytes, double surfelBytes, int side, double buildFactor) {
+    static final IndirectEstimate NONE = new IndirectEstimate(0, 0, 0, 1, 1);
+    /** Weights of a row and its part of the list of points. */
+    static final long MAX_WEIGHT_BYTES_PER_ROW = 8 * (Short.BYTES + Byte.BYTES + Integer.BYTES);
+    /** Cells of gather points are divided at most twice, so a candidate becomes a point at most three times. */
+    private static final int POINTS_PER_CANDIDATE = 3;
+    private static final int CANDIDATES_PER_CELL = 4;
+    /** Bytes of a point without its links: place, normal, light, and a filter of 256 neighbors, several times the usual number. */
+    private static final int POINT_BYTES = 56 + 8 * 256;
+
+    /** Measured indirect light of a small picture. */
+    record Sample(long pixels, int side, long pointBytes, long surfelBytes, long buildBytes) {
+        static Sample of(PictureSettings picture, IndirectCache indirect) {
+            long pixels = (long) picture.width() * picture.height();
+            int side = Math.max(picture.width(), picture.height());
+            return indirect == null ? new Sample(pixels, side, 0, 0, 0)
+                    : new Sample(pixels, side, indirect.structure().pointBytes(), indirect.bytes() - indirect.structure().pointBytes(),
+                            indirect.structure().buildBytes());
+        }
+
+        private double bytesPerPixel() {
+            return (double) pointBytes / pixels;
+        }
+
+        private double buildFactor() {
+            return pointBytes == 0 ? 1 : (double) buildBytes / pointBytes;
+        }
+    }
+
+    /** Extrapolates from two pictures, the larger of which has twice the side. */
+    static IndirectEstimate of(Sample small, Sample large) {
+        double border = Math.max(0, (small.bytesPerPixel() - large.bytesPerPixel()) * large.side);
+        return new IndirectEstimate(large.bytesPerPixel() - border / large.side, border, large.surfelBytes, large.side,
+                large.buildFactor());
+    }
+
+    /** Extrapolates from one picture; rather too large for larger ones. */
+    static IndirectEstimate upperOf(Sample sample, double margin) {
+        return new IndirectEstimate(margin * sample.bytesPerPixel(), 0, margin * sample.surfelBytes, sample.side, sample.buildFactor());
+    }
+
+    /** Returns the bytes in a finished picture. */
+    double bytes(PictureSettings picture) {
+        return pointBytes(picture) + surfelBytes * Math.sqrt((double) longerSide(picture) / side);
+    }
+
+    /** Returns the bytes while paths are built, before there are other rows. */
+    double buildBytes(PictureSettings picture) {
+        return buildFactor * pointBytes(picture) + surfelBytes * Math.sqrt((double) longerSide(picture) / side);
+    }
+
+    private double pointBytes(PictureSettings picture) {
+        return (double) picture.width() * picture.height() * (bytesPerPixel + borderBytes / Math.max(longerSide(picture), side));
+    }
+
+    private static int longerSide(PictureSettings picture) {
+        return Math.max(picture.width(), picture.height());
+    }
+
+    /**
+     * Returns an upper bound of the bytes, including those only while paths are built. Each candidate becomes a point in each size of cells,
+     * and each ray of a point finds a new surfel; further bounces then find no others.
+     *
+     * @param levels         levels seen from the first
+     * @param layerBytes     bytes of all layers per row
+     */
+    static long upperBound(PictureSettings picture, long levels, long layerBytes) {
+        if (picture.indirect().isEmpty()) {
+            return 0;
+        }
+        IndirectSettings settings = picture.indirect().get();
+        int along = Math.ceilDiv(Film.TILE_SIZE, Math.max(1, settings.spacing() / CANDIDATES_PER_CELL));
+        double candidates = (double) Film.tilesAlong(picture.width()) * Film.tilesAlong(picture.height()) * along * along * (1 + levels);
+        double points = POINTS_PER_CANDIDATE * candidates;
+        double rays = points * settings.rays();
+        int linkBytes = RayLinks.BUILD_BYTES + Integer.BYTES + 12 + 12 / 2;
+        double surfelBytes = ColumnGroup.HIT.bytesPerRow() + ColumnGroup.TEXEL.bytesPerRow() + ColumnGroup.OWNER.bytesPerRow()
+                + ColumnGroup.TRANSPARENT.bytesPerRow() + layerBytes
+                + (settings.bounces() > 1 ? linkBytes * settings.rays() / 4.0 : 0);
+        double rowBytes = ColumnGroup.HIT.bytesPerRow() + ColumnGroup.TEXEL.bytesPerRow() + ColumnGroup.OWNER.bytesPerRow();
+        return (long) Math.min(Long.MAX_VALUE / 4.0, candidates * rowBytes + points * POINT_BYTES + rays * (linkBytes + surfelBytes));
+    }
+}

@@ -1,0 +1,61 @@
+package lightning.render.relight.tile;
+
+import java.util.List;
+import lightning.base.work.Progress;
+import lightning.base.work.WorkerPool;
+import lightning.render.cache.IndirectCache;
+import lightning.render.cache.TileLevel;
+import lightning.render.engine.EngineChoice;
+import lightning.render.engine.EngineWorkers;
+import lightning.render.gather.GatherStructure;
+import lightning.render.shading.IndirectSolver;
+import lightning.render.shading.SurfelShader;
+import lightning.render.shading.WeightedLight;
+import lightning.render.trace.MaterialTable;
+import lightning.scene.Scene;
+
+/** Computes the light at gather points from cached layers of surfels, for any weights of the lights. Casts no ray. */
+public final class SurfelSolver {
+    private final GatherStructure structure;
+    private final TileLevel[] surfels;
+    private final List<EngineWorkers<SurfelShader>> shaders;
+    private final WorkerPool workers;
+    private final Progress progress;
+    private final float[][] albedo;
+
+    /**
+     * @param indirect  indirect light of a scene
+     * @param materials materials of that scene
+     * @throws java.util.concurrent.CancellationException if the progress requested cancellation
+     */
+    public SurfelSolver(IndirectCache indirect, MaterialTable materials, EngineChoice engines, WorkerPool workers, Progress progress) {
+        this(indirect.structure(), indirect.surfels(), materials, engines, workers, progress);
+    }
+
+    /** @param surfels rows of the surfels with one layer per light of the scene, in blocks */
+    SurfelSolver(GatherStructure structure, TileLevel[] surfels, MaterialTable materials, EngineChoice engines, WorkerPool workers,
+            Progress progress) {
+        this.structure = structure;
+        this.surfels = surfels;
+        this.workers = workers;
+        this.progress = progress.cancellationOnly();
+        shaders = EngineWorkers.perThread(workers.count(), engines, engine -> new SurfelShader(materials, engine.sums()));
+        albedo = new float[3][structure.surfelCount()];
+        workers.run(surfels.length, (worker, block) -> shaders.get(worker).forTile(block).writeAlbedo(surfels[block].rows(),
+                structure.firstSurfel(block), albedo), this.progress);
+    }
+
+    /**
+     * Returns the light at all gather points: red, green, blue.
+     *
+     * @param lights lights in the order of the surfels' layers
+     * @param scene  scene that these lights and the background belong to
+     * @throws java.util.concurrent.CancellationException if the progress requested cancellation
+     */
+    public float[][] solve(WeightedLight[] lights, Scene scene) {
+        float[][] direct = new float[3][structure.surfelCount()];
+        workers.run(surfels.length, (worker, block) -> shaders.get(worker).forTile(block).writeDirectLight(surfels[block].rows(), lights,
+                surfels[block].layers(), structure.firstSurfel(block), direct), progress);
+        return new IndirectSolver(structure, scene, workers, progress).solve(direct, albedo);
+    }
+}
