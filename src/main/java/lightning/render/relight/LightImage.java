@@ -10,7 +10,6 @@ import lightning.base.work.WorkerPool;
 import lightning.render.cache.CachedTile;
 import lightning.render.cache.IndirectCache;
 import lightning.render.cache.PixelCache;
-import lightning.render.engine.Engine;
 import lightning.render.engine.EngineWorkers;
 import lightning.render.image.Film;
 import lightning.render.relight.tile.RenderOptions;

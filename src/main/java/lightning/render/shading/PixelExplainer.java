@@ -116,7 +116,8 @@ public final class PixelExplainer {
                             hit.specular()[c], sum(reports, c, LightReport::highlight), sum(reports, c, LightReport::sheen), kr,
                             reflected == null ? 0 : reflected.color()[c]);
         }
-        return new PointReport(hit, passedCutouts(ray, geometry.distance(shape, ray)), normals, color, ambient, glow, bounced, reports, reflected,
+        return new PointReport(hit, passedCutouts(ray, geometry.distance(shape, ray)), normals, color, ambient, glow, bounced, reports,
+                reflected,
                 refracted);
     }
 

@@ -205,7 +205,8 @@ public final class ReferenceTracer {
     /** Returns one channel of the color of a clear surface. */
     private float clearColor(SurfacePoint hit, int c, float diffuse, float specular, float grazing, float[] mirrored,
             float[] refracted) {
-        return new SurfaceWeights(hit).color(c, emitted(hit.material(), c), hit.diffuse()[c], diffuse, hit.specular()[c], specular, grazing, materials.reflective(hit.material(), c), mirrored[c],
+        return new SurfaceWeights(hit).color(c, emitted(hit.material(), c), hit.diffuse()[c], diffuse, hit.specular()[c], specular, grazing,
+                materials.reflective(hit.material(), c), mirrored[c],
                 refracted[c]);
     }
 
