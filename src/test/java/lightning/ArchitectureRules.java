@@ -83,7 +83,7 @@ final class ArchitectureRules {
                     "base.work scene scene.effects render.column render.image render.trace render.gather render.shading render.engine"
                             + " render.engine.choice render.cache render.relight.plan render.relight.paper"),
             row("render.relight",
-                    "base.math base.work scene scene.effects render.image render.trace render.shading render.engine"
+                    "base.math base.work scene scene.effects render.image render.trace render.gather render.shading render.engine"
                             + " render.cache render.relight.plan render.relight.tile"),
             row("format.mesh", "base.text base.work base.file scene"),
             row("format.mesh.ply", "base.text base.math scene format.mesh"),

@@ -28,11 +28,11 @@ public final class IndirectScenes {
             material blue { diffuse 0.2 0.2 0.9 }
             material mirror { diffuse 0.1 0.1 0.1  reflective 0.8 0.8 0.8  specular 0.5 0.5 0.5 }
             material glass { diffuse 0.1 0.1 0.1  clear 0.8 0.9 1  ior 1.5  tint 0.6 0.9 0.9  tint_distance 0.5 }
-            plane floor { material white  at 0 -1 0 }
-            plane ceiling { material white  at 0 1 0 }
-            plane back { material white  at 0 0 -1  rotate 90 0 0 }
-            plane left { material red  at -1 0 0  rotate 0 0 90 }
-            plane right { material green  at 1 0 0  rotate 0 0 90 }
+            plane floor { material white  at 0 -1 0  scale 2 1 2 }
+            plane ceiling { material white  at 0 1 0  scale 2 1 2 }
+            plane back { material white  at 0 0 -1  rotate 90 0 0  scale 2 1 2 }
+            plane left { material red  at -1 0 0  rotate 0 0 90  scale 2 1 2 }
+            plane right { material green  at 1 0 0  rotate 0 0 90  scale 2 1 2 }
             """;
     private static final TextureMap CHECKERS =
             new TextureMap("checkers.png", 3, 2,
@@ -68,7 +68,7 @@ public final class IndirectScenes {
                 """, new IndirectSettings(2, 16, 5, false))));
         scenes.put("textures", withTextures(scene("size 32 24  depth 2", CAMERA + ROOM + LAMP, new IndirectSettings(3, 16, 4, false))));
         scenes.put("two rooms with a thin wall", scene("size 40 20  depth 0", CAMERA + ROOM + """
-                plane wall { material white  at 0 0 0  rotate 0 0 90 }
+                plane wall { material white  at 0 0 0  rotate 0 0 90  scale 2 1 2 }
                 light lamp point { at 0.6 0.5 0 }
                 """, new IndirectSettings(3, 16, 4, false)));
         scenes.put("sky", scene("size 24 16  depth 1", CAMERA + "world { background 0.4 0.6 1 }\n" + ROOM,

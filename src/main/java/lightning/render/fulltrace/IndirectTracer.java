@@ -56,7 +56,8 @@ final class IndirectTracer {
         }
 
         /** Computes the light of a block; {@code edges} is null without edge detection. */
-        void shade(HitRows rows, int first, WeightedLight[] edgeLights, float[][] direct, float[][] edges, float[][] albedo) {
+        void shade(HitRows rows, int first, WeightedLight[] edgeLights, float[][] direct, float[][] edges, float[][] albedo,
+                float[][] glow) {
             columns.reset();
             LightLayer[] layers = new LightLayer[lights.length];
             for (int l = 0; l < lights.length && !progress.isCanceled(); l++) {
@@ -67,7 +68,7 @@ final class IndirectTracer {
                 if (edges != null) {
                     shader.writeDirectLight(rows, edgeLights, layers, first, edges);
                 }
-                shader.writeAlbedo(rows, first, albedo);
+                shader.writeReflection(rows, first, albedo, glow);
             }
         }
     }
@@ -89,14 +90,15 @@ final class IndirectTracer {
         float[][] edges =
                 scene.picture().sampling().antialias() == AntialiasMode.EDGES ? new float[3][structure.surfelCount()] : null;
         float[][] albedo = new float[3][structure.surfelCount()];
+        float[][] glow = new float[3][structure.surfelCount()];
         HitRows[] rows = structure.surfels();
         List<EngineWorkers<SurfelTracer>> threads = EngineWorkers.perThread(workers.count(), engines, SurfelTracer::new);
         workers.run(rows.length, (worker, block) -> threads.get(worker).forTile(block).shade(rows[block], structure.firstSurfel(block),
-                edgeLights, direct, edges, albedo), progress);
+                edgeLights, direct, edges, albedo, glow), progress);
         gatherRays = structure.rays();
         shadowRays = threads.stream().flatMap(thread -> thread.workers().stream()).mapToLong(tracer -> tracer.kernel.shadowRays()).sum();
         IndirectSolver solver = new IndirectSolver(structure, scene, workers, progress);
-        return new IndirectLight(structure, solver.solve(direct, albedo), edges == null ? null : solver.solve(edges, albedo));
+        return new IndirectLight(structure, solver.solve(direct, albedo, glow), edges == null ? null : solver.solve(edges, albedo, glow));
     }
 
     /** Returns the rays cast so far. */

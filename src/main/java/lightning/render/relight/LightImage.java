@@ -80,7 +80,7 @@ public final class LightImage {
     private static float[][] indirect(IndirectCache indirect, Geometry geometry, WeightedLight[] lights, Scene scene, RenderOptions options,
             WorkerPool workers, Progress progress) {
         return indirect == null ? null
-                : new SurfelSolver(indirect, geometry.materials(), options.engines(), workers, progress).solve(lights, scene);
+                : new SurfelSolver(indirect, geometry.materials(), options.engines(), workers, progress).solveWithoutGlow(lights, scene);
     }
 
     private static float[][] tileImage(CachedTile tile, TileRecomposer recomposer, WeightedLight[] top, WeightedLight[] mirrors,

@@ -11,8 +11,8 @@ import lightning.scene.Scene;
  * Computes the light at gather points from the direct light of surfels, by look-ups along the paths of a {@link GatherStructure}.
  *
  * <pre>
- * B₁ = albedo · D                            D = the lights' diffuse sum at a surfel
- * Bₙ = albedo · (D + mean of Bₙ₋₁ over the surfel's rays)
+ * B₁ = glow + albedo · D                     D = the lights' diffuse sum at a surfel
+ * Bₙ = glow + albedo · (D + mean of Bₙ₋₁ over the surfel's rays)
  * E  = filter(mean of B over the gather point's rays)
  * </pre>
  *
@@ -42,21 +42,22 @@ public final class IndirectSolver {
      *
      * @param direct lights' diffuse sum at each surfel
      * @param albedo of each surfel
+     * @param glow   light that each surfel emits itself
      * @throws java.util.concurrent.CancellationException if the progress requested cancellation
      */
-    public float[][] solve(float[][] direct, float[][] albedo) {
+    public float[][] solve(float[][] direct, float[][] albedo, float[][] glow) {
         float[][] light = new float[3][];
         for (int c = 0; c < 3; c++) {
-            light[c] = gather(radiosity(direct[c], albedo[c], c), c);
+            light[c] = gather(radiosity(direct[c], albedo[c], glow[c], c), c);
         }
         return light;
     }
 
-    private float[] radiosity(float[] direct, float[] albedo, int channel) {
+    private float[] radiosity(float[] direct, float[] albedo, float[] glow, int channel) {
         int surfels = structure.surfelCount();
         float[] radiosity = new float[surfels];
         for (int s = 0; s < surfels; s++) {
-            radiosity[s] = albedo[s] * direct[s];
+            radiosity[s] = glow[s] + albedo[s] * direct[s];
         }
         for (int bounce = 2; bounce <= structure.bounces(); bounce++) {
             float[] before = radiosity;
@@ -65,7 +66,7 @@ public final class IndirectSolver {
             run(surfels, (from, to) -> {
                 for (int s = from; s < to; s++) {
                     float gathered = s < linked ? mean(structure.surfelLinks(), s, before, channel) : 0;
-                    after[s] = albedo[s] * (direct[s] + gathered);
+                    after[s] = glow[s] + albedo[s] * (direct[s] + gathered);
                 }
             });
             radiosity = after;

@@ -35,8 +35,9 @@ final class ReferenceIndirect {
      *
      * @param direct lights' diffuse sum: red, green, blue
      * @param albedo share that it sends back: red, green, blue
+     * @param glow   light that it emits itself: red, green, blue
      */
-    private record Surfel(SurfacePoint at, long cell, float[] direct, float[] albedo) {}
+    private record Surfel(SurfacePoint at, long cell, float[] direct, float[] albedo, float[] glow) {}
 
     /** @param directLight returns the lights' diffuse sum at a surface: red, green, blue */
     ReferenceIndirect(Scene scene, Geometry geometry, IndirectSettings settings, Function<SurfacePoint, float[]> directLight) {
@@ -66,12 +67,14 @@ final class ReferenceIndirect {
         for (ReferenceGatherRay ray : rays) {
             if (ray.hit() != null && !surfelByCell.containsKey(ray.cell())) {
                 float[] albedo = new float[3];
+                float[] glow = new float[3];
                 for (int c = 0; c < 3; c++) {
                     int material = ray.hit().material();
                     albedo[c] = (1 - materials.reflective(material, c)) * materials.diffuse(material, c) * ray.hit().texel()[c];
+                    glow[c] = (1 - materials.reflective(material, c)) * materials.glow(material, c);
                 }
                 surfelByCell.put(ray.cell(), surfels.size());
-                surfels.add(new Surfel(ray.hit(), ray.cell(), directLight.apply(ray.hit()), albedo));
+                surfels.add(new Surfel(ray.hit(), ray.cell(), directLight.apply(ray.hit()), albedo, glow));
             }
         }
     }
@@ -106,7 +109,7 @@ final class ReferenceIndirect {
             sent = new float[surfels.size()];
             for (int s = 0; s < sent.length; s++) {
                 float met = bounce > 1 && s < surfelRays.size() ? mean(surfelRays.get(s), before, c) : 0;
-                sent[s] = surfels.get(s).albedo()[c] * (surfels.get(s).direct()[c] + met);
+                sent[s] = surfels.get(s).glow()[c] + surfels.get(s).albedo()[c] * (surfels.get(s).direct()[c] + met);
             }
         }
         return sent;

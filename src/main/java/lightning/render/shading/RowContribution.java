@@ -44,27 +44,33 @@ public final class RowContribution {
                     rows.vy[row], rows.vz[row]);
             shading.interior().write(rows.insideDistance[row], tint);
         }
-        for (int c = 0; c < 3; c++) {
-            float texel = shading.isTextured() ? rows.texel(c)[row] : 1;
-            float diffuse = 0;
-            float specular = 0;
-            float grazing = 0;
-            float ks = shading.specular()[c];
-            if (!isZero) {
-                diffuse = diffuse(light, layer, row, c);
-                specular = shading.hasSpecular() ? specular(light, layer, row, c) : 0;
-                if (shading.texturedF0() != null) {
-                    grazing = grazing(light, layer, row, c);
-                    ks += shading.isTextured() ? texel * shading.texturedF0()[c] : shading.texturedF0()[c];
-                }
+        // Not a loop: a compiled loop reads the length of an absent column before it checks for null, a fault of the virtual machine.
+        writeChannel(0, rows, row, shading, isZero, light, layer, fresnel, mirrored, refracted, from, to, at);
+        writeChannel(1, rows, row, shading, isZero, light, layer, fresnel, mirrored, refracted, from, to, at);
+        writeChannel(2, rows, row, shading, isZero, light, layer, fresnel, mirrored, refracted, from, to, at);
+    }
+
+    private void writeChannel(int c, HitRows rows, int row, ShadingMaterial shading, boolean isZero, WeightedLight light, LightLayer layer,
+            float fresnel, float[] mirrored, float[] refracted, int from, float[] to, int at) {
+        float texel = shading.isTextured() ? rows.texel(c)[row] : 1;
+        float diffuse = 0;
+        float specular = 0;
+        float grazing = 0;
+        float ks = shading.specular()[c];
+        if (!isZero) {
+            diffuse = diffuse(light, layer, row, c);
+            specular = shading.hasSpecular() ? specular(light, layer, row, c) : 0;
+            if (shading.texturedF0() != null) {
+                grazing = grazing(light, layer, row, c);
+                ks += shading.isTextured() ? texel * shading.texturedF0()[c] : shading.texturedF0()[c];
             }
-            float kd = shading.isTextured() ? texel * shading.diffuse()[c] : shading.diffuse()[c];
-            to[at + c] = shading.clarity() == null
-                    ? LightingEquation.color(0, kd, diffuse, ks, specular, grazing, shading.reflective()[c], mirrored[from + c])
-                    : LightingEquation.clearColor(0, kd, diffuse, ks, specular, grazing, shading.reflective()[c], mirrored[from + c],
-                            shading.bodyShare(), fresnel, ClearMaterialShader.channel(shading.clarity().color(), c), refracted[from + c],
-                            tint[c]);
         }
+        float kd = shading.isTextured() ? texel * shading.diffuse()[c] : shading.diffuse()[c];
+        to[at + c] = shading.clarity() == null
+                ? LightingEquation.color(0, kd, diffuse, ks, specular, grazing, shading.reflective()[c], mirrored[from + c])
+                : LightingEquation.clearColor(0, kd, diffuse, ks, specular, grazing, shading.reflective()[c], mirrored[from + c],
+                        shading.bodyShare(), fresnel, ClearMaterialShader.channel(shading.clarity().color(), c), refracted[from + c],
+                        tint[c]);
     }
 
     private static float diffuse(WeightedLight light, LightLayer layer, int row, int c) {

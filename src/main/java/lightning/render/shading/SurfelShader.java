@@ -4,7 +4,7 @@ import java.util.Arrays;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.MaterialTable;
 
-/** Computes the direct light and the albedo of surfels. Holds scratch columns: use one instance per thread. */
+/** Computes the direct light, the albedo and the glow of surfels. Holds scratch columns: use one instance per thread. */
 public final class SurfelShader {
     private final LightSum lightSum;
     private final ShadingMaterial[] materials;
@@ -31,14 +31,22 @@ public final class SurfelShader {
         }
     }
 
-    /** Writes the share of the incoming light that each surfel of a block sends back diffusely; parameters as above. */
-    public void writeAlbedo(HitRows rows, int first, float[][] to) {
+    /**
+     * Writes the light that each surfel of a block sends.
+     *
+     * @param first  number of the block's first surfel
+     * @param albedo receives the share of the incoming light that is sent back diffusely: red, green and blue of all surfels
+     * @param glow   receives the light that the surfels emit themselves, likewise
+     */
+    public void writeReflection(HitRows rows, int first, float[][] albedo, float[][] glow) {
         for (int run = 0; run < rows.runCount; run++) {
             ShadingMaterial material = materials[rows.runMaterial[run]];
             for (int c = 0; c < 3; c++) {
+                float emitted = (1 - material.reflective()[c]) * material.glow()[c];
                 float share = (1 - material.reflective()[c]) * material.diffuse()[c];
                 for (int row = rows.runStart(run); row < rows.runEnd[run]; row++) {
-                    to[c][first + rows.parent[row]] = material.isTextured() ? share * rows.texel(c)[row] : share;
+                    albedo[c][first + rows.parent[row]] = material.isTextured() ? share * rows.texel(c)[row] : share;
+                    glow[c][first + rows.parent[row]] = emitted;
                 }
             }
         }

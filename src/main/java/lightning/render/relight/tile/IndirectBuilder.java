@@ -53,8 +53,19 @@ final class IndirectBuilder {
         SurfelSolver solver = new SurfelSolver(structure, surfels, job.target().geometry().materials(), job.options().engines(), workers,
                 job.progress());
         IndirectLight light = new IndirectLight(structure, solver.solve(job.target().lights(), job.scene()),
-                job.detectsEdges() ? solver.solve(job.target().edgeLights(), job.scene()) : null);
+                job.detectsEdges() ? edgeSolver(solver, structure, surfels).solve(job.target().edgeLights(), job.scene()) : null);
         return new IndirectCache(settings.get(), surfels, light);
+    }
+
+    /** Returns the solver for lights with other weights than those that the layers of some accuracies contain. */
+    private SurfelSolver edgeSolver(SurfelSolver solver, GatherStructure structure, TileLevel[] surfels) {
+        if (job.options().accuracy().isExact()) {
+            return solver;
+        }
+        TileLevel[] terms = new TileLevel[surfels.length];
+        workers.run(surfels.length, (worker, block) -> terms[block] = surfelWorker(worker, block).withTerms(surfels[block]),
+                job.progress().cancellationOnly());
+        return new SurfelSolver(structure, terms, job.target().geometry().materials(), job.options().engines(), workers, job.progress());
     }
 
     private LevelWorker surfelWorker(int worker, int block) {

@@ -22,6 +22,7 @@ public final class SurfelSolver {
     private final WorkerPool workers;
     private final Progress progress;
     private final float[][] albedo;
+    private final float[][] glow;
 
     /**
      * @param indirect  indirect light of a scene
@@ -41,8 +42,9 @@ public final class SurfelSolver {
         this.progress = progress.cancellationOnly();
         shaders = EngineWorkers.perThread(workers.count(), engines, engine -> new SurfelShader(materials, engine.sums()));
         albedo = new float[3][structure.surfelCount()];
-        workers.run(surfels.length, (worker, block) -> shaders.get(worker).forTile(block).writeAlbedo(surfels[block].rows(),
-                structure.firstSurfel(block), albedo), this.progress);
+        glow = new float[3][structure.surfelCount()];
+        workers.run(surfels.length, (worker, block) -> shaders.get(worker).forTile(block).writeReflection(surfels[block].rows(),
+                structure.firstSurfel(block), albedo, glow), this.progress);
     }
 
     /**
@@ -53,9 +55,18 @@ public final class SurfelSolver {
      * @throws java.util.concurrent.CancellationException if the progress requested cancellation
      */
     public float[][] solve(WeightedLight[] lights, Scene scene) {
+        return solve(lights, scene, glow);
+    }
+
+    /** Returns the light at all gather points that comes from lights alone; parameters as above. */
+    public float[][] solveWithoutGlow(WeightedLight[] lights, Scene scene) {
+        return solve(lights, scene, new float[3][structure.surfelCount()]);
+    }
+
+    private float[][] solve(WeightedLight[] lights, Scene scene, float[][] emitted) {
         float[][] direct = new float[3][structure.surfelCount()];
         workers.run(surfels.length, (worker, block) -> shaders.get(worker).forTile(block).writeDirectLight(surfels[block].rows(), lights,
                 surfels[block].layers(), structure.firstSurfel(block), direct), progress);
-        return new IndirectSolver(structure, scene, workers, progress).solve(direct, albedo);
+        return new IndirectSolver(structure, scene, workers, progress).solve(direct, albedo, emitted);
     }
 }

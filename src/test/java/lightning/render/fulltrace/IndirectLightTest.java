@@ -1,0 +1,116 @@
+package lightning.render.fulltrace;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import lightning.base.math.Rgb;
+import lightning.base.work.Progress;
+import lightning.base.work.WorkerPool;
+import lightning.format.jen.JenException;
+import lightning.format.jen.JenReader;
+import lightning.render.image.Film;
+import lightning.sample.IndirectScenes;
+import lightning.scene.IndirectSettings;
+import lightning.scene.Scene;
+import lightning.scene.World;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Laws of indirect light that follow from its equation, without another renderer. */
+class IndirectLightTest {
+    /**
+     * The filter adds up at most one weight for each of 192 pixels, and again their products with a light of at most 1: each step rounds
+     * to 2⁻²⁴ of at most 1. Other sums here are exact.
+     */
+    private static final float FILTER_ROUNDING = 2 * 192 * 0x1p-24f;
+
+    private static Film trace(Scene scene) {
+        try (WorkerPool workers = new WorkerPool(1)) {
+            return new TraditionalTracer(scene).trace(workers, Progress.NONE).film();
+        }
+    }
+
+    /** Every ray meets the same light, so after n bounces a wall of albedo ρ and glow 1 shows 1 + ρ + … + ρⁿ. */
+    @ParameterizedTest
+    @ValueSource(ints = {1, 2, 3})
+    void glowingShell_showsGeometricSeries(int bounces) throws JenException {
+        Scene scene = JenReader.read("""
+                jen 1
+                picture { size 16 12  depth 0 }
+                camera { from 0.2 0.1 0.3  to 0 0 -1 }
+                material shell { diffuse 0.5 0.25 0  glow 1 1 1 }
+                sphere around { material shell  scale 2 2 2 }
+                """, "shell.jen", Path.of("")).scene();
+        Film film = trace(scene.withPicture(scene.picture().withIndirect(Optional.of(new IndirectSettings(bounces, 16, 4, false)))));
+        for (int i = 0; i < 16 * 12; i++) {
+            assertThat(film.red(i % 16, i / 16)).isCloseTo(series(0.5f, bounces), within(FILTER_ROUNDING));
+            assertThat(film.green(i % 16, i / 16)).isCloseTo(series(0.25f, bounces), within(FILTER_ROUNDING));
+            assertThat(film.blue(i % 16, i / 16)).isEqualTo(1);
+        }
+    }
+
+    private static float series(float albedo, int bounces) {
+        float sum = 1;
+        for (int bounce = 0; bounce < bounces; bounce++) {
+            sum = 1 + albedo * sum;
+        }
+        return sum;
+    }
+
+    /** Doubling is exact in floats, so every value doubles exactly. */
+    @ParameterizedTest
+    @ValueSource(strings = {"room", "mirror ball", "glass ball", "two rooms with a thin wall"})
+    void doubledLights_doubleThePicture(String name) {
+        Scene scene = withoutBackground(IndirectScenes.all().get(name));
+        Film once = trace(scene);
+        Film twice = trace(scene.withLights(scene.lights().stream().map(l -> l.withIntensity(2 * l.intensity())).toList()));
+        float[] expected = once.toScanlines();
+        for (int i = 0; i < expected.length; i++) {
+            expected[i] *= 2;
+        }
+        assertThat(twice.toScanlines()).isEqualTo(expected);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"room", "glass ball"})
+    void lightThatIsOff_isAbsent(String name) {
+        Scene scene = IndirectScenes.all().get(name);
+        Scene without = scene.withLights(List.of());
+        Scene off = scene.withLights(scene.lights().stream().map(l -> l.withOn(false)).toList());
+        assertThat(trace(off).hasSameBits(trace(without))).isTrue();
+    }
+
+    /** The wall has no thickness. Light on one side of it must not reach the other side. */
+    @ParameterizedTest
+    @ValueSource(ints = {1, 3})
+    void thinWall_keepsOtherRoomDark(int bounces) throws JenException {
+        Scene scene = JenReader.read("""
+                jen 1
+                picture { size 40 20  depth 0 }
+                camera { from 0 0 0.9  to 0 0 -1  fov 90 }
+                material white { diffuse 0.8 0.8 0.8 }
+                plane floor { material white  at 0 -1 0  scale 2 1 2 }
+                plane ceiling { material white  at 0 1 0  scale 2 1 2 }
+                plane back { material white  at 0 0 -1  rotate 90 0 0  scale 2 1 2 }
+                plane front { material white  at 0 0 1  rotate 90 0 0  scale 2 1 2 }
+                plane left { material white  at -1 0 0  rotate 0 0 90  scale 2 1 2 }
+                plane right { material white  at 1 0 0  rotate 0 0 90  scale 2 1 2 }
+                plane wall { material white  at 0.01 0 0  rotate 0 0 90  scale 2 1 2 }
+                light lamp point { at 0.6 0.5 0 }
+                """, "rooms.jen", Path.of("")).scene();
+        Film film = trace(scene.withPicture(scene.picture().withIndirect(Optional.of(new IndirectSettings(bounces, 16, 4, false)))));
+        double brightest = 0;
+        for (int i = 0; i < 40 * 20; i++) {
+            brightest = Math.max(brightest, film.red(i % 40, i / 40));
+        }
+        // The camera is in the left room.
+        assertThat(brightest).isZero();
+    }
+
+    private static Scene withoutBackground(Scene scene) {
+        return scene.withWorld(new World(0, Rgb.BLACK));
+    }
+}
