@@ -75,7 +75,7 @@ class LightContributionsTest {
         Scene studio = StudioScene.of(LightType.SPOT);
         Scene scene = IndirectScenes.with(studio.withWorld(new World(0, Rgb.BLACK))
                 .withLights(List.of(studio.light(StudioScene.KEY).orElseThrow())));
-        Film direct = new ReferenceTracer(scene).trace();
+        Film direct = new ReferenceTracer(scene.withPicture(scene.picture().withIndirect(Optional.empty()))).trace();
         try (Renderer renderer = new Renderer(OPTIONS)) {
             renderer.render(scene, Progress.NONE);
             LightContributions.Region all = LightContributions.Region.ofFilm(direct);
