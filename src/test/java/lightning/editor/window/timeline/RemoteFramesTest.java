@@ -80,8 +80,13 @@ class RemoteFramesTest extends EditorFixture {
     }
 
     private void type(String field, String text) {
-        robot.interact(() -> robot.lookup("#" + field).<TextField>query().clear());
-        robot.clickOn("#" + field).write(text);
+        // A click would compute bounds on this thread while the window's thread lays them out.
+        robot.interact(() -> {
+            TextField input = robot.lookup("#" + field).query();
+            input.clear();
+            input.requestFocus();
+        });
+        robot.write(text);
     }
 
     private void join(String hosts, Path file) {
