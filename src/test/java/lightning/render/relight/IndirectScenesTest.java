@@ -3,7 +3,9 @@ package lightning.render.relight;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Optional;
+import java.util.Set;
 import java.util.stream.Stream;
+import lightning.base.math.Rgb;
 import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
 import lightning.render.engine.EngineChoice;
@@ -11,10 +13,15 @@ import lightning.render.engine.choice.Engines;
 import lightning.render.fulltrace.TraditionalTracer;
 import lightning.render.image.Film;
 import lightning.render.image.FilmAssert;
+import lightning.render.relight.plan.Accuracy;
+import lightning.render.relight.plan.ReflectionMode;
+import lightning.render.relight.tile.MirrorStorage;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.render.shading.ReferenceTracer;
 import lightning.sample.IndirectScenes;
 import lightning.scene.Scene;
+import lightning.scene.effects.RenderEffect;
+import lightning.scene.effects.ViewEffects;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -61,6 +68,20 @@ class IndirectScenesTest {
             renderer.render(scene, Progress.NONE);
             renderer.render(reversed, Progress.NONE);
             FilmAssert.assertSameBits(renderer.film(), new ReferenceTracer(reversed).trace(), "indirect reordered");
+        }
+    }
+
+    /** Forced reflections are cast before and after the edit, but only rays of mirrors lead to gather points. */
+    @Test
+    void mirrorThatCeases_whileReflectionsAreForced_givesPictureOfFirstPass() {
+        Scene scene = IndirectScenes.all().get("mirror ball");
+        Scene edited = scene.withMaterial(scene.material("mirror").orElseThrow().withReflective(Rgb.BLACK));
+        RenderOptions options = new RenderOptions(Accuracy.EXACT, ReflectionMode.CURRENT, MirrorStorage.FULL_ROWS, 1,
+                ViewEffects.ALL.withForced(Set.of(RenderEffect.REFLECTION)));
+        try (Renderer renderer = new Renderer(options); WorkerPool workers = new WorkerPool(1)) {
+            renderer.render(scene, Progress.NONE);
+            renderer.render(edited, Progress.NONE);
+            assertThat(renderer.film().hasSameBits(new TraditionalTracer(edited).trace(workers, Progress.NONE).film())).isTrue();
         }
     }
 }

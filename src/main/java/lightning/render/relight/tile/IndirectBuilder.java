@@ -82,10 +82,15 @@ final class IndirectBuilder {
         MaterialTable before = oldCache.geometry().materials();
         MaterialTable after = job.target().geometry().materials();
         return before == after || before.count() == after.count()
-                && IntStream.range(0, after.count()).allMatch(m -> before.isReflective(m) == after.isReflective(m)
+                && IntStream.range(0, after.count()).allMatch(m -> mirrors(before, m) == mirrors(after, m)
                         && before.isTextured(m) == after.isTextured(m)
                         && before.material(m).texture().equals(after.material(m).texture())
                         && before.transmission(m).equals(after.transmission(m)));
+    }
+
+    /** Returns whether a material mirrors or transmits light, even if the view casts reflected rays from all materials. */
+    private static boolean mirrors(MaterialTable materials, int m) {
+        return MaterialTable.CASTS_REFLECTIONS.test(materials.material(m));
     }
 
     private GatherStructure trace(IndirectSettings settings) {
