@@ -17,6 +17,8 @@ import lightning.scene.Scene;
 public final class GatherBuilder {
     /** Candidates along a side of the largest cell, seen straight on. */
     private static final int CANDIDATES_PER_CELL = 4;
+    /** Maximum number of gather points at a candidate: one in each size of cells. */
+    public static final int MAX_POINTS_PER_CANDIDATE = CellKeys.LEVELS;
 
     private final Geometry geometry;
     private final Scene scene;
@@ -37,6 +39,11 @@ public final class GatherBuilder {
         Arrays.setAll(this.tracers, tracers);
     }
 
+    /** Returns the distance of the pixels through which candidates for gather points are traced. */
+    public static int candidateStep(IndirectSettings settings) {
+        return Math.max(1, settings.spacing() / CANDIDATES_PER_CELL);
+    }
+
     /**
      * Builds it.
      *
@@ -44,8 +51,7 @@ public final class GatherBuilder {
      */
     public GatherStructure build() {
         CandidateTracer[] candidateTracers = new CandidateTracer[workers.count()];
-        int step = Math.max(1, settings.spacing() / CANDIDATES_PER_CELL);
-        Arrays.setAll(candidateTracers, worker -> new CandidateTracer(geometry, scene, tracers[worker], step));
+        Arrays.setAll(candidateTracers, worker -> new CandidateTracer(geometry, scene, tracers[worker], candidateStep(settings)));
         List<SurfaceColumns> candidates = traceCandidates(candidateTracers);
         CellKeys keys = new CellKeys(scene, settings);
         DirectionTable pointDirections = new DirectionTable(settings.raysPerSide());

@@ -65,10 +65,14 @@ final class GatherCaster {
     private void aim(SurfaceColumns points, int p, long seed, int at) {
         directions.write(seed, points.nx[p], points.ny[p], points.nz[p], batch.directionX, batch.directionY, batch.directionZ, at);
         for (int ray = at; ray < at + directions.rays(); ray++) {
-            batch.startX[ray] = points.px[p];
-            batch.startY[ray] = points.py[p];
-            batch.startZ[ray] = points.pz[p];
+            setStart(ray, points, p);
         }
+    }
+
+    private void setStart(int ray, SurfaceColumns points, int p) {
+        batch.startX[ray] = points.px[p];
+        batch.startY[ray] = points.py[p];
+        batch.startZ[ray] = points.pz[p];
     }
 
     private float harmonicMean(int first, int rays) {
@@ -99,9 +103,7 @@ final class GatherCaster {
             batch.directionX[i - from] = x[k];
             batch.directionY[i - from] = y[k];
             batch.directionZ[i - from] = z[k];
-            batch.startX[i - from] = points.px[p];
-            batch.startY[i - from] = points.py[p];
-            batch.startZ[i - from] = points.pz[p];
+            setStart(i - from, points, p);
         }
         batch.trace(to - from);
         return batch.rows((hits, textured, transparent) -> new HitRows(hits, textured, transparent, false, true)).compact();

@@ -1,6 +1,7 @@
 package lightning.render.relight;
 
 import lightning.render.cache.IndirectCache;
+import lightning.render.gather.GatherBuilder;
 import lightning.render.gather.RayLinks;
 import lightning.render.image.Film;
 import lightning.render.trace.HitRows.ColumnGroup;
@@ -21,9 +22,6 @@ record IndirectEstimate(double bytesPerPixel, double borderBytes, double surfelB
     static final IndirectEstimate NONE = new IndirectEstimate(0, 0, 0, 1, 1);
     /** Weights of a row and its part of the list of points. */
     static final long MAX_WEIGHT_BYTES_PER_ROW = 8 * (Short.BYTES + Byte.BYTES + Integer.BYTES);
-    /** Cells of gather points are divided at most twice, so a candidate becomes a point at most three times. */
-    private static final int POINTS_PER_CANDIDATE = 3;
-    private static final int CANDIDATES_PER_CELL = 4;
     /** Bytes of a point without its links: place, normal, light, and a filter of 256 neighbors, several times the usual number. */
     private static final int POINT_BYTES = 56 + 8 * 256;
 
@@ -88,9 +86,9 @@ record IndirectEstimate(double bytesPerPixel, double borderBytes, double surfelB
             return 0;
         }
         IndirectSettings settings = picture.indirect().get();
-        int along = Math.ceilDiv(Film.TILE_SIZE, Math.max(1, settings.spacing() / CANDIDATES_PER_CELL));
+        int along = Math.ceilDiv(Film.TILE_SIZE, GatherBuilder.candidateStep(settings));
         double candidates = (double) Film.tilesAlong(picture.width()) * Film.tilesAlong(picture.height()) * along * along * (1 + levels);
-        double points = POINTS_PER_CANDIDATE * candidates;
+        double points = GatherBuilder.MAX_POINTS_PER_CANDIDATE * candidates;
         double rays = points * settings.rays();
         int linkBytes = RayLinks.BUILD_BYTES + Integer.BYTES + 12 + 12 / 2;
         double surfelBytes = ColumnGroup.HIT.bytesPerRow() + ColumnGroup.TEXEL.bytesPerRow() + ColumnGroup.OWNER.bytesPerRow()

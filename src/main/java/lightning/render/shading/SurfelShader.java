@@ -36,7 +36,7 @@ public final class SurfelShader {
      *
      * @param first  number of the block's first surfel
      * @param albedo receives the share of the incoming light that is sent back diffusely: red, green and blue of all surfels
-     * @param glow   receives the light that the surfels emit themselves, likewise
+     * @param glow   receives the light that the surfels emit themselves: red, green and blue of all surfels
      */
     public void writeReflection(HitRows rows, int first, float[][] albedo, float[][] glow) {
         for (int run = 0; run < rows.runCount; run++) {

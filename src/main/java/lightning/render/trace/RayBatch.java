@@ -11,8 +11,8 @@ import lightning.scene.Transmission;
 /**
  * Up to 1024 rays with any origins and directions, which pass through transparent surfaces. Holds scratch memory: use one per thread.
  *
- * <p>A ray that hits a transparent surface goes on behind it in the same direction, tinted by the surface's color and by the path
- * inside the body.
+ * <p>A ray that hits a transparent surface continues in the same direction, tinted by the surface's color and by the path inside the
+ * body.
  */
 public final class RayBatch {
     /** Maximum number of rays. */
@@ -56,7 +56,7 @@ public final class RayBatch {
         candidates.overflow = true;
     }
 
-    /** Traces rays {@code 0 … count − 1}. Replaces the origins of those that pass a transparent surface. */
+    /** Traces rays {@code 0 … count − 1}. Replaces the origins of rays that pass a transparent surface. */
     public void trace(int count) {
         rays.startX = startX;
         rays.startY = startY;
@@ -82,7 +82,7 @@ public final class RayBatch {
         tracer.findNearest(rays, candidates);
     }
 
-    /** Moves the rays that hit a transparent surface behind it; returns whether there are any. */
+    /** Moves the origins of rays that hit a transparent surface to its other side; returns whether any ray does. */
     private boolean moveThroughSurfaces(boolean stop) {
         boolean moved = false;
         for (int i = 0; i < rays.count; i++) {

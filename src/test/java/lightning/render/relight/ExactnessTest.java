@@ -70,15 +70,7 @@ class ExactnessTest {
     }
 
     private static void assertEqualsReference(String name, EditSession session, RenderOptions options) {
-        try (Renderer renderer = new Renderer(options)) {
-            for (int step = 0; step < session.scenes().size(); step++) {
-                Scene scene = session.scenes().get(step);
-                UpdateResult update = renderer.render(scene, Progress.NONE);
-                SessionAssert.assertSameBits(renderer.film(), new ReferenceTracer(scene).trace(), name, session, step,
-                        update.plan().description());
-                assertThat(AccuracyGuarantee.of(renderer, update).text()).isEqualTo("exact");
-            }
-        }
+        SessionAssert.assertExactAfterEveryEdit(name, session, options, scene -> new ReferenceTracer(scene).trace());
     }
 
     /** Draws every attribute at any valid magnitude, in random lights and materials. */

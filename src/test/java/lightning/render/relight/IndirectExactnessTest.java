@@ -1,11 +1,8 @@
 package lightning.render.relight;
 
-import static org.assertj.core.api.Assertions.assertThat;
-
 import java.util.Set;
 import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
-import lightning.bench.accuracy.AccuracyGuarantee;
 import lightning.render.fulltrace.TraditionalTracer;
 import lightning.render.image.Film;
 import lightning.render.relight.plan.Accuracy;
@@ -46,15 +43,7 @@ class IndirectExactnessTest {
         RenderOptions options =
                 new RenderOptions(Accuracy.EXACT, ReflectionMode.CURRENT, storage, threads, ViewEffects.ALL.withForced(forced))
                         .withEngines(new MixedEngineChoice(engines));
-        try (Renderer renderer = new Renderer(options)) {
-            for (int step = 0; step < session.scenes().size(); step++) {
-                Scene scene = session.scenes().get(step);
-                UpdateResult update = renderer.render(scene, Progress.NONE);
-                SessionAssert.assertSameBits(renderer.film(), fullTrace(scene, scene), "indirect-current", session, step,
-                        update.plan().description());
-                assertThat(AccuracyGuarantee.of(renderer, update).text()).isEqualTo("exact");
-            }
-        }
+        SessionAssert.assertExactAfterEveryEdit("indirect-current", session, options, scene -> fullTrace(scene, scene));
     }
 
     @Property(edgeCases = EdgeCasesMode.NONE)

@@ -1,8 +1,14 @@
 package lightning.render.relight;
 
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.function.Function;
+import lightning.base.work.Progress;
+import lightning.bench.accuracy.AccuracyGuarantee;
 import lightning.format.jen.JenWriter;
 import lightning.render.image.Film;
 import lightning.render.image.FilmAssert;
+import lightning.render.relight.tile.RenderOptions;
 import lightning.sample.EditSession;
 import lightning.sample.FailedSceneRecorder;
 import lightning.scene.Scene;
@@ -10,6 +16,23 @@ import lightning.scene.Scene;
 /** Compares films of a session; a failure saves the scenes as files next to the pictures. */
 final class SessionAssert {
     private SessionAssert() {}
+
+    /**
+     * Asserts that a renderer shows the reference picture after every edit, and says that it is exact.
+     *
+     * @param name      test name, the folder's name in {@code target/failures}
+     * @param reference returns the picture of a scene
+     */
+    static void assertExactAfterEveryEdit(String name, EditSession session, RenderOptions options, Function<Scene, Film> reference) {
+        try (Renderer renderer = new Renderer(options)) {
+            for (int step = 0; step < session.scenes().size(); step++) {
+                Scene scene = session.scenes().get(step);
+                UpdateResult update = renderer.render(scene, Progress.NONE);
+                assertSameBits(renderer.film(), reference.apply(scene), name, session, step, update.plan().description());
+                assertThat(AccuracyGuarantee.of(renderer, update).text()).isEqualTo("exact");
+            }
+        }
+    }
 
     /**
      * @param name test name, the folder's name in {@code target/failures}

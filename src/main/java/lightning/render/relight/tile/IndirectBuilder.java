@@ -57,7 +57,7 @@ final class IndirectBuilder {
         return new IndirectCache(settings.get(), surfels, light);
     }
 
-    /** Returns the solver for lights with other weights than those that the layers of some accuracies contain. */
+    /** Returns the solver for lights with rounded weights. Layers of some accuracies contain the exact weights, so they are replaced by terms. */
     private SurfelSolver edgeSolver(SurfelSolver solver, GatherStructure structure, TileLevel[] surfels) {
         if (job.options().accuracy().isExact()) {
             return solver;
