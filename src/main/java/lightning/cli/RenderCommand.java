@@ -115,9 +115,10 @@ final class RenderCommand implements Callable<Integer> {
     }
 
     private void printSummary(Scene scene, Film film, String title, double milliseconds, RayCounts rays) {
-        console.print("%s: %s of %d x %d pixels, depth %d, in %.1f ms%s: %s, %d mirrored, %s", output.file(), title,
+        console.print("%s: %s of %d x %d pixels, depth %d, in %.1f ms%s: %s, %d mirrored, %s%s", output.file(), title,
                 film.width(), film.height(), scene.picture().depth(), milliseconds, Engines.isFastestInUse() ? "" : " (cold start)",
                 Console.count(rays.eye(), "eye ray"),
-                rays.mirrored(), Console.count(rays.shadow(), "shadow ray"));
+                rays.mirrored(), rays.gather() == 0 ? "" : Console.count(rays.gather(), "gather ray") + ", ",
+                Console.count(rays.shadow(), "shadow ray"));
     }
 }

@@ -103,6 +103,6 @@ final class IndirectTracer {
 
     /** Returns the rays cast so far. */
     RayCounts rays() {
-        return new RayCounts(0, gatherRays, shadowRays);
+        return new RayCounts(0, 0, gatherRays, shadowRays);
     }
 }

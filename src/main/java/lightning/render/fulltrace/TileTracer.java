@@ -136,7 +136,7 @@ final class TileTracer {
 
     /** Returns the rays cast so far. */
     RayCounts rays() {
-        return new RayCounts(eyeRays, bounceRays,
+        return new RayCounts(eyeRays, bounceRays, 0,
                 eyeLevel.kernel.shadowRays() + (mirrorLevels == eyeLevel ? 0 : mirrorLevels.kernel.shadowRays()));
     }
 

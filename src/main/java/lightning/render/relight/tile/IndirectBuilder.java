@@ -120,7 +120,7 @@ final class IndirectBuilder {
     WorkCounts work() {
         return surfelWorkers.stream().flatMap(thread -> thread.workers().stream())
                 .map(worker -> new WorkCounts(worker.rowsTouched(), 0, worker.bytesMoved(),
-                        new RayCounts(0, 0, worker.shadowRays())))
-                .reduce(new WorkCounts(0, 0, 0, new RayCounts(0, gatherRays, 0)), WorkCounts::plus);
+                        new RayCounts(0, 0, 0, worker.shadowRays())))
+                .reduce(new WorkCounts(0, 0, 0, new RayCounts(0, 0, gatherRays, 0)), WorkCounts::plus);
     }
 }

@@ -62,10 +62,10 @@ final class TileWorker {
     /** Returns the work since the start. */
     WorkCounts work() {
         WorkCounts work = new WorkCounts(eyeWorker.rowsTouched(), eyeWorker.rowsComposed(), eyeWorker.bytesMoved() + filmBytes,
-                new RayCounts(eyeRays, bounceLevels == null ? 0 : bounceLevels.rayCount(), eyeWorker.shadowRays()));
+                new RayCounts(eyeRays, bounceLevels == null ? 0 : bounceLevels.rayCount(), 0, eyeWorker.shadowRays()));
         return mirrorWorker == null || mirrorWorker == eyeWorker ? work
                 : work.plus(new WorkCounts(mirrorWorker.rowsTouched(), mirrorWorker.rowsComposed(), mirrorWorker.bytesMoved(),
-                        new RayCounts(0, 0, mirrorWorker.shadowRays())));
+                        new RayCounts(0, 0, 0, mirrorWorker.shadowRays())));
     }
 
     double minFalloff() {
