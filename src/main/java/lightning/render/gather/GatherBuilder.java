@@ -55,11 +55,13 @@ public final class GatherBuilder {
         List<SurfaceColumns> candidates = traceCandidates(candidateTracers);
         CellKeys keys = new CellKeys(scene, settings);
         DirectionTable pointDirections = new DirectionTable(settings.raysPerSide());
-        GatherCaster[] pointCasters = casters(keys, pointDirections);
+        CellColors colors = new CellColors();
+        GatherCaster[] pointCasters = casters(keys, pointDirections, colors);
         PointPlacer placer = new PointPlacer(workers, progress, keys, pointCasters, pointDirections);
         placer.place(candidates);
         DirectionTable surfelDirections = new DirectionTable(settings.raysPerSide() / 2);
-        SurfelBuilder surfels = new SurfelBuilder(workers, progress, casters(keys, surfelDirections), surfelDirections);
+        SurfelBuilder surfels = new SurfelBuilder(workers, progress, casters(keys, surfelDirections, colors), surfelDirections,
+                geometry.materials(), colors);
         surfels.build(placer.points, placer.seeds(), placer.links, pointCasters, settings.bounces());
         PointFilter filter = new FilterBuilder(placer.points, placer.radius, placer.harmonic, placer.side).build(workers, progress);
         long rays = Arrays.stream(candidateTracers).mapToLong(CandidateTracer::rayCount).sum() + placer.links.surfels().length
@@ -69,9 +71,9 @@ public final class GatherBuilder {
                 surfels.links, surfels.blocks, surfels.blockStart, surfels.count(), settings.bounces(), rays);
     }
 
-    private GatherCaster[] casters(CellKeys keys, DirectionTable directions) {
+    private GatherCaster[] casters(CellKeys keys, DirectionTable directions, CellColors colors) {
         GatherCaster[] casters = new GatherCaster[workers.count()];
-        Arrays.setAll(casters, worker -> new GatherCaster(geometry, scene, tracers[worker], keys, directions));
+        Arrays.setAll(casters, worker -> new GatherCaster(geometry, scene, tracers[worker], keys, directions, colors));
         return casters;
     }
 

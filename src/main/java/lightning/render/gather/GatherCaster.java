@@ -2,27 +2,39 @@ package lightning.render.gather;
 
 import lightning.render.trace.Geometry;
 import lightning.render.trace.HitRows;
+import lightning.render.trace.MaterialTable;
 import lightning.render.trace.RayBatch;
 import lightning.render.trace.Tracer;
 import lightning.scene.Scene;
 
 /** Casts the rays by which points on surfaces gather light. Holds scratch memory: use one instance per thread. */
 final class GatherCaster {
-    private final DirectionTable directions;
+    private final int rays;
     private final RayBatch batch;
+    private final GatherDirections directions;
     private final CellKeys keys;
+    private final MaterialTable materials;
+    private final CellColors colors;
+    /** Points whose rays are cast together. */
+    private final int[] together = new int[RayBatch.MAX_RAYS];
+    /** Cell of each row that was hit. */
+    private final long[] cells = new long[RayBatch.MAX_RAYS];
     /** Directions around one point. */
     private final double[] x;
     private final double[] y;
     private final double[] z;
 
-    GatherCaster(Geometry geometry, Scene scene, Tracer tracer, CellKeys keys, DirectionTable directions) {
-        this.directions = directions;
+    /** @param colors receives the texture colors that rays hit */
+    GatherCaster(Geometry geometry, Scene scene, Tracer tracer, CellKeys keys, DirectionTable table, CellColors colors) {
+        rays = table.rays();
         this.keys = keys;
+        this.colors = colors;
+        materials = geometry.materials();
         batch = new RayBatch(geometry, scene, tracer);
-        x = new double[directions.rays()];
-        y = new double[directions.rays()];
-        z = new double[directions.rays()];
+        directions = new GatherDirections(table, batch);
+        x = new double[rays];
+        y = new double[rays];
+        z = new double[rays];
     }
 
     /** Points whose rays are cast together. */
@@ -38,9 +50,12 @@ final class GatherCaster {
      * @param harmonic receives the harmonic mean length of each point's rays, {@code +∞} if none hits; null if not wanted
      */
     void cast(SurfaceColumns points, long[] seeds, int from, int to, RayLinks links, float[] harmonic) {
-        int rays = directions.rays();
         for (int p = from; p < to; p++) {
-            aim(points, p, seeds[p], (p - from) * rays);
+            together[p - from] = p;
+        }
+        directions.findNormals(points, together, to - from);
+        for (int p = from; p < to; p++) {
+            aim(points, p, p - from, seeds[p]);
         }
         int count = (to - from) * rays;
         batch.trace(count);
@@ -51,20 +66,32 @@ final class GatherCaster {
             long key = keys.surfelKey(rows.px[row], rows.py[row], rows.pz[row], rows.nx[row], rows.ny[row], rows.nz[row],
                     batch.primitive(ray), batch.distance(ray));
             links.setKey(from * rays + ray, key);
+            cells[row] = key;
         }
+        addColors(rows);
         if (batch.isTinted()) {
             links.setTints(from * rays, count, batch.tint);
         }
         if (harmonic != null) {
             for (int p = from; p < to; p++) {
-                harmonic[p] = harmonicMean((p - from) * rays, rays);
+                harmonic[p] = harmonicMean((p - from) * rays);
             }
         }
     }
 
-    private void aim(SurfaceColumns points, int p, long seed, int at) {
-        directions.write(seed, points.nx[p], points.ny[p], points.nz[p], batch.directionX, batch.directionY, batch.directionZ, at);
-        for (int ray = at; ray < at + directions.rays(); ray++) {
+    private void addColors(HitRows rows) {
+        for (int run = 0; run < rows.runCount; run++) {
+            if (materials.isTextured(rows.runMaterial[run])) {
+                for (int row = rows.runStart(run); row < rows.runEnd[run]; row++) {
+                    colors.add(cells[row], rows.texelRed[row], rows.texelGreen[row], rows.texelBlue[row]);
+                }
+            }
+        }
+    }
+
+    private void aim(SurfaceColumns points, int p, int i, long seed) {
+        directions.write(points, p, i, seed, batch.directionX, batch.directionY, batch.directionZ, i * rays);
+        for (int ray = i * rays; ray < (i + 1) * rays; ray++) {
             setStart(ray, points, p);
         }
     }
@@ -75,7 +102,7 @@ final class GatherCaster {
         batch.startZ[ray] = points.pz[p];
     }
 
-    private float harmonicMean(int first, int rays) {
+    private float harmonicMean(int first) {
         double sum = 0;
         for (int ray = first; ray < first + rays; ray++) {
             sum += batch.primitive(ray) < 0 ? 0 : 1 / batch.distance(ray);
@@ -91,13 +118,19 @@ final class GatherCaster {
      * @return rows sorted by material; {@code parent} is the position among the selected
      */
     HitRows hits(SurfaceColumns points, long[] seeds, int[] selected, int from, int to) {
-        int rays = directions.rays();
+        int count = 0;
+        for (int i = from; i < to; i++) {
+            if (i == from || selected[i] / rays != selected[i - 1] / rays) {
+                together[count++] = selected[i] / rays;
+            }
+        }
+        directions.findNormals(points, together, count);
         int known = -1;
         for (int i = from; i < to; i++) {
             int p = selected[i] / rays;
-            if (p != known) {
-                directions.write(seeds[p], points.nx[p], points.ny[p], points.nz[p], x, y, z, 0);
-                known = p;
+            if (known < 0 || p != together[known]) {
+                known++;
+                directions.write(points, p, known, seeds[p], x, y, z, 0);
             }
             int k = selected[i] % rays;
             batch.directionX[i - from] = x[k];

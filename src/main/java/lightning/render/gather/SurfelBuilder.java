@@ -4,6 +4,7 @@ import java.util.Arrays;
 import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
 import lightning.render.trace.HitRows;
+import lightning.render.trace.MaterialTable;
 import lightning.render.trace.RayBatch;
 
 /**
@@ -18,6 +19,8 @@ final class SurfelBuilder {
     private final GatherCaster[] surfelCasters;
     private final int pointsPerBatch;
     private final CellTable cells = new CellTable();
+    private final CellColors colors;
+    private final MaterialTable materials;
     private final SurfaceColumns surfels = new SurfaceColumns();
     private long[] seeds = {};
     HitRows[] blocks = {};
@@ -25,11 +28,17 @@ final class SurfelBuilder {
     int[] blockStart = {};
     final RayLinks links;
 
-    /** @param directions of the surfels' rays */
-    SurfelBuilder(WorkerPool workers, Progress progress, GatherCaster[] surfelCasters, DirectionTable directions) {
+    /**
+     * @param directions of the surfels' rays
+     * @param colors     texture colors that all rays hit
+     */
+    SurfelBuilder(WorkerPool workers, Progress progress, GatherCaster[] surfelCasters, DirectionTable directions, MaterialTable materials,
+            CellColors colors) {
         this.workers = workers;
         this.progress = progress;
         this.surfelCasters = surfelCasters;
+        this.materials = materials;
+        this.colors = colors;
         pointsPerBatch = GatherCaster.pointsPerBatch(directions);
         links = new RayLinks(directions.rays());
         links.setPoints(0);
@@ -60,6 +69,27 @@ final class SurfelBuilder {
         }
         number(pointLinks);
         number(links);
+        workers.run(blocks.length, (_, block) -> averageColors(block), progress.cancellationOnly());
+    }
+
+    /** Gives the surfels of a block the mean texture colors of their cells. */
+    private void averageColors(int block) {
+        HitRows rows = blocks[block];
+        for (int run = 0; run < rows.runCount; run++) {
+            if (materials.isTextured(rows.runMaterial[run])) {
+                for (int row = rows.runStart(run); row < rows.runEnd[run]; row++) {
+                    long cell = cell(blockStart[block] + rows.parent[row]);
+                    rows.texelRed[row] = colors.mean(cell, 0);
+                    rows.texelGreen[row] = colors.mean(cell, 1);
+                    rows.texelBlue[row] = colors.mean(cell, 2);
+                }
+            }
+        }
+    }
+
+    /** Returns the cell of a surfel. */
+    private long cell(int surfel) {
+        return seeds[surfel] - 1;
     }
 
     /** Adds a surfel for each new cell that some rays hit, in the order of the first rays. */

@@ -8,6 +8,7 @@ import lightning.base.math.Vec3;
 import lightning.render.gather.CellKeys;
 import lightning.render.gather.DirectionTable;
 import lightning.render.trace.Geometry;
+import lightning.render.trace.NormalSteps;
 import lightning.render.trace.SurfacePoint;
 import lightning.scene.Transmission;
 
@@ -31,11 +32,32 @@ record ReferenceGatherRay(SurfacePoint hit, double length, long cell, float[] ti
         double[] y = new double[directions.rays()];
         double[] z = new double[directions.rays()];
         directions.write(seed, from.nx(), from.ny(), from.nz(), x, y, z, 0);
+        Vec3 start = new Vec3(from.px(), from.py(), from.pz());
+        Vec3 surface = surfaceNormal(geometry, start, from);
         List<ReferenceGatherRay> rays = new ArrayList<>();
         for (int k = 0; k < directions.rays(); k++) {
-            rays.add(cast(geometry, keys, new Ray(new Vec3(from.px(), from.py(), from.pz()), new Vec3(x[k], y[k], z[k]))));
+            rays.add(cast(geometry, keys, new Ray(start, aboveSurface(surface, new Vec3(x[k], y[k], z[k])))));
         }
         return rays;
+    }
+
+    /** Returns the normal of the surface on which a point lies; null if the point is shaded by this normal. */
+    private static Vec3 surfaceNormal(Geometry geometry, Vec3 start, SurfacePoint from) {
+        Ray down = new Ray(start, new Vec3(-from.nx(), -from.ny(), -from.nz()));
+        if (geometry.nearestBruteForce(down) != from.primitive()) {
+            return null;
+        }
+        NormalSteps steps = geometry.normalSteps(from.primitive(), down);
+        return steps == null ? null : steps.geometric();
+    }
+
+    /** Returns a direction, or its mirror image above the plane of a surface. */
+    private static Vec3 aboveSurface(Vec3 normal, Vec3 direction) {
+        if (normal == null) {
+            return direction;
+        }
+        double twice = 2 * Math.min(0, direction.x() * normal.x() + direction.y() * normal.y() + direction.z() * normal.z());
+        return new Vec3(direction.x() - twice * normal.x(), direction.y() - twice * normal.y(), direction.z() - twice * normal.z());
     }
 
     private static ReferenceGatherRay cast(Geometry geometry, CellKeys keys, Ray first) {

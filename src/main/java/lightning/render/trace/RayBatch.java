@@ -2,6 +2,7 @@ package lightning.render.trace;
 
 import java.util.Arrays;
 import lightning.base.math.Rgb;
+import lightning.base.math.Vec3;
 import lightning.render.trace.primitive.PrimitiveTable;
 import lightning.render.trace.primitive.SurfaceHit;
 import lightning.render.trace.tree.CandidateList;
@@ -58,6 +59,14 @@ public final class RayBatch {
 
     /** Traces rays {@code 0 … count − 1}. Replaces the origins of rays that pass a transparent surface. */
     public void trace(int count) {
+        traceToFirst(count);
+        for (int pass = 1; materials.transparentCount() > 0 && moveThroughSurfaces(pass > MAX_SURFACES); pass++) {
+            findNearest();
+        }
+    }
+
+    /** Traces rays {@code 0 … count − 1} to the first surface, which may be transparent. */
+    public void traceToFirst(int count) {
         rays.startX = startX;
         rays.startY = startY;
         rays.startZ = startZ;
@@ -69,9 +78,6 @@ public final class RayBatch {
         }
         tinted = false;
         findNearest();
-        for (int pass = 1; materials.transparentCount() > 0 && moveThroughSurfaces(pass > MAX_SURFACES); pass++) {
-            findNearest();
-        }
     }
 
     private void findNearest() {
@@ -106,8 +112,7 @@ public final class RayBatch {
                 Arrays.fill(channel, 1);
             }
         }
-        surface.compute(primitives, primitive, rays.part[ray], startX[ray], startY[ray], startZ[ray], rays.dx[ray], rays.dy[ray],
-                rays.dz[ray], rays.t[ray]);
+        computeSurface(ray, primitive);
         surface.computeBackPoint();
         Transmission transmission = materials.transmission(primitives.material[primitive]);
         multiplyTint(ray, transmission.color(), 1);
@@ -119,6 +124,11 @@ public final class RayBatch {
         startX[ray] = surface.backX;
         startY[ray] = surface.backY;
         startZ[ray] = surface.backZ;
+    }
+
+    private void computeSurface(int ray, int primitive) {
+        surface.compute(primitives, primitive, rays.part[ray], startX[ray], startY[ray], startZ[ray], rays.dx[ray], rays.dy[ray],
+                rays.dz[ray], rays.t[ray]);
     }
 
     private void multiplyTint(int ray, Rgb color, double power) {
@@ -140,6 +150,17 @@ public final class RayBatch {
     /** Returns the length of a ray that hit, in lengths of its direction. */
     public double distance(int ray) {
         return passed[ray] + rays.t[ray];
+    }
+
+    /** Returns whether a primitive may be shaded by other normals than those of its surface. */
+    public boolean hasShadingNormals(int primitive) {
+        return primitives.hasShadingNormals(primitive);
+    }
+
+    /** Returns the normal of the surface that a ray hit, not bent by bump maps or vertex normals: of length 1, facing the ray. */
+    public Vec3 geometricNormal(int ray) {
+        computeSurface(ray, rays.primitive[ray]);
+        return surface.geometricNormal();
     }
 
     /** Returns the hits sorted by material; {@code parent} is the ray. */

@@ -284,6 +284,11 @@ public final class PrimitiveTable {
         return traits.bumpMapping(s);
     }
 
+    /** Returns whether primitive {@code s} may be shaded by other normals than those of its surface. */
+    public boolean hasShadingNormals(int s) {
+        return bumpMapping(s) != null || mesh(s) != null && mesh(s).mesh().normals() != null;
+    }
+
     /** Returns true if primitive {@code s} refracts rays like primitive {@code t} of another table. */
     public boolean refractsLike(int s, PrimitiveTable o, int t) {
         return traits.refractsLike(s, o.traits, t);
