@@ -15,10 +15,8 @@ import lightning.scene.Scene;
 
 /** Builds the {@link GatherStructure} of a scene on all threads. The result does not depend on their number or order. */
 public final class GatherBuilder {
-    /** Candidates along a side of the largest cell, seen straight on. */
-    private static final int CANDIDATES_PER_CELL = 4;
-    /** Maximum number of gather points at a candidate: one in each size of cells. */
-    public static final int MAX_POINTS_PER_CANDIDATE = CellKeys.LEVELS;
+    /** Candidates along the spacing of gather points. */
+    private static final int CANDIDATES_PER_SPACING = 4;
 
     private final Geometry geometry;
     private final Scene scene;
@@ -41,7 +39,7 @@ public final class GatherBuilder {
 
     /** Returns the distance of the pixels through which candidates for gather points are traced. */
     public static int candidateStep(IndirectSettings settings) {
-        return Math.max(1, settings.spacing() / CANDIDATES_PER_CELL);
+        return Math.max(1, settings.spacing() / CANDIDATES_PER_SPACING);
     }
 
     /**

@@ -6,15 +6,17 @@ import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
 
 /**
- * Chooses gather points among candidates: one in each cell. Where other surfaces are near, seen from the point, the cell is divided, as an
+ * Chooses gather points among candidates: one in each cell that is not divided. Where other surfaces are near, seen from the point, the
+ * cell is divided, as an
  * irradiance cache does (G. Ward and others, A ray tracing solution for diffuse interreflection, 1988).
  */
 final class PointPlacer {
     private static final int BATCH = 4096;
+    private static final int NONE = -1;
     /** Radius of a point in sides of its cell. */
     private static final float RADIUS = 1.5f;
     /** Largest radius relative to the harmonic mean distance of the surfaces around. */
-    private static final float ACCURACY = 0.25f;
+    private static final float ACCURACY = 0.35f;
 
     private final WorkerPool workers;
     private final Progress progress;
@@ -44,12 +46,14 @@ final class PointPlacer {
         int[] active = new int[candidates.count];
         Arrays.setAll(active, i -> i);
         long[] cell = new long[candidates.count];
+        int[] point = new int[candidates.count];
+        Arrays.fill(point, NONE);
         for (int level = 0; level < CellKeys.LEVELS && active.length > 0; level++) {
             CellTable cells = new CellTable();
             int[] chosen = choose(candidates, active, cell, level, cells);
-            boolean[] divided = addPoints(candidates, chosen, cell, level);
-            for (int i = 0; i < chosen.length; i++) {
-                cells.setNumber(cell[chosen[i]], divided[i] ? 1 : 0);
+            addPoints(candidates, chosen, cell, point);
+            for (int candidate : chosen) {
+                cells.setNumber(cell[candidate], divide(point[candidate], level) ? 1 : 0);
             }
             int kept = 0;
             for (int candidate : active) {
@@ -84,35 +88,40 @@ final class PointPlacer {
         return cells.firsts();
     }
 
-    /** Adds points at some candidates; returns which of their cells must be divided. */
-    private boolean[] addPoints(SurfaceColumns candidates, int[] chosen, long[] cell, int level) {
+    /**
+     * Adds points at the chosen candidates that are none yet: the first candidate of a cell is also the first of one of its parts.
+     *
+     * @param point of each candidate, or {@link #NONE}
+     */
+    private void addPoints(SurfaceColumns candidates, int[] chosen, long[] cell, int[] point) {
         int first = points.count;
-        int count = first + chosen.length;
-        points.reserve(count);
+        points.reserve(first + chosen.length);
+        seeds = Arrays.copyOf(seeds, first + chosen.length);
         for (int candidate : chosen) {
-            points.add(candidates, candidate);
+            if (point[candidate] == NONE) {
+                point[candidate] = points.count;
+                seeds[points.count] = cell[candidate];
+                points.add(candidates, candidate);
+            }
         }
+        int count = points.count;
         seeds = Arrays.copyOf(seeds, count);
         harmonic = Arrays.copyOf(harmonic, count);
         radius = Arrays.copyOf(radius, count);
         side = Arrays.copyOf(side, count);
-        for (int i = 0; i < chosen.length; i++) {
-            seeds[first + i] = cell[chosen[i]];
-        }
         links.setPoints(count);
-        workers.run(Math.ceilDiv(chosen.length, pointsPerBatch), (worker, job) -> {
+        workers.run(Math.ceilDiv(count - first, pointsPerBatch), (worker, job) -> {
             int from = first + job * pointsPerBatch;
             casters[worker].cast(points, seeds, from, Math.min(count, from + pointsPerBatch), links, harmonic);
         }, progress.cancellationOnly());
-        boolean[] divided = new boolean[chosen.length];
-        for (int p = first; p < count; p++) {
-            float cellSide = (float) keys.side(points.px[p], points.py[p], points.pz[p], level);
-            boolean isNear = ACCURACY * harmonic[p] < RADIUS * cellSide;
-            divided[p - first] = isNear && level + 1 < CellKeys.LEVELS;
-            radius[p] = RADIUS * (divided[p - first] ? cellSide / 2 : cellSide);
-            side[p] = (float) keys.side(points.px[p], points.py[p], points.pz[p], 0);
-        }
-        return divided;
+    }
+
+    /** Sets the radius of a cell's point; returns whether the cell must be divided. Its point then belongs to one of the parts. */
+    private boolean divide(int p, int level) {
+        float cellSide = (float) keys.side(points.px[p], points.py[p], points.pz[p], level);
+        radius[p] = RADIUS * cellSide;
+        side[p] = (float) keys.side(points.px[p], points.py[p], points.pz[p], 0);
+        return ACCURACY * harmonic[p] < radius[p] && level + 1 < CellKeys.LEVELS;
     }
 
     /** Returns the seed of each point's directions. */

@@ -75,7 +75,7 @@ record IndirectEstimate(double bytesPerPixel, double borderBytes, double surfelB
     }
 
     /**
-     * Returns an upper bound of the bytes, including those only while paths are built. Each candidate becomes a point in each size of cells,
+     * Returns an upper bound of the bytes, including those only while paths are built. Each candidate becomes a point,
      * and each ray of a point finds a new surfel; further bounces then find no others.
      *
      * @param levels         levels seen from the first
@@ -88,13 +88,12 @@ record IndirectEstimate(double bytesPerPixel, double borderBytes, double surfelB
         IndirectSettings settings = picture.indirect().get();
         int along = Math.ceilDiv(Film.TILE_SIZE, GatherBuilder.candidateStep(settings));
         double candidates = (double) Film.tilesAlong(picture.width()) * Film.tilesAlong(picture.height()) * along * along * (1 + levels);
-        double points = GatherBuilder.MAX_POINTS_PER_CANDIDATE * candidates;
-        double rays = points * settings.rays();
+        double rays = candidates * settings.rays();
         int linkBytes = RayLinks.BUILD_BYTES + Integer.BYTES + 12 + 12 / 2;
         double surfelBytes = ColumnGroup.HIT.bytesPerRow() + ColumnGroup.TEXEL.bytesPerRow() + ColumnGroup.OWNER.bytesPerRow()
                 + ColumnGroup.TRANSPARENT.bytesPerRow() + layerBytes
                 + (settings.bounces() > 1 ? linkBytes * settings.rays() / 4.0 : 0);
         double rowBytes = ColumnGroup.HIT.bytesPerRow() + ColumnGroup.TEXEL.bytesPerRow() + ColumnGroup.OWNER.bytesPerRow();
-        return (long) Math.min(Long.MAX_VALUE / 4.0, candidates * rowBytes + points * POINT_BYTES + rays * (linkBytes + surfelBytes));
+        return (long) Math.min(Long.MAX_VALUE / 4.0, candidates * (rowBytes + POINT_BYTES) + rays * (linkBytes + surfelBytes));
     }
 }

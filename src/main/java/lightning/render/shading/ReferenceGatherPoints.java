@@ -1,7 +1,9 @@
 package lightning.render.shading;
 
 import java.util.ArrayList;
-import java.util.HashSet;
+import java.util.Collection;
+import java.util.Collections;
+import java.util.IdentityHashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -20,9 +22,9 @@ import lightning.scene.Scene;
 
 /** Chooses the gather points of a scene for {@link ReferenceTracer}, one surface after the other. */
 final class ReferenceGatherPoints {
-    private static final int CANDIDATES_PER_CELL = 4;
+    private static final int CANDIDATES_PER_SPACING = 4;
     private static final float RADIUS = 1.5f;
-    private static final float ACCURACY = 0.25f;
+    private static final float ACCURACY = 0.35f;
 
     private final Scene scene;
     private final Geometry geometry;
@@ -30,7 +32,11 @@ final class ReferenceGatherPoints {
     private final IndirectSettings settings;
     private final DirectionTable directions;
     private final List<SurfacePoint> candidates = new ArrayList<>();
-    private final List<GatherPoint> points = new ArrayList<>();
+    /** Candidates that become points, in order. */
+    private final List<SurfacePoint> chosen = new ArrayList<>();
+    private final Map<SurfacePoint, List<ReferenceGatherRay>> rays = new IdentityHashMap<>();
+    /** Level of the smallest cell of each point. */
+    private final Map<SurfacePoint, Integer> smallest = new IdentityHashMap<>();
 
     /**
      * Point at which light is gathered.
@@ -54,36 +60,36 @@ final class ReferenceGatherPoints {
     /** Returns the points in order. */
     List<GatherPoint> place() {
         traceCandidates();
-        List<SurfacePoint> active = candidates;
+        Collection<SurfacePoint> active = candidates;
         for (int level = 0; level < CellKeys.LEVELS; level++) {
-            active = place(active, level);
+            active = divide(active, level);
         }
-        return points;
+        return chosen.stream().map(this::point).toList();
     }
 
     private void traceCandidates() {
         PictureSettings picture = scene.picture();
         PixelRays pixels = new PixelRays(scene);
-        int step = Math.max(1, settings.spacing() / CANDIDATES_PER_CELL);
+        int step = Math.max(1, settings.spacing() / CANDIDATES_PER_SPACING);
         for (int y0 = 0; y0 < picture.height(); y0 += Film.TILE_SIZE) {
             for (int x0 = 0; x0 < picture.width(); x0 += Film.TILE_SIZE) {
-                List<Ray> rays = new ArrayList<>();
+                List<Ray> pixelRays = new ArrayList<>();
                 for (int y = y0; y < Math.min(picture.height(), y0 + Film.TILE_SIZE); y += step) {
                     for (int x = x0; x < Math.min(picture.width(), x0 + Film.TILE_SIZE); x += step) {
-                        rays.add(pixels.ray(x, y));
+                        pixelRays.add(pixels.ray(x, y));
                     }
                 }
-                traceLevel(rays, picture.depth());
+                traceLevel(pixelRays, picture.depth());
             }
         }
     }
 
     /** Adds what some rays hit, then what the reflected rays hit and all rays that follow, then the same for the refracted rays. */
-    private void traceLevel(List<Ray> rays, int depth) {
+    private void traceLevel(List<Ray> from, int depth) {
         MaterialTable materials = geometry.materials();
         List<Ray> reflected = new ArrayList<>();
         List<Ray> refracted = new ArrayList<>();
-        for (Ray ray : rays) {
+        for (Ray ray : from) {
             int primitive = geometry.nearestBruteForce(ray);
             if (primitive >= 0) {
                 SurfacePoint hit = geometry.surfaceBruteForce(primitive, ray);
@@ -97,39 +103,44 @@ final class ReferenceGatherPoints {
                 }
             }
         }
-        if (depth > 0 && !rays.isEmpty()) {
+        if (depth > 0 && !from.isEmpty()) {
             traceLevel(reflected, depth - 1);
             traceLevel(refracted, depth - 1);
         }
     }
 
-    /** Adds the first candidate of each cell of a level; returns the candidates in the cells that must be divided. */
-    private List<SurfacePoint> place(List<SurfacePoint> active, int level) {
-        Map<Long, SurfacePoint> firsts = new LinkedHashMap<>();
-        for (SurfacePoint candidate : active) {
-            firsts.putIfAbsent(cell(candidate, level), candidate);
-        }
-        Set<Long> divided = new HashSet<>();
-        firsts.forEach((cell, first) -> {
-            if (add(cell, first, level)) {
-                divided.add(cell);
+    /** Chooses the first candidate in each cell of a level; returns the candidates in the cells that must be divided. */
+    private List<SurfacePoint> divide(Collection<SurfacePoint> active, int level) {
+        Map<Long, List<SurfacePoint>> cells = new LinkedHashMap<>();
+        active.forEach(candidate -> cells.computeIfAbsent(cell(candidate, level), _ -> new ArrayList<>()).add(candidate));
+        Set<SurfacePoint> divided = Collections.newSetFromMap(new IdentityHashMap<>());
+        cells.forEach((cell, members) -> {
+            SurfacePoint first = members.getFirst();
+            if (!rays.containsKey(first)) {
+                chosen.add(first);
+                rays.put(first, ReferenceGatherRay.cast(geometry, keys, directions, cell, first));
+            }
+            smallest.put(first, level);
+            if (ACCURACY * ReferenceGatherRay.harmonicMean(rays.get(first)) < radius(first)) {
+                divided.addAll(members);
             }
         });
-        return active.stream().filter(candidate -> divided.contains(cell(candidate, level))).toList();
+        return active.stream().filter(divided::contains).toList();
     }
 
     private long cell(SurfacePoint at, int level) {
         return keys.pointKey(at.px(), at.py(), at.pz(), at.nx(), at.ny(), at.nz(), at.primitive(), level);
     }
 
-    /** Adds a point; returns whether its cell must be divided. */
-    private boolean add(long cell, SurfacePoint at, int level) {
-        List<ReferenceGatherRay> rays = ReferenceGatherRay.cast(geometry, keys, directions, cell, at);
-        float harmonic = ReferenceGatherRay.harmonicMean(rays);
-        float cellSide = (float) keys.side(at.px(), at.py(), at.pz(), level);
-        boolean divided = level + 1 < CellKeys.LEVELS && ACCURACY * harmonic < RADIUS * cellSide;
-        points.add(new GatherPoint(at, rays, harmonic, RADIUS * (divided ? cellSide / 2 : cellSide),
-                (float) keys.side(at.px(), at.py(), at.pz(), 0)));
-        return divided;
+    private float radius(SurfacePoint at) {
+        return RADIUS * side(at, smallest.get(at));
+    }
+
+    private float side(SurfacePoint at, int level) {
+        return (float) keys.side(at.px(), at.py(), at.pz(), level);
+    }
+
+    private GatherPoint point(SurfacePoint at) {
+        return new GatherPoint(at, rays.get(at), ReferenceGatherRay.harmonicMean(rays.get(at)), radius(at), side(at, 0));
     }
 }
