@@ -59,6 +59,11 @@ public final class CellKeys {
         return Math.scalb(pointSide, octave(x, y, z) - level);
     }
 
+    /** Returns the side of the largest cells at a gather point, scene units. */
+    double side(SurfaceColumns points, int p) {
+        return side(points.px[p], points.py[p], points.pz[p], 0);
+    }
+
     /** Returns the key of a gather point's cell. */
     public long pointKey(float x, float y, float z, float nx, float ny, float nz, int primitive, int level) {
         int octave = octave(x, y, z) - level;
@@ -76,10 +81,12 @@ public final class CellKeys {
      * @param distance length of the ray that hit it, scene units
      */
     public long surfelKey(float x, float y, float z, float nx, float ny, float nz, int primitive, double distance) {
-        int octave = octave(x, y, z);
-        if (distance < NEAR * Math.scalb(surfelSide, octave)) {
-            octave--;
-        }
+        return surfelKey(x, y, z, nx, ny, nz, primitive, distance < NEAR * Math.scalb(surfelSide, octave(x, y, z)));
+    }
+
+    /** @param isNear whether the cell is small because the ray that hit the surfel is short */
+    long surfelKey(float x, float y, float z, float nx, float ny, float nz, int primitive, boolean isNear) {
+        int octave = octave(x, y, z) - (isNear ? 1 : 0);
         float ax = Math.abs(nx);
         float ay = Math.abs(ny);
         float az = Math.abs(nz);

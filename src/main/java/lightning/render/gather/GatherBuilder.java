@@ -8,6 +8,8 @@ import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
 import lightning.render.image.Film;
 import lightning.render.trace.Geometry;
+import lightning.render.trace.HitRows;
+import lightning.render.trace.ShapeChange;
 import lightning.render.trace.Tracer;
 import lightning.scene.IndirectSettings;
 import lightning.scene.PictureSettings;
@@ -26,6 +28,10 @@ public final class GatherBuilder {
     private final WorkerPool workers;
     private final Progress progress;
     private final Tracer[] tracers;
+    private final CellKeys keys;
+    /** Paths before an edit, or null. */
+    private PathMemo memo;
+    private IntFunction<Tracer> memoTracers;
 
     /** @param tracers one for each thread */
     public GatherBuilder(Geometry geometry, Scene scene, IndirectSettings settings, WorkerPool workers, IntFunction<Tracer> tracers,
@@ -37,6 +43,24 @@ public final class GatherBuilder {
         this.progress = progress;
         this.tracers = new Tracer[workers.count()];
         Arrays.setAll(this.tracers, tracers);
+        keys = new CellKeys(scene, settings);
+    }
+
+    /**
+     * Uses the paths before an edit, if few enough objects changed. The structure then contains no rows of surfels that stay.
+     *
+     * @param before   paths of a picture with the same camera, size and settings
+     * @param rows     rows of its surfels
+     * @param previous geometry before the edit
+     * @param shapes   edit of the shapes
+     * @param itsTracers one for each thread, of that geometry
+     * @return whether it does
+     */
+    public boolean remember(GatherStructure before, HitRows[] rows, Geometry previous, ShapeChange shapes,
+            IntFunction<Tracer> itsTracers) {
+        memo = PathMemo.of(before, rows, previous, shapes, geometry, keys);
+        memoTracers = itsTracers;
+        return memo != null;
     }
 
     /** Returns the distance of the pixels through which candidates for gather points are traced. */
@@ -53,26 +77,24 @@ public final class GatherBuilder {
         CandidateTracer[] candidateTracers = new CandidateTracer[workers.count()];
         Arrays.setAll(candidateTracers, worker -> new CandidateTracer(geometry, scene, tracers[worker], candidateStep(settings)));
         List<SurfaceColumns> candidates = traceCandidates(candidateTracers);
-        CellKeys keys = new CellKeys(scene, settings);
-        DirectionTable pointDirections = new DirectionTable(settings.raysPerSide());
-        GatherCaster[] pointCasters = casters(keys, pointDirections);
-        PointPlacer placer = new PointPlacer(workers, progress, keys, pointCasters, pointDirections);
+        PathCaster pointCaster = caster(new DirectionTable(settings.raysPerSide()), true);
+        PointPlacer placer = new PointPlacer(workers, progress, keys, pointCaster);
         placer.place(candidates);
-        DirectionTable surfelDirections = new DirectionTable(settings.raysPerSide() / 2);
-        SurfelBuilder surfels = new SurfelBuilder(workers, progress, casters(keys, surfelDirections), surfelDirections);
-        surfels.build(placer.points, placer.seeds(), placer.links, pointCasters, settings.bounces());
+        PathCaster surfelCaster = caster(new DirectionTable(settings.raysPerSide() / 2), false);
+        SurfelBuilder surfels = new SurfelBuilder(workers, progress, keys, surfelCaster, memo);
+        surfels.build(placer.sources, placer.links, pointCaster, settings.bounces());
         PointFilter filter = new FilterBuilder(placer.points, placer.radius, placer.harmonic, placer.side).build(workers, progress);
-        long rays = Arrays.stream(candidateTracers).mapToLong(CandidateTracer::rayCount).sum() + placer.links.surfels().length
-                + surfels.links.surfels().length + surfels.count();
+        long rays = Arrays.stream(candidateTracers).mapToLong(CandidateTracer::rayCount).sum() + pointCaster.rayCount()
+                + surfelCaster.rayCount() + Arrays.stream(surfels.blocks).mapToLong(block -> block.count).sum();
         return new GatherStructure(
-                new GatherPoints(placer.points, placer.radius, new PointGroups(placer.points, placer.radius), filter), placer.links,
-                surfels.links, surfels.blocks, surfels.blockStart, surfels.count(), settings.bounces(), rays);
+                new GatherPoints(placer.sources, placer.inverseLengths, placer.radius, new PointGroups(placer.points, placer.radius),
+                        filter),
+                placer.links, surfels.links, new SurfelRows(surfels.blocks, surfels.numbers, surfels.near, surfels.count()), surfels.kept,
+                settings.bounces(), rays);
     }
 
-    private GatherCaster[] casters(CellKeys keys, DirectionTable directions) {
-        GatherCaster[] casters = new GatherCaster[workers.count()];
-        Arrays.setAll(casters, worker -> new GatherCaster(geometry, scene, tracers[worker], keys, directions));
-        return casters;
+    private PathCaster caster(DirectionTable directions, boolean ofPoints) {
+        return new PathCaster(geometry, scene, workers, progress, tracers, memo, memoTracers, keys, directions, ofPoints);
     }
 
     private List<SurfaceColumns> traceCandidates(CandidateTracer[] candidateTracers) {

@@ -33,14 +33,13 @@ final class GatherCaster {
     /**
      * Casts the rays of points {@code from … to − 1}, at most {@link #pointsPerBatch}.
      *
-     * @param seeds    of the points' directions
-     * @param links    receives the cell that each ray hit
-     * @param harmonic receives the harmonic mean length of each point's rays, {@code +∞} if none hits; null if not wanted
+     * @param links          receives the cell that each ray hit
+     * @param inverseLengths receives the sum of the {@link InverseLengths} of each point's rays; null if not wanted
      */
-    void cast(SurfaceColumns points, long[] seeds, int from, int to, RayLinks links, float[] harmonic) {
+    void cast(RaySources points, int from, int to, RayLinks links, long[] inverseLengths) {
         int rays = directions.rays();
         for (int p = from; p < to; p++) {
-            aim(points, p, seeds[p], (p - from) * rays);
+            aim(points, p, (p - from) * rays);
         }
         int count = (to - from) * rays;
         batch.trace(count);
@@ -55,17 +54,17 @@ final class GatherCaster {
         if (batch.isTinted()) {
             links.setTints(from * rays, count, batch.tint);
         }
-        if (harmonic != null) {
+        if (inverseLengths != null) {
             for (int p = from; p < to; p++) {
-                harmonic[p] = harmonicMean((p - from) * rays, rays);
+                inverseLengths[p] = inverseLengths((p - from) * rays, rays, keys.side(points.surface(), p));
             }
         }
     }
 
-    private void aim(SurfaceColumns points, int p, long seed, int at) {
-        directions.write(seed, points.nx[p], points.ny[p], points.nz[p], batch.directionX, batch.directionY, batch.directionZ, at);
+    private void aim(RaySources points, int p, int at) {
+        points.writeDirections(p, directions, batch.directionX, batch.directionY, batch.directionZ, at);
         for (int ray = at; ray < at + directions.rays(); ray++) {
-            setStart(ray, points, p);
+            setStart(ray, points.surface(), p);
         }
     }
 
@@ -75,12 +74,12 @@ final class GatherCaster {
         batch.startZ[ray] = points.pz[p];
     }
 
-    private float harmonicMean(int first, int rays) {
-        double sum = 0;
+    private long inverseLengths(int first, int rays, double side) {
+        long sum = 0;
         for (int ray = first; ray < first + rays; ray++) {
-            sum += batch.primitive(ray) < 0 ? 0 : 1 / batch.distance(ray);
+            sum += batch.primitive(ray) < 0 ? 0 : InverseLengths.term(batch.distance(ray), side);
         }
-        return (float) (rays / sum);
+        return sum;
     }
 
     /**
@@ -90,20 +89,20 @@ final class GatherCaster {
      * @param from     first of them
      * @return rows sorted by material; {@code parent} is the position among the selected
      */
-    HitRows hits(SurfaceColumns points, long[] seeds, int[] selected, int from, int to) {
+    HitRows hits(RaySources points, int[] selected, int from, int to) {
         int rays = directions.rays();
         int known = -1;
         for (int i = from; i < to; i++) {
             int p = selected[i] / rays;
             if (p != known) {
-                directions.write(seeds[p], points.nx[p], points.ny[p], points.nz[p], x, y, z, 0);
+                points.writeDirections(p, directions, x, y, z, 0);
                 known = p;
             }
             int k = selected[i] % rays;
             batch.directionX[i - from] = x[k];
             batch.directionY[i - from] = y[k];
             batch.directionZ[i - from] = z[k];
-            setStart(i - from, points, p);
+            setStart(i - from, points.surface(), p);
         }
         batch.trace(to - from);
         return batch.rows((hits, textured, transparent) -> new HitRows(hits, textured, transparent, false, true)).compact();

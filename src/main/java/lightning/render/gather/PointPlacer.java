@@ -19,23 +19,24 @@ final class PointPlacer {
     private final WorkerPool workers;
     private final Progress progress;
     private final CellKeys keys;
-    private final GatherCaster[] casters;
-    private final int pointsPerBatch;
+    private final PathCaster caster;
     final SurfaceColumns points = new SurfaceColumns();
+    private final int[] levelStart = new int[CellKeys.LEVELS];
+    final RaySources sources = new RaySources(points, levelStart);
     final RayLinks links;
-    private long[] seeds = {};
+    long[] inverseLengths = {};
     float[] harmonic = {};
     float[] radius = {};
     /** Side of the largest cell at each point. */
     float[] side = {};
 
-    PointPlacer(WorkerPool workers, Progress progress, CellKeys keys, GatherCaster[] casters, DirectionTable directions) {
+    PointPlacer(WorkerPool workers, Progress progress, CellKeys keys, PathCaster caster) {
         this.workers = workers;
         this.progress = progress;
         this.keys = keys;
-        this.casters = casters;
-        pointsPerBatch = GatherCaster.pointsPerBatch(directions);
-        links = new RayLinks(directions.rays());
+        this.caster = caster;
+        links = new RayLinks(caster.raysPerPoint);
+        Arrays.fill(levelStart, Integer.MAX_VALUE);
     }
 
     /** @param levels surfaces that the picture shows, in order */
@@ -47,7 +48,8 @@ final class PointPlacer {
         for (int level = 0; level < CellKeys.LEVELS && active.length > 0; level++) {
             CellTable cells = new CellTable();
             int[] chosen = choose(candidates, active, cell, level, cells);
-            boolean[] divided = addPoints(candidates, chosen, cell, level);
+            levelStart[level] = points.count;
+            boolean[] divided = addPoints(candidates, chosen, level);
             for (int i = 0; i < chosen.length; i++) {
                 cells.setNumber(cell[chosen[i]], divided[i] ? 1 : 0);
             }
@@ -85,38 +87,28 @@ final class PointPlacer {
     }
 
     /** Adds points at some candidates; returns which of their cells must be divided. */
-    private boolean[] addPoints(SurfaceColumns candidates, int[] chosen, long[] cell, int level) {
+    private boolean[] addPoints(SurfaceColumns candidates, int[] chosen, int level) {
         int first = points.count;
         int count = first + chosen.length;
         points.reserve(count);
         for (int candidate : chosen) {
             points.add(candidates, candidate);
         }
-        seeds = Arrays.copyOf(seeds, count);
+        inverseLengths = Arrays.copyOf(inverseLengths, count);
         harmonic = Arrays.copyOf(harmonic, count);
         radius = Arrays.copyOf(radius, count);
         side = Arrays.copyOf(side, count);
-        for (int i = 0; i < chosen.length; i++) {
-            seeds[first + i] = cell[chosen[i]];
-        }
         links.setPoints(count);
-        workers.run(Math.ceilDiv(chosen.length, pointsPerBatch), (worker, job) -> {
-            int from = first + job * pointsPerBatch;
-            casters[worker].cast(points, seeds, from, Math.min(count, from + pointsPerBatch), links, harmonic);
-        }, progress.cancellationOnly());
+        caster.cast(sources, first, count, links, inverseLengths);
         boolean[] divided = new boolean[chosen.length];
         for (int p = first; p < count; p++) {
+            harmonic[p] = InverseLengths.harmonicMean(inverseLengths[p], links.raysPerPoint(), keys.side(points, p));
             float cellSide = (float) keys.side(points.px[p], points.py[p], points.pz[p], level);
             boolean isNear = ACCURACY * harmonic[p] < RADIUS * cellSide;
             divided[p - first] = isNear && level + 1 < CellKeys.LEVELS;
             radius[p] = RADIUS * (divided[p - first] ? cellSide / 2 : cellSide);
-            side[p] = (float) keys.side(points.px[p], points.py[p], points.pz[p], 0);
+            side[p] = (float) keys.side(points, p);
         }
         return divided;
-    }
-
-    /** Returns the seed of each point's directions. */
-    long[] seeds() {
-        return seeds;
     }
 }

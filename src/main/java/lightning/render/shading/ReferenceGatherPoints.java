@@ -9,6 +9,7 @@ import java.util.Set;
 import lightning.base.math.Ray;
 import lightning.render.gather.CellKeys;
 import lightning.render.gather.DirectionTable;
+import lightning.render.gather.RaySeed;
 import lightning.render.image.Film;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.MaterialTable;
@@ -111,7 +112,7 @@ final class ReferenceGatherPoints {
         }
         Set<Long> divided = new HashSet<>();
         firsts.forEach((cell, first) -> {
-            if (add(cell, first, level)) {
+            if (add(first, level)) {
                 divided.add(cell);
             }
         });
@@ -123,9 +124,10 @@ final class ReferenceGatherPoints {
     }
 
     /** Adds a point; returns whether its cell must be divided. */
-    private boolean add(long cell, SurfacePoint at, int level) {
-        List<ReferenceGatherRay> rays = ReferenceGatherRay.cast(geometry, keys, directions, cell, at);
-        float harmonic = ReferenceGatherRay.harmonicMean(rays);
+    private boolean add(SurfacePoint at, int level) {
+        List<ReferenceGatherRay> rays =
+                ReferenceGatherRay.cast(geometry, keys, directions, RaySeed.ofPoint(at.px(), at.py(), at.pz(), level), at);
+        float harmonic = ReferenceGatherRay.harmonicMean(rays, keys.side(at.px(), at.py(), at.pz(), 0));
         float cellSide = (float) keys.side(at.px(), at.py(), at.pz(), level);
         boolean divided = level + 1 < CellKeys.LEVELS && ACCURACY * harmonic < RADIUS * cellSide;
         points.add(new GatherPoint(at, rays, harmonic, RADIUS * (divided ? cellSide / 2 : cellSide),

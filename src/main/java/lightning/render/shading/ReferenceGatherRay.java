@@ -75,12 +75,18 @@ record ReferenceGatherRay(SurfacePoint hit, double length, long cell, float[] ti
         tint[2] *= (float) StrictMath.pow(color.b(), power);
     }
 
-    /** Returns the harmonic mean length of a point's rays; {@code +∞} if none hits a surface. */
-    static float harmonicMean(List<ReferenceGatherRay> rays) {
-        double sum = 0;
+    /**
+     * Returns the harmonic mean length of a point's rays; {@code +∞} if none hits a surface. Each inverse length is rounded down to a
+     * multiple of 2⁻³⁰ per unit, and is at most 2¹⁶ per unit.
+     *
+     * @param unit length, scene units
+     */
+    static float harmonicMean(List<ReferenceGatherRay> rays, double unit) {
+        long sum = 0;
         for (ReferenceGatherRay ray : rays) {
-            sum += ray.hit == null ? 0 : 1 / ray.length;
+            double inverse = ray.hit == null ? 0 : Math.scalb(unit, 30) / ray.length;
+            sum += inverse > 1L << 46 ? 1L << 46 : (long) inverse;
         }
-        return (float) (rays.size() / sum);
+        return (float) (Math.scalb(unit, 30) * rays.size() / sum);
     }
 }

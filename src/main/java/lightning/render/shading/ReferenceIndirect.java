@@ -8,6 +8,7 @@ import java.util.function.Function;
 import lightning.base.math.Rgb;
 import lightning.render.gather.CellKeys;
 import lightning.render.gather.DirectionTable;
+import lightning.render.gather.RaySeed;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.MaterialTable;
 import lightning.render.trace.SurfacePoint;
@@ -84,7 +85,8 @@ final class ReferenceIndirect {
         DirectionTable directions = new DirectionTable(settings.raysPerSide() / 2);
         int known = surfels.size();
         for (int s = surfelRays.size(); s < known; s++) {
-            surfelRays.add(ReferenceGatherRay.cast(geometry, keys, directions, surfels.get(s).cell() + 1, surfels.get(s).at()));
+            SurfacePoint at = surfels.get(s).at();
+            surfelRays.add(ReferenceGatherRay.cast(geometry, keys, directions, RaySeed.ofSurfel(at.px(), at.py(), at.pz()), at));
             addSurfels(surfelRays.getLast());
         }
     }
