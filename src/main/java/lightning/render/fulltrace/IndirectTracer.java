@@ -56,7 +56,7 @@ final class IndirectTracer {
         }
 
         /** Computes the light of a block; {@code edges} is null without edge detection. */
-        void shade(HitRows rows, int first, WeightedLight[] edgeLights, float[][] direct, float[][] edges, float[][] albedo,
+        void shade(HitRows rows, int[] numbers, WeightedLight[] edgeLights, float[][] direct, float[][] edges, float[][] albedo,
                 float[][] glow) {
             columns.reset();
             LightLayer[] layers = new LightLayer[lights.length];
@@ -64,11 +64,11 @@ final class IndirectTracer {
                 layers[l] = lights[l].isDark() ? null : kernel.recompute(rows, lights[l].source(), columns);
             }
             if (!progress.isCanceled()) {
-                shader.writeDirectLight(rows, lights, layers, first, direct);
+                shader.writeDirectLight(rows, lights, layers, numbers, direct);
                 if (edges != null) {
-                    shader.writeDirectLight(rows, edgeLights, layers, first, edges);
+                    shader.writeDirectLight(rows, edgeLights, layers, numbers, edges);
                 }
-                shader.writeReflection(rows, first, albedo, glow);
+                shader.writeReflection(rows, numbers, albedo, glow);
             }
         }
     }
@@ -93,7 +93,7 @@ final class IndirectTracer {
         float[][] glow = new float[3][structure.surfelCount()];
         HitRows[] rows = structure.surfels();
         List<EngineWorkers<SurfelTracer>> threads = EngineWorkers.perThread(workers.count(), engines, SurfelTracer::new);
-        workers.run(rows.length, (worker, block) -> threads.get(worker).forTile(block).shade(rows[block], structure.firstSurfel(block),
+        workers.run(rows.length, (worker, block) -> threads.get(worker).forTile(block).shade(rows[block], structure.numbers(block),
                 edgeLights, direct, edges, albedo, glow), progress);
         gatherRays = structure.rays();
         shadowRays = threads.stream().flatMap(thread -> thread.workers().stream()).mapToLong(tracer -> tracer.kernel.shadowRays()).sum();

@@ -24,7 +24,11 @@ public final class CellKeys {
     /** Component of a unit normal between a direction along an axis and one between two axes: sin 22.5°. */
     private static final float OBLIQUE = 0.38f;
     private static final double MIN_DISTANCE = 1e-150;
+    private static final long ANY_SURFACE = -1;
 
+    private final double originX;
+    private final double originY;
+    private final double originZ;
     private final double eyeX;
     private final double eyeY;
     private final double eyeZ;
@@ -35,6 +39,9 @@ public final class CellKeys {
     public CellKeys(Scene scene, IndirectSettings settings) {
         Camera camera = scene.camera();
         PictureSettings picture = scene.picture();
+        originX = camera.origin().x();
+        originY = camera.origin().y();
+        originZ = camera.origin().z();
         Vec3 eye = camera.from().minus(camera.origin());
         eyeX = eye.x();
         eyeY = eye.y();
@@ -61,15 +68,38 @@ public final class CellKeys {
         return Math.scalb(pointSide, octave(x, y, z) - level);
     }
 
+    /** Returns the side of the largest cells at a gather point, scene units. */
+    double side(SurfaceColumns points, int p) {
+        return side(points.px[p], points.py[p], points.pz[p], 0);
+    }
+
     /** Returns the key of a gather point's cell. */
     public long pointKey(float x, float y, float z, float nx, float ny, float nz, int primitive, int level) {
-        int octave = octave(x, y, z) - level;
+        return pointKey(x, y, z, nx, ny, nz, (long) primitive, octave(x, y, z) - level);
+    }
+
+    private long pointKey(float x, float y, float z, float nx, float ny, float nz, long surface, int octave) {
         float ax = Math.abs(nx);
         float ay = Math.abs(ny);
         float az = Math.abs(nz);
         int normal = ax >= ay && ax >= az ? 10 * side(nx) + 3 * third(ny) + third(nz)
                 : ay >= az ? 20 + 10 * side(ny) + 3 * third(nx) + third(nz) : 40 + 10 * side(nz) + 3 * third(nx) + third(ny);
-        return key(x, y, z, Math.scalb(pointSide, octave), octave, 64 * (long) primitive + normal);
+        return key(x, y, z, Math.scalb(pointSide, octave), octave, 64 * surface + normal);
+    }
+
+    /**
+     * Returns the seed of the directions of a gather point's rays. Points of one cell have the same, whatever the number of their surface
+     * is: an edit of other objects leaves it as it is, and a moving camera mostly.
+     *
+     * @param level of the largest cell whose point it is
+     */
+    public long pointSeed(float x, float y, float z, float nx, float ny, float nz, int level) {
+        return pointKey(x, y, z, nx, ny, nz, ANY_SURFACE, octave(x, y, z) - level);
+    }
+
+    /** Returns the seed of the directions of a surfel's rays. */
+    public long surfelSeed(float x, float y, float z, float nx, float ny, float nz) {
+        return pointKey(x, y, z, nx, ny, nz, ANY_SURFACE - 1, octave(x, y, z));
     }
 
     /**
@@ -78,15 +108,34 @@ public final class CellKeys {
      * @param distance length of the ray that hit it, scene units
      */
     public long surfelKey(float x, float y, float z, float nx, float ny, float nz, int primitive, double distance) {
-        int octave = octave(x, y, z);
-        if (distance < NEAR * Math.scalb(surfelSide, octave)) {
-            octave--;
-        }
+        return surfelKey(x, y, z, nx, ny, nz, primitive, isNear(x, y, z, distance));
+    }
+
+    /** @param isNear whether the cell is small because the ray that hit the surfel is short */
+    long surfelKey(float x, float y, float z, float nx, float ny, float nz, int primitive, boolean isNear) {
+        int octave = surfelOctave(x, y, z, isNear);
         float ax = Math.abs(nx);
         float ay = Math.abs(ny);
         float az = Math.abs(nz);
         int normal = ax >= ay && ax >= az ? side(nx) : ay >= az ? 2 + side(ny) : 4 + side(nz);
         return key(x, y, z, Math.scalb(surfelSide, octave), octave, 8 * (long) primitive + normal);
+    }
+
+    private int surfelOctave(float x, float y, float z, boolean isNear) {
+        return octave(x, y, z) - (isNear ? 1 : 0);
+    }
+
+    /**
+     * Returns the side of a surfel's cell, scene units.
+     *
+     * @param distance length of the ray that hit it, scene units
+     */
+    public double surfelSide(float x, float y, float z, double distance) {
+        return Math.scalb(surfelSide, surfelOctave(x, y, z, isNear(x, y, z, distance)));
+    }
+
+    private boolean isNear(float x, float y, float z, double distance) {
+        return distance < NEAR * Math.scalb(surfelSide, octave(x, y, z));
     }
 
     private static int side(float component) {
@@ -97,10 +146,11 @@ public final class CellKeys {
         return component < -OBLIQUE ? 0 : component > OBLIQUE ? 2 : 1;
     }
 
-    private static long key(float x, float y, float z, double side, int octave, long surface) {
-        long i = (long) Math.floor(x / side) & MASK;
-        long j = (long) Math.floor(y / side) & MASK;
-        long k = (long) Math.floor(z / side) & MASK;
+    /** Cells lie at the same places for every camera, so that a shot's frames mostly gather light at the same places. */
+    private long key(float x, float y, float z, double side, int octave, long surface) {
+        long i = (long) Math.floor((x + originX) / side) & MASK;
+        long j = (long) Math.floor((y + originY) / side) & MASK;
+        long k = (long) Math.floor((z + originZ) / side) & MASK;
         return Hash64.mix(Hash64.mix(i << 42 | j << 21 | k) + surface * 0x9e3779b97f4a7c15L + octave);
     }
 }

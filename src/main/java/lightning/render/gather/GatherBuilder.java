@@ -8,6 +8,8 @@ import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
 import lightning.render.image.Film;
 import lightning.render.trace.Geometry;
+import lightning.render.trace.HitRows;
+import lightning.render.trace.ShapeChange;
 import lightning.render.trace.Tracer;
 import lightning.scene.IndirectSettings;
 import lightning.scene.PictureSettings;
@@ -15,8 +17,10 @@ import lightning.scene.Scene;
 
 /** Builds the {@link GatherStructure} of a scene on all threads. The result does not depend on their number or order. */
 public final class GatherBuilder {
-    /** Candidates along the spacing of gather points. */
-    private static final int CANDIDATES_PER_SPACING = 4;
+    /** Candidates along a side of the largest cell, seen straight on. */
+    private static final int CANDIDATES_PER_CELL = 4;
+    /** Maximum number of gather points at a candidate: one in each size of cells. */
+    public static final int MAX_POINTS_PER_CANDIDATE = CellKeys.LEVELS;
 
     private final Geometry geometry;
     private final Scene scene;
@@ -24,6 +28,10 @@ public final class GatherBuilder {
     private final WorkerPool workers;
     private final Progress progress;
     private final Tracer[] tracers;
+    private final CellKeys keys;
+    /** Paths before an edit, or null. */
+    private PathMemo memo;
+    private IntFunction<Tracer> memoTracers;
 
     /** @param tracers one for each thread */
     public GatherBuilder(Geometry geometry, Scene scene, IndirectSettings settings, WorkerPool workers, IntFunction<Tracer> tracers,
@@ -35,11 +43,29 @@ public final class GatherBuilder {
         this.progress = progress;
         this.tracers = new Tracer[workers.count()];
         Arrays.setAll(this.tracers, tracers);
+        keys = new CellKeys(scene, settings);
+    }
+
+    /**
+     * Uses the paths before an edit, if few enough objects changed. The structure then contains no rows of surfels that stay.
+     *
+     * @param before   paths of a picture with the same camera, size and settings
+     * @param rows     rows of its surfels
+     * @param previous geometry before the edit
+     * @param shapes   edit of the shapes
+     * @param itsTracers one for each thread, of that geometry
+     * @return whether it does
+     */
+    public boolean remember(GatherStructure before, HitRows[] rows, Geometry previous, ShapeChange shapes,
+            IntFunction<Tracer> itsTracers) {
+        memo = PathMemo.of(before, rows, previous, shapes, geometry, keys);
+        memoTracers = itsTracers;
+        return memo != null;
     }
 
     /** Returns the distance of the pixels through which candidates for gather points are traced. */
     public static int candidateStep(IndirectSettings settings) {
-        return Math.max(1, settings.spacing() / CANDIDATES_PER_SPACING);
+        return Math.max(1, settings.spacing() / CANDIDATES_PER_CELL);
     }
 
     /**
@@ -51,28 +77,25 @@ public final class GatherBuilder {
         CandidateTracer[] candidateTracers = new CandidateTracer[workers.count()];
         Arrays.setAll(candidateTracers, worker -> new CandidateTracer(geometry, scene, tracers[worker], candidateStep(settings)));
         List<SurfaceColumns> candidates = traceCandidates(candidateTracers);
-        CellKeys keys = new CellKeys(scene, settings);
-        DirectionTable pointDirections = new DirectionTable(settings.raysPerSide());
-        CellColors colors = new CellColors();
-        GatherCaster[] pointCasters = casters(keys, pointDirections, colors);
-        PointPlacer placer = new PointPlacer(workers, progress, keys, pointCasters, pointDirections);
+        PathCaster pointCaster = caster(new DirectionTable(settings.raysPerSide()), true);
+        PointPlacer placer = new PointPlacer(workers, progress, keys, pointCaster);
         placer.place(candidates);
-        DirectionTable surfelDirections = new DirectionTable(settings.raysPerSide() / 2);
-        SurfelBuilder surfels = new SurfelBuilder(workers, progress, casters(keys, surfelDirections, colors), surfelDirections,
-                geometry.materials(), colors);
-        surfels.build(placer.points, placer.seeds(), placer.links, pointCasters, settings.bounces());
+        PathCaster surfelCaster = caster(new DirectionTable(settings.raysPerSide() / 2), false);
+        SurfelBuilder surfels = new SurfelBuilder(workers, progress, keys, surfelCaster, memo);
+        surfels.build(placer.sources, placer.links, pointCaster, settings.bounces());
         PointFilter filter = new FilterBuilder(placer.points, placer.radius, placer.harmonic, placer.side).build(workers, progress);
-        long rays = Arrays.stream(candidateTracers).mapToLong(CandidateTracer::rayCount).sum() + placer.links.surfels().length
-                + surfels.links.surfels().length + surfels.count();
+        long rays = Arrays.stream(candidateTracers).mapToLong(CandidateTracer::rayCount).sum() + pointCaster.rayCount()
+                + surfelCaster.rayCount() + Arrays.stream(surfels.blocks).mapToLong(block -> block.count).sum();
         return new GatherStructure(
-                new GatherPoints(placer.points, placer.radius, new PointGroups(placer.points, placer.radius), filter), placer.links,
-                surfels.links, surfels.blocks, surfels.blockStart, surfels.count(), settings.bounces(), rays);
+                new GatherPoints(placer.sources, placer.inverseLengths, placer.radius, new PointGroups(placer.points, placer.radius),
+                        filter),
+                placer.links, surfels.links, new SurfelRows(surfels.blocks, surfels.numbers, surfels.near, surfels.count()),
+                surfels.geometricNormals(), surfels.kept,
+                settings.bounces(), rays);
     }
 
-    private GatherCaster[] casters(CellKeys keys, DirectionTable directions, CellColors colors) {
-        GatherCaster[] casters = new GatherCaster[workers.count()];
-        Arrays.setAll(casters, worker -> new GatherCaster(geometry, scene, tracers[worker], keys, directions, colors));
-        return casters;
+    private PathCaster caster(DirectionTable directions, boolean ofPoints) {
+        return new PathCaster(geometry, scene, workers, progress, tracers, memo, memoTracers, keys, directions, ofPoints);
     }
 
     private List<SurfaceColumns> traceCandidates(CandidateTracer[] candidateTracers) {

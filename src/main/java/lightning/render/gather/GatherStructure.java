@@ -12,22 +12,45 @@ public final class GatherStructure {
     private final GatherPoints points;
     private final RayLinks pointLinks;
     private final RayLinks surfelLinks;
-    private final HitRows[] surfels;
-    private final int[] blockStart;
-    private final int surfelCount;
+    private final SurfelRows surfels;
+    /** Normals of the surfaces of surfels that cast rays: components x, y, z. */
+    private final float[][] surfelNormals;
+    private final int[] kept;
     private final int bounces;
     private final long rays;
 
-    GatherStructure(GatherPoints points, RayLinks pointLinks, RayLinks surfelLinks, HitRows[] surfels, int[] blockStart,
-            int surfelCount, int bounces, long rays) {
+    /** @param kept for each surfel before an edit its number now, −1 if its row is not the same; null after a first build */
+    GatherStructure(GatherPoints points, RayLinks pointLinks, RayLinks surfelLinks, SurfelRows surfels, float[][] surfelNormals,
+            int[] kept, int bounces,
+            long rays) {
         this.points = points;
         this.pointLinks = pointLinks;
         this.surfelLinks = surfelLinks;
         this.surfels = surfels;
-        this.blockStart = blockStart;
-        this.surfelCount = surfelCount;
+        this.surfelNormals = surfelNormals;
+        this.kept = kept;
         this.bounces = bounces;
         this.rays = rays;
+    }
+
+    /**
+     * Returns these paths with all rows.
+     *
+     * @param rows    rows of all surfels in blocks
+     * @param numbers surfel of each parent in each block
+     */
+    public GatherStructure withSurfels(HitRows[] rows, int[][] numbers) {
+        return new GatherStructure(points, pointLinks, surfelLinks, new SurfelRows(rows, numbers, surfels.near(), surfels.count()),
+                surfelNormals, null,
+                bounces, rays);
+    }
+
+    /**
+     * Returns for each surfel before an edit its number now, −1 if its row is not the same. Null if this structure contains all rows;
+     * otherwise it lacks those of these surfels.
+     */
+    public int[] kept() {
+        return kept;
     }
 
     GatherPoints points() {
@@ -39,7 +62,7 @@ public final class GatherStructure {
     }
 
     public int surfelCount() {
-        return surfelCount;
+        return surfels.count();
     }
 
     /** Returns the diffuse bounces between a light and a gather point. */
@@ -47,14 +70,28 @@ public final class GatherStructure {
         return bounces;
     }
 
-    /** Returns the rows of the surfels in blocks of at most 1024; {@code parent} is the surfel's position in the block. */
+    /** Returns the rows of the surfels in blocks of at most 1024; {@code parent} is an index of {@link #numbers}. */
     public HitRows[] surfels() {
-        return surfels.clone();
+        return surfels.blocks().clone();
     }
 
-    /** Returns the number of a block's first surfel. */
-    public int firstSurfel(int block) {
-        return blockStart[block];
+    /** Returns the surfel of each parent in a block. Callers must not modify it. */
+    public int[] numbers(int block) {
+        return surfels.numbers()[block];
+    }
+
+    /** Returns the points that the surfels are, with their places given. */
+    RaySources surfelSources(CellKeys keys, SurfaceColumns places) {
+        RaySources sources = new RaySources(keys, places, true);
+        sources.geometricX = surfelNormals[0];
+        sources.geometricY = surfelNormals[1];
+        sources.geometricZ = surfelNormals[2];
+        return sources;
+    }
+
+    /** Returns whether the cell of a surfel is small. */
+    boolean isNear(int surfel) {
+        return surfels.near().get(surfel);
     }
 
     /** Returns the surfels that the rays of gather points hit. */
@@ -84,7 +121,7 @@ public final class GatherStructure {
 
     /** Returns the bytes of the gather points, their filter and their links. */
     public long pointBytes() {
-        return pointLinks.bytes() + points.filter().bytes() + 32L * points.count();
+        return pointLinks.bytes() + points.filter().bytes() + 40L * points.count();
     }
 
     /** Returns the bytes that it took at most while it was built. */
@@ -93,10 +130,6 @@ public final class GatherStructure {
     }
 
     private long surfelBytes() {
-        long bytes = surfelLinks.bytes();
-        for (HitRows rows : surfels) {
-            bytes += rows.bytes();
-        }
-        return bytes;
+        return surfelLinks.bytes() + surfels.bytes() + 12L * surfelNormals[0].length;
     }
 }

@@ -21,23 +21,23 @@ final class PointPlacer {
     private final WorkerPool workers;
     private final Progress progress;
     private final CellKeys keys;
-    private final GatherCaster[] casters;
-    private final int pointsPerBatch;
+    private final PathCaster caster;
     final SurfaceColumns points = new SurfaceColumns();
+    final RaySources sources;
     final RayLinks links;
-    private long[] seeds = {};
+    long[] inverseLengths = {};
     float[] harmonic = {};
     float[] radius = {};
     /** Side of the largest cell at each point. */
     float[] side = {};
 
-    PointPlacer(WorkerPool workers, Progress progress, CellKeys keys, GatherCaster[] casters, DirectionTable directions) {
+    PointPlacer(WorkerPool workers, Progress progress, CellKeys keys, PathCaster caster) {
         this.workers = workers;
         this.progress = progress;
         this.keys = keys;
-        this.casters = casters;
-        pointsPerBatch = GatherCaster.pointsPerBatch(directions);
-        links = new RayLinks(directions.rays());
+        this.caster = caster;
+        sources = new RaySources(keys, points, false);
+        links = new RayLinks(caster.raysPerPoint);
     }
 
     /** @param levels surfaces that the picture shows, in order */
@@ -51,7 +51,8 @@ final class PointPlacer {
         for (int level = 0; level < CellKeys.LEVELS && active.length > 0; level++) {
             CellTable cells = new CellTable();
             int[] chosen = choose(candidates, active, cell, level, cells);
-            addPoints(candidates, chosen, cell, point);
+            sources.levelStart[level] = points.count;
+            addPoints(candidates, chosen, point);
             for (int candidate : chosen) {
                 cells.setNumber(cell[candidate], divide(point[candidate], level) ? 1 : 0);
             }
@@ -93,39 +94,32 @@ final class PointPlacer {
      *
      * @param point of each candidate, or {@link #NONE}
      */
-    private void addPoints(SurfaceColumns candidates, int[] chosen, long[] cell, int[] point) {
+    private void addPoints(SurfaceColumns candidates, int[] chosen, int[] point) {
         int first = points.count;
         points.reserve(first + chosen.length);
-        seeds = Arrays.copyOf(seeds, first + chosen.length);
         for (int candidate : chosen) {
             if (point[candidate] == NONE) {
                 point[candidate] = points.count;
-                seeds[points.count] = cell[candidate];
                 points.add(candidates, candidate);
             }
         }
         int count = points.count;
-        seeds = Arrays.copyOf(seeds, count);
+        inverseLengths = Arrays.copyOf(inverseLengths, count);
         harmonic = Arrays.copyOf(harmonic, count);
         radius = Arrays.copyOf(radius, count);
         side = Arrays.copyOf(side, count);
         links.setPoints(count);
-        workers.run(Math.ceilDiv(count - first, pointsPerBatch), (worker, job) -> {
-            int from = first + job * pointsPerBatch;
-            casters[worker].cast(points, seeds, from, Math.min(count, from + pointsPerBatch), links, harmonic);
-        }, progress.cancellationOnly());
+        caster.cast(sources, first, count, links, inverseLengths);
+        for (int p = first; p < count; p++) {
+            harmonic[p] = InverseLengths.harmonicMean(inverseLengths[p], links.raysPerPoint(), keys.side(points, p));
+        }
     }
 
     /** Sets the radius of a cell's point; returns whether the cell must be divided. Its point then belongs to one of the parts. */
     private boolean divide(int p, int level) {
         float cellSide = (float) keys.side(points.px[p], points.py[p], points.pz[p], level);
         radius[p] = RADIUS * cellSide;
-        side[p] = (float) keys.side(points.px[p], points.py[p], points.pz[p], 0);
+        side[p] = (float) keys.side(points, p);
         return ACCURACY * harmonic[p] < radius[p] && level + 1 < CellKeys.LEVELS;
-    }
-
-    /** Returns the seed of each point's directions. */
-    long[] seeds() {
-        return seeds;
     }
 }

@@ -54,6 +54,14 @@ public final class RayLinks {
         }
     }
 
+    /** Sets the tint of a ray to element {@code from} of some tints. */
+    void setTint(int ray, float[][] tints, int from) {
+        float[][] all = allocateTints();
+        for (int c = 0; c < 3; c++) {
+            all[c][ray] = tints[c][from];
+        }
+    }
+
     private synchronized float[][] allocateTints() {
         if (tint == null) {
             float[][] all = new float[3][keys.length];

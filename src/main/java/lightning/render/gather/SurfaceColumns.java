@@ -71,6 +71,12 @@ public final class SurfaceColumns {
 
     /** Appends a point of other columns. */
     void add(SurfaceColumns from, int i) {
-        add(from.px[i], from.py[i], from.pz[i], from.nx[i], from.ny[i], from.nz[i], from.primitive[i]);
+        reserve(count + 1);
+        set(count++, from, i);
+    }
+
+    /** Writes a point of other columns at an index for which there is room. */
+    void set(int to, SurfaceColumns from, int i) {
+        set(to, from.px[i], from.py[i], from.pz[i], from.nx[i], from.ny[i], from.nz[i], from.primitive[i]);
     }
 }

@@ -1,46 +1,53 @@
 package lightning.render.gather;
 
 import java.util.Arrays;
+import java.util.BitSet;
+import java.util.stream.IntStream;
 import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
 import lightning.render.trace.HitRows;
-import lightning.render.trace.MaterialTable;
 import lightning.render.trace.RayBatch;
 
 /**
  * Divides what rays hit into surfels, and links surfels by rays of their own for further bounces. Surfels that only a later bounce meets
- * are numbered after those before.
+ * are numbered after those before. After an edit, rows of surfels whose first ray is known are not built again.
  */
 final class SurfelBuilder {
     private static final int BATCH = 1 << 14;
 
     private final WorkerPool workers;
     private final Progress progress;
-    private final GatherCaster[] surfelCasters;
-    private final int pointsPerBatch;
+    private final CellKeys cellKeys;
+    private final PathCaster caster;
+    private final PathMemo memo;
     private final CellTable cells = new CellTable();
-    private final CellColors colors;
-    private final MaterialTable materials;
     private final SurfaceColumns surfels = new SurfaceColumns();
-    private long[] seeds = {};
+    private final RaySources sources;
+    /** Surfels whose cells are small. */
+    final BitSet near = new BitSet();
     HitRows[] blocks = {};
-    /** First surfel of each block. */
-    int[] blockStart = {};
+    /** Surfel of each row's parent in each block. */
+    int[][] numbers = {};
+    /** For each surfel of the memo its number now, −1 for none; null without a memo. */
+    final int[] kept;
     final RayLinks links;
 
     /**
-     * @param directions of the surfels' rays
-     * @param colors     texture colors that all rays hit
+     * @param caster of the surfels' rays
+     * @param memo   paths before an edit, or null
      */
-    SurfelBuilder(WorkerPool workers, Progress progress, GatherCaster[] surfelCasters, DirectionTable directions, MaterialTable materials,
-            CellColors colors) {
+    SurfelBuilder(WorkerPool workers, Progress progress, CellKeys cellKeys, PathCaster caster, PathMemo memo) {
         this.workers = workers;
         this.progress = progress;
-        this.surfelCasters = surfelCasters;
-        this.materials = materials;
-        this.colors = colors;
-        pointsPerBatch = GatherCaster.pointsPerBatch(directions);
-        links = new RayLinks(directions.rays());
+        this.cellKeys = cellKeys;
+        this.caster = caster;
+        this.memo = memo;
+        sources = new RaySources(cellKeys, surfels, true);
+        kept = memo == null ? null : new int[memo.places().count];
+        if (memo != null) {
+            Arrays.fill(kept, -1);
+        }
+        links = new RayLinks(caster.raysPerPoint);
         links.setPoints(0);
     }
 
@@ -48,52 +55,64 @@ final class SurfelBuilder {
         return surfels.count;
     }
 
+    /** Returns the normals of the surfaces of all surfels that cast rays: components x, y, z; NaN where it is that of the surfel. */
+    float[][] geometricNormals() {
+        return new float[][] {sources.geometricX, sources.geometricY, sources.geometricZ};
+    }
+
     /**
      * Builds all surfels.
      *
-     * @param pointCasters of the gather points' rays
+     * @param pointCaster of the gather points' rays
      */
-    void build(SurfaceColumns points, long[] pointSeeds, RayLinks pointLinks, GatherCaster[] pointCasters, int bounces) {
-        addSurfels(points, pointSeeds, pointLinks, 0, pointCasters);
+    void build(RaySources points, RayLinks pointLinks, PathCaster pointCaster, int bounces) {
+        addSurfels(points, pointLinks, 0, pointCaster);
         int linked = 0;
         for (int bounce = 2; bounce <= bounces && linked < surfels.count; bounce++) {
             int from = linked;
             int to = surfels.count;
             links.setPoints(to);
-            workers.run(Math.ceilDiv(to - from, pointsPerBatch), (worker, job) -> {
-                int first = from + job * pointsPerBatch;
-                surfelCasters[worker].cast(surfels, seeds, first, Math.min(to, first + pointsPerBatch), links, null);
-            }, progress.cancellationOnly());
-            addSurfels(surfels, seeds, links, from * links.raysPerPoint(), surfelCasters);
+            caster.cast(sources, from, to, links, null);
+            addSurfels(sources, links, from * links.raysPerPoint(), caster);
             linked = to;
         }
         number(pointLinks);
         number(links);
-        workers.run(blocks.length, (_, block) -> averageColors(block), progress.cancellationOnly());
-    }
-
-    /** Gives the surfels of a block the mean texture colors of their cells. */
-    private void averageColors(int block) {
-        HitRows rows = blocks[block];
-        for (int run = 0; run < rows.runCount; run++) {
-            if (materials.isTextured(rows.runMaterial[run])) {
-                for (int row = rows.runStart(run); row < rows.runEnd[run]; row++) {
-                    long cell = cell(blockStart[block] + rows.parent[row]);
-                    rows.texelRed[row] = colors.mean(cell, 0);
-                    rows.texelGreen[row] = colors.mean(cell, 1);
-                    rows.texelBlue[row] = colors.mean(cell, 2);
-                }
-            }
-        }
-    }
-
-    /** Returns the cell of a surfel. */
-    private long cell(int surfel) {
-        return seeds[surfel] - 1;
     }
 
     /** Adds a surfel for each new cell that some rays hit, in the order of the first rays. */
-    private void addSurfels(SurfaceColumns sources, long[] sourceSeeds, RayLinks rays, int firstRay, GatherCaster[] casters) {
+    private void addSurfels(RaySources from, RayLinks rays, int firstRay, PathCaster itsCaster) {
+        int[] firsts = newCells(rays, firstRay);
+        int before = surfels.count;
+        surfels.reserve(before + firsts.length);
+        for (int i = 0; i < firsts.length; i++) {
+            long key = rays.key(firsts[i]);
+            cells.add(key, firsts[i]);
+            cells.setNumber(key, before + i);
+        }
+        int[] known = new int[firsts.length];
+        workers.run(Math.ceilDiv(firsts.length, RayBatch.MAX_RAYS), (worker, job) -> {
+            for (int i = job * RayBatch.MAX_RAYS; i < Math.min(firsts.length, (job + 1) * RayBatch.MAX_RAYS); i++) {
+                known[i] = itsCaster.knownSurfel(worker, from, firsts[i]);
+            }
+        }, progress.cancellationOnly());
+        for (int i = 0; i < firsts.length; i++) {
+            if (known[i] >= 0) {
+                kept[known[i]] = before + i;
+                surfels.set(before + i, memo.places(), known[i]);
+            }
+        }
+        trace(from, firsts, IntStream.range(0, firsts.length).filter(i -> known[i] < 0).toArray(), itsCaster);
+        surfels.count = before + firsts.length;
+        for (int i = 0; i < firsts.length; i++) {
+            int s = before + i;
+            near.set(s, rays.key(firsts[i]) != cellKeys.surfelKey(surfels.px[s], surfels.py[s], surfels.pz[s], surfels.nx[s],
+                    surfels.ny[s], surfels.nz[s], surfels.primitive[s], false));
+        }
+    }
+
+    /** Returns the first ray in each cell that has no surfel. */
+    private int[] newCells(RayLinks rays, int firstRay) {
         CellTable added = new CellTable();
         int end = rays.rayCount();
         workers.run(Math.ceilDiv(end - firstRay, BATCH), (_, job) -> {
@@ -104,34 +123,28 @@ final class SurfelBuilder {
                 }
             }
         }, progress.cancellationOnly());
-        int[] firsts = added.firsts();
+        return added.firsts();
+    }
+
+    /** Adds blocks with the rows of some new surfels. */
+    private void trace(RaySources from, int[] firsts, int[] added, PathCaster itsCaster) {
         int before = surfels.count;
-        surfels.reserve(before + firsts.length);
-        long[] newSeeds = Arrays.copyOf(seeds, before + firsts.length);
-        for (int i = 0; i < firsts.length; i++) {
-            long key = rays.key(firsts[i]);
-            cells.add(key, firsts[i]);
-            cells.setNumber(key, before + i);
-            newSeeds[before + i] = key + 1;
-        }
+        int[] rays = Arrays.stream(added).map(i -> firsts[i]).toArray();
         int blocksBefore = blocks.length;
-        HitRows[] all = Arrays.copyOf(blocks, blocksBefore + Math.ceilDiv(firsts.length, RayBatch.MAX_RAYS));
-        blockStart = Arrays.copyOf(blockStart, all.length);
-        for (int block = blocksBefore; block < all.length; block++) {
-            blockStart[block] = before + (block - blocksBefore) * RayBatch.MAX_RAYS;
-        }
-        workers.run(all.length - blocksBefore, (worker, job) -> {
-            int from = job * RayBatch.MAX_RAYS;
-            HitRows rows = casters[worker].hits(sources, sourceSeeds, firsts, from, Math.min(firsts.length, from + RayBatch.MAX_RAYS));
-            all[blocksBefore + job] = rows;
+        blocks = Arrays.copyOf(blocks, blocksBefore + Math.ceilDiv(added.length, RayBatch.MAX_RAYS));
+        numbers = Arrays.copyOf(numbers, blocks.length);
+        workers.run(blocks.length - blocksBefore, (worker, job) -> {
+            int first = job * RayBatch.MAX_RAYS;
+            int end = Math.min(added.length, first + RayBatch.MAX_RAYS);
+            HitRows rows = itsCaster.hits(worker, from, rays, first, end);
+            int[] number = Arrays.stream(added, first, end).map(i -> before + i).toArray();
+            blocks[blocksBefore + job] = rows;
+            numbers[blocksBefore + job] = number;
             for (int row = 0; row < rows.count; row++) {
-                surfels.set(before + from + rows.parent[row], rows.px[row], rows.py[row], rows.pz[row], rows.nx[row], rows.ny[row],
+                surfels.set(number[rows.parent[row]], rows.px[row], rows.py[row], rows.pz[row], rows.nx[row], rows.ny[row],
                         rows.nz[row], rows.owner[row]);
             }
         }, progress.cancellationOnly());
-        surfels.count = before + firsts.length;
-        seeds = newSeeds;
-        blocks = all;
     }
 
     private void number(RayLinks rays) {

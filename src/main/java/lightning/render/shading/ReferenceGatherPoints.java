@@ -118,10 +118,11 @@ final class ReferenceGatherPoints {
             SurfacePoint first = members.getFirst();
             if (!rays.containsKey(first)) {
                 chosen.add(first);
-                rays.put(first, ReferenceGatherRay.cast(geometry, keys, directions, cell, first));
+                rays.put(first, ReferenceGatherRay.cast(geometry, keys, directions, seed(first, level), first));
             }
             smallest.put(first, level);
-            if (ACCURACY * ReferenceGatherRay.harmonicMean(rays.get(first)) < radius(first)) {
+            if (ACCURACY * ReferenceGatherRay.harmonicMean(rays.get(first), keys.side(first.px(), first.py(), first.pz(), 0))
+                    < radius(first)) {
                 divided.addAll(members);
             }
         });
@@ -130,6 +131,10 @@ final class ReferenceGatherPoints {
 
     private long cell(SurfacePoint at, int level) {
         return keys.pointKey(at.px(), at.py(), at.pz(), at.nx(), at.ny(), at.nz(), at.primitive(), level);
+    }
+
+    private long seed(SurfacePoint at, int level) {
+        return keys.pointSeed(at.px(), at.py(), at.pz(), at.nx(), at.ny(), at.nz(), level);
     }
 
     private float radius(SurfacePoint at) {
@@ -141,6 +146,7 @@ final class ReferenceGatherPoints {
     }
 
     private GatherPoint point(SurfacePoint at) {
-        return new GatherPoint(at, rays.get(at), ReferenceGatherRay.harmonicMean(rays.get(at)), radius(at), side(at, 0));
+        return new GatherPoint(at, rays.get(at), ReferenceGatherRay.harmonicMean(rays.get(at), keys.side(at.px(), at.py(), at.pz(), 0)),
+                radius(at), side(at, 0));
     }
 }

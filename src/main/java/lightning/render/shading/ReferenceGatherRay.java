@@ -19,9 +19,10 @@ import lightning.scene.Transmission;
  * @param length distance to it, in lengths of the direction
  * @param cell   cell of surfels that the ray hits; undefined for none
  * @param tint   product of the tints of the transparent surfaces in between: red, green, blue
+ * @param texel  mean texture color of the cell: red, green, blue; null for none
  */
-record ReferenceGatherRay(SurfacePoint hit, double length, long cell, float[] tint) {
-    // An array in a record: written once by its creator, never after.
+record ReferenceGatherRay(SurfacePoint hit, double length, long cell, float[] tint, float[] texel) {
+    // Arrays in a record: written once by their creator, never after.
 
     /** A ray that passes more surfaces than this counts as a miss. */
     private static final int MAX_SURFACES = 16;
@@ -48,7 +49,11 @@ record ReferenceGatherRay(SurfacePoint hit, double length, long cell, float[] ti
             return null;
         }
         NormalSteps steps = geometry.normalSteps(from.primitive(), down);
-        return steps == null ? null : steps.geometric();
+        if (steps == null) {
+            return null;
+        }
+        Vec3 normal = steps.geometric();
+        return new Vec3((float) normal.x(), (float) normal.y(), (float) normal.z());
     }
 
     /** Returns a direction, or its mirror image above the plane of a surface. */
@@ -74,13 +79,14 @@ record ReferenceGatherRay(SurfacePoint hit, double length, long cell, float[] ti
             if (hit.backSide() == null) {
                 double length = passed + distance;
                 return new ReferenceGatherRay(hit, length,
-                        keys.surfelKey(hit.px(), hit.py(), hit.pz(), hit.nx(), hit.ny(), hit.nz(), primitive, length), tint);
+                        keys.surfelKey(hit.px(), hit.py(), hit.pz(), hit.nx(), hit.ny(), hit.nz(), primitive, length), tint,
+                        geometry.meanTexelBruteForce(primitive, ray, keys.surfelSide(hit.px(), hit.py(), hit.pz(), length)));
             }
             multiply(tint, hit.backSide());
             passed += distance;
             ray = new Ray(new Vec3(hit.backSide().x(), hit.backSide().y(), hit.backSide().z()), ray.direction());
         }
-        return new ReferenceGatherRay(null, Double.POSITIVE_INFINITY, 0, tint);
+        return new ReferenceGatherRay(null, Double.POSITIVE_INFINITY, 0, tint, null);
     }
 
     private static void multiply(float[] tint, SurfacePoint.BackSide surface) {
@@ -97,12 +103,18 @@ record ReferenceGatherRay(SurfacePoint hit, double length, long cell, float[] ti
         tint[2] *= (float) StrictMath.pow(color.b(), power);
     }
 
-    /** Returns the harmonic mean length of a point's rays; {@code +∞} if none hits a surface. */
-    static float harmonicMean(List<ReferenceGatherRay> rays) {
-        double sum = 0;
+    /**
+     * Returns the harmonic mean length of a point's rays; {@code +∞} if none hits a surface. Each inverse length is rounded down to a
+     * multiple of 2⁻³⁰ per unit, and is at most 2¹⁶ per unit.
+     *
+     * @param unit length, scene units
+     */
+    static float harmonicMean(List<ReferenceGatherRay> rays, double unit) {
+        long sum = 0;
         for (ReferenceGatherRay ray : rays) {
-            sum += ray.hit == null ? 0 : 1 / ray.length;
+            double inverse = ray.hit == null ? 0 : Math.scalb(unit, 30) / ray.length;
+            sum += inverse > 1L << 46 ? 1L << 46 : (long) inverse;
         }
-        return (float) (rays.size() / sum);
+        return (float) (Math.scalb(unit, 30) * rays.size() / sum);
     }
 }

@@ -28,17 +28,16 @@ final class ReferenceIndirect {
     /** Rays of the first surfels; further ones cast none. */
     private final List<List<ReferenceGatherRay>> surfelRays = new ArrayList<>();
     private final Map<Long, Integer> surfelByCell = new HashMap<>();
-    /** Texture colors of all hits in each cell, in units of 2⁻³², rounded down: sums of red, green, blue, and their number. */
-    private final Map<Long, long[]> colorSums = new HashMap<>();
     private final ReferencePointLight light;
 
     /**
      * Small part of a surface, lit at one place.
      *
+     * @param texel  mean texture color of its cell: red, green, blue
      * @param direct lights' diffuse sum: red, green, blue
      * @param glow   light that it emits itself: red, green, blue
      */
-    private record Surfel(SurfacePoint at, long cell, float[] direct, float[] glow) {}
+    private record Surfel(SurfacePoint at, float[] texel, float[] direct, float[] glow) {}
 
     /** @param directLight returns the lights' diffuse sum at a surface: red, green, blue */
     ReferenceIndirect(Scene scene, Geometry geometry, IndirectSettings settings, Function<SurfacePoint, float[]> directLight) {
@@ -66,9 +65,6 @@ final class ReferenceIndirect {
     private void addSurfels(List<ReferenceGatherRay> rays) {
         MaterialTable materials = geometry.materials();
         for (ReferenceGatherRay ray : rays) {
-            if (ray.hit() != null) {
-                addColor(colorSums.computeIfAbsent(ray.cell(), _ -> new long[4]), ray.hit().texel());
-            }
             if (ray.hit() != null && !surfelByCell.containsKey(ray.cell())) {
                 float[] glow = new float[3];
                 for (int c = 0; c < 3; c++) {
@@ -76,24 +72,16 @@ final class ReferenceIndirect {
                     glow[c] = (1 - materials.reflective(material, c)) * materials.glow(material, c);
                 }
                 surfelByCell.put(ray.cell(), surfels.size());
-                surfels.add(new Surfel(ray.hit(), ray.cell(), directLight.apply(ray.hit()), glow));
+                surfels.add(new Surfel(ray.hit(), ray.texel(), directLight.apply(ray.hit()), glow));
             }
         }
     }
 
-    private static void addColor(long[] sums, float[] color) {
-        for (int c = 0; c < 3; c++) {
-            sums[c] += (long) (color[c] * 0x1p32);
-        }
-        sums[3]++;
-    }
-
-    /** Returns one channel of the share that a surfel sends back: the texture counts by its mean over all hits in the cell. */
+    /** Returns one channel of the share that a surfel sends back. */
     private float albedo(Surfel surfel, int c) {
-        long[] sums = colorSums.get(surfel.cell());
         int material = surfel.at().material();
         MaterialTable materials = geometry.materials();
-        return (1 - materials.reflective(material, c)) * materials.diffuse(material, c) * (float) (sums[c] / (sums[3] * 0x1p32));
+        return (1 - materials.reflective(material, c)) * materials.diffuse(material, c) * surfel.texel()[c];
     }
 
     /** Casts the rays of all surfels that have none, then adds a surfel for each new cell that they hit. */
@@ -101,7 +89,9 @@ final class ReferenceIndirect {
         DirectionTable directions = new DirectionTable(settings.raysPerSide() / 2);
         int known = surfels.size();
         for (int s = surfelRays.size(); s < known; s++) {
-            surfelRays.add(ReferenceGatherRay.cast(geometry, keys, directions, surfels.get(s).cell() + 1, surfels.get(s).at()));
+            SurfacePoint at = surfels.get(s).at();
+            surfelRays.add(ReferenceGatherRay.cast(geometry, keys, directions,
+                    keys.surfelSeed(at.px(), at.py(), at.pz(), at.nx(), at.ny(), at.nz()), at));
             addSurfels(surfelRays.getLast());
         }
     }

@@ -19,14 +19,14 @@ public final class SurfelShader {
      * Writes the lights' diffuse sum at each surfel of a block.
      *
      * @param layers layer of each light; unread if the light is dark
-     * @param first  number of the block's first surfel
+     * @param numbers surfel of each parent
      * @param to     receives red, green and blue of all surfels
      */
-    public void writeDirectLight(HitRows rows, WeightedLight[] lights, LightLayer[] layers, int first, float[][] to) {
+    public void writeDirectLight(HitRows rows, WeightedLight[] lights, LightLayer[] layers, int[] numbers, float[][] to) {
         float[][] sum = lightSum.total(0, rows.count, lights, layers).diffuse;
         for (int c = 0; c < 3; c++) {
             for (int row = 0; row < rows.count; row++) {
-                to[c][first + rows.parent[row]] = sum[c][row];
+                to[c][numbers[rows.parent[row]]] = sum[c][row];
             }
         }
     }
@@ -34,19 +34,19 @@ public final class SurfelShader {
     /**
      * Writes the light that each surfel of a block sends.
      *
-     * @param first  number of the block's first surfel
+     * @param numbers surfel of each parent
      * @param albedo receives the share of the incoming light that is sent back diffusely: red, green and blue of all surfels
      * @param glow   receives the light that the surfels emit themselves: red, green and blue of all surfels
      */
-    public void writeReflection(HitRows rows, int first, float[][] albedo, float[][] glow) {
+    public void writeReflection(HitRows rows, int[] numbers, float[][] albedo, float[][] glow) {
         for (int run = 0; run < rows.runCount; run++) {
             ShadingMaterial material = materials[rows.runMaterial[run]];
             for (int c = 0; c < 3; c++) {
                 float emitted = (1 - material.reflective()[c]) * material.glow()[c];
                 float share = (1 - material.reflective()[c]) * material.diffuse()[c];
                 for (int row = rows.runStart(run); row < rows.runEnd[run]; row++) {
-                    albedo[c][first + rows.parent[row]] = material.isTextured() ? share * rows.texel(c)[row] : share;
-                    glow[c][first + rows.parent[row]] = emitted;
+                    albedo[c][numbers[rows.parent[row]]] = material.isTextured() ? share * rows.texel(c)[row] : share;
+                    glow[c][numbers[rows.parent[row]]] = emitted;
                 }
             }
         }

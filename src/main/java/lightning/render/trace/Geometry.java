@@ -527,6 +527,23 @@ public final class Geometry {
     }
 
     /**
+     * Returns the mean texture color of a square around a ray's hit: red, green, blue, 1 without a texture.
+     *
+     * @param side of the square, scene units
+     * @throws IllegalArgumentException if the ray misses the primitive
+     */
+    public float[] meanTexelBruteForce(int primitive, Ray ray, double side) {
+        double t = distance(primitive, ray);
+        if (t == SolidGeometry.MISS) {
+            throwMissed(primitive);
+        }
+        Vec3 o = ray.origin();
+        Vec3 d = ray.direction();
+        return new SurfacePointBuilder(primitives, materials).meanTexel(primitive,
+                primitives.hitPart(primitive, o.x(), o.y(), o.z(), d.x(), d.y(), d.z()), ray, t, side);
+    }
+
+    /**
      * Returns the steps from the geometric normal to the shading normal at a ray's hit; null if both are equal.
      *
      * @throws IllegalArgumentException if the ray misses the primitive

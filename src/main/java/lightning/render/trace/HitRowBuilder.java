@@ -64,6 +64,13 @@ final class HitRowBuilder {
         return rows;
     }
 
+    /** Replaces the texels of the rows built last by means over squares on their surfaces, as {@link TexelWriter#writeMeans}. */
+    void writeMeanTexels(HitRows rows, RayColumns rays, double[] sides) {
+        if (rows.texelRed != null) {
+            texels.writeMeans(rows, rays, sides);
+        }
+    }
+
     private void writeRows(RayColumns rays, byte[] patterns, HitRows rows, boolean textured) {
         tracer.writeSurfaces(rays, rows, textured);
         for (int row = 0; row < rows.count; row++) {

@@ -163,6 +163,15 @@ public final class RayBatch {
         return surface.geometricNormal();
     }
 
+    /**
+     * Replaces the texels of the rows returned last by means over squares on their surfaces.
+     *
+     * @param sides side of each row's square, scene units
+     */
+    public void writeMeanTexels(HitRows rows, double[] sides) {
+        rowBuilder.writeMeanTexels(rows, rays, sides);
+    }
+
     /** Returns the hits sorted by material; {@code parent} is the ray. */
     public HitRows rows(TileVisibility.Allocator allocator) {
         return rowBuilder.build(rays, null, allocator);

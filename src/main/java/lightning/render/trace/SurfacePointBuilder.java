@@ -4,6 +4,7 @@ import lightning.base.math.Ray;
 import lightning.base.math.Vec3;
 import lightning.render.trace.primitive.PrimitiveTable;
 import lightning.render.trace.primitive.SurfaceHit;
+import lightning.render.trace.primitive.TextureFootprint;
 import lightning.render.trace.primitive.TextureLookup;
 import lightning.scene.BumpMapping;
 import lightning.scene.Transmission;
@@ -44,6 +45,21 @@ record SurfacePointBuilder(PrimitiveTable primitives, MaterialTable materials) {
         }
         return new SurfacePoint(primitive, material, surface.px, surface.py, surface.pz, surface.nx, surface.ny, surface.nz,
                 (float) d.x(), (float) d.y(), (float) d.z(), diffuse, specular, texel, backSide);
+    }
+
+    /** Returns the mean texture color of a square around a ray's hit. */
+    float[] meanTexel(int primitive, int part, Ray ray, double t, double side) {
+        Vec3 o = ray.origin();
+        Vec3 d = ray.direction();
+        SurfaceHit surface = new SurfaceHit();
+        surface.compute(primitives, primitive, part, o.x(), o.y(), o.z(), d.x(), d.y(), d.z(), t);
+        int material = primitives.material[primitive];
+        float[] texel = {1, 1, 1};
+        if (materials.isTextured(material)) {
+            new TextureFootprint().lookUp(primitives, primitive, part, materials.texture(material), surface.localX, surface.localY,
+                    surface.localZ, surface.nx, surface.ny, surface.nz, side, texel);
+        }
+        return texel;
     }
 
     /** Returns the steps from the geometric normal to the shading normal at a ray's hit; null if both are equal. */

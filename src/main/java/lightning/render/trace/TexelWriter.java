@@ -1,6 +1,7 @@
 package lightning.render.trace;
 
 import lightning.render.trace.primitive.PrimitiveTable;
+import lightning.render.trace.primitive.TextureFootprint;
 import lightning.render.trace.primitive.TextureLookup;
 import lightning.scene.TextureMap;
 
@@ -10,6 +11,7 @@ final class TexelWriter {
     private final MaterialTable materials;
     private final float[] texel = new float[3];
     private final TextureLookup lookup = new TextureLookup();
+    private final TextureFootprint footprint = new TextureFootprint();
 
     TexelWriter(Geometry geometry) {
         primitives = geometry.primitives();
@@ -37,6 +39,27 @@ final class TexelWriter {
                 rows.texelRed[row + i] = texel[0];
                 rows.texelGreen[row + i] = texel[1];
                 rows.texelBlue[row + i] = texel[2];
+            }
+        }
+    }
+
+    /**
+     * Replaces the texels of rows by means over squares on their surfaces.
+     *
+     * @param rows  hits of the rays, in order
+     * @param sides side of each row's square, scene units
+     */
+    void writeMeans(HitRows rows, RayColumns rays, double[] sides) {
+        for (int row = 0; row < rows.count; row++) {
+            int ray = rays.order[row];
+            int primitive = rays.primitive[ray];
+            int material = primitives.material[primitive];
+            if (materials.isTextured(material)) {
+                footprint.lookUp(primitives, primitive, rays.part[ray], materials.texture(material), rays.localX[row], rays.localY[row],
+                        rays.localZ[row], rows.nx[row], rows.ny[row], rows.nz[row], sides[row], texel);
+                rows.texelRed[row] = texel[0];
+                rows.texelGreen[row] = texel[1];
+                rows.texelBlue[row] = texel[2];
             }
         }
     }

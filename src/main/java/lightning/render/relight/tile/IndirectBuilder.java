@@ -1,5 +1,6 @@
 package lightning.render.relight.tile;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
@@ -13,6 +14,8 @@ import lightning.render.gather.GatherStructure;
 import lightning.render.relight.plan.UpdatePlan;
 import lightning.render.shading.IndirectLight;
 import lightning.render.shading.RayCounts;
+import lightning.render.trace.Geometry;
+import lightning.render.trace.HitRows;
 import lightning.render.trace.MaterialTable;
 import lightning.render.trace.ShapeChange;
 import lightning.scene.IndirectSettings;
@@ -47,9 +50,25 @@ final class IndirectBuilder {
         if (settings.isEmpty()) {
             return null;
         }
-        IndirectCache before = canKeepPaths(settings.get()) ? oldCache.indirect() : null;
-        GatherStructure structure = before == null ? trace(settings.get()) : before.structure();
-        TileLevel[] surfels = before == null ? lightSurfels(structure) : updateSurfels(before.surfels());
+        IndirectCache before = canRememberPaths(settings.get()) ? oldCache.indirect() : null;
+        GatherStructure structure;
+        TileLevel[] surfels;
+        if (before != null && haveSamePaths()) {
+            structure = before.structure();
+            surfels = updateSurfels(before.surfels());
+        } else {
+            structure = trace(settings.get(), before);
+            surfels = lightSurfels(structure);
+            if (structure.kept() != null) {
+                SurfelUpdate update = new SurfelUpdate(before, structure);
+                workers.run(before.surfels().length,
+                        (worker, block) -> update.keep(block, surfelWorker(worker, block), job),
+                        job.progress().cancellationOnly());
+                update.add(surfels);
+                structure = update.structure();
+                surfels = update.surfels();
+            }
+        }
         SurfelSolver solver = new SurfelSolver(structure, surfels, job.target().geometry().materials(), job.options().engines(), workers,
                 job.progress());
         IndirectLight light = new IndirectLight(structure, solver.solve(job.target().lights(), job.scene()),
@@ -72,11 +91,16 @@ final class IndirectBuilder {
         return surfelWorkers.get(worker).forTile(block);
     }
 
+    /** Returns whether rays of the last picture's indirect light may be rays of the target scene: camera and settings are the same. */
+    private boolean canRememberPaths(IndirectSettings settings) {
+        return job.plan() != null && oldCache != null && oldCache.indirect() != null
+                && oldCache.indirect().settings().equals(settings);
+    }
+
     /** Returns whether the paths of the last picture's indirect light are those of the target scene. */
-    private boolean canKeepPaths(IndirectSettings settings) {
+    private boolean haveSamePaths() {
         UpdatePlan.Relight plan = job.plan();
-        if (plan == null || oldCache == null || oldCache.indirect() == null || !oldCache.indirect().settings().equals(settings)
-                || plan.shapes() != ShapeChange.NONE || plan.oldDepth() != plan.newDepth()) {
+        if (plan.shapes() != ShapeChange.NONE || plan.oldDepth() != plan.newDepth()) {
             return false;
         }
         MaterialTable before = oldCache.geometry().materials();
@@ -93,9 +117,17 @@ final class IndirectBuilder {
         return MaterialTable.CASTS_REFLECTIONS.test(materials.material(m));
     }
 
-    private GatherStructure trace(IndirectSettings settings) {
-        GatherStructure structure = new GatherBuilder(job.target().geometry(), job.scene(), settings, workers,
-                worker -> job.options().engines().forTile(0).tracer(job.target().geometry()), job.progress()).build();
+    /** @param before paths of which those that cannot differ are kept, or null */
+    private GatherStructure trace(IndirectSettings settings, IndirectCache before) {
+        GatherBuilder builder = new GatherBuilder(job.target().geometry(), job.scene(), settings, workers,
+                _ -> job.options().engines().forTile(0).tracer(job.target().geometry()), job.progress());
+        if (before != null && SurfelUpdate.isCompact(before)) {
+            HitRows[] rows = Arrays.stream(before.surfels()).map(TileLevel::rows).toArray(HitRows[]::new);
+            Geometry geometry = oldCache.geometry();
+            builder.remember(before.structure(), rows, geometry, job.shapeChange(),
+                    _ -> job.options().engines().forTile(0).tracer(geometry));
+        }
+        GatherStructure structure = builder.build();
         gatherRays += structure.rays();
         return structure;
     }

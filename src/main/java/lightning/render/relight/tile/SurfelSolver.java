@@ -44,7 +44,7 @@ public final class SurfelSolver {
         albedo = new float[3][structure.surfelCount()];
         glow = new float[3][structure.surfelCount()];
         workers.run(surfels.length, (worker, block) -> shaders.get(worker).forTile(block).writeReflection(surfels[block].rows(),
-                structure.firstSurfel(block), albedo, glow), this.progress);
+                structure.numbers(block), albedo, glow), this.progress);
     }
 
     /**
@@ -66,7 +66,7 @@ public final class SurfelSolver {
     private float[][] solve(WeightedLight[] lights, Scene scene, float[][] emitted) {
         float[][] direct = new float[3][structure.surfelCount()];
         workers.run(surfels.length, (worker, block) -> shaders.get(worker).forTile(block).writeDirectLight(surfels[block].rows(), lights,
-                surfels[block].layers(), structure.firstSurfel(block), direct), progress);
+                surfels[block].layers(), structure.numbers(block), direct), progress);
         return new IndirectSolver(structure, scene, workers, progress).solve(direct, albedo, emitted);
     }
 }

@@ -45,6 +45,11 @@ public final class BoxSet {
         return new BoxSet(merged);
     }
 
+    /** Returns the number of boxes. */
+    public int count() {
+        return boxes.length / 6;
+    }
+
     public boolean isEmpty() {
         return boxes.length == 0;
     }

@@ -1,0 +1,92 @@
+package lightning.render.gather;
+
+import java.util.Arrays;
+import java.util.function.IntFunction;
+import lightning.base.work.Progress;
+import lightning.base.work.WorkerPool;
+import lightning.render.trace.Geometry;
+import lightning.render.trace.HitRows;
+import lightning.render.trace.RayBatch;
+import lightning.render.trace.Tracer;
+import lightning.scene.Scene;
+
+/** Casts the rays of gather points or surfels on all threads; after an edit only those that a memo does not know. */
+final class PathCaster {
+    /** Points in a job if most rays are known. */
+    private static final int MEMO_POINTS = 256;
+
+    private final WorkerPool workers;
+    private final Progress progress;
+    private final PathMemo memo;
+    private final KnownRays known;
+    private final boolean ofPoints;
+    private final int pointsPerBatch;
+    final int raysPerPoint;
+    private final SurfaceNormals[] normals;
+    private final GatherCaster[] casters;
+    /** Null without a memo. */
+    private final MemoCaster[] memoCasters;
+    private long rays;
+
+    /**
+     * @param tracers       one for each thread
+     * @param memo          paths before an edit, or null
+     * @param memoTracers   one for each thread, of the geometry before the edit
+     * @param ofPoints      whether gather points cast the rays
+     */
+    PathCaster(Geometry geometry, Scene scene, WorkerPool workers, Progress progress, Tracer[] tracers, PathMemo memo,
+            IntFunction<Tracer> memoTracers, CellKeys keys, DirectionTable directions, boolean ofPoints) {
+        this.workers = workers;
+        this.progress = progress.cancellationOnly();
+        this.memo = memo;
+        this.ofPoints = ofPoints;
+        normals = new SurfaceNormals[tracers.length];
+        Arrays.setAll(normals, worker -> new SurfaceNormals(new RayBatch(geometry, scene, tracers[worker])));
+        known = memo == null ? null : ofPoints ? memo.points() : memo.surfels();
+        raysPerPoint = directions.rays();
+        pointsPerBatch = memo == null ? GatherCaster.pointsPerBatch(directions) : MEMO_POINTS;
+        casters = new GatherCaster[tracers.length];
+        Arrays.setAll(casters, worker -> new GatherCaster(geometry, scene, tracers[worker], keys, directions));
+        memoCasters = memo == null ? null : new MemoCaster[tracers.length];
+        if (memo != null) {
+            Arrays.setAll(memoCasters, worker -> new MemoCaster(memo, geometry, scene, tracers[worker], memoTracers.apply(worker), keys,
+                    directions));
+        }
+    }
+
+    /**
+     * Casts the rays of points {@code from … to − 1}.
+     *
+     * @param links          receives the cell that each ray hit
+     * @param inverseLengths receives the sum of the {@link InverseLengths} of each point's rays; null if not wanted
+     */
+    void cast(RaySources points, int from, int to, RayLinks links, long[] inverseLengths) {
+        points.reserveNormals(to);
+        workers.run(Math.ceilDiv(to - from, pointsPerBatch), (worker, job) -> {
+            int first = from + job * pointsPerBatch;
+            int end = Math.min(to, first + pointsPerBatch);
+            normals[worker].find(points, first, end);
+            if (memo == null) {
+                casters[worker].cast(points, first, end, links, inverseLengths);
+            } else {
+                memoCasters[worker].cast(points, first, end, known, links, inverseLengths);
+            }
+        }, progress);
+        rays += memo == null ? (long) (to - from) * raysPerPoint : 0;
+    }
+
+    /** Casts some rays again and returns what they hit, as {@link GatherCaster#hits}. */
+    HitRows hits(int worker, RaySources points, int[] selected, int from, int to) {
+        return casters[worker].hits(points, selected, from, to);
+    }
+
+    /** Returns the surfel of the memo that is the hit of a ray; {@link RayLinks#MISS} for none. */
+    int knownSurfel(int worker, RaySources points, int ray) {
+        return memo == null ? RayLinks.MISS : memoCasters[worker].knownSurfel(points, ray, known, ofPoints);
+    }
+
+    /** Returns the number of rays cast so far. */
+    long rayCount() {
+        return rays + (memo == null ? 0 : Arrays.stream(memoCasters).mapToLong(MemoCaster::rayCount).sum());
+    }
+}

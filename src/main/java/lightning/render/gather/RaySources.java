@@ -1,0 +1,92 @@
+package lightning.render.gather;
+
+import java.util.Arrays;
+
+/** Points that cast rays: gather points or surfels. */
+final class RaySources {
+    private final CellKeys keys;
+    private final boolean areSurfels;
+    final SurfaceColumns surface;
+    /** First gather point in cells of each size, {@link Integer#MAX_VALUE} for later ones. */
+    final int[] levelStart = new int[CellKeys.LEVELS];
+    /** Unit normals of the surfaces, NaN where a point is shaded by this normal. */
+    float[] geometricX = {};
+    float[] geometricY = {};
+    float[] geometricZ = {};
+
+    RaySources(CellKeys keys, SurfaceColumns surface, boolean areSurfels) {
+        this.keys = keys;
+        this.surface = surface;
+        this.areSurfels = areSurfels;
+        Arrays.fill(levelStart, Integer.MAX_VALUE);
+    }
+
+    /** Makes room for the normals of points {@code 0 … count − 1}. */
+    void reserveNormals(int count) {
+        geometricX = Arrays.copyOf(geometricX, count);
+        geometricY = Arrays.copyOf(geometricY, count);
+        geometricZ = Arrays.copyOf(geometricZ, count);
+    }
+
+    /** Returns the seed of a point's directions. */
+    long seed(int p) {
+        float x = surface.px[p];
+        float y = surface.py[p];
+        float z = surface.pz[p];
+        return areSurfels ? keys.surfelSeed(x, y, z, surface.nx[p], surface.ny[p], surface.nz[p])
+                : keys.pointSeed(x, y, z, surface.nx[p], surface.ny[p], surface.nz[p], level(p));
+    }
+
+    private int level(int p) {
+        int level = 0;
+        while (level + 1 < levelStart.length && p >= levelStart[level + 1]) {
+            level++;
+        }
+        return level;
+    }
+
+    /**
+     * Writes the directions of a point's rays to elements {@code at …}: cosine-distributed around the normal by which the point is
+     * shaded. Bump maps and vertex normals tilt that normal, so some directions would go below the surface. They are reflected at its
+     * plane: the light from above stands for the light that the tilted surface would meet.
+     */
+    void writeDirections(int p, DirectionTable directions, double[] toX, double[] toY, double[] toZ, int at) {
+        directions.write(seed(p), surface.nx[p], surface.ny[p], surface.nz[p], toX, toY, toZ, at);
+        float nx = geometricX[p];
+        float ny = geometricY[p];
+        float nz = geometricZ[p];
+        for (int ray = at; nx == nx && ray < at + directions.rays(); ray++) {
+            double height = toX[ray] * nx + toY[ray] * ny + toZ[ray] * nz;
+            if (height < 0) {
+                toX[ray] -= 2 * height * nx;
+                toY[ray] -= 2 * height * ny;
+                toZ[ray] -= 2 * height * nz;
+            }
+        }
+    }
+
+    /** Returns a number that differs between most places. */
+    long placeBits(int p) {
+        return (long) Float.floatToRawIntBits(surface.px[p]) * 0x9e3779b97f4a7c15L + (long) Float.floatToRawIntBits(surface.py[p]) * 31
+                + ((long) Float.floatToRawIntBits(surface.pz[p]) << 32);
+    }
+
+    /** Returns whether two points are at the same place with the same normals. */
+    static boolean haveSameBits(RaySources a, int p, RaySources b, int q) {
+        SurfaceColumns s = a.surface;
+        SurfaceColumns t = b.surface;
+        return haveSameBits(s.px[p], t.px[q]) && haveSameBits(s.py[p], t.py[q]) && haveSameBits(s.pz[p], t.pz[q])
+                && haveSameBits(s.nx[p], t.nx[q]) && haveSameBits(s.ny[p], t.ny[q]) && haveSameBits(s.nz[p], t.nz[q])
+                && haveSameBits(a.geometricX[p], b.geometricX[q]) && haveSameBits(a.geometricY[p], b.geometricY[q])
+                && haveSameBits(a.geometricZ[p], b.geometricZ[q]);
+    }
+
+    private static boolean haveSameBits(float a, float b) {
+        return Float.floatToIntBits(a) == Float.floatToIntBits(b);
+    }
+
+    /** Returns the bytes of all columns. */
+    long bytes() {
+        return 28L * surface.count + 12L * geometricX.length;
+    }
+}
