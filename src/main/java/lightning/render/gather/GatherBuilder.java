@@ -62,8 +62,8 @@ public final class GatherBuilder {
         SurfelBuilder surfels = new SurfelBuilder(workers, progress, casters(keys, surfelDirections), surfelDirections);
         surfels.build(placer.points, placer.seeds(), placer.links, pointCasters, settings.bounces());
         PointFilter filter = new FilterBuilder(placer.points, placer.radius, placer.harmonic, placer.side).build(workers, progress);
-        long rays = Arrays.stream(candidateTracers).mapToLong(CandidateTracer::rayCount).sum() + placer.links.surfels().length
-                + surfels.links.surfels().length + surfels.count();
+        long rays = Arrays.stream(candidateTracers).mapToLong(CandidateTracer::rayCount).sum() + placer.links.rayCount()
+                + surfels.links.rayCount() + surfels.count();
         return new GatherStructure(
                 new GatherPoints(placer.points, placer.radius, new PointGroups(placer.points, placer.radius), filter), placer.links,
                 surfels.links, surfels.blocks, surfels.blockStart, surfels.count(), settings.bounces(), rays);

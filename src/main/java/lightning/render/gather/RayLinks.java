@@ -4,8 +4,6 @@ import java.util.Arrays;
 
 /** Surfels that the rays of points hit, by ray. First they are known by the keys of their cells, later by their numbers. */
 public final class RayLinks {
-    /** Number of a ray that hits nothing. */
-    public static final int MISS = -1;
     /** Bytes of a ray only while links are built: a key and a flag, half as many in reserve, and a copy of the key while they grow. */
     public static final int BUILD_BYTES = 22;
 
@@ -13,10 +11,13 @@ public final class RayLinks {
     private int rays;
     private long[] keys = {};
     private boolean[] hit = {};
-    /** Surfel of each ray, {@link #MISS} for none. */
-    private int[] surfel = {};
-    /** Tint of each ray: red, green, blue; null if none is tinted. */
+    /** Surfel of each ray; the number of surfels if it hits nothing. */
+    private RayNumbers surfel = new RayNumbers(0, 1);
+    private int miss;
+    /** Tint of each ray while links are built: red, green, blue; null if none is tinted. */
     private float[][] tint;
+    /** Tinted rays; null if there are none. */
+    private RayTints tints;
 
     RayLinks(int raysPerPoint) {
         this.raysPerPoint = raysPerPoint;
@@ -73,28 +74,25 @@ public final class RayLinks {
         return keys[ray];
     }
 
-    int rayCount() {
-        return rays;
-    }
-
-    /** Replaces keys by the numbers of the cells. */
+    /** Replaces keys by the numbers of the cells. Threads may resolve parts that start at multiples of {@link RayNumbers#ALIGNMENT}. */
     void resolve(CellTable cells, int from, int to) {
         for (int ray = from; ray < to; ray++) {
-            surfel[ray] = hit[ray] ? cells.number(keys[ray]) : MISS;
+            surfel.set(ray, hit[ray] ? cells.number(keys[ray]) : miss);
         }
     }
 
-    void allocateNumbers() {
-        surfel = Arrays.copyOf(surfel, rays);
+    /** @param surfels number of surfels */
+    void allocateNumbers(int surfels) {
+        miss = surfels;
+        surfel = new RayNumbers(rays, surfels + 1);
     }
 
     /** Drops what only building needs. */
     void finish() {
         keys = new long[0];
         hit = new boolean[0];
-        for (int c = 0; tint != null && c < 3; c++) {
-            tint[c] = Arrays.copyOf(tint[c], rays);
-        }
+        tints = tint == null ? null : RayTints.of(tint, rays);
+        tint = null;
     }
 
     /** Returns the number of points. */
@@ -106,18 +104,47 @@ public final class RayLinks {
         return raysPerPoint;
     }
 
-    /** Returns the surfel of each ray, point by point; {@link #MISS} for none. Callers must not modify it. */
-    public int[] surfels() {
-        return surfel;
+    /** Returns the number of rays of all points. */
+    public int rayCount() {
+        return rays;
     }
 
-    /** Returns the tints of all rays: red, green, blue; null if none is tinted. Callers must not modify them. */
-    public float[][] tints() {
-        return tint;
+    /** Writes the surfels that a point's rays hit; the number of surfels for a ray that hits nothing. */
+    public void copySurfels(int point, int[] to) {
+        surfel.copy(point * raysPerPoint, raysPerPoint, to);
+    }
+
+    /** Returns whether any ray is tinted. */
+    public boolean isTinted() {
+        return tints != null;
+    }
+
+    /**
+     * Writes the tints of a point's rays if any of them is tinted.
+     *
+     * @param to red, green, blue of each ray; unchanged if none is tinted
+     * @return whether any is
+     */
+    public boolean copyTints(int point, float[][] to) {
+        int from = point * raysPerPoint;
+        int i = tints.firstFrom(from);
+        int[] tinted = tints.ray();
+        if (i == tinted.length || tinted[i] >= from + raysPerPoint) {
+            return false;
+        }
+        for (int c = 0; c < 3; c++) {
+            Arrays.fill(to[c], 0, raysPerPoint, 1);
+        }
+        for (; i < tinted.length && tinted[i] < from + raysPerPoint; i++) {
+            for (int c = 0; c < 3; c++) {
+                to[c][tinted[i] - from] = tints.tint()[c][i];
+            }
+        }
+        return true;
     }
 
     /** Returns the bytes of the links. */
     public long bytes() {
-        return 4L * surfel.length + (tint == null ? 0 : 12L * tint[0].length);
+        return surfel.bytes() + (tints == null ? 0 : tints.bytes());
     }
 }

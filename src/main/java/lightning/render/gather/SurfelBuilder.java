@@ -11,6 +11,7 @@ import lightning.render.trace.RayBatch;
  * are numbered after those before.
  */
 final class SurfelBuilder {
+    /** A multiple of {@link RayNumbers#ALIGNMENT}. */
     private static final int BATCH = 1 << 14;
 
     private final WorkerPool workers;
@@ -105,7 +106,7 @@ final class SurfelBuilder {
     }
 
     private void number(RayLinks rays) {
-        rays.allocateNumbers();
+        rays.allocateNumbers(surfels.count);
         workers.run(Math.ceilDiv(rays.rayCount(), BATCH),
                 (_, job) -> rays.resolve(cells, job * BATCH, Math.min(rays.rayCount(), job * BATCH + BATCH)), progress.cancellationOnly());
         rays.finish();

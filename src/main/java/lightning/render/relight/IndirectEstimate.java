@@ -20,8 +20,6 @@ import lightning.scene.PictureSettings;
  */
 record IndirectEstimate(double bytesPerPixel, double borderBytes, double surfelBytes, int side, double buildFactor) {
     static final IndirectEstimate NONE = new IndirectEstimate(0, 0, 0, 1, 1);
-    /** Weights of a row and its part of the list of points. */
-    static final long MAX_WEIGHT_BYTES_PER_ROW = 8 * (Short.BYTES + Byte.BYTES + Integer.BYTES);
     /** Bytes of a point without its links: place, normal, light, and a filter of 256 neighbors, several times the usual number. */
     private static final int POINT_BYTES = 56 + 8 * 256;
 

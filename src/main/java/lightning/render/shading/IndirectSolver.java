@@ -1,5 +1,6 @@
 package lightning.render.shading;
 
+import java.util.Arrays;
 import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
 import lightning.render.gather.GatherStructure;
@@ -21,6 +22,8 @@ import lightning.scene.Scene;
  */
 public final class IndirectSolver {
     private static final int BATCH = 512;
+    /** Values of a surfel or point in a row: red, green, blue and one unused, so that they share a cache line. */
+    private static final int STRIDE = 4;
 
     private final GatherStructure structure;
     private final WorkerPool workers;
@@ -46,27 +49,41 @@ public final class IndirectSolver {
      * @throws java.util.concurrent.CancellationException if the progress requested cancellation
      */
     public float[][] solve(float[][] direct, float[][] albedo, float[][] glow) {
-        float[][] light = new float[3][];
-        for (int c = 0; c < 3; c++) {
-            light[c] = gather(radiosity(direct[c], albedo[c], glow[c], c), c);
-        }
+        float[] radiosity = radiosity(direct, albedo, glow);
+        int points = structure.pointCount();
+        float[] gathered = new float[STRIDE * points];
+        float[][] light = new float[3][points];
+        run(points, (from, to) -> {
+            PointRays rays = new PointRays(structure.pointLinks());
+            for (int p = from; p < to; p++) {
+                rays.mean(p, radiosity);
+                System.arraycopy(rays.mean, 0, gathered, STRIDE * p, 3);
+            }
+        });
+        run(points, (from, to) -> structure.filter(gathered, light, from, to));
         return light;
     }
 
-    private float[] radiosity(float[] direct, float[] albedo, float[] glow, int channel) {
+    /** Returns the light that each surfel sends, and after the last surfel that of the background. */
+    private float[] radiosity(float[][] direct, float[][] albedo, float[][] glow) {
         int surfels = structure.surfelCount();
-        float[] radiosity = new float[surfels];
-        for (int s = 0; s < surfels; s++) {
-            radiosity[s] = glow[s] + albedo[s] * direct[s];
-        }
-        for (int bounce = 2; bounce <= structure.bounces(); bounce++) {
+        int linked = structure.surfelLinks().points();
+        float[] radiosity = null;
+        for (int bounce = 1; bounce <= structure.bounces(); bounce++) {
             float[] before = radiosity;
-            float[] after = new float[surfels];
-            int linked = structure.surfelLinks().points();
+            float[] after = new float[STRIDE * (surfels + 1)];
+            System.arraycopy(background, 0, after, STRIDE * surfels, 3);
             run(surfels, (from, to) -> {
+                PointRays rays = new PointRays(structure.surfelLinks());
                 for (int s = from; s < to; s++) {
-                    float gathered = s < linked ? mean(structure.surfelLinks(), s, before, channel) : 0;
-                    after[s] = glow[s] + albedo[s] * (direct[s] + gathered);
+                    if (before != null && s < linked) {
+                        rays.mean(s, before);
+                    } else {
+                        Arrays.fill(rays.mean, 0);
+                    }
+                    for (int c = 0; c < 3; c++) {
+                        after[STRIDE * s + c] = glow[c][s] + albedo[c][s] * (direct[c][s] + rays.mean[c]);
+                    }
                 }
             });
             radiosity = after;
@@ -74,30 +91,37 @@ public final class IndirectSolver {
         return radiosity;
     }
 
-    private float[] gather(float[] radiosity, int channel) {
-        int points = structure.pointCount();
-        float[] gathered = new float[points];
-        run(points, (from, to) -> {
-            for (int p = from; p < to; p++) {
-                gathered[p] = mean(structure.pointLinks(), p, radiosity, channel);
-            }
-        });
-        float[] filtered = new float[points];
-        run(points, (from, to) -> structure.filter(gathered, filtered, from, to));
-        return filtered;
-    }
+    /** Rays of one point after the other. */
+    private static final class PointRays {
+        private final RayLinks links;
+        private final int[] surfels;
+        private final float[][] tint;
+        /** Mean light that the rays met: red, green, blue. */
+        final float[] mean = new float[3];
 
-    /** Returns the mean radiosity that a point's rays meet. */
-    private float mean(RayLinks links, int point, float[] radiosity, int channel) {
-        int rays = links.raysPerPoint();
-        int[] surfels = links.surfels();
-        float[] tint = links.tints() == null ? null : links.tints()[channel];
-        double sum = 0;
-        for (int ray = point * rays; ray < point * rays + rays; ray++) {
-            float met = surfels[ray] == RayLinks.MISS ? background[channel] : radiosity[surfels[ray]];
-            sum += tint == null ? met : met * tint[ray];
+        PointRays(RayLinks links) {
+            this.links = links;
+            surfels = new int[links.raysPerPoint()];
+            tint = links.isTinted() ? new float[3][links.raysPerPoint()] : null;
         }
-        return (float) (sum / rays);
+
+        /** Computes the mean radiosity that a point's rays meet. */
+        void mean(int point, float[] radiosity) {
+            links.copySurfels(point, surfels);
+            boolean tinted = tint != null && links.copyTints(point, tint);
+            double red = 0;
+            double green = 0;
+            double blue = 0;
+            for (int ray = 0; ray < surfels.length; ray++) {
+                int at = STRIDE * surfels[ray];
+                red += tinted ? radiosity[at] * tint[0][ray] : radiosity[at];
+                green += tinted ? radiosity[at + 1] * tint[1][ray] : radiosity[at + 1];
+                blue += tinted ? radiosity[at + 2] * tint[2][ray] : radiosity[at + 2];
+            }
+            mean[0] = (float) (red / surfels.length);
+            mean[1] = (float) (green / surfels.length);
+            mean[2] = (float) (blue / surfels.length);
+        }
     }
 
     private interface Part {
