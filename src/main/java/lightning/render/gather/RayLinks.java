@@ -109,38 +109,33 @@ public final class RayLinks {
         return rays;
     }
 
-    /** Writes the surfels that a point's rays hit; the number of surfels for a ray that hits nothing. */
-    public void copySurfels(int point, int[] to) {
-        surfel.copy(point * raysPerPoint, raysPerPoint, to);
-    }
-
-    /** Returns whether any ray is tinted. */
-    public boolean isTinted() {
-        return tints != null;
-    }
-
     /**
-     * Writes the tints of a point's rays if any of them is tinted.
+     * Adds up the light that the rays of a point meet, in the order of the rays.
      *
-     * @param to red, green, blue of each ray; unchanged if none is tinted
-     * @return whether any is
+     * @param light red, green and blue light of each surfel, and of the background after the last one, and one unused value each
+     * @param to    receives red, green and blue
      */
-    public boolean copyTints(int point, float[][] to) {
+    public void sum(int point, float[] light, float[] to) {
         int from = point * raysPerPoint;
-        int i = tints.firstFrom(from);
-        int[] tinted = tints.ray();
-        if (i == tinted.length || tinted[i] >= from + raysPerPoint) {
-            return false;
+        int nextTint = tints == null ? 0 : tints.firstFrom(from);
+        if (tints == null || nextTint == tints.count() || tints.ray()[nextTint] >= from + raysPerPoint) {
+            surfel.sum(from, raysPerPoint, light, to);
+        } else {
+            sumTinted(from, nextTint, light, to);
         }
-        for (int c = 0; c < 3; c++) {
-            Arrays.fill(to[c], 0, raysPerPoint, 1);
-        }
-        for (; i < tinted.length && tinted[i] < from + raysPerPoint; i++) {
+    }
+
+    private void sumTinted(int from, int firstTint, float[] light, float[] to) {
+        Arrays.fill(to, 0);
+        int tinted = firstTint;
+        for (int ray = from; ray < from + raysPerPoint; ray++) {
+            int at = 4 * surfel.get(ray);
+            boolean isTinted = tinted < tints.count() && tints.ray()[tinted] == ray;
             for (int c = 0; c < 3; c++) {
-                to[c][tinted[i] - from] = tints.tint()[c][i];
+                to[c] += isTinted ? light[at + c] * tints.tint()[c][tinted] : light[at + c];
             }
+            tinted += isTinted ? 1 : 0;
         }
-        return true;
     }
 
     /** Returns the bytes of the links. */

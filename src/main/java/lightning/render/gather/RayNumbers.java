@@ -5,6 +5,8 @@ final class RayNumbers {
     /** Rays from a multiple of this on share no memory with those before, so that threads may write them. */
     static final int ALIGNMENT = Integer.SIZE;
 
+    private static final int WORD_SHIFT = 5;
+
     private final char[] low;
     /** Higher bits of all rays in words; null if there are none. */
     private final int[] high;
@@ -31,32 +33,46 @@ final class RayNumbers {
         }
     }
 
+    /**
+     * Adds up values of the numbers of consecutive rays, in their order.
+     *
+     * @param from   first of the rays
+     * @param values for each number three values and one unused
+     * @param to     receives the three sums
+     */
+    void sum(int from, int count, float[] values, float[] to) {
+        float first = 0;
+        float second = 0;
+        float third = 0;
+        int bits = 1 << shift;
+        int mask = high == null ? 0 : mask();
+        int end = from + count;
+        for (int ray = from; ray < end;) {
+            int higher = high == null ? 0 : high[word(ray)] >>> (ray << shift);
+            int stop = high == null ? end : Math.min(end, (word(ray) + 1) << WORD_SHIFT - shift);
+            for (; ray < stop; ray++) {
+                int at = 4 * (low[ray] | (higher & mask) << Character.SIZE);
+                higher >>>= bits;
+                first += values[at];
+                second += values[at + 1];
+                third += values[at + 2];
+            }
+        }
+        to[0] = first;
+        to[1] = second;
+        to[2] = third;
+    }
+
     int get(int ray) {
         return high == null ? low[ray] : low[ray] | (high[word(ray)] >>> (ray << shift) & mask()) << Character.SIZE;
     }
 
     private int word(int ray) {
-        return ray >>> 5 - shift;
+        return ray >>> WORD_SHIFT - shift;
     }
 
     private int mask() {
         return (1 << (1 << shift)) - 1;
-    }
-
-    /** Writes the numbers of rays {@code from … from + count − 1}. */
-    void copy(int from, int count, int[] to) {
-        if (high == null) {
-            for (int i = 0; i < count; i++) {
-                to[i] = low[from + i];
-            }
-            return;
-        }
-        int mask = mask();
-        int wordShift = 5 - shift;
-        for (int i = 0; i < count; i++) {
-            int ray = from + i;
-            to[i] = low[ray] | (high[ray >>> wordShift] >>> (ray << shift) & mask) << Character.SIZE;
-        }
     }
 
     long bytes() {

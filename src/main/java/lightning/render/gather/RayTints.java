@@ -37,6 +37,10 @@ record RayTints(int[] ray, float[][] tint) {
         return found >= 0 ? found : -found - 1;
     }
 
+    int count() {
+        return ray.length;
+    }
+
     long bytes() {
         return 16L * ray.length;
     }

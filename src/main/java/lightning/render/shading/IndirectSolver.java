@@ -17,8 +17,8 @@ import lightning.scene.Scene;
  * E  = filter(mean of B over the gather point's rays)
  * </pre>
  *
- * <p>Rays are cosine-distributed, so the plain mean is the irradiance in units of the lights' diffuse sum. Sums over rays are exact to
- * a double, in the order of the rays. All lights are added before anything is gathered, so the cost does not grow with their number.
+ * <p>Rays are cosine-distributed, so the plain mean is the irradiance in units of the lights' diffuse sum. Floats are added in the order
+ * of the rays. All lights are added before anything is gathered, so the cost does not grow with their number.
  */
 public final class IndirectSolver {
     private static final int BATCH = 512;
@@ -54,10 +54,10 @@ public final class IndirectSolver {
         float[] gathered = new float[STRIDE * points];
         float[][] light = new float[3][points];
         run(points, (from, to) -> {
-            PointRays rays = new PointRays(structure.pointLinks());
+            float[] mean = new float[3];
             for (int p = from; p < to; p++) {
-                rays.mean(p, radiosity);
-                System.arraycopy(rays.mean, 0, gathered, STRIDE * p, 3);
+                mean(structure.pointLinks(), p, radiosity, mean);
+                System.arraycopy(mean, 0, gathered, STRIDE * p, 3);
             }
         });
         run(points, (from, to) -> structure.filter(gathered, light, from, to));
@@ -74,15 +74,15 @@ public final class IndirectSolver {
             float[] after = new float[STRIDE * (surfels + 1)];
             System.arraycopy(background, 0, after, STRIDE * surfels, 3);
             run(surfels, (from, to) -> {
-                PointRays rays = new PointRays(structure.surfelLinks());
+                float[] gathered = new float[3];
                 for (int s = from; s < to; s++) {
                     if (before != null && s < linked) {
-                        rays.mean(s, before);
+                        mean(structure.surfelLinks(), s, before, gathered);
                     } else {
-                        Arrays.fill(rays.mean, 0);
+                        Arrays.fill(gathered, 0);
                     }
                     for (int c = 0; c < 3; c++) {
-                        after[STRIDE * s + c] = glow[c][s] + albedo[c][s] * (direct[c][s] + rays.mean[c]);
+                        after[STRIDE * s + c] = glow[c][s] + albedo[c][s] * (direct[c][s] + gathered[c]);
                     }
                 }
             });
@@ -91,36 +91,16 @@ public final class IndirectSolver {
         return radiosity;
     }
 
-    /** Rays of one point after the other. */
-    private static final class PointRays {
-        private final RayLinks links;
-        private final int[] surfels;
-        private final float[][] tint;
-        /** Mean light that the rays met: red, green, blue. */
-        final float[] mean = new float[3];
-
-        PointRays(RayLinks links) {
-            this.links = links;
-            surfels = new int[links.raysPerPoint()];
-            tint = links.isTinted() ? new float[3][links.raysPerPoint()] : null;
-        }
-
-        /** Computes the mean radiosity that a point's rays meet. */
-        void mean(int point, float[] radiosity) {
-            links.copySurfels(point, surfels);
-            boolean tinted = tint != null && links.copyTints(point, tint);
-            double red = 0;
-            double green = 0;
-            double blue = 0;
-            for (int ray = 0; ray < surfels.length; ray++) {
-                int at = STRIDE * surfels[ray];
-                red += tinted ? radiosity[at] * tint[0][ray] : radiosity[at];
-                green += tinted ? radiosity[at + 1] * tint[1][ray] : radiosity[at + 1];
-                blue += tinted ? radiosity[at + 2] * tint[2][ray] : radiosity[at + 2];
-            }
-            mean[0] = (float) (red / surfels.length);
-            mean[1] = (float) (green / surfels.length);
-            mean[2] = (float) (blue / surfels.length);
+    /**
+     * Computes the mean light that the rays of a point meet.
+     *
+     * @param light of surfels and background
+     * @param to    receives red, green and blue
+     */
+    private static void mean(RayLinks links, int point, float[] light, float[] to) {
+        links.sum(point, light, to);
+        for (int c = 0; c < 3; c++) {
+            to[c] /= links.raysPerPoint();
         }
     }
 
