@@ -8,6 +8,7 @@ import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
 import lightning.render.image.Film;
 import lightning.render.trace.Geometry;
+import lightning.render.trace.HitRows.ColumnGroup;
 import lightning.render.trace.Tracer;
 import lightning.scene.IndirectSettings;
 import lightning.scene.PictureSettings;
@@ -20,16 +21,26 @@ public final class GatherBuilder {
     /** Maximum number of gather points at a candidate: one in each size of cells. */
     public static final int MAX_POINTS_PER_CANDIDATE = CellKeys.LEVELS;
 
+    /** Bytes of a surfel's key, seed, place and normal, and of its light while it is solved. */
+    private static final int BYTES_BESIDE_ROW = 160;
+    /** Bytes of the layer of an ordinary light at a surfel that it reaches. */
+    private static final long BYTES_PER_LIGHT = 12;
+
     private final Geometry geometry;
     private final Scene scene;
     private final IndirectSettings settings;
     private final WorkerPool workers;
     private final Progress progress;
     private final Tracer[] tracers;
+    private final long memoryBytes;
 
-    /** @param tracers one for each thread */
+    /**
+     * @param tracers     one for each thread
+     * @param memoryBytes bytes that the paths may use
+     */
     public GatherBuilder(Geometry geometry, Scene scene, IndirectSettings settings, WorkerPool workers, IntFunction<Tracer> tracers,
-            Progress progress) {
+            long memoryBytes, Progress progress) {
+        this.memoryBytes = memoryBytes;
         this.geometry = geometry;
         this.scene = scene;
         this.settings = settings;
@@ -44,9 +55,17 @@ public final class GatherBuilder {
         return Math.max(1, settings.spacing() / CANDIDATES_PER_CELL);
     }
 
+    /** Returns the maximum bytes of a surfel without rays: its row, its cell, and what lights and solving need. */
+    private long surfelBytes() {
+        int columns = ColumnGroup.HIT.bytesPerRow() + ColumnGroup.TEXEL.bytesPerRow() + ColumnGroup.OWNER.bytesPerRow()
+                + ColumnGroup.TRANSPARENT.bytesPerRow();
+        return columns + BYTES_BESIDE_ROW + BYTES_PER_LIGHT * scene.rig().effectiveLights().size();
+    }
+
     /**
      * Builds it.
      *
+     * @throws PathsTooLargeException if the paths need more memory than there is
      * @throws java.util.concurrent.CancellationException if the progress requested cancellation
      */
     public GatherStructure build() {
@@ -56,10 +75,13 @@ public final class GatherBuilder {
         CellKeys keys = new CellKeys(scene, settings);
         DirectionTable pointDirections = new DirectionTable(settings.raysPerSide());
         GatherCaster[] pointCasters = casters(keys, pointDirections);
+        PathMemory memory = new PathMemory(settings, memoryBytes);
         PointPlacer placer = new PointPlacer(workers, progress, keys, pointCasters, pointDirections);
+        placer.links.setMemory(memory);
         placer.place(candidates);
         DirectionTable surfelDirections = new DirectionTable(settings.raysPerSide() / 2);
         SurfelBuilder surfels = new SurfelBuilder(workers, progress, casters(keys, surfelDirections), surfelDirections);
+        surfels.setMemory(memory, surfelBytes());
         surfels.build(placer.points, placer.seeds(), placer.links, pointCasters, settings.bounces());
         PointFilter filter = new FilterBuilder(placer.points, placer.radius, placer.harmonic, placer.side).build(workers, progress);
         long rays = Arrays.stream(candidateTracers).mapToLong(CandidateTracer::rayCount).sum() + placer.links.rayCount()

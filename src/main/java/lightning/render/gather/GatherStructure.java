@@ -94,7 +94,7 @@ public final class GatherStructure {
 
     /** Returns the bytes that it took at most while it was built. */
     public long buildBytes() {
-        return bytes() + RayLinks.BUILD_BYTES * ((long) pointLinks.rayCount() + surfelLinks.rayCount());
+        return bytes() + pointLinks.buildBytes() + surfelLinks.buildBytes();
     }
 
     private long surfelBytes() {

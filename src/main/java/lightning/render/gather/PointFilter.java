@@ -70,15 +70,16 @@ final class PointFilter {
                     tablePoint = neighbors.firstPoint(table);
                 }
                 for (int stop = Math.min(tableEnd, start[p + 1]); i < stop; i++) {
-                    int w = weight[i] & 0xFF;
+                    int whole = weight[i] & 0xFF;
+                    float w = whole * WeightedPoints.SCALE;
                     int at = 4 * points[tablePoint + (index[i] & 0xFF)];
                     red += w * from[at];
                     green += w * from[at + 1];
                     blue += w * from[at + 2];
-                    total += w;
+                    total += whole;
                 }
             }
-            float scale = 1f / total;
+            float scale = 1 / (total * WeightedPoints.SCALE);
             to[0][p] = red * scale;
             to[1][p] = green * scale;
             to[2][p] = blue * scale;

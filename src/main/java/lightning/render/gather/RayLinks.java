@@ -1,13 +1,19 @@
 package lightning.render.gather;
 
 import java.util.Arrays;
+import lightning.scene.IndirectSettings;
 
 /** Surfels that the rays of points hit, by ray. First they are known by the keys of their cells, later by their numbers. */
 public final class RayLinks {
     /** Bytes of a ray only while links are built: a key and a flag, half as many in reserve, and a copy of the key while they grow. */
     public static final int BUILD_BYTES = 22;
+    /** Additional bytes of a ray while links are built if any is tinted: three floats, and half as many in reserve. */
+    public static final int TINT_BUILD_BYTES = 18;
+    /** Maximum number of rays: arrays are hardly longer. */
+    private static final int MAX_RAYS = Integer.MAX_VALUE - 64;
 
     private final int raysPerPoint;
+    private PathMemory memory = new PathMemory(IndirectSettings.DEFAULT, Long.MAX_VALUE);
     private int rays;
     private long[] keys = {};
     private boolean[] hit = {};
@@ -16,6 +22,7 @@ public final class RayLinks {
     private int miss;
     /** Tint of each ray while links are built: red, green, blue; null if none is tinted. */
     private float[][] tint;
+    private boolean wasTinted;
     /** Tinted rays; null if there are none. */
     private RayTints tints;
 
@@ -23,11 +30,24 @@ public final class RayLinks {
         this.raysPerPoint = raysPerPoint;
     }
 
-    /** Makes room for the rays of {@code points} points. */
+    /** Sets the memory for rays from now on; initially it is unlimited. */
+    void setMemory(PathMemory v) {
+        memory = v;
+    }
+
+    /**
+     * Makes room for the rays of {@code points} points.
+     *
+     * @throws PathsTooLargeException if there are too many
+     */
     void setPoints(int points) {
-        rays = Math.multiplyExact(points, raysPerPoint);
+        long count = (long) points * raysPerPoint;
+        // More rays than an array holds never fit.
+        int bytes = BUILD_BYTES + Integer.BYTES + (tint == null ? 0 : TINT_BUILD_BYTES);
+        memory.reserve(count - rays, count > MAX_RAYS ? Integer.MAX_VALUE : bytes);
+        rays = (int) count;
         if (rays > keys.length) {
-            int length = (int) Math.min(Integer.MAX_VALUE - 64, Math.max(rays, keys.length * 3L / 2));
+            int length = (int) Math.min(MAX_RAYS, Math.max(rays, keys.length * 3L / 2));
             keys = Arrays.copyOf(keys, length);
             hit = Arrays.copyOf(hit, length);
             for (int c = 0; tint != null && c < 3; c++) {
@@ -57,6 +77,7 @@ public final class RayLinks {
 
     private synchronized float[][] allocateTints() {
         if (tint == null) {
+            memory.reserve(rays, TINT_BUILD_BYTES);
             float[][] all = new float[3][keys.length];
             for (float[] channel : all) {
                 Arrays.fill(channel, 1);
@@ -91,6 +112,7 @@ public final class RayLinks {
     void finish() {
         keys = new long[0];
         hit = new boolean[0];
+        wasTinted = tint != null;
         tints = tint == null ? null : RayTints.of(tint, rays);
         tint = null;
     }
@@ -136,6 +158,11 @@ public final class RayLinks {
             }
             tinted += isTinted ? 1 : 0;
         }
+    }
+
+    /** Returns the bytes that the links took only while they were built. */
+    long buildBytes() {
+        return (BUILD_BYTES + (wasTinted ? (long) TINT_BUILD_BYTES : 0)) * rays;
     }
 
     /** Returns the bytes of the links. */

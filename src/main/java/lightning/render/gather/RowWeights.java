@@ -80,15 +80,16 @@ public final class RowWeights {
                     tableEnd = near.endEntry(table);
                 }
                 for (int stop = Math.min(end, tableEnd); i < stop; i++) {
-                    int w = weight[i] & 0xFF;
+                    int whole = weight[i] & 0xFF;
+                    float w = whole * WeightedPoints.SCALE;
                     int at = 4 * (index[i] & 0xFF);
                     red += w * values[at];
                     green += w * values[at + 1];
                     blue += w * values[at + 2];
-                    total += w;
+                    total += whole;
                 }
             }
-            float scale = total == 0 ? 0 : 1f / total;
+            float scale = total == 0 ? 0 : 1 / (total * WeightedPoints.SCALE);
             to[0][row] = red * scale;
             to[1][row] = green * scale;
             to[2][row] = blue * scale;

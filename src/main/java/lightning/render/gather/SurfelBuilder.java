@@ -5,6 +5,7 @@ import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.RayBatch;
+import lightning.scene.IndirectSettings;
 
 /**
  * Divides what rays hit into surfels, and links surfels by rays of their own for further bounces. Surfels that only a later bounce meets
@@ -25,6 +26,8 @@ final class SurfelBuilder {
     /** First surfel of each block. */
     int[] blockStart = {};
     final RayLinks links;
+    private PathMemory memory = new PathMemory(IndirectSettings.DEFAULT, Long.MAX_VALUE);
+    private long bytesPerSurfel;
 
     /** @param directions of the surfels' rays */
     SurfelBuilder(WorkerPool workers, Progress progress, GatherCaster[] surfelCasters, DirectionTable directions) {
@@ -34,6 +37,17 @@ final class SurfelBuilder {
         pointsPerBatch = GatherCaster.pointsPerBatch(directions);
         links = new RayLinks(directions.rays());
         links.setPoints(0);
+    }
+
+    /**
+     * Sets the memory for surfels and their rays; initially it is unlimited.
+     *
+     * @param surfelBytes bytes of a surfel without its rays
+     */
+    void setMemory(PathMemory v, long surfelBytes) {
+        memory = v;
+        links.setMemory(v);
+        bytesPerSurfel = surfelBytes;
     }
 
     int count() {
@@ -76,6 +90,7 @@ final class SurfelBuilder {
             }
         }, progress.cancellationOnly());
         int[] firsts = added.firsts();
+        memory.reserve(firsts.length, bytesPerSurfel);
         int before = surfels.count;
         surfels.reserve(before + firsts.length);
         long[] newSeeds = Arrays.copyOf(seeds, before + firsts.length);

@@ -7,6 +7,8 @@ import java.util.Arrays;
  * of up to 256 points. Immutable.
  */
 final class WeightedPoints {
+    /** Factor of weights while they are added up, so that no sum of the brightest light overflows. A power of two, so it rounds nothing. */
+    static final float SCALE = 0x1p-24f;
     /** Maximum number of points in a table. */
     static final int TABLE_SIZE = 256;
 

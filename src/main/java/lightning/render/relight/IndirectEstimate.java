@@ -20,8 +20,11 @@ import lightning.scene.PictureSettings;
  */
 record IndirectEstimate(double bytesPerPixel, double borderBytes, double surfelBytes, int side, double buildFactor) {
     static final IndirectEstimate NONE = new IndirectEstimate(0, 0, 0, 1, 1);
-    /** Bytes of a point without its links: place, normal, light, and a filter of 256 neighbors, several times the usual number. */
-    private static final int POINT_BYTES = 56 + 8 * 256;
+    /**
+     * Bytes of a point without its links: place, normal, light, and a filter of 256 neighbors, several times the usual number, both before
+     * and after it is packed.
+     */
+    private static final int POINT_BYTES = 56 + (8 + 2) * 256;
 
     /** Measured indirect light of a small picture. */
     record Sample(long pixels, int side, long pointBytes, long surfelBytes, long buildBytes) {
@@ -88,7 +91,7 @@ record IndirectEstimate(double bytesPerPixel, double borderBytes, double surfelB
         double candidates = (double) Film.tilesAlong(picture.width()) * Film.tilesAlong(picture.height()) * along * along * (1 + levels);
         double points = GatherBuilder.MAX_POINTS_PER_CANDIDATE * candidates;
         double rays = points * settings.rays();
-        int linkBytes = RayLinks.BUILD_BYTES + Integer.BYTES + 12 + 12 / 2;
+        int linkBytes = RayLinks.BUILD_BYTES + RayLinks.TINT_BUILD_BYTES + Integer.BYTES;
         double surfelBytes = ColumnGroup.HIT.bytesPerRow() + ColumnGroup.TEXEL.bytesPerRow() + ColumnGroup.OWNER.bytesPerRow()
                 + ColumnGroup.TRANSPARENT.bytesPerRow() + layerBytes
                 + (settings.bounces() > 1 ? linkBytes * settings.rays() / 4.0 : 0);

@@ -50,13 +50,14 @@ public final class IndirectSolver {
      */
     public float[][] solve(float[][] direct, float[][] albedo, float[][] glow) {
         float[] radiosity = radiosity(direct, albedo, glow);
+        RayLinks links = structure.pointLinks();
         int points = structure.pointCount();
         float[] gathered = new float[STRIDE * points];
         float[][] light = new float[3][points];
         run(points, (from, to) -> {
             float[] mean = new float[3];
             for (int p = from; p < to; p++) {
-                mean(structure.pointLinks(), p, radiosity, mean);
+                links.sum(p, radiosity, mean);
                 System.arraycopy(mean, 0, gathered, STRIDE * p, 3);
             }
         });
@@ -64,44 +65,36 @@ public final class IndirectSolver {
         return light;
     }
 
-    /** Returns the light that each surfel sends, and after the last surfel that of the background. */
+    /** Returns what each ray of a point that hits a surfel adds to the mean, and after the last surfel the same for the background. */
     private float[] radiosity(float[][] direct, float[][] albedo, float[][] glow) {
         int surfels = structure.surfelCount();
-        int linked = structure.surfelLinks().points();
+        RayLinks links = structure.surfelLinks();
+        int linked = links.points();
         float[] radiosity = null;
         for (int bounce = 1; bounce <= structure.bounces(); bounce++) {
             float[] before = radiosity;
             float[] after = new float[STRIDE * (surfels + 1)];
-            System.arraycopy(background, 0, after, STRIDE * surfels, 3);
+            // Shares of the mean are added, because sums of the brightest light overflow.
+            float share = 1f / (bounce < structure.bounces() ? links : structure.pointLinks()).raysPerPoint();
+            for (int c = 0; c < 3; c++) {
+                after[STRIDE * surfels + c] = background[c] * share;
+            }
             run(surfels, (from, to) -> {
                 float[] gathered = new float[3];
                 for (int s = from; s < to; s++) {
                     if (before != null && s < linked) {
-                        mean(structure.surfelLinks(), s, before, gathered);
+                        links.sum(s, before, gathered);
                     } else {
                         Arrays.fill(gathered, 0);
                     }
                     for (int c = 0; c < 3; c++) {
-                        after[STRIDE * s + c] = glow[c][s] + albedo[c][s] * (direct[c][s] + gathered[c]);
+                        after[STRIDE * s + c] = (glow[c][s] + albedo[c][s] * (direct[c][s] + gathered[c])) * share;
                     }
                 }
             });
             radiosity = after;
         }
         return radiosity;
-    }
-
-    /**
-     * Computes the mean light that the rays of a point meet.
-     *
-     * @param light of surfels and background
-     * @param to    receives red, green and blue
-     */
-    private static void mean(RayLinks links, int point, float[] light, float[] to) {
-        links.sum(point, light, to);
-        for (int c = 0; c < 3; c++) {
-            to[c] /= links.raysPerPoint();
-        }
     }
 
     private interface Part {

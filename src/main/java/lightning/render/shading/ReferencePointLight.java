@@ -13,6 +13,7 @@ final class ReferencePointLight {
     private static final float FILTER_SHARE = 0.4f;
     private static final int BEST = 8;
     private static final int MAX_WEIGHT = 255;
+    private static final float NO_OVERFLOW = 0x1p-24f;
 
     private final List<ReferenceGatherPoints.GatherPoint> points;
     private final SurfaceColumns surfaces = new SurfaceColumns();
@@ -41,10 +42,10 @@ final class ReferencePointLight {
         for (Weighted point : points) {
             total += point.weight;
             for (int c = 0; c < 3; c++) {
-                sum[c] += point.weight * values[point.point][c];
+                sum[c] += point.weight * NO_OVERFLOW * values[point.point][c];
             }
         }
-        float share = total == 0 ? 0 : 1 / total;
+        float share = total == 0 ? 0 : 1 / (total * NO_OVERFLOW);
         return new float[] {sum[0] * share, sum[1] * share, sum[2] * share};
     }
 

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.BiPredicate;
 import java.util.stream.IntStream;
+import lightning.base.work.HeapBudget;
 import lightning.base.work.WorkerPool;
 import lightning.render.cache.IndirectCache;
 import lightning.render.cache.PixelCache;
@@ -115,7 +116,8 @@ final class IndirectBuilder {
 
     private GatherStructure trace(IndirectSettings settings) {
         GatherStructure structure = new GatherBuilder(job.target().geometry(), job.scene(), settings, workers,
-                worker -> job.options().engines().forTile(0).tracer(job.target().geometry()), job.progress()).build();
+                worker -> job.options().engines().forTile(0).tracer(job.target().geometry()),
+                Math.min(job.options().memory(), HeapBudget.availableBytes()), job.progress()).build();
         gatherRays += structure.rays();
         return structure;
     }
