@@ -59,12 +59,14 @@ final class ErrorReporter {
             case PictureTooLargeException.Suggestion.Samples _ -> "--samples";
             case PictureTooLargeException.Suggestion.NoAntialias _ -> "--antialias";
             case PictureTooLargeException.Suggestion.MirrorsAsShapes _ -> "--storage";
+            case PictureTooLargeException.Suggestion.Paths _ -> "";
         };
         String value = switch (remedy) {
             case PictureTooLargeException.Suggestion.Size size -> size.width() + "x" + size.height();
             case PictureTooLargeException.Suggestion.Samples samples -> String.valueOf(samples.grid());
             case PictureTooLargeException.Suggestion.NoAntialias _ -> "off";
             case PictureTooLargeException.Suggestion.MirrorsAsShapes _ -> "shapes";
+            case PictureTooLargeException.Suggestion.Paths _ -> "";
         };
         return options.test(option) ? Optional.of(remedy.description() + " (" + option + " " + value + ")")
                 : remedy instanceof PictureTooLargeException.Suggestion.MirrorsAsShapes ? Optional.empty()

@@ -2,6 +2,7 @@ package lightning.render.fulltrace;
 
 import java.util.List;
 import java.util.Optional;
+import lightning.base.work.HeapBudget;
 import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
 import lightning.render.engine.Engine;
@@ -84,7 +85,7 @@ final class IndirectTracer {
             return null;
         }
         GatherStructure structure = new GatherBuilder(geometry, scene, settings.get(), workers,
-                worker -> engines.forTile(0).tracer(geometry), progress).build();
+                worker -> engines.forTile(0).tracer(geometry), HeapBudget.availableBytes(), progress).build();
         WeightedLight[] edgeLights = WeightedLight.forEdges(lights);
         float[][] direct = new float[3][structure.surfelCount()];
         float[][] edges =

@@ -42,17 +42,7 @@ final class FilterBuilder {
             near[worker] = near[worker] == null ? new NearPoints(points, reach, groups) : near[worker];
             link(near[worker], job * BATCH, Math.min(points.count, job * BATCH + BATCH), neighbors, weights);
         }, progress.cancellationOnly());
-        int[] start = new int[points.count + 1];
-        for (int p = 0; p < points.count; p++) {
-            start[p + 1] = Math.addExact(start[p], neighbors[p].length);
-        }
-        int[] point = new int[start[points.count]];
-        float[] weight = new float[start[points.count]];
-        for (int p = 0; p < points.count; p++) {
-            System.arraycopy(neighbors[p], 0, point, start[p], neighbors[p].length);
-            System.arraycopy(weights[p], 0, weight, start[p], neighbors[p].length);
-        }
-        return new PointFilter(start, point, weight);
+        return PointFilter.of(neighbors, weights);
     }
 
     private void link(NearPoints near, int from, int to, int[][] neighbors, float[][] weights) {

@@ -9,6 +9,7 @@ import lightning.base.work.WorkerPool;
 import lightning.render.image.Film;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.HitRows;
+import lightning.render.trace.HitRows.ColumnGroup;
 import lightning.render.trace.ShapeChange;
 import lightning.render.trace.Tracer;
 import lightning.scene.IndirectSettings;
@@ -22,6 +23,11 @@ public final class GatherBuilder {
     /** Maximum number of gather points at a candidate: one in each size of cells. */
     public static final int MAX_POINTS_PER_CANDIDATE = CellKeys.LEVELS;
 
+    /** Bytes of a surfel's key, seed, place and normal, and of its light while it is solved. */
+    private static final int BYTES_BESIDE_ROW = 160;
+    /** Bytes of the layer of an ordinary light at a surfel that it reaches. */
+    private static final long BYTES_PER_LIGHT = 12;
+
     private final Geometry geometry;
     private final Scene scene;
     private final IndirectSettings settings;
@@ -32,10 +38,15 @@ public final class GatherBuilder {
     /** Paths before an edit, or null. */
     private PathMemo memo;
     private IntFunction<Tracer> memoTracers;
+    private final long memoryBytes;
 
-    /** @param tracers one for each thread */
+    /**
+     * @param tracers     one for each thread
+     * @param memoryBytes bytes that the paths may use
+     */
     public GatherBuilder(Geometry geometry, Scene scene, IndirectSettings settings, WorkerPool workers, IntFunction<Tracer> tracers,
-            Progress progress) {
+            long memoryBytes, Progress progress) {
+        this.memoryBytes = memoryBytes;
         this.geometry = geometry;
         this.scene = scene;
         this.settings = settings;
@@ -68,9 +79,17 @@ public final class GatherBuilder {
         return Math.max(1, settings.spacing() / CANDIDATES_PER_CELL);
     }
 
+    /** Returns the maximum bytes of a surfel without rays: its row, its cell, and what lights and solving need. */
+    private long surfelBytes() {
+        int columns = ColumnGroup.HIT.bytesPerRow() + ColumnGroup.TEXEL.bytesPerRow() + ColumnGroup.OWNER.bytesPerRow()
+                + ColumnGroup.TRANSPARENT.bytesPerRow();
+        return columns + BYTES_BESIDE_ROW + BYTES_PER_LIGHT * scene.rig().effectiveLights().size();
+    }
+
     /**
      * Builds it.
      *
+     * @throws PathsTooLargeException if the paths need more memory than there is
      * @throws java.util.concurrent.CancellationException if the progress requested cancellation
      */
     public GatherStructure build() {
@@ -78,10 +97,13 @@ public final class GatherBuilder {
         Arrays.setAll(candidateTracers, worker -> new CandidateTracer(geometry, scene, tracers[worker], candidateStep(settings)));
         List<SurfaceColumns> candidates = traceCandidates(candidateTracers);
         PathCaster pointCaster = caster(new DirectionTable(settings.raysPerSide()), true);
+        PathMemory memory = new PathMemory(settings, memoryBytes);
         PointPlacer placer = new PointPlacer(workers, progress, keys, pointCaster);
+        placer.links.setMemory(memory);
         placer.place(candidates);
         PathCaster surfelCaster = caster(new DirectionTable(settings.raysPerSide() / 2), false);
         SurfelBuilder surfels = new SurfelBuilder(workers, progress, keys, surfelCaster, memo);
+        surfels.setMemory(memory, surfelBytes());
         surfels.build(placer.sources, placer.links, pointCaster, settings.bounces());
         PointFilter filter = new FilterBuilder(placer.points, placer.radius, placer.harmonic, placer.side).build(workers, progress);
         long rays = Arrays.stream(candidateTracers).mapToLong(CandidateTracer::rayCount).sum() + pointCaster.rayCount()

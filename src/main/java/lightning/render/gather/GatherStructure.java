@@ -104,8 +104,13 @@ public final class GatherStructure {
         return surfelLinks;
     }
 
-    /** Writes the means over neighboring gather points {@code first … end − 1}. */
-    public void filter(float[] from, float[] to, int first, int end) {
+    /**
+     * Writes the means over the neighbors of gather points {@code first … end − 1}.
+     *
+     * @param from red, green, blue of each point and one unused value
+     * @param to   receives red, green and blue
+     */
+    public void filter(float[] from, float[][] to, int first, int end) {
         points.filter().apply(from, to, first, end);
     }
 
@@ -126,7 +131,7 @@ public final class GatherStructure {
 
     /** Returns the bytes that it took at most while it was built. */
     public long buildBytes() {
-        return bytes() + RayLinks.BUILD_BYTES * ((long) pointLinks.surfels().length + surfelLinks.surfels().length);
+        return bytes() + pointLinks.buildBytes() + surfelLinks.buildBytes();
     }
 
     private long surfelBytes() {

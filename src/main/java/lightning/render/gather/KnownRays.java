@@ -43,6 +43,6 @@ final class KnownRays {
 
     /** Returns the surfel that a ray hit; {@link RayLinks#MISS} for none. */
     int surfel(int ray) {
-        return links.surfels()[ray];
+        return links.surfel(ray);
     }
 }

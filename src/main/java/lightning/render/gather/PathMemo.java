@@ -44,16 +44,16 @@ public final class PathMemo {
         surfels = new KnownRays(before.surfelSources(cells, places), before.surfelLinks());
         firstRay = new int[count];
         Arrays.fill(firstRay, Integer.MAX_VALUE);
-        int[] links = before.surfelLinks().surfels();
-        for (int ray = links.length - 1; ray >= 0; ray--) {
-            if (links[ray] >= 0) {
-                firstRay[links[ray]] = ~ray;
-            }
-        }
-        links = before.pointLinks().surfels();
-        for (int ray = links.length - 1; ray >= 0; ray--) {
-            if (links[ray] >= 0) {
-                firstRay[links[ray]] = ray;
+        setFirstRays(before.surfelLinks(), -1);
+        setFirstRays(before.pointLinks(), 0);
+    }
+
+    /** @param flip −1 for the rays of surfels, 0 for those of gather points */
+    private void setFirstRays(RayLinks links, int flip) {
+        for (int ray = links.rayCount() - 1; ray >= 0; ray--) {
+            int surfel = links.surfel(ray);
+            if (surfel != RayLinks.MISS) {
+                firstRay[surfel] = ray ^ flip;
             }
         }
     }

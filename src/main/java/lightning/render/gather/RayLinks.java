@@ -1,32 +1,55 @@
 package lightning.render.gather;
 
 import java.util.Arrays;
+import lightning.scene.IndirectSettings;
 
 /** Surfels that the rays of points hit, by ray. First they are known by the keys of their cells, later by their numbers. */
 public final class RayLinks {
     /** Number of a ray that hits nothing. */
-    public static final int MISS = -1;
+    static final int MISS = -1;
     /** Bytes of a ray only while links are built: a key and a flag, half as many in reserve, and a copy of the key while they grow. */
     public static final int BUILD_BYTES = 22;
+    /** Additional bytes of a ray while links are built if any is tinted: three floats, and half as many in reserve. */
+    public static final int TINT_BUILD_BYTES = 18;
+    /** Maximum number of rays: arrays are hardly longer. */
+    private static final int MAX_RAYS = Integer.MAX_VALUE - 64;
 
     private final int raysPerPoint;
+    private PathMemory memory = new PathMemory(IndirectSettings.DEFAULT, Long.MAX_VALUE);
     private int rays;
     private long[] keys = {};
     private boolean[] hit = {};
-    /** Surfel of each ray, {@link #MISS} for none. */
-    private int[] surfel = {};
-    /** Tint of each ray: red, green, blue; null if none is tinted. */
+    /** Surfel of each ray; the number of surfels if it hits nothing. */
+    private RayNumbers surfel = new RayNumbers(0, 1);
+    private int miss;
+    /** Tint of each ray while links are built: red, green, blue; null if none is tinted. */
     private float[][] tint;
+    private boolean wasTinted;
+    /** Tinted rays; null if there are none. */
+    private RayTints tints;
 
     RayLinks(int raysPerPoint) {
         this.raysPerPoint = raysPerPoint;
     }
 
-    /** Makes room for the rays of {@code points} points. */
+    /** Sets the memory for rays from now on; initially it is unlimited. */
+    void setMemory(PathMemory v) {
+        memory = v;
+    }
+
+    /**
+     * Makes room for the rays of {@code points} points.
+     *
+     * @throws PathsTooLargeException if there are too many
+     */
     void setPoints(int points) {
-        rays = Math.multiplyExact(points, raysPerPoint);
+        long count = (long) points * raysPerPoint;
+        // More rays than an array holds never fit.
+        int bytes = BUILD_BYTES + Integer.BYTES + (tint == null ? 0 : TINT_BUILD_BYTES);
+        memory.reserve(count - rays, count > MAX_RAYS ? Integer.MAX_VALUE : bytes);
+        rays = (int) count;
         if (rays > keys.length) {
-            int length = (int) Math.min(Integer.MAX_VALUE - 64, Math.max(rays, keys.length * 3L / 2));
+            int length = (int) Math.min(MAX_RAYS, Math.max(rays, keys.length * 3L / 2));
             keys = Arrays.copyOf(keys, length);
             hit = Arrays.copyOf(hit, length);
             for (int c = 0; tint != null && c < 3; c++) {
@@ -64,6 +87,7 @@ public final class RayLinks {
 
     private synchronized float[][] allocateTints() {
         if (tint == null) {
+            memory.reserve(rays, TINT_BUILD_BYTES);
             float[][] all = new float[3][keys.length];
             for (float[] channel : all) {
                 Arrays.fill(channel, 1);
@@ -81,28 +105,26 @@ public final class RayLinks {
         return keys[ray];
     }
 
-    int rayCount() {
-        return rays;
-    }
-
-    /** Replaces keys by the numbers of the cells. */
+    /** Replaces keys by the numbers of the cells. Threads may resolve parts that start at multiples of {@link RayNumbers#ALIGNMENT}. */
     void resolve(CellTable cells, int from, int to) {
         for (int ray = from; ray < to; ray++) {
-            surfel[ray] = hit[ray] ? cells.number(keys[ray]) : MISS;
+            surfel.set(ray, hit[ray] ? cells.number(keys[ray]) : miss);
         }
     }
 
-    void allocateNumbers() {
-        surfel = Arrays.copyOf(surfel, rays);
+    /** @param surfels number of surfels */
+    void allocateNumbers(int surfels) {
+        miss = surfels;
+        surfel = new RayNumbers(rays, surfels + 1);
     }
 
     /** Drops what only building needs. */
     void finish() {
         keys = new long[0];
         hit = new boolean[0];
-        for (int c = 0; tint != null && c < 3; c++) {
-            tint[c] = Arrays.copyOf(tint[c], rays);
-        }
+        wasTinted = tint != null;
+        tints = tint == null ? null : RayTints.of(tint, rays);
+        tint = null;
     }
 
     /** Returns the number of points. */
@@ -114,18 +136,53 @@ public final class RayLinks {
         return raysPerPoint;
     }
 
-    /** Returns the surfel of each ray, point by point; {@link #MISS} for none. Callers must not modify it. */
-    public int[] surfels() {
-        return surfel;
+    /** Returns the number of rays of all points. */
+    public int rayCount() {
+        return rays;
     }
 
-    /** Returns the tints of all rays: red, green, blue; null if none is tinted. Callers must not modify them. */
-    public float[][] tints() {
-        return tint;
+    /** Returns the surfel that a ray hit; {@link #MISS} for none. */
+    int surfel(int ray) {
+        int number = surfel.get(ray);
+        return number == miss ? MISS : number;
+    }
+
+    /**
+     * Adds up the light that the rays of a point meet, in the order of the rays.
+     *
+     * @param light red, green and blue light of each surfel, and of the background after the last one, and one unused value each
+     * @param to    receives red, green and blue
+     */
+    public void sum(int point, float[] light, float[] to) {
+        int from = point * raysPerPoint;
+        int nextTint = tints == null ? 0 : tints.firstFrom(from);
+        if (tints == null || nextTint == tints.count() || tints.ray()[nextTint] >= from + raysPerPoint) {
+            surfel.sum(from, raysPerPoint, light, to);
+        } else {
+            sumTinted(from, nextTint, light, to);
+        }
+    }
+
+    private void sumTinted(int from, int firstTint, float[] light, float[] to) {
+        Arrays.fill(to, 0);
+        int tinted = firstTint;
+        for (int ray = from; ray < from + raysPerPoint; ray++) {
+            int at = 4 * surfel.get(ray);
+            boolean isTinted = tinted < tints.count() && tints.ray()[tinted] == ray;
+            for (int c = 0; c < 3; c++) {
+                to[c] += isTinted ? light[at + c] * tints.tint()[c][tinted] : light[at + c];
+            }
+            tinted += isTinted ? 1 : 0;
+        }
+    }
+
+    /** Returns the bytes that the links took only while they were built. */
+    long buildBytes() {
+        return (BUILD_BYTES + (wasTinted ? (long) TINT_BUILD_BYTES : 0)) * rays;
     }
 
     /** Returns the bytes of the links. */
     public long bytes() {
-        return 4L * surfel.length + (tint == null ? 0 : 12L * tint[0].length);
+        return surfel.bytes() + (tints == null ? 0 : tints.bytes());
     }
 }

@@ -1,17 +1,60 @@
 package lightning.render.gather;
 
-/**
- * Weights of the gather points near each row of a level: at most eight for each, fixed like the rows.
- *
- * @param structure that the points belong to
- * @param points    points that any row uses
- * @param index     index among these, {@code short[8 * rows]}
- * @param weight    unsigned weights, 0…255, {@code byte[8 * rows]}; nothing follows a weight of 0
- */
-public record RowWeights(GatherStructure structure, int[] points, short[] index, byte[] weight) {
-    // Arrays in a record: written once by their creator, never after.
-
+/** Weights of the gather points near each row of a level: at most eight for each, fixed like the rows. Immutable. */
+public final class RowWeights {
     static final int PER_ROW = 8;
+    /** Maximum bytes of a row: its weights, their number, and its part of the list of points. */
+    public static final long MAX_BYTES_PER_ROW = PER_ROW * (2 + Integer.BYTES) + 1;
+
+    private final GatherStructure structure;
+    /** Number of weights of each row. */
+    private final byte[] count;
+    private final WeightedPoints near;
+
+    /**
+     * Creates the weights of some rows.
+     *
+     * @param structure that the points belong to
+     * @param points    points that any row uses
+     * @param index     index among these, {@code short[8 * rows]}
+     * @param weight    unsigned weights, {@code byte[8 * rows]}. The first of each row is 255, if there is any point; nothing follows a
+     *                  weight of 0.
+     */
+    RowWeights(GatherStructure structure, int[] points, short[] index, byte[] weight) {
+        this.structure = structure;
+        count = new byte[weight.length / PER_ROW];
+        int entries = 0;
+        for (int row = 0; row < count.length; row++) {
+            int n = 0;
+            while (n < PER_ROW && weight[PER_ROW * row + n] != 0) {
+                n++;
+            }
+            count[row] = (byte) n;
+            entries += n;
+        }
+        WeightedPoints.Builder builder = new WeightedPoints.Builder(points.length, entries);
+        for (int row = 0; row < count.length; row++) {
+            for (int i = PER_ROW * row; i < PER_ROW * row + count[row]; i++) {
+                builder.add(index[i] & 0xFFFF, points[index[i] & 0xFFFF], weight[i] & 0xFF);
+            }
+        }
+        near = builder.build();
+    }
+
+    /** Returns the structure that the points belong to. */
+    public GatherStructure structure() {
+        return structure;
+    }
+
+    /** Returns whether any of the points is marked. */
+    public boolean touches(boolean[] marked) {
+        for (int p : near.points()) {
+            if (marked[p]) {
+                return true;
+            }
+        }
+        return false;
+    }
 
     /**
      * Writes the indirect light of rows: for each the weighted mean of the points' light.
@@ -20,29 +63,51 @@ public record RowWeights(GatherStructure structure, int[] points, short[] index,
      * @param to    receives red, green and blue of each row
      */
     public void interpolate(float[][] light, float[][] to) {
-        int rows = weight.length / PER_ROW;
-        for (int row = 0; row < rows; row++) {
-            double red = 0;
-            double green = 0;
-            double blue = 0;
+        float[] values = new float[4 * WeightedPoints.TABLE_SIZE];
+        byte[] index = near.index;
+        byte[] weight = near.weight;
+        int table = -1;
+        int tableEnd = 0;
+        int i = 0;
+        for (int row = 0; row < count.length; row++) {
+            float red = 0;
+            float green = 0;
+            float blue = 0;
             int total = 0;
-            for (int i = PER_ROW * row; i < PER_ROW * row + PER_ROW && weight[i] != 0; i++) {
-                int w = weight[i] & 0xFF;
-                int p = points[index[i] & 0xFFFF];
-                red += (double) w * light[0][p];
-                green += (double) w * light[1][p];
-                blue += (double) w * light[2][p];
-                total += w;
+            for (int end = i + count[row]; i < end;) {
+                if (i == tableEnd) {
+                    load(++table, light, values);
+                    tableEnd = near.endEntry(table);
+                }
+                for (int stop = Math.min(end, tableEnd); i < stop; i++) {
+                    int whole = weight[i] & 0xFF;
+                    float w = whole * WeightedPoints.SCALE;
+                    int at = 4 * (index[i] & 0xFF);
+                    red += w * values[at];
+                    green += w * values[at + 1];
+                    blue += w * values[at + 2];
+                    total += whole;
+                }
             }
-            double scale = total == 0 ? 0 : 1.0 / total;
-            to[0][row] = (float) (red * scale);
-            to[1][row] = (float) (green * scale);
-            to[2][row] = (float) (blue * scale);
+            float scale = total == 0 ? 0 : 1 / (total * WeightedPoints.SCALE);
+            to[0][row] = red * scale;
+            to[1][row] = green * scale;
+            to[2][row] = blue * scale;
+        }
+    }
+
+    private void load(int table, float[][] light, float[] to) {
+        int first = near.firstPoint(table);
+        int end = near.firstPoint(table + 1);
+        for (int c = 0; c < 3; c++) {
+            for (int i = first; i < end; i++) {
+                to[4 * (i - first) + c] = light[c][near.points()[i]];
+            }
         }
     }
 
     /** Returns the bytes of all columns. */
     public long bytes() {
-        return 4L * points.length + 2L * index.length + weight.length;
+        return count.length + near.bytes();
     }
 }

@@ -7,12 +7,14 @@ import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.RayBatch;
+import lightning.scene.IndirectSettings;
 
 /**
  * Divides what rays hit into surfels, and links surfels by rays of their own for further bounces. Surfels that only a later bounce meets
  * are numbered after those before. After an edit, rows of surfels whose first ray is known are not built again.
  */
 final class SurfelBuilder {
+    /** A multiple of {@link RayNumbers#ALIGNMENT}. */
     private static final int BATCH = 1 << 14;
 
     private final WorkerPool workers;
@@ -31,6 +33,8 @@ final class SurfelBuilder {
     /** For each surfel of the memo its number now, −1 for none; null without a memo. */
     final int[] kept;
     final RayLinks links;
+    private PathMemory memory = new PathMemory(IndirectSettings.DEFAULT, Long.MAX_VALUE);
+    private long bytesPerSurfel;
 
     /**
      * @param caster of the surfels' rays
@@ -49,6 +53,17 @@ final class SurfelBuilder {
         }
         links = new RayLinks(caster.raysPerPoint);
         links.setPoints(0);
+    }
+
+    /**
+     * Sets the memory for surfels and their rays; initially it is unlimited.
+     *
+     * @param surfelBytes bytes of a surfel without its rays
+     */
+    void setMemory(PathMemory v, long surfelBytes) {
+        memory = v;
+        links.setMemory(v);
+        bytesPerSurfel = surfelBytes;
     }
 
     int count() {
@@ -123,7 +138,9 @@ final class SurfelBuilder {
                 }
             }
         }, progress.cancellationOnly());
-        return added.firsts();
+        int[] firsts = added.firsts();
+        memory.reserve(firsts.length, bytesPerSurfel);
+        return firsts;
     }
 
     /** Adds blocks with the rows of some new surfels. */
@@ -148,7 +165,7 @@ final class SurfelBuilder {
     }
 
     private void number(RayLinks rays) {
-        rays.allocateNumbers();
+        rays.allocateNumbers(surfels.count);
         workers.run(Math.ceilDiv(rays.rayCount(), BATCH),
                 (_, job) -> rays.resolve(cells, job * BATCH, Math.min(rays.rayCount(), job * BATCH + BATCH)), progress.cancellationOnly());
         rays.finish();

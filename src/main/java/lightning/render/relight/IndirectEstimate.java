@@ -20,10 +20,11 @@ import lightning.scene.PictureSettings;
  */
 record IndirectEstimate(double bytesPerPixel, double borderBytes, double surfelBytes, int side, double buildFactor) {
     static final IndirectEstimate NONE = new IndirectEstimate(0, 0, 0, 1, 1);
-    /** Weights of a row and its part of the list of points. */
-    static final long MAX_WEIGHT_BYTES_PER_ROW = 8 * (Short.BYTES + Byte.BYTES + Integer.BYTES);
-    /** Bytes of a point without its links: place, normal, light, and a filter of 256 neighbors, several times the usual number. */
-    private static final int POINT_BYTES = 56 + 8 * 256;
+    /**
+     * Bytes of a point without its links: place, normal, light, and a filter of 256 neighbors, several times the usual number, both before
+     * and after it is packed.
+     */
+    private static final int POINT_BYTES = 56 + (8 + 2) * 256;
 
     /** Measured indirect light of a small picture. */
     record Sample(long pixels, int side, long pointBytes, long surfelBytes, long buildBytes) {
@@ -89,7 +90,7 @@ record IndirectEstimate(double bytesPerPixel, double borderBytes, double surfelB
         int along = Math.ceilDiv(Film.TILE_SIZE, GatherBuilder.candidateStep(settings));
         double candidates = (double) Film.tilesAlong(picture.width()) * Film.tilesAlong(picture.height()) * along * along * (1 + levels);
         double rays = candidates * settings.rays();
-        int linkBytes = RayLinks.BUILD_BYTES + Integer.BYTES + 12 + 12 / 2;
+        int linkBytes = RayLinks.BUILD_BYTES + RayLinks.TINT_BUILD_BYTES + Integer.BYTES;
         double surfelBytes = ColumnGroup.HIT.bytesPerRow() + ColumnGroup.TEXEL.bytesPerRow() + ColumnGroup.OWNER.bytesPerRow()
                 + ColumnGroup.TRANSPARENT.bytesPerRow() + layerBytes
                 + (settings.bounces() > 1 ? linkBytes * settings.rays() / 4.0 : 0);

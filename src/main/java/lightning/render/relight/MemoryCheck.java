@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CancellationException;
 import lightning.render.cache.PixelCache;
+import lightning.render.gather.PathsTooLargeException;
 import lightning.render.relight.tile.MirrorStorage;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.render.trace.MeshMemory;
@@ -34,11 +35,11 @@ final class MemoryCheck {
         if (memory <= 0) {
             throw new PictureTooLargeException(max, memory, List.of());
         }
-        if (lastForecast == null || !lastForecast.isOf(scene, options, parts)) {
-            lastForecast = MemoryForecast.upperOf(scene, options, parts, pictures);
-        }
-        if (lastForecast.isUpper() && lastForecast.bytes(scene.picture()) > memory) {
-            lastForecast = MemoryForecast.of(scene, options, parts, pictures);
+        try {
+            updateForecast(scene, options, parts, memory, pictures);
+        } catch (PathsTooLargeException e) {
+            // Not even the paths of a small picture fit.
+            throw new PictureTooLargeException(e.requiredBytes(), memory, SparserPaths.suggest(scene, options, parts, memory, pictures));
         }
         long required = lastForecast.bytes(scene.picture());
         if (required > memory) {
@@ -50,7 +51,17 @@ final class MemoryCheck {
                     && MemoryForecast.of(scene, shapes, parts, pictures).bytes(scene.picture()) <= memory) {
                 suggestions.add(new PictureTooLargeException.Suggestion.MirrorsAsShapes());
             }
+            suggestions.addAll(SparserPaths.suggest(scene, options, parts, memory, pictures));
             throw new PictureTooLargeException(required, memory, suggestions);
+        }
+    }
+
+    private void updateForecast(Scene scene, RenderOptions options, PictureParts parts, long memory, SmallPictures pictures) {
+        if (lastForecast == null || !lastForecast.isOf(scene, options, parts)) {
+            lastForecast = MemoryForecast.upperOf(scene, options, parts, pictures);
+        }
+        if (lastForecast.isUpper() && lastForecast.bytes(scene.picture()) > memory) {
+            lastForecast = MemoryForecast.of(scene, options, parts, pictures);
         }
     }
 

@@ -3,6 +3,7 @@ package lightning.render.relight;
 import java.util.ArrayList;
 import java.util.List;
 import lightning.render.cache.PixelCache;
+import lightning.render.gather.RowWeights;
 import lightning.render.image.Film;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.render.trace.HitRows.ColumnGroup;
@@ -48,7 +49,7 @@ public final class MemoryEstimate {
                 + (sampling.isSupersampled() ? ColumnGroup.PATTERN.bytesPerRow() : 0)
                 + (scene.lights().stream().allMatch(l -> l.illuminates().isAll()) ? 0 : ColumnGroup.OWNER.bytesPerRow())
                 + (clear ? ColumnGroup.TRANSPARENT.bytesPerRow() : 0) + lights
-                + (picture.indirect().isPresent() ? IndirectEstimate.MAX_WEIGHT_BYTES_PER_ROW : 0);
+                + (picture.indirect().isPresent() ? RowWeights.MAX_BYTES_PER_ROW : 0);
         // A clear surface sends two rays, and each of these may send two again.
         long levels = clear ? (2L << picture.depth()) - 2 : mirrors ? picture.depth() : 0;
         long mirrored =

@@ -5,6 +5,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Function;
 import java.util.stream.Collectors;
+import lightning.scene.IndirectSettings;
 
 /**
  * Reports a picture that does not fit into its memory limit. The message is a sentence without a period that suggests what would
@@ -30,6 +31,9 @@ public final class PictureTooLargeException extends RuntimeException {
         /** Store only the hit shapes of mirror levels. */
         record MirrorsAsShapes() implements Suggestion {}
 
+        /** Settings with fewer paths of indirect light. */
+        record Paths(IndirectSettings settings) implements Suggestion {}
+
         /** Returns the phrase after "it would fit with". */
         default String description() {
             return switch (this) {
@@ -37,6 +41,7 @@ public final class PictureTooLargeException extends RuntimeException {
                 case Samples samples -> samples.grid + "x" + samples.grid + " samples";
                 case NoAntialias _ -> "no anti-aliasing";
                 case MirrorsAsShapes _ -> "mirrors stored as shapes";
+                case Paths paths -> "indirect light of " + paths.settings.label();
             };
         }
     }

@@ -1,5 +1,6 @@
 package lightning.render.shading;
 
+import java.util.Arrays;
 import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
 import lightning.render.gather.GatherStructure;
@@ -16,11 +17,13 @@ import lightning.scene.Scene;
  * E  = filter(mean of B over the gather point's rays)
  * </pre>
  *
- * <p>Rays are cosine-distributed, so the plain mean is the irradiance in units of the lights' diffuse sum. Sums over rays are exact to
- * a double, in the order of the rays. All lights are added before anything is gathered, so the cost does not grow with their number.
+ * <p>Rays are cosine-distributed, so the plain mean is the irradiance in units of the lights' diffuse sum. Floats are added in the order
+ * of the rays. All lights are added before anything is gathered, so the cost does not grow with their number.
  */
 public final class IndirectSolver {
     private static final int BATCH = 512;
+    /** Values of a surfel or point in a row: red, green, blue and one unused, so that they share a cache line. */
+    private static final int STRIDE = 4;
 
     private final GatherStructure structure;
     private final WorkerPool workers;
@@ -46,58 +49,52 @@ public final class IndirectSolver {
      * @throws java.util.concurrent.CancellationException if the progress requested cancellation
      */
     public float[][] solve(float[][] direct, float[][] albedo, float[][] glow) {
-        float[][] light = new float[3][];
-        for (int c = 0; c < 3; c++) {
-            light[c] = gather(radiosity(direct[c], albedo[c], glow[c], c), c);
-        }
+        float[] radiosity = radiosity(direct, albedo, glow);
+        RayLinks links = structure.pointLinks();
+        int points = structure.pointCount();
+        float[] gathered = new float[STRIDE * points];
+        float[][] light = new float[3][points];
+        run(points, (from, to) -> {
+            float[] mean = new float[3];
+            for (int p = from; p < to; p++) {
+                links.sum(p, radiosity, mean);
+                System.arraycopy(mean, 0, gathered, STRIDE * p, 3);
+            }
+        });
+        run(points, (from, to) -> structure.filter(gathered, light, from, to));
         return light;
     }
 
-    private float[] radiosity(float[] direct, float[] albedo, float[] glow, int channel) {
+    /** Returns what each ray of a point that hits a surfel adds to the mean, and after the last surfel the same for the background. */
+    private float[] radiosity(float[][] direct, float[][] albedo, float[][] glow) {
         int surfels = structure.surfelCount();
-        float[] radiosity = new float[surfels];
-        for (int s = 0; s < surfels; s++) {
-            radiosity[s] = glow[s] + albedo[s] * direct[s];
-        }
-        for (int bounce = 2; bounce <= structure.bounces(); bounce++) {
+        RayLinks links = structure.surfelLinks();
+        int linked = links.points();
+        float[] radiosity = null;
+        for (int bounce = 1; bounce <= structure.bounces(); bounce++) {
             float[] before = radiosity;
-            float[] after = new float[surfels];
-            int linked = structure.surfelLinks().points();
+            float[] after = new float[STRIDE * (surfels + 1)];
+            // Shares of the mean are added, because sums of the brightest light overflow.
+            float share = 1f / (bounce < structure.bounces() ? links : structure.pointLinks()).raysPerPoint();
+            for (int c = 0; c < 3; c++) {
+                after[STRIDE * surfels + c] = background[c] * share;
+            }
             run(surfels, (from, to) -> {
+                float[] gathered = new float[3];
                 for (int s = from; s < to; s++) {
-                    float gathered = s < linked ? mean(structure.surfelLinks(), s, before, channel) : 0;
-                    after[s] = glow[s] + albedo[s] * (direct[s] + gathered);
+                    if (before != null && s < linked) {
+                        links.sum(s, before, gathered);
+                    } else {
+                        Arrays.fill(gathered, 0);
+                    }
+                    for (int c = 0; c < 3; c++) {
+                        after[STRIDE * s + c] = (glow[c][s] + albedo[c][s] * (direct[c][s] + gathered[c])) * share;
+                    }
                 }
             });
             radiosity = after;
         }
         return radiosity;
-    }
-
-    private float[] gather(float[] radiosity, int channel) {
-        int points = structure.pointCount();
-        float[] gathered = new float[points];
-        run(points, (from, to) -> {
-            for (int p = from; p < to; p++) {
-                gathered[p] = mean(structure.pointLinks(), p, radiosity, channel);
-            }
-        });
-        float[] filtered = new float[points];
-        run(points, (from, to) -> structure.filter(gathered, filtered, from, to));
-        return filtered;
-    }
-
-    /** Returns the mean radiosity that a point's rays meet. */
-    private float mean(RayLinks links, int point, float[] radiosity, int channel) {
-        int rays = links.raysPerPoint();
-        int[] surfels = links.surfels();
-        float[] tint = links.tints() == null ? null : links.tints()[channel];
-        double sum = 0;
-        for (int ray = point * rays; ray < point * rays + rays; ray++) {
-            float met = surfels[ray] == RayLinks.MISS ? background[channel] : radiosity[surfels[ray]];
-            sum += tint == null ? met : met * tint[ray];
-        }
-        return (float) (sum / rays);
     }
 
     private interface Part {

@@ -124,12 +124,13 @@ final class ReferenceIndirect {
 
     /** Returns one channel of the mean light that rays meet. */
     private float mean(List<ReferenceGatherRay> rays, float[] radiosity, int c) {
-        double sum = 0;
+        float share = 1f / rays.size();
+        float sum = 0;
         for (ReferenceGatherRay ray : rays) {
             float met = ray.hit() == null ? background(c) : radiosity[surfelByCell.get(ray.cell())];
-            sum += met * ray.tint()[c];
+            sum += met * share * ray.tint()[c];
         }
-        return (float) (sum / rays.size());
+        return sum;
     }
 
     private float background(int c) {

@@ -13,6 +13,7 @@ final class ReferencePointLight {
     private static final float FILTER_SHARE = 0.4f;
     private static final int BEST = 8;
     private static final int MAX_WEIGHT = 255;
+    private static final float NO_OVERFLOW = 0x1p-24f;
 
     private final List<ReferenceGatherPoints.GatherPoint> points;
     private final SurfaceColumns surfaces = new SurfaceColumns();
@@ -30,12 +31,22 @@ final class ReferencePointLight {
         }
         light = new float[points.size()][3];
         for (int p = 0; p < light.length; p++) {
-            for (Weighted neighbor : neighbors(p)) {
-                for (int c = 0; c < 3; c++) {
-                    light[p][c] += neighbor.weight * gathered[neighbor.point][c];
-                }
+            light[p] = mean(neighbors(p), gathered);
+        }
+    }
+
+    /** Returns the weighted mean of some points' values: red, green, blue. */
+    private static float[] mean(List<Weighted> points, float[][] values) {
+        float total = 0;
+        float[] sum = new float[3];
+        for (Weighted point : points) {
+            total += point.weight;
+            for (int c = 0; c < 3; c++) {
+                sum[c] += point.weight * NO_OVERFLOW * values[point.point][c];
             }
         }
+        float share = total == 0 ? 0 : 1 / (total * NO_OVERFLOW);
+        return new float[] {sum[0] * share, sum[1] * share, sum[2] * share};
     }
 
     private float reach(int p) {
@@ -43,7 +54,7 @@ final class ReferencePointLight {
         return Math.max(point.radius(), Math.min(FILTER_CELLS * point.side(), FILTER_SHARE * point.harmonic()));
     }
 
-    /** Returns the points whose mean is a point's light; their weights add up to 1. */
+    /** Returns the points whose mean is a point's light, with whole weights up to 255. */
     private List<Weighted> neighbors(int p) {
         List<Weighted> found = new ArrayList<>();
         float sum = 0;
@@ -56,10 +67,12 @@ final class ReferencePointLight {
             }
         }
         if (!(sum > 0) || sum == Float.POSITIVE_INFINITY) {
-            return List.of(new Weighted(p, 1));
+            return List.of(new Weighted(p, MAX_WEIGHT));
         }
         float total = sum;
-        return found.stream().map(w -> new Weighted(w.point, w.weight / total)).toList();
+        float scale = MAX_WEIGHT / found.stream().map(w -> w.weight / total).max(Comparator.naturalOrder()).get();
+        return found.stream().map(w -> new Weighted(w.point, Math.min(MAX_WEIGHT, (int) (w.weight / total * scale + 0.5f))))
+                .filter(w -> w.weight > 0).toList();
     }
 
     private float weight(int p, float radius, SurfacePoint at) {
@@ -68,16 +81,7 @@ final class ReferencePointLight {
 
     /** Returns the light at a surface: the weighted mean of the eight best points. */
     float[] at(SurfacePoint hit) {
-        double[] sum = new double[3];
-        int total = 0;
-        for (Weighted best : best(hit)) {
-            for (int c = 0; c < 3; c++) {
-                sum[c] += (double) best.weight * light[best.point][c];
-            }
-            total += (int) best.weight;
-        }
-        double scale = total == 0 ? 0 : 1.0 / total;
-        return new float[] {(float) (sum[0] * scale), (float) (sum[1] * scale), (float) (sum[2] * scale)};
+        return mean(best(hit), light);
     }
 
     /** Returns the best points with whole weights up to 255, best first. */

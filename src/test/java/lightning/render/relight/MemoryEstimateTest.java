@@ -105,6 +105,16 @@ class MemoryEstimateTest {
     }
 
     @Test
+    void densePathsThatDoNotFit_areRejectedWithSettingsThatFit() throws Exception {
+        Scene direct = ballsScene(640, 448, AntialiasMode.OFF, 2);
+        Scene defaults = IndirectScenes.with(direct);
+        Scene dense = direct.withPicture(direct.picture().withIndirect(Optional.of(new IndirectSettings(8, 1024, 2, false))));
+        long memory = 2 * MemoryForecast.upperOf(defaults, OPTIONS, PictureParts.ALL, SmallPictures.UNSEEN).bytes(defaults.picture());
+        assertThatThrownBy(() -> MemoryEstimate.check(dense, OPTIONS.withMemory(memory))).isInstanceOf(PictureTooLargeException.class)
+                .hasMessageContaining("it would fit with").hasMessageContaining("indirect light of ");
+    }
+
+    @Test
     void forecastWithManyLights_scalesDownPerPixel() throws Exception {
         Scene night = JenReader.read(Path.of("scenes/night.jen")).scene();
         Scene scene = night.withPicture(new PictureSettings(800, 448, night.picture().depth()));

@@ -105,7 +105,7 @@ public final class Dispatcher {
         List<String> dropped = match.removedIndices().stream().map(i -> match.before().get(i).name()).toList();
         // A change of the order or number of lights changes how their sum is grouped.
         boolean compose = dropsLayers || !match.keepsOrder() || !known.world().equals(target.world())
-                || known.picture().indirect().isPresent() || target.picture().indirect().isPresent();
+                || !known.picture().indirect().equals(target.picture().indirect());
         return new LevelPlan(layers, dropped, compose,
                 MaterialDifference.between(shown.materials(), materials));
     }

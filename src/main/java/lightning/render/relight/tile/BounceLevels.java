@@ -204,8 +204,8 @@ final class BounceLevels {
         }
         level = worker.withWeights(level);
         levels.add(level);
-        changed |= rowSplice != null;
-        changedEdges |= rowSplice != null;
+        changed |= rowSplice != null || job.mirroredIndirectChange().changesColors(level.weights());
+        changedEdges |= rowSplice != null || job.mirroredIndirectChange().changesEdges(level.weights());
         update(level.rows(), rowSplice, before.rows(), depth + 1);
     }
 

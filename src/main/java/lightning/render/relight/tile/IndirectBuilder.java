@@ -3,7 +3,9 @@ package lightning.render.relight.tile;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.BiPredicate;
 import java.util.stream.IntStream;
+import lightning.base.work.HeapBudget;
 import lightning.base.work.WorkerPool;
 import lightning.render.cache.IndirectCache;
 import lightning.render.cache.PixelCache;
@@ -13,6 +15,7 @@ import lightning.render.gather.GatherBuilder;
 import lightning.render.gather.GatherStructure;
 import lightning.render.relight.plan.UpdatePlan;
 import lightning.render.shading.IndirectLight;
+import lightning.render.shading.LightLayer;
 import lightning.render.shading.RayCounts;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.HitRows;
@@ -53,7 +56,8 @@ final class IndirectBuilder {
         IndirectCache before = canRememberPaths(settings.get()) ? oldCache.indirect() : null;
         GatherStructure structure;
         TileLevel[] surfels;
-        if (before != null && haveSamePaths()) {
+        boolean keepsPaths = before != null && haveSamePaths();
+        if (keepsPaths) {
             structure = before.structure();
             surfels = updateSurfels(before.surfels());
         } else {
@@ -69,11 +73,29 @@ final class IndirectBuilder {
                 surfels = update.surfels();
             }
         }
+        return new IndirectCache(settings.get(), surfels, light(structure, surfels, keepsPaths ? before : null));
+    }
+
+    /** @param before indirect light of the last picture along the same paths, or null */
+    private IndirectLight light(GatherStructure structure, TileLevel[] surfels, IndirectCache before) {
+        boolean keepsColors = before != null && isUnchanged(before.surfels(), surfels, job.topPlan()::canChangeColors);
+        boolean keepsEdges = !job.detectsEdges() || before != null && before.light().edgeLight() != null
+                && isUnchanged(before.surfels(), surfels, job.topPlan()::canChangeEdges);
+        float[][] edgesBefore = before == null || !job.detectsEdges() ? null : before.light().edgeLight();
+        if (keepsColors && keepsEdges) {
+            return edgesBefore == before.light().edgeLight() ? before.light()
+                    : new IndirectLight(structure, before.light().light(), edgesBefore);
+        }
         SurfelSolver solver = new SurfelSolver(structure, surfels, job.target().geometry().materials(), job.options().engines(), workers,
                 job.progress());
-        IndirectLight light = new IndirectLight(structure, solver.solve(job.target().lights(), job.scene()),
-                job.detectsEdges() ? edgeSolver(solver, structure, surfels).solve(job.target().edgeLights(), job.scene()) : null);
-        return new IndirectCache(settings.get(), surfels, light);
+        return new IndirectLight(structure, keepsColors ? before.light().light() : solver.solve(job.target().lights(), job.scene()),
+                keepsEdges ? edgesBefore : edgeSolver(solver, structure, surfels).solve(job.target().edgeLights(), job.scene()));
+    }
+
+    /** Returns whether no light or material changes what any surfel sends. */
+    private boolean isUnchanged(TileLevel[] before, TileLevel[] after, BiPredicate<TileLevel, LightLayer[]> canChange) {
+        return job.topPlan().materials().isEmpty()
+                && IntStream.range(0, after.length).noneMatch(block -> canChange.test(before[block], after[block].layers()));
     }
 
     /** Returns the solver for lights with rounded weights. Layers of some accuracies contain the exact weights, so they are replaced by terms. */
@@ -120,7 +142,8 @@ final class IndirectBuilder {
     /** @param before paths of which those that cannot differ are kept, or null */
     private GatherStructure trace(IndirectSettings settings, IndirectCache before) {
         GatherBuilder builder = new GatherBuilder(job.target().geometry(), job.scene(), settings, workers,
-                _ -> job.options().engines().forTile(0).tracer(job.target().geometry()), job.progress());
+                _ -> job.options().engines().forTile(0).tracer(job.target().geometry()),
+                Math.min(job.options().memory(), HeapBudget.availableBytes()), job.progress());
         if (before != null && SurfelUpdate.isCompact(before)) {
             HitRows[] rows = Arrays.stream(before.surfels()).map(TileLevel::rows).toArray(HitRows[]::new);
             Geometry geometry = oldCache.geometry();

@@ -6,6 +6,7 @@ import lightning.render.cache.PixelCache;
 import lightning.render.image.Film;
 import lightning.render.relight.plan.LevelPlan;
 import lightning.render.relight.plan.UpdatePlan;
+import lightning.render.shading.IndirectLight;
 import lightning.render.shading.RenderedScenes;
 import lightning.render.shading.WeightedLight;
 import lightning.render.trace.Geometry;
@@ -20,9 +21,15 @@ import lightning.scene.Scene;
  * @param target       target scene of the first level
  * @param mirrorTarget target scene of the mirror levels: the same if they are updated too, and in a first pass
  * @param plan         the update; null in a first pass
+ * @param indirectChange changed indirect light of the first level
+ * @param mirroredIndirectChange changed indirect light of the mirror levels
  */
 public record RenderJob(PreparedScene target, PreparedScene mirrorTarget, RenderOptions options, UpdatePlan.Relight plan,
-        Progress progress) {
+        Progress progress, IndirectChange indirectChange, IndirectChange mirroredIndirectChange) {
+
+    private RenderJob(PreparedScene target, PreparedScene mirrorTarget, RenderOptions options, UpdatePlan.Relight plan, Progress progress) {
+        this(target, mirrorTarget, options, plan, progress, IndirectChange.NONE, IndirectChange.NONE);
+    }
 
     /** Creates the job of a first pass. */
     public static RenderJob firstPass(Geometry geometry, Scene target, RenderOptions options, Progress progress) {
@@ -56,14 +63,22 @@ public record RenderJob(PreparedScene target, PreparedScene mirrorTarget, Render
      *
      * @param shown    indirect light of the target scene
      * @param mirrored indirect light of the scene that mirrors show
+     * @param old      cache of the last picture, or null
      */
-    RenderJob withIndirect(IndirectCache shown, IndirectCache mirrored) {
-        if (shown == null && mirrored == null) {
-            return this;
-        }
-        PreparedScene top = target.withIndirect(shown == null ? null : shown.light());
-        return new RenderJob(top, mirrorTarget == target ? top : mirrorTarget.withIndirect(mirrored == null ? null : mirrored.light()),
-                options, plan, progress);
+    RenderJob withIndirect(IndirectCache shown, IndirectCache mirrored, PixelCache old) {
+        IndirectLight shownLight = light(shown);
+        IndirectLight mirroredLight = light(mirrored);
+        IndirectLight shownBefore = old == null ? null : light(old.indirect());
+        IndirectLight mirroredBefore = old == null ? null : light(old.mirroredIndirect());
+        PreparedScene top = target.withIndirect(shownLight);
+        IndirectChange change = IndirectChange.between(shownBefore, shownLight);
+        return new RenderJob(top, mirrorTarget == target ? top : mirrorTarget.withIndirect(mirroredLight), options, plan, progress, change,
+                mirroredBefore == shownBefore && mirroredLight == shownLight ? change
+                        : IndirectChange.between(mirroredBefore, mirroredLight));
+    }
+
+    private static IndirectLight light(IndirectCache indirect) {
+        return indirect == null ? null : indirect.light();
     }
 
     /** Returns whether the scene has finer samples only at edges. */

@@ -245,11 +245,13 @@ final class TileWorker {
         if (job.progress().isCanceled()) {
             return null;
         }
-        boolean changesEdges = !knowsEdges || order != null || below.changesEdges() || job.topPlan().canChangeEdges(sorted, top.layers());
+        boolean changesEdges = !knowsEdges || order != null || below.changesEdges() || job.topPlan().canChangeEdges(sorted, top.layers())
+                || job.indirectChange().changesEdges(top.weights());
         EdgeColors edges = !detectEdges ? null
                 : !changesEdges ? old.edges
                 : edgeColors(places, top, reusesBounces ? knownEdgeImages(old) : edgeImages(top)).reuseIfEqual(old.edges);
-        boolean isUnchanged = order == null && below.images() == old.images && !job.topPlan().canChangeColors(sorted, top.layers());
+        boolean isUnchanged = order == null && below.images() == old.images && !job.topPlan().canChangeColors(sorted, top.layers())
+                && !job.indirectChange().changesColors(top.weights());
         return buildTile(places, top, below, isUnchanged, old.film, edges, fine);
     }
 

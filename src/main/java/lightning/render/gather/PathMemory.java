@@ -1,0 +1,29 @@
+package lightning.render.gather;
+
+import lightning.scene.IndirectSettings;
+
+/** Memory of paths while they are built. The number of surfels is known only then, because each bounce may find more. */
+final class PathMemory {
+    private final IndirectSettings settings;
+    private final long available;
+    private long used;
+
+    /** @param available bytes that paths may use */
+    PathMemory(IndirectSettings settings, long available) {
+        this.settings = settings;
+        this.available = available;
+    }
+
+    /**
+     * Reserves memory for further elements.
+     *
+     * @param bytes bytes of each
+     * @throws PathsTooLargeException if it does not fit
+     */
+    void reserve(long count, long bytes) {
+        used += count * bytes;
+        if (used > available) {
+            throw new PathsTooLargeException(settings, used, available);
+        }
+    }
+}

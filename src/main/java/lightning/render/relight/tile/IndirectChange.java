@@ -1,0 +1,67 @@
+package lightning.render.relight.tile;
+
+import java.util.Arrays;
+import lightning.render.gather.RowWeights;
+import lightning.render.shading.IndirectLight;
+
+/** Gather points whose light an update changes. Rows far from these keep their colors. */
+final class IndirectChange {
+    static final IndirectChange NONE = new IndirectChange(null, null, false);
+    private static final IndirectChange ALL = new IndirectChange(null, null, true);
+
+    /** True for each point with other light; null if no point has. */
+    private final boolean[] colors;
+    /** True for each point with other light as edge detection sees it; null if no point has. */
+    private final boolean[] edges;
+    private final boolean isAll;
+
+    private IndirectChange(boolean[] colors, boolean[] edges, boolean isAll) {
+        this.colors = colors;
+        this.edges = edges;
+        this.isAll = isAll;
+    }
+
+    /** Compares the indirect light of two pictures, each null if there is none. */
+    static IndirectChange between(IndirectLight before, IndirectLight after) {
+        if (before == after) {
+            return NONE;
+        }
+        if (before == null || after == null || before.structure() != after.structure()) {
+            return ALL;
+        }
+        // Colors by which edges are detected are new if there were none before.
+        return new IndirectChange(changedPoints(before.light(), after.light()), before.edgeLight() == null || after.edgeLight() == null
+                ? null : changedPoints(before.edgeLight(), after.edgeLight()), false);
+    }
+
+    private static boolean[] changedPoints(float[][] before, float[][] after) {
+        boolean[] changed = null;
+        for (int c = 0; c < 3; c++) {
+            if (before[c] != after[c] && !Arrays.equals(before[c], after[c])) {
+                changed = changed == null ? new boolean[after[c].length] : changed;
+                for (int p = 0; p < changed.length; p++) {
+                    changed[p] |= Float.floatToRawIntBits(before[c][p]) != Float.floatToRawIntBits(after[c][p]);
+                }
+            }
+        }
+        return changed;
+    }
+
+    /**
+     * Returns whether the indirect light of any row of a level changes.
+     *
+     * @param weights weights of the level after the update; null if there is no indirect light
+     */
+    boolean changesColors(RowWeights weights) {
+        return changes(colors, weights);
+    }
+
+    /** Returns whether the indirect light of any row changes as edge detection sees it; parameter as above. */
+    boolean changesEdges(RowWeights weights) {
+        return changes(edges, weights);
+    }
+
+    private boolean changes(boolean[] points, RowWeights weights) {
+        return isAll || points != null && weights.touches(points);
+    }
+}
