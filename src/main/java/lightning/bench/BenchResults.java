@@ -12,11 +12,13 @@ import java.util.List;
  * @param editing  costs of editing large scenes without rendering
  * @param meshes   ray throughput on meshes
  * @param modern   results per modern scene
+ * @param indirect results of indirect light
  * @param problems failed measurements
  */
 public record BenchResults(BenchRun run, List<SceneResult> scenes, List<DriftCurve> drift, List<GrowthCurve> growth,
         List<EditingCost> editing,
-        List<MeshPoint> meshes, List<ModernScene> modern, List<MeasurementFailure> problems) {
+        List<MeshPoint> meshes, List<ModernScene> modern, IndirectResults indirect,
+        List<MeasurementFailure> problems) {
     public BenchResults {
         scenes = List.copyOf(scenes);
         drift = List.copyOf(drift);
@@ -25,5 +27,11 @@ public record BenchResults(BenchRun run, List<SceneResult> scenes, List<DriftCur
         meshes = List.copyOf(meshes);
         modern = List.copyOf(modern);
         problems = List.copyOf(problems);
+    }
+
+    /** Creates results without indirect light. */
+    public BenchResults(BenchRun run, List<SceneResult> scenes, List<DriftCurve> drift, List<GrowthCurve> growth,
+            List<EditingCost> editing, List<MeshPoint> meshes, List<ModernScene> modern, List<MeasurementFailure> problems) {
+        this(run, scenes, drift, growth, editing, meshes, modern, IndirectResults.NONE, problems);
     }
 }

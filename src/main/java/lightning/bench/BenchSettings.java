@@ -20,6 +20,7 @@ import lightning.bench.accuracy.PaperCases;
  * @param editing     whether to measure editing of large scenes
  * @param meshes      whether to measure ray throughput on meshes
  * @param modern      whether to measure the modern set: anti-aliasing, first pass, edits, cold starts, and time against error
+ * @param indirect    whether to measure indirect light: time against error, edits, growth, and the cost if absent
  * @param effects     whether to measure the cost of each effect, at the last size
  * @param peers       whether to measure other installed programs
  * @param processes   number of cold-start processes per image, 0 for none
@@ -28,7 +29,8 @@ import lightning.bench.accuracy.PaperCases;
 @RecordBuilder
 public record BenchSettings(List<PictureSize> sizes, int figure, int values, boolean further, int repetitions, double patienceMs,
         int threads,
-        long seed, boolean curves, boolean editing, boolean meshes, boolean modern, boolean effects, boolean peers, int processes,
+        long seed, boolean curves, boolean editing, boolean meshes, boolean modern, boolean indirect, boolean effects, boolean peers,
+        int processes,
         boolean quick)
         implements BenchSettingsBuilder.With {
     /** Size of the paper's images (§4.1), and a current one. */
@@ -43,14 +45,14 @@ public record BenchSettings(List<PictureSize> sizes, int figure, int values, boo
 
     /** Returns the full selection. */
     public static BenchSettings full(int threads, long seed) {
-        return new BenchSettings(FULL_SIZES, 0, PaperCases.VALUES, true, 5, 300, threads, seed, true, true, true, false, true, true,
+        return new BenchSettings(FULL_SIZES, 0, PaperCases.VALUES, true, 5, 300, threads, seed, true, true, true, false, false, true, true,
                 PROCESSES,
                 false);
     }
 
     /** Returns a selection for a minute or two: one size and one value, the printed edits, short curves, no other programs. */
     public static BenchSettings quick(int threads, long seed) {
-        return new BenchSettings(QUICK_SIZES, 0, 1, false, 3, 0, threads, seed, true, true, true, false, false, false, 0, true);
+        return new BenchSettings(QUICK_SIZES, 0, 1, false, 3, 0, threads, seed, true, true, true, false, false, false, false, 0, true);
     }
 
     /** Returns a selection for edits and curves only: no effects, no cold-start processes. */
@@ -87,6 +89,11 @@ public record BenchSettings(List<PictureSize> sizes, int figure, int values, boo
     /** Returns a selection of the modern set only. */
     public BenchSettings modernOnly() {
         return firstPassOnly().with(s -> s.sizes(List.of()).modern(true).processes(PROCESSES));
+    }
+
+    /** Returns a selection of indirect light only. */
+    public BenchSettings indirectOnly() {
+        return firstPassOnly().with(s -> s.sizes(List.of()).indirect(true));
     }
 
     private BenchSettings firstPassOnly() {

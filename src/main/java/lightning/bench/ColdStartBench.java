@@ -1,7 +1,6 @@
 package lightning.bench;
 
 import java.io.IOException;
-import java.util.List;
 import lightning.format.pov.PovRayRunner;
 import lightning.format.pov.PovSampling;
 
@@ -26,7 +25,7 @@ final class ColdStartBench {
         return new BenchPart(title, (settings.processes() + 1) * processMs * (PovRayRunner.find().isPresent() ? 2 : 1), progress -> {
             try {
                 var meter = new ColdStartMeter(settings.threads(), settings.processes(), Double.POSITIVE_INFINITY);
-                collector.setColdStart(meter.measure(scene.file(), scene.scene(), size, List.of(), PovSampling.NONE, progress));
+                collector.setColdStart(meter.measure(scene.file(), scene.scene(), size, scene.options(), PovSampling.NONE, progress));
             } catch (IOException e) {
                 ledger.addProblem(new MeasurementFailure(MeasurementFailure.Kind.UNMEASURED, title, e.getMessage()));
             }

@@ -12,7 +12,8 @@ import lightning.bench.accuracy.PictureError;
  *
  * @param kind  {@code first-pass}, {@code full-trace}, {@code edit}, {@code peer}, {@code effect} (added time of the first pass), {@code
  *         growth}, {@code drift}, {@code editing}, {@code mesh} or {@code mesh-peer}. Cold-start processes are {@code cold} (ours) and
- *         {@code cold-peer}, with processor times as {@code …-processor}. Those of the modern set start with {@code modern-}
+ *         {@code cold-peer}, with processor times as {@code …-processor}. Those of the modern set start with {@code modern-},
+ *         those of indirect light with {@code indirect-}
  * @param edit  name of the edit; of growth, dimension and edit; of editing, the operation; of a mesh, its BVH or the rays
  * @param value value of the edit; of growth and drift, the number of pixels, lights, … or edits
  * @param grade accuracy setting, called level in the file
@@ -57,6 +58,7 @@ record CsvRow(String kind, String scene, int width, int height, String edit, Str
         results.editing().forEach(editing -> editing(rows, editing));
         results.meshes().forEach(mesh -> mesh(rows, mesh));
         results.modern().forEach(scene -> rows.addAll(ModernCsvRows.of(scene)));
+        rows.addAll(IndirectCsvRows.of(results.indirect()));
         results.drift().forEach(drift -> drift.points().forEach(point -> rows.add(drift(drift, point))));
         return rows;
     }

@@ -59,7 +59,7 @@ public final class Harness {
      * Prepares a run: warms up with the first scene's edits, measures memory bandwidth, traces each scene briefly, and predicts the total
      * duration.
      *
-     * @param scenes    scenes in order of measurement, with unique names
+     * @param originals scenes in order of measurement, with unique names; only the part of indirect light shows theirs
      * @param problems  scenes that could not be read
      * @param folder    folder for images
      * @param arguments command arguments, for the results
@@ -67,10 +67,11 @@ public final class Harness {
      *         before any measurement
      * @throws CancellationException    if {@code progress} requests a stop
      */
-    public Harness(BenchSettings settings, List<NamedScene> scenes, List<MeasurementFailure> problems, Path folder, List<String> arguments,
+    public Harness(BenchSettings settings, List<NamedScene> originals, List<MeasurementFailure> problems, Path folder,
+            List<String> arguments,
             Progress progress) {
         this.settings = settings;
-        this.scenes = List.copyOf(scenes);
+        scenes = originals.stream().map(NamedScene::withoutIndirect).toList();
         problems.forEach(ledger::addProblem);
         Set<Measurable> measurable = measurableScenes();
         List<TraceThroughput> throughputs = new ArrayList<>();
@@ -96,6 +97,9 @@ public final class Harness {
         }
         for (int i = 0; settings.modern() && i < scenes.size(); i++) {
             groups.add(new PartGroup(new ModernBench(settings, ledger, scenes.get(i), bestBytesPerMs).parts(throughputs.get(i)), () -> {}));
+        }
+        if (settings.indirect()) {
+            new IndirectBench(settings, ledger).parts(originals).forEach(part -> groups.add(new PartGroup(List.of(part), () -> {})));
         }
         predictedMs = groups.stream().flatMap(g -> g.parts().stream()).mapToDouble(BenchPart::predictedMs).sum();
         run = new BenchRun(Instant.now().truncatedTo(ChronoUnit.SECONDS).toString(), MachineInfo.commit(), arguments, MachineInfo.machine(),

@@ -3,6 +3,7 @@ package lightning.bench;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Stream;
 import lightning.base.work.Progress;
 import lightning.format.pov.PovRayRunner;
 import lightning.format.pov.PovScene;
@@ -81,7 +82,7 @@ final class ModernBench {
     private void measureCold(ModernSampling sampling, Progress progress) throws IOException, InterruptedException {
         var meter = new ColdStartMeter(settings.threads(), Math.min(settings.processes(), PROCESSES), COLD_MS);
         collector.setCold(sampling, coldSize(),
-                meter.measure(scene.file(), sampling.of(scene.scene()), coldSize(), sampling.renderOptions(),
-                        sampling.povRay(), progress));
+                meter.measure(scene.file(), sampling.of(scene.scene()), coldSize(),
+                        Stream.concat(scene.options().stream(), sampling.renderOptions().stream()).toList(), sampling.povRay(), progress));
     }
 }

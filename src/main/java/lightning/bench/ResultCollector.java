@@ -70,6 +70,7 @@ final class ResultCollector {
     private final List<EditingCost> editing = new ArrayList<>();
     private final List<MeshPoint> meshes = new ArrayList<>();
     private final List<ModernCollector> modern = new ArrayList<>();
+    private final IndirectCollector indirect = new IndirectCollector();
     private final List<MeasurementFailure> problems = new ArrayList<>();
 
     SceneCollector addScene(NamedScene scene, PictureSize size) {
@@ -101,6 +102,10 @@ final class ResultCollector {
         return modern.getLast();
     }
 
+    IndirectCollector indirect() {
+        return indirect;
+    }
+
     void addProblem(MeasurementFailure problem) {
         problems.add(problem);
     }
@@ -108,6 +113,6 @@ final class ResultCollector {
     /** Returns all results of a run. */
     BenchResults results(BenchRun run) {
         return new BenchResults(run, scenes.stream().map(SceneCollector::result).toList(), drifts, List.copyOf(growths.values()), editing,
-                meshes, modern.stream().map(ModernCollector::result).toList(), problems);
+                meshes, modern.stream().map(ModernCollector::result).toList(), indirect.result(), problems);
     }
 }

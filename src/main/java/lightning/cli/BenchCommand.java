@@ -56,6 +56,8 @@ final class BenchCommand implements Callable<Integer> {
     private static final List<String> QUICK_SCENES = List.of("bird", "balls", "house");
     /** Scenes with area lights, glass, leaves, many lights or an environment. */
     private static final List<String> MODERN_SCENES = List.of("product", "stage", "window", "hall", "softbox", "night", "arbor");
+    /** Scenes with rooms or many lights. */
+    private static final List<String> INDIRECT_SCENES = List.of("hall", "window", "night");
     private static final int MAX_PROCESSES = 1000;
 
     private final Console console;
@@ -92,6 +94,10 @@ final class BenchCommand implements Callable<Integer> {
                     + "against error, alternating with POV-Ray if installed (default scenes: product, stage, window, hall, softbox, "
                     + "night, arbor).")
     private boolean modern;
+    @Option(names = "--indirect",
+            description = "Measure only indirect light: time against error, first pass, edits, and growth with lights, surfels, triangles "
+                    + "and pixels (default scenes: hall, window, night). Without this option, indirect light is left out.")
+    private boolean indirect;
     @Option(names = "--size", paramLabel = "WxH", converter = PictureDimensions.Converter.class,
             description = "Image size in pixels; repeat for several sizes (default: 300x300 and 1920x1080).")
     private List<PictureDimensions> sizes = List.of();
@@ -154,7 +160,7 @@ final class BenchCommand implements Callable<Integer> {
         }
         BenchResults baselineResults = baseline == null ? null : ResultsFile.readJson(baseline);
         BenchScenes benchScenes = BenchScenes.read(scenes,
-                figure != null ? figure.scenes() : modern ? MODERN_SCENES : quick ? QUICK_SCENES : List.of());
+                figure != null ? figure.scenes() : modern ? MODERN_SCENES : indirect ? INDIRECT_SCENES : quick ? QUICK_SCENES : List.of());
         benchScenes.problems().forEach(problem -> console.warn("%s", problem.what()));
         if (benchScenes.scenes().isEmpty()) {
             throw new BadInputException("no scene to measure");
@@ -204,6 +210,9 @@ final class BenchCommand implements Callable<Integer> {
         }
         if (modern) {
             settings = settings.modernOnly();
+        }
+        if (indirect) {
+            settings = settings.indirectOnly();
         }
         if (values != null && settings.values() > 0) {
             settings = settings.withValues(values);

@@ -14,6 +14,9 @@ import lightning.bench.EditResult;
 import lightning.bench.EditingCost;
 import lightning.bench.ErrorCurve;
 import lightning.bench.FirstPassResult;
+import lightning.bench.IndirectAccuracy;
+import lightning.bench.IndirectCost;
+import lightning.bench.IndirectGrowth;
 import lightning.bench.MeshPoint;
 import lightning.bench.ModernPicture;
 import lightning.bench.ModernScene;
@@ -115,6 +118,9 @@ final class BenchTable {
             }
         }
         results.modern().forEach(this::printModern);
+        results.indirect().accuracy().forEach(this::printIndirectErrors);
+        results.indirect().costs().forEach(this::printIndirectCost);
+        results.indirect().growth().forEach(this::printIndirectGrowth);
         results.editing().forEach(e -> console.print("%s", editing(e)));
         results.meshes().forEach(m -> m.rays().forEach(pace -> console.print("%s", mesh(m, pace))));
         results.drift().forEach(drift -> drift.points().stream().reduce((_, last) -> last).ifPresent(last -> drift.points().stream()
@@ -149,6 +155,26 @@ final class BenchTable {
                     curve.points().stream().map(point -> Console.text("%s %.1f ms, error %.4f", point.setting(), point.time().median(),
                             point.error())).collect(Collectors.joining("; ")));
         }
+    }
+
+    private void printIndirectErrors(IndirectAccuracy scene) {
+        console.print("%s at %d x %d, indirect light, %s: %s", scene.scene(), scene.width(), scene.height(),
+                Console.count(scene.pixels(), "pixel"), scene.points().stream().map(p -> Console.text(
+                        "spacing %d, rays %d, bounces %d: %.1f ms, mean error %.1f %%", p.spacing(), p.rays(), p.bounces(),
+                        p.time().median(), 100 * p.error().mean())).collect(Collectors.joining("; ")));
+    }
+
+    private void printIndirectCost(IndirectCost scene) {
+        console.print("%s at %d x %d, indirect light: first pass %.0f ms, %.0f ms without, %.1f bytes a pixel; %s", scene.scene(),
+                scene.width(), scene.height(), scene.first().median(), scene.without().median(), scene.bytesPerPixel(),
+                scene.edits().stream().map(e -> Console.text("%s %.1f ms, %.1f ms without", e.edit(), e.time().median(),
+                        e.without().median())).collect(Collectors.joining("; ")));
+    }
+
+    private void printIndirectGrowth(IndirectGrowth growth) {
+        console.print("growth of indirect light with %s: %s", growth.along(), growth.points().stream().map(p -> Console.text(
+                "%d: first pass +%.1f ms, moved light %.1f ms, intensity %.1f ms", p.at(), p.extraMs(), p.position().median(),
+                p.intensity().median())).collect(Collectors.joining("; ")));
     }
 
     private static String editing(EditingCost e) {

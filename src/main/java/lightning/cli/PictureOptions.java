@@ -1,5 +1,6 @@
 package lightning.cli;
 
+import java.util.Optional;
 import lightning.scene.AntialiasMode;
 import lightning.scene.PictureSettings;
 import lightning.scene.SamplingSettings;
@@ -47,11 +48,17 @@ final class PictureOptions {
         samples = value;
     }
 
+    @Option(names = "--no-indirect", description = "Leave out the scene's indirect light.")
+    private boolean noIndirect;
+
     /** Returns the scene with these options applied. */
     Scene apply(Scene scene) {
         PictureSettings picture = scene.picture();
         if (size != null) {
             picture = picture.withSize(size.width(), size.height());
+        }
+        if (noIndirect) {
+            picture = picture.withIndirect(Optional.empty());
         }
         SamplingSettings sceneSampling = picture.sampling();
         SamplingSettings sampling = new SamplingSettings(antialias == null ? sceneSampling.antialias() : antialias,

@@ -19,7 +19,7 @@ class ColdStartBenchTest {
     private Path folder;
 
     private BenchResults run(Path file) throws Exception {
-        var settings = new BenchSettings(List.of(SMALL), 0, 0, false, 1, 0, 2, 5, false, false, false, false, false, false, 2, true);
+        var settings = new BenchSettings(List.of(SMALL), 0, 0, false, 1, 0, 2, 5, false, false, false, false, false, false, false, 2, true);
         var scene = new NamedScene("generated", GeneratedScenes.of(1, SMALL, 8, 3, 1), file);
         return new Harness(settings, List.of(scene), List.of(), folder, List.of(), Progress.NONE).run((_, _) -> {}, Progress.NONE);
     }

@@ -32,7 +32,8 @@ class HarnessTest {
     private final NamedScene scene = new NamedScene("generated", GeneratedScenes.of(1, SMALL, 8, 3, 1), null);
 
     private static BenchSettings settings(int values, int figure, PictureSize... sizes) {
-        return new BenchSettings(List.of(sizes), figure, values, true, 1, 0, 2, 5, false, false, false, false, false, false, 0, true);
+        return new BenchSettings(List.of(sizes), figure, values, true, 1, 0, 2, 5, false, false, false, false, false, false, false, 0,
+                true);
     }
 
     private Harness harness(BenchSettings settings) {

@@ -10,11 +10,14 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.function.Function;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import lightning.bench.report.DocumentCharts;
+import lightning.bench.report.IndirectCharts;
+import lightning.bench.report.IndirectTables;
 import lightning.bench.report.MarkdownTables;
 import lightning.bench.report.ModernCharts;
 import lightning.bench.report.ModernTables;
@@ -25,7 +28,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * Tests that the marked tables and values in README.md, docs/results.md, docs/performance.md and docs/modern.md match the stored runs. {@code -Dlightning.write=true}
+ * Tests that the marked tables and values in README.md, docs/results.md, docs/performance.md, docs/modern.md and docs/indirect.md match the stored runs. {@code -Dlightning.write=true}
  * regenerates them, unless the runs must not be published.
  */
 class ResultsDocumentTest {
@@ -33,6 +36,7 @@ class ResultsDocumentTest {
     private static final Path README = Path.of("README.md");
     private static final Path PERFORMANCE = Path.of("docs", "performance.md");
     private static final Path MODERN = Path.of("docs", "modern.md");
+    private static final Path INDIRECT = Path.of("docs", "indirect.md");
     private static final Path DECISIONS = Path.of("docs", "decisions");
     private static final Path PICTURES = Path.of("docs", "pictures");
     private static final Pattern MARKED = Pattern.compile("(<!-- (table|value): (.+?) -->\n?)(.*?)(<!-- end -->)", Pattern.DOTALL);
@@ -56,7 +60,7 @@ class ResultsDocumentTest {
     }
 
     static List<Path> documents() {
-        return List.of(RESULTS, README, PERFORMANCE, MODERN);
+        return List.of(RESULTS, README, PERFORMANCE, MODERN, INDIRECT);
     }
 
     @ParameterizedTest
@@ -85,6 +89,9 @@ class ResultsDocumentTest {
         }
         if (ModernTables.names().contains(name)) {
             return storedRuns.find("modern").map(results -> new ModernTables(results).of(name)).orElse("");
+        }
+        if (IndirectTables.names().contains(name)) {
+            return storedRuns.find("indirect").map(results -> new IndirectTables(results).of(name)).orElse("");
         }
         if (other.matches()) {
             return new MarkdownTables(storedRuns.part(other.group(2))).of(other.group(1));
@@ -123,19 +130,31 @@ class ResultsDocumentTest {
     @Test
     @Slow
     void everyModernChart_matchesStoredRun() throws IOException {
+        assertChartsMatch("modern", ModernCharts::of);
+    }
+
+    /** Compares the measured build only, as {@link #everyChart_matchesStoredRun}. */
+    @Test
+    @Slow
+    void everyIndirectChart_matchesStoredRun() throws IOException {
+        assertChartsMatch("indirect", IndirectCharts::of);
+    }
+
+    /** Checks the charts of a part that may not be stored; their file names start with its name. */
+    private static void assertChartsMatch(String part, Function<BenchResults, Map<String, String>> source) throws IOException {
         StoredRuns kept = StoredRuns.read(StoredRuns.FOLDER);
-        Map<String, String> charts = kept.find("modern").map(ModernCharts::of).orElse(Map.of());
+        Map<String, String> charts = kept.find(part).map(source).orElse(Map.of());
         if (Boolean.getBoolean("lightning.write") && kept.findFaults().isEmpty()) {
             for (var chart : charts.entrySet()) {
                 Files.writeString(PICTURES.resolve(chart.getKey()), chart.getValue());
             }
         }
         for (String name : charts.keySet()) {
-            BenchRun run = kept.part("modern").run();
+            BenchRun run = kept.part(part).run();
             assertThat(PICTURES.resolve(name)).content().contains(run.commit(), run.date());
         }
         try (Stream<Path> files = Files.list(PICTURES)) {
-            assertThat(files.map(file -> file.getFileName().toString()).filter(name -> name.startsWith("modern-")).sorted().toList())
+            assertThat(files.map(file -> file.getFileName().toString()).filter(name -> name.startsWith(part + "-")).sorted().toList())
                     .isEqualTo(charts.keySet().stream().sorted().toList());
         }
     }
@@ -165,6 +184,11 @@ class ResultsDocumentTest {
     @Test
     void everyMeasuredFigureOfTheModernScenes_isMarked() throws IOException {
         assertThat(measuredNumbers(Files.readString(MODERN))).isEmpty();
+    }
+
+    @Test
+    void everyMeasuredFigureOfIndirectLight_isMarked() throws IOException {
+        assertThat(measuredNumbers(Files.readString(INDIRECT))).isEmpty();
     }
 
     private static Stream<String> measuredNumbers(String text) {
@@ -200,6 +224,19 @@ class ResultsDocumentTest {
             assertThat(new ModernTables(ResultsArbitraries.of(seed)).of(name)).matches("(?s)|.*\n");
         }
         assertThat(Files.readString(MODERN)).contains("<!-- table: " + name + " -->");
+    }
+
+    static List<String> indirectNames() {
+        return IndirectTables.names();
+    }
+
+    @ParameterizedTest
+    @MethodSource("indirectNames")
+    void everyIndirectTable_worksForAnyRunAndIsInItsDocument(String name) throws IOException {
+        for (long seed = 0; seed < 20; seed++) {
+            assertThat(new IndirectTables(ResultsArbitraries.of(seed)).of(name)).matches("(?s)|.*\n");
+        }
+        assertThat(Files.readString(INDIRECT)).contains("<!-- table: " + name + " -->");
     }
 
     @ParameterizedTest
@@ -256,6 +293,7 @@ class ResultsDocumentTest {
         assertThatThrownBy(() -> new MarkdownTables(ResultsArbitraries.of(1)).of("no such")).isInstanceOf(IllegalArgumentException.class);
         BenchResults any = ResultsArbitraries.of(1);
         assertThatThrownBy(() -> new ModernTables(any).of("no such")).isInstanceOf(IllegalArgumentException.class);
+        assertThatThrownBy(() -> new IndirectTables(any).of("no such")).isInstanceOf(IllegalArgumentException.class);
         assertThatThrownBy(() -> new ReportStatements(any, any, any).of("no such")).isInstanceOf(IllegalArgumentException.class);
     }
 }

@@ -56,6 +56,12 @@ class ResultsFileTest {
                 + scene.curves().stream().mapToInt(curve -> curve.points().size()).sum();
     }
 
+    private static int rows(IndirectResults indirect) {
+        return indirect.accuracy().stream().mapToInt(scene -> scene.points().size()).sum()
+                + indirect.costs().stream().mapToInt(cost -> 3 + 2 * cost.edits().size()).sum()
+                + indirect.growth().stream().mapToInt(growth -> 4 * growth.points().size()).sum() + 2 * indirect.absence().size();
+    }
+
     private static int rows(MeshPoint mesh) {
         return (mesh.rival() == null ? 1 : 2) + mesh.rays().stream().mapToInt(pace -> pace.rival() == null ? 1 : 2).sum();
     }
@@ -69,7 +75,7 @@ class ResultsFileTest {
                 .sum()
                 + results.growth().stream().flatMap(g -> g.points().stream()).mapToInt(p -> 1 + p.edits().size()).sum()
                 + 5 * results.editing().size() + results.meshes().stream().mapToInt(ResultsFileTest::rows).sum()
-                + results.modern().stream().mapToInt(ResultsFileTest::rows).sum()
+                + results.modern().stream().mapToInt(ResultsFileTest::rows).sum() + rows(results.indirect())
                 + results.drift().stream().mapToInt(d -> d.points().size()).sum();
         assertThat(CsvRow.of(results)).hasSize(rows);
     }

@@ -19,7 +19,7 @@ record StoredRuns(Map<String, BenchResults> parts) {
     static final Path FOLDER = Path.of("benchmarks", "results");
     private static final List<String> PARTS = List.of("figures", "grades", "effects", "surfaces", "cold", "editing", "meshes");
     /** Parts whose tables are empty while no run of them is stored. */
-    private static final List<String> OPTIONAL_PARTS = List.of("modern");
+    private static final List<String> OPTIONAL_PARTS = List.of("modern", "indirect");
     private static final String EXTENSION = ".json";
     private static final Pattern CLEAN = Pattern.compile("[0-9a-f]{40}");
     private static final int MIN_REPETITIONS = 3;
@@ -76,7 +76,8 @@ record StoredRuns(Map<String, BenchResults> parts) {
     }
 
     private static List<String> differingPictures(String part, BenchResults results) {
-        return Stream.concat(differingEdits(part, results), differingModernEdits(part, results)).toList();
+        return Stream.of(differingEdits(part, results), differingModernEdits(part, results), differingIndirectEdits(part, results))
+                .flatMap(faults -> faults).toList();
     }
 
     private static Stream<String> differingModernEdits(String part, BenchResults results) {
@@ -84,6 +85,13 @@ record StoredRuns(Map<String, BenchResults> parts) {
                 .filter(edit -> !edit.equal())
                 .map(edit -> part + ": " + scene.scene() + ", anti-aliasing " + picture.sampling().label() + ", "
                         + edit.edit() + ": not equal to the full trace")));
+    }
+
+    private static Stream<String> differingIndirectEdits(String part, BenchResults results) {
+        return Stream.concat(results.indirect().costs().stream().flatMap(scene -> scene.edits().stream().filter(edit -> !edit.equal())
+                .map(edit -> part + ": " + scene.scene() + ", indirect light, " + edit.edit() + ": not equal to the full trace")),
+                results.indirect().absence().stream().filter(scene -> !scene.equal() || scene.bytes() != 0 || scene.rays() != 0)
+                        .map(scene -> part + ": " + scene.scene() + ": absent indirect light is not free"));
     }
 
     private static Stream<String> differingEdits(String part, BenchResults results) {

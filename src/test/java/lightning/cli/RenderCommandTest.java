@@ -70,6 +70,25 @@ class RenderCommandTest {
     }
 
     @Test
+    void noIndirect_leavesIndirectLightOut() throws Exception {
+        Path lit = folder.resolve("lit.jen");
+        Path plain = folder.resolve("plain.jen");
+        String text = "material m { diffuse 0.8 0.8 0.8 }\nsphere a { material m }\nplane b { material m  at 0 -1 0  scale 9 1 9 }\n"
+                + "camera { from 0 2 4  to 0 0 0 }\nlight l point { at 0 3 1 }\n";
+        Files.writeString(lit, "jen 1\npicture { size 24 16  indirect { rays 16 } }\n" + text);
+        Files.writeString(plain, "jen 1\npicture { size 24 16 }\n" + text);
+        Path expected = folder.resolve("plain.pfm");
+        CliResult.run("render", plain, "-o", expected).assertSuccess();
+        Path with = folder.resolve("with.pfm");
+        CliResult.run("render", lit, "-o", with).assertSuccess();
+        assertThat(with).isRegularFile();
+        assertThat(Files.mismatch(with, expected)).isNotEqualTo(-1);
+        Path without = folder.resolve("without.pfm");
+        CliResult.run("render", lit, "-o", without, "--no-indirect").assertSuccess();
+        assertThat(without).hasSameBinaryContentAs(expected);
+    }
+
+    @Test
     void layers_areWrittenWithSamePicture() throws Exception {
         Path layers = folder.resolve("a.exr");
         Path picture = folder.resolve("a.pfm");

@@ -49,6 +49,7 @@ public final class HtmlReport {
         EditingTable.write(body, results);
         MeshTable.write(body, results);
         ModernSection.write(body, results);
+        IndirectSection.write(body, results);
         RunSection.writeMethod(body, results.run());
         HtmlWriter page = new HtmlWriter();
         page.open("html", "xmlns", "http://www.w3.org/1999/xhtml", "lang", "en").open("head");

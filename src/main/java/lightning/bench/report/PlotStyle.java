@@ -92,6 +92,11 @@ final class PlotStyle {
         return SHAPES.get(setting.ordinal());
     }
 
+    /** Returns the shape of points of a color without a meaning of its own. */
+    static Shape shape(int series) {
+        return SHAPES.get(series % SHAPES.size());
+    }
+
     private static Shape polygon(double... xy) {
         Path2D path = new Path2D.Double();
         path.moveTo(xy[0], xy[1]);

@@ -1,0 +1,37 @@
+package lightning.bench;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+
+/** Collector of the results of indirect light so far. */
+final class IndirectCollector {
+    private final List<IndirectAccuracy> accuracy = new ArrayList<>();
+    private final List<IndirectCost> costs = new ArrayList<>();
+    private final Map<String, IndirectGrowth> growths = new LinkedHashMap<>();
+    private final List<IndirectAbsence> absence = new ArrayList<>();
+
+    void add(IndirectAccuracy measured) {
+        accuracy.add(measured);
+    }
+
+    void add(IndirectCost measured) {
+        costs.add(measured);
+    }
+
+    void add(IndirectAbsence measured) {
+        absence.add(measured);
+    }
+
+    /** Adds a point to a growth curve. */
+    void add(String along, String scene, IndirectGrowth.Point point) {
+        List<IndirectGrowth.Point> points = new ArrayList<>(growths.containsKey(along) ? growths.get(along).points() : List.of());
+        points.add(point);
+        growths.put(along, new IndirectGrowth(along, scene, points));
+    }
+
+    IndirectResults result() {
+        return new IndirectResults(accuracy, costs, List.copyOf(growths.values()), absence);
+    }
+}

@@ -1,0 +1,164 @@
+package lightning.bench.accuracy;
+
+import java.util.Arrays;
+import java.util.SplittableRandom;
+import lightning.render.engine.Engine;
+import lightning.render.engine.choice.Engines;
+import lightning.render.gather.DirectionTable;
+import lightning.render.shading.LightKernel;
+import lightning.render.shading.LightLayer;
+import lightning.render.shading.ScratchColumns;
+import lightning.render.shading.SurfelShader;
+import lightning.render.shading.WeightedLight;
+import lightning.render.trace.Geometry;
+import lightning.render.trace.HitRows;
+import lightning.render.trace.RayBatch;
+import lightning.render.trace.Tracer;
+import lightning.scene.IndirectSettings;
+import lightning.scene.Scene;
+import lightning.scene.effects.ViewEffects;
+
+/**
+ * Indirect light at single points by brute force: {@value #RAYS} cosine-distributed rays from the point, {@value #HIT_RAYS} from each hit,
+ * and then one path onwards from one of these. Uses the tracer and the kernels of the picture, but no gather points, surfels or filters.
+ * Holds scratch memory: use one instance per thread.
+ */
+final class BruteForceGather {
+    static final int RAYS = 1024;
+    static final int HIT_RAYS = 16;
+    /** Reference bounces: those of any setting. */
+    static final int BOUNCES = IndirectSettings.MAX_BOUNCES;
+    /** Luminance of red, green and blue (ITU-R BT.709). */
+    private static final double[] LUMINANCE = {0.2126, 0.7152, 0.0722};
+    private static final int HITS_PER_BATCH = RayBatch.MAX_RAYS / HIT_RAYS;
+
+    private final RayBatch batch;
+    private final LightKernel kernel;
+    private final SurfelShader shader;
+    private final WeightedLight[] lights;
+    /** Light of a ray that leaves the scene: red, green, blue. */
+    private final float[] background;
+    private final ScratchColumns columns = new ScratchColumns();
+    private final DirectionTable pointDirections = new DirectionTable((int) Math.sqrt(RAYS));
+    private final DirectionTable hitDirections = new DirectionTable((int) Math.sqrt(HIT_RAYS));
+    private final DirectionTable pathDirections = new DirectionTable(1);
+    private final float[][] direct = new float[3][RayBatch.MAX_RAYS];
+    private final float[][] albedo = new float[3][RayBatch.MAX_RAYS];
+    private final float[][] glow = new float[3][RayBatch.MAX_RAYS];
+    private final GatherPaths point = new GatherPaths(1);
+    private GatherPaths from = new GatherPaths(RAYS);
+    private GatherPaths to = new GatherPaths(RAYS);
+    private SplittableRandom random;
+
+    /** @param scene its indirect settings decide only whether the background counts */
+    BruteForceGather(Scene scene, Geometry geometry) {
+        Engine engine = Engines.FASTEST.forTile(0);
+        Tracer tracer = engine.tracer(geometry);
+        batch = new RayBatch(geometry, scene, tracer);
+        kernel = new LightKernel(geometry, tracer, engine.terms(), ViewEffects.ALL);
+        shader = new SurfelShader(geometry.materials(), engine.sums());
+        lights = WeightedLight.ofScene(scene);
+        boolean isLit = scene.picture().indirect().orElse(IndirectSettings.DEFAULT).background() && scene.world().environment().isEmpty();
+        background = isLit ? new float[] {(float) scene.world().background().r(), (float) scene.world().background().g(),
+            (float) scene.world().background().b()} : new float[3];
+    }
+
+    /**
+     * Returns the luminance of the indirect light at a point, for one bounce, two, … {@link #BOUNCES}.
+     *
+     * @param seed selects the directions
+     */
+    double[] luminances(float x, float y, float z, float nx, float ny, float nz, long seed) {
+        random = new SplittableRandom(seed);
+        point.start(x, y, z, nx, ny, nz);
+        double[] light = new double[BOUNCES];
+        to.count = 0;
+        light[0] = cast(point, 0, 1, pointDirections, false) / RAYS;
+        swap();
+        double second = 0;
+        for (int first = 0; first < from.count; first += HITS_PER_BATCH) {
+            second += cast(from, first, Math.min(from.count, first + HITS_PER_BATCH), hitDirections, true);
+        }
+        light[1] = light[0] + second / ((double) RAYS * HIT_RAYS);
+        for (int bounce = 2; bounce < BOUNCES; bounce++) {
+            swap();
+            light[bounce] = light[bounce - 1] + (from.count == 0 ? 0 : cast(from, 0, from.count, pathDirections, false) / RAYS);
+        }
+        return light;
+    }
+
+    private void swap() {
+        GatherPaths ended = from;
+        from = to;
+        to = ended;
+        to.count = 0;
+    }
+
+    /**
+     * Casts rays from the ends of paths and adds the paths that go on.
+     *
+     * @param one whether one random ray of each path goes on; otherwise all do
+     * @return sum of the luminance that the rays collect from lights and glow
+     */
+    private double cast(GatherPaths paths, int first, int end, DirectionTable directions, boolean one) {
+        int rays = directions.rays();
+        int count = (end - first) * rays;
+        int[] chosen = new int[end - first];
+        for (int p = first; p < end; p++) {
+            int at = (p - first) * rays;
+            directions.write(random.nextLong(), paths.nx[p], paths.ny[p], paths.nz[p], batch.directionX, batch.directionY,
+                    batch.directionZ, at);
+            Arrays.fill(batch.startX, at, at + rays, paths.px[p]);
+            Arrays.fill(batch.startY, at, at + rays, paths.py[p]);
+            Arrays.fill(batch.startZ, at, at + rays, paths.pz[p]);
+            chosen[p - first] = at + random.nextInt(rays);
+        }
+        batch.trace(count);
+        HitRows rows = batch.rows((hits, textured, transparent) -> new HitRows(hits, textured, transparent, false, true));
+        shade(rows);
+        double sum = 0;
+        for (int row = 0; row < rows.count; row++) {
+            int ray = rows.parent[row];
+            int path = ray / rays;
+            float[] share = new float[3];
+            for (int c = 0; c < 3; c++) {
+                share[c] = paths.share[c][first + path] * tint(c, ray);
+                sum += LUMINANCE[c] * share[c] * (glow[c][ray] + albedo[c][ray] * direct[c][ray]);
+                share[c] *= albedo[c][ray];
+            }
+            if (!one || chosen[path] == ray) {
+                to.add(rows, row, share[0], share[1], share[2]);
+            }
+        }
+        return sum + background(paths, first, rays, count);
+    }
+
+    private float tint(int channel, int ray) {
+        return batch.isTinted() ? batch.tint[channel][ray] : 1;
+    }
+
+    private double background(GatherPaths paths, int first, int rays, int count) {
+        double sum = 0;
+        for (int ray = 0; ray < count; ray++) {
+            for (int c = 0; c < 3 && batch.primitive(ray) < 0; c++) {
+                sum += LUMINANCE[c] * paths.share[c][first + ray / rays] * tint(c, ray) * background[c];
+            }
+        }
+        return sum;
+    }
+
+    private void shade(HitRows rows) {
+        columns.reset();
+        LightLayer[] layers = new LightLayer[lights.length];
+        for (int l = 0; l < lights.length; l++) {
+            layers[l] = lights[l].isDark() ? null : kernel.recompute(rows, lights[l].source(), columns);
+        }
+        shader.writeDirectLight(rows, lights, layers, 0, direct);
+        shader.writeReflection(rows, 0, albedo, glow);
+    }
+
+    /** Returns the luminance of a color. */
+    static double luminance(float red, float green, float blue) {
+        return LUMINANCE[0] * red + LUMINANCE[1] * green + LUMINANCE[2] * blue;
+    }
+}

@@ -1,0 +1,91 @@
+package lightning.bench.report;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.ToDoubleFunction;
+import lightning.bench.BenchResults;
+import lightning.bench.IndirectAccuracy;
+import lightning.bench.IndirectGrowth;
+import lightning.bench.IndirectResults;
+
+/** Charts of indirect light: error against time with the Pareto front, missing light against time, and growth. */
+public final class IndirectCharts {
+    static final String BOUNCES = "indirect-bounces.svg";
+    private static final int WIDTH = 560;
+    private static final int HEIGHT = 300;
+
+    private IndirectCharts() {}
+
+    /** Returns the charts as files for documents, by file name; each names the measured build. */
+    public static Map<String, String> of(BenchResults results) {
+        Map<String, String> charts = new LinkedHashMap<>();
+        String build = "build " + results.run().commit() + ", " + results.run().date();
+        results.indirect().accuracy()
+                .forEach(scene -> charts.put(fileName(scene), ChartSvg.file(svg(scene), scene.scene() + ", " + build)));
+        if (!results.indirect().accuracy().isEmpty()) {
+            charts.put(BOUNCES, ChartSvg.file(bounces(results.indirect()), build));
+        }
+        results.indirect().growth().forEach(growth -> charts.put(fileName(growth), ChartSvg.file(svg(growth), build)));
+        return charts;
+    }
+
+    static String fileName(IndirectAccuracy scene) {
+        return "indirect-error-" + word(scene.scene()) + ".svg";
+    }
+
+    static String fileName(IndirectGrowth growth) {
+        return "indirect-growth-" + word(growth.along()) + ".svg";
+    }
+
+    private static String word(String text) {
+        return text.replaceAll("[^\\p{Alnum}]+", "-");
+    }
+
+    /** Returns the settings on the Pareto front, fastest first. */
+    static List<IndirectAccuracy.Point> front(IndirectAccuracy scene) {
+        return ParetoChart.front(scene.grid(), point -> point.time().median(), point -> point.error().mean());
+    }
+
+    /** Returns the chart of a scene: mean error against the milliseconds of the first pass; a color per number of rays. */
+    static String svg(IndirectAccuracy scene) {
+        List<Integer> rays = scene.grid().stream().map(IndirectAccuracy.Point::rays).distinct().sorted().toList();
+        List<ParetoChart.Point> points = scene.grid().stream().map(point -> new ParetoChart.Point(point.spacing() + ", " + point.rays(),
+                PlotColor.of(rays.indexOf(point.rays())), PlotStyle.shape(rays.indexOf(point.rays())), true, point.time().lowerQuartile(),
+                point.time().median(), point.time().upperQuartile(), point.error().mean())).toList();
+        return ParetoChart.svg("Mean error of indirect light against time (ms), " + scene.scene(), points, WIDTH, HEIGHT,
+                IndirectCharts::percent);
+    }
+
+    /** Returns the chart of the missing share of light against the added milliseconds; a line per scene. */
+    static String bounces(IndirectResults results) {
+        List<CurveChart.Curve> curves = new ArrayList<>();
+        for (IndirectAccuracy scene : results.accuracy()) {
+            List<double[]> points = scene.byBounces().stream().map(point -> new double[] {point.bounces(), point.error().missing()})
+                    .filter(point -> ChartRange.isPlausible(point[0]) && ChartRange.isPlausible(point[1])).toList();
+            curves.add(new CurveChart.Curve(scene.scene(), PlotColor.of(curves.size()), false, points));
+        }
+        return CurveChart.svg("Missing light against bounces", curves, WIDTH, HEIGHT, NumberText::tick, IndirectCharts::percent);
+    }
+
+    /** Returns the chart of a growth curve: milliseconds against its dimension. */
+    static String svg(IndirectGrowth growth) {
+        List<CurveChart.Curve> curves = List.of(
+                curve("first pass, added", PlotColor.OURS, growth, IndirectGrowth.Point::extraMs),
+                curve("moved light", PlotColor.RED, growth, point -> point.position().median()),
+                curve("intensity", PlotColor.GREEN, growth, point -> point.intensity().median()));
+        return CurveChart.svg("Time (ms) against " + growth.along(), curves, WIDTH, HEIGHT, NumberText::tick, NumberText::tick);
+    }
+
+    private static CurveChart.Curve curve(String name, PlotColor ink, IndirectGrowth growth, ToDoubleFunction<IndirectGrowth.Point> value) {
+        return new CurveChart.Curve(name, ink, false, growth.points().stream()
+                .map(point -> new double[] {point.at(), value.applyAsDouble(point)})
+                .filter(point -> ChartRange.isPlausible(point[0]) && ChartRange.isPlausible(point[1]))
+                .sorted((a, b) -> Double.compare(a[0], b[0])).toList());
+    }
+
+    private static String percent(double share) {
+        return NumberText.tick(100 * share) + " %";
+    }
+}
