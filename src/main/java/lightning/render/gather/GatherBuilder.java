@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.function.IntFunction;
 import lightning.base.work.Progress;
+import lightning.base.work.ProgressPart;
 import lightning.base.work.WorkerPool;
 import lightning.render.image.Film;
 import lightning.render.trace.Geometry;
@@ -19,6 +20,9 @@ public final class GatherBuilder {
     private static final int CANDIDATES_PER_CELL = 4;
     /** Maximum number of gather points at a candidate: one in each size of cells. */
     public static final int MAX_POINTS_PER_CANDIDATE = CellKeys.LEVELS;
+    /** Usual shares of the time after the candidates and the rays of gather points. */
+    private static final double CANDIDATES_SHARE = 0.1;
+    private static final double POINTS_SHARE = 0.5;
 
     private final Geometry geometry;
     private final Scene scene;
@@ -56,10 +60,12 @@ public final class GatherBuilder {
         CellKeys keys = new CellKeys(scene, settings);
         DirectionTable pointDirections = new DirectionTable(settings.raysPerSide());
         GatherCaster[] pointCasters = casters(keys, pointDirections);
-        PointPlacer placer = new PointPlacer(workers, progress, keys, pointCasters, pointDirections);
+        PointPlacer placer =
+                new PointPlacer(workers, new ProgressPart(progress, CANDIDATES_SHARE, POINTS_SHARE), keys, pointCasters, pointDirections);
         placer.place(candidates);
         DirectionTable surfelDirections = new DirectionTable(settings.raysPerSide() / 2);
-        SurfelBuilder surfels = new SurfelBuilder(workers, progress, casters(keys, surfelDirections), surfelDirections);
+        SurfelBuilder surfels =
+                new SurfelBuilder(workers, new ProgressPart(progress, POINTS_SHARE, 1), casters(keys, surfelDirections), surfelDirections);
         surfels.build(placer.points, placer.seeds(), placer.links, pointCasters, settings.bounces());
         PointFilter filter = new FilterBuilder(placer.points, placer.radius, placer.harmonic, placer.side).build(workers, progress);
         long rays = Arrays.stream(candidateTracers).mapToLong(CandidateTracer::rayCount).sum() + placer.links.surfels().length
@@ -83,7 +89,7 @@ public final class GatherBuilder {
         workers.run(levels.length,
                 (worker, tile) -> levels[tile] =
                         candidateTracers[worker].trace(tile % tilesX * Film.TILE_SIZE, tile / tilesX * Film.TILE_SIZE),
-                progress.cancellationOnly());
+                new ProgressPart(progress, 0, CANDIDATES_SHARE));
         List<SurfaceColumns> all = new ArrayList<>();
         for (List<SurfaceColumns> tile : levels) {
             all.addAll(tile);

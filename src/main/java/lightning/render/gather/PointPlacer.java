@@ -2,7 +2,7 @@ package lightning.render.gather;
 
 import java.util.Arrays;
 import java.util.List;
-import lightning.base.work.Progress;
+import lightning.base.work.ProgressPart;
 import lightning.base.work.WorkerPool;
 
 /**
@@ -17,7 +17,7 @@ final class PointPlacer {
     private static final float ACCURACY = 0.25f;
 
     private final WorkerPool workers;
-    private final Progress progress;
+    private final ProgressPart progress;
     private final CellKeys keys;
     private final GatherCaster[] casters;
     private final int pointsPerBatch;
@@ -29,7 +29,7 @@ final class PointPlacer {
     /** Side of the largest cell at each point. */
     float[] side = {};
 
-    PointPlacer(WorkerPool workers, Progress progress, CellKeys keys, GatherCaster[] casters, DirectionTable directions) {
+    PointPlacer(WorkerPool workers, ProgressPart progress, CellKeys keys, GatherCaster[] casters, DirectionTable directions) {
         this.workers = workers;
         this.progress = progress;
         this.keys = keys;
@@ -103,7 +103,7 @@ final class PointPlacer {
         workers.run(Math.ceilDiv(chosen.length, pointsPerBatch), (worker, job) -> {
             int from = first + job * pointsPerBatch;
             casters[worker].cast(points, seeds, from, Math.min(count, from + pointsPerBatch), links, harmonic);
-        }, progress.cancellationOnly());
+        }, progress.section(level, CellKeys.LEVELS));
         boolean[] divided = new boolean[chosen.length];
         for (int p = first; p < count; p++) {
             float cellSide = (float) keys.side(points.px[p], points.py[p], points.pz[p], level);

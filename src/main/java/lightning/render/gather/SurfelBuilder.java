@@ -1,7 +1,7 @@
 package lightning.render.gather;
 
 import java.util.Arrays;
-import lightning.base.work.Progress;
+import lightning.base.work.ProgressPart;
 import lightning.base.work.WorkerPool;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.RayBatch;
@@ -14,7 +14,7 @@ final class SurfelBuilder {
     private static final int BATCH = 1 << 14;
 
     private final WorkerPool workers;
-    private final Progress progress;
+    private final ProgressPart progress;
     private final GatherCaster[] surfelCasters;
     private final int pointsPerBatch;
     private final CellTable cells = new CellTable();
@@ -26,7 +26,7 @@ final class SurfelBuilder {
     final RayLinks links;
 
     /** @param directions of the surfels' rays */
-    SurfelBuilder(WorkerPool workers, Progress progress, GatherCaster[] surfelCasters, DirectionTable directions) {
+    SurfelBuilder(WorkerPool workers, ProgressPart progress, GatherCaster[] surfelCasters, DirectionTable directions) {
         this.workers = workers;
         this.progress = progress;
         this.surfelCasters = surfelCasters;
@@ -54,7 +54,7 @@ final class SurfelBuilder {
             workers.run(Math.ceilDiv(to - from, pointsPerBatch), (worker, job) -> {
                 int first = from + job * pointsPerBatch;
                 surfelCasters[worker].cast(surfels, seeds, first, Math.min(to, first + pointsPerBatch), links, null);
-            }, progress.cancellationOnly());
+            }, progress.section(bounce - 2, bounces - 1));
             addSurfels(surfels, seeds, links, from * links.raysPerPoint(), surfelCasters);
             linked = to;
         }

@@ -3,6 +3,8 @@ package lightning.render.relight.tile;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
+import lightning.base.work.Progress;
+import lightning.base.work.ProgressPart;
 import lightning.base.work.WorkerPool;
 import lightning.render.cache.IndirectCache;
 import lightning.render.cache.PixelCache;
@@ -22,6 +24,9 @@ import lightning.scene.IndirectSettings;
  * updates the layers of surfels like those of any level.
  */
 final class IndirectBuilder {
+    /** Usual share of paths in the time of a job that traces them. The weights of rows take most of the rest. */
+    private static final double PATHS_SHARE = 0.7;
+
     private final RenderJob job;
     private final WorkerPool workers;
     private final PixelCache oldCache;
@@ -95,8 +100,10 @@ final class IndirectBuilder {
 
     private GatherStructure trace(IndirectSettings settings) {
         GatherStructure structure = new GatherBuilder(job.target().geometry(), job.scene(), settings, workers,
-                worker -> job.options().engines().forTile(0).tracer(job.target().geometry()), job.progress()).build();
+                worker -> job.options().engines().forTile(0).tracer(job.target().geometry()),
+                new ProgressPart(job.progress(), 0, PATHS_SHARE)).build();
         gatherRays += structure.rays();
+        job.progress().raysCast(structure.rays());
         return structure;
     }
 
@@ -114,6 +121,11 @@ final class IndirectBuilder {
                 (worker, block) -> surfels[block] = surfelWorker(worker, block).update(before[block], job.topPlan()),
                 job.progress().cancellationOnly());
         return surfels;
+    }
+
+    /** Returns the progress of the job's tiles, which follow. */
+    Progress tileProgress() {
+        return gatherRays == 0 ? job.progress() : new ProgressPart(job.progress(), PATHS_SHARE, 1);
     }
 
     /** Returns the work since the start. */
