@@ -41,6 +41,21 @@ public record RowWeights(GatherStructure structure, int[] points, short[] index,
         }
     }
 
+    /** Writes the indirect light of one row, with the bits of {@link #interpolate(float[][], float[][])}, to red, green and blue. */
+    public void interpolate(float[][] light, int row, float[] to) {
+        for (int c = 0; c < 3; c++) {
+            double sum = 0;
+            int total = 0;
+            for (int i = PER_ROW * row; i < PER_ROW * row + PER_ROW && weight[i] != 0; i++) {
+                int w = weight[i] & 0xFF;
+                sum += (double) w * light[c][points[index[i] & 0xFFFF]];
+                total += w;
+            }
+            double scale = total == 0 ? 0 : 1.0 / total;
+            to[c] = (float) (sum * scale);
+        }
+    }
+
     /** Returns the bytes of all columns. */
     public long bytes() {
         return 4L * points.length + 2L * index.length + weight.length;

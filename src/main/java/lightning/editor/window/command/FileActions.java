@@ -31,7 +31,6 @@ import lightning.format.jen.JenFile;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
 import lightning.scene.Scene;
-import lightning.scene.SceneWarnings;
 
 /** Actions of the file commands. Files are read and written in the background. */
 public final class FileActions {
@@ -175,7 +174,6 @@ public final class FileActions {
 
     private void showDocument(OpenDocument opened) {
         model.open(opened);
-        SceneWarnings.of(opened.scene()).forEach(message::show);
         preferences.addRecent(opened.file());
         refreshRecent();
     }

@@ -16,7 +16,6 @@ import lightning.editor.window.command.CommandMenuItems;
 import lightning.editor.window.model.SceneEditor;
 import lightning.scene.IndirectSettings;
 import lightning.scene.Scene;
-import lightning.scene.SceneWarnings;
 
 /** Menu of the settings of indirect light. Each choice is an edit of the scene. */
 public final class IndirectMenu {
@@ -67,11 +66,8 @@ public final class IndirectMenu {
     }
 
     private void edit(UnaryOperator<Optional<IndirectSettings>> change) {
-        Optional<String> refusal = editor.editOrReport(
+        editor.editOrReport(
                 scene -> EditOutcome.of(() -> scene.withPicture(scene.picture().withIndirect(change.apply(indirect(scene))))));
-        if (refusal.isEmpty()) {
-            SceneWarnings.of(editor.scene()).forEach(editor.message()::show);
-        }
     }
 
     private static Optional<IndirectSettings> indirect(Scene scene) {
