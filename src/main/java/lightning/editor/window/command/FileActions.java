@@ -22,6 +22,7 @@ import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.model.StatusMessage;
 import lightning.format.MeshFormat;
 import lightning.format.exchange.ImportedScene;
+import lightning.format.exchange.IndirectChoice;
 import lightning.format.exchange.LightUnitPreviews;
 import lightning.format.exchange.LightUnits;
 import lightning.format.exchange.SceneImporter;
@@ -117,7 +118,7 @@ public final class FileActions {
     private void importScene(Path file, Path to) {
         readInBackground(file, () -> {
             var progress = new FileProgressMessage(file, model.fileActivity(), model.files().windowExecutor(), message);
-            ImportedScene imported = SceneImporter.read(file, to, LightUnits.CANDELA, progress);
+            ImportedScene imported = IndirectChoice.AUTO.apply(SceneImporter.read(file, to, LightUnits.CANDELA, progress));
             try (var workers = new WorkerPool(WorkerPool.processorCount())) {
                 return new ImportPreview(imported,
                         LightUnitPreviews.render(imported, UNIT_PICTURE_SIZE, workers, progress.cancellationOnly()));
@@ -140,7 +141,8 @@ public final class FileActions {
             String text = Messages.tr("Imported {0}", Quote.path(file.getFileName())) + (noteCount == 0 ? "" : Messages.count(noteCount,
                     "; {0} import note: {1}", "; {0} import notes: {1}",
                     noteCount, String.join(", ", imported.notes().keySet().stream().sorted().toList())));
-            model.files().windowExecutor().execute(() -> message.show(text));
+            String indirect = imported.hasIndirect() ? Messages.tr("; indirect light is on, as in a closed room") : "";
+            model.files().windowExecutor().execute(() -> message.show(text + indirect));
             return OpenDocument.open(imported.sceneFile());
         });
     }
