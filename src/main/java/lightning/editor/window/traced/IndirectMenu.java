@@ -48,7 +48,8 @@ public final class IndirectMenu {
                 values(Command.INDIRECT_SPACING, SPACINGS, n -> Messages.tr("{0} Pixels", n), IndirectSettings::spacing,
                         IndirectSettings::withSpacing),
                 values(Command.INDIRECT_BACKGROUND, List.of(false, true), on -> on ? Messages.tr("On") : Messages.tr("Off"),
-                        IndirectSettings::background, IndirectSettings::withBackground));
+                        IndirectSettings::background, IndirectSettings::withBackground),
+                new SeparatorMenuItem(), items.item(Command.INDIRECT_ACCURACY));
     }
 
     private MenuItem toggle(String title, boolean on) {
