@@ -6,6 +6,7 @@ import java.util.Locale;
 import java.util.concurrent.Callable;
 import lightning.base.work.WorkerPool;
 import lightning.format.exchange.ImportedScene;
+import lightning.format.exchange.IndirectChoice;
 import lightning.format.exchange.LightUnitPreviews;
 import lightning.format.exchange.LightUnits;
 import lightning.format.exchange.SceneImporter;
@@ -42,6 +43,10 @@ final class ImportCommand implements Callable<Integer> {
             description = "Also write a small preview for each light unit next to the scene, such as scene.candela.png.")
     private boolean writesUnitPictures;
 
+    @Option(names = "--indirect", paramLabel = "WHEN",
+            description = "Indirect light: on, off, or auto, which is on if the camera is in a closed room (default: auto).")
+    private IndirectChoice indirect = IndirectChoice.AUTO;
+
     ImportCommand(Console console) {
         this.console = console;
     }
@@ -57,6 +62,7 @@ final class ImportCommand implements Callable<Integer> {
         try (var bar = new ProgressBar(console, "reading")) {
             imported = SceneImporter.read(file, output, units == null ? LightUnits.CANDELA : units, bar);
         }
+        imported = indirect.apply(imported);
         imported.write();
         if (writesUnitPictures) {
             writePictures(imported, name.substring(0, name.length() - JenFile.EXTENSION.length()));
@@ -66,6 +72,9 @@ final class ImportCommand implements Callable<Integer> {
                     .ifPresent(
                             usedUnits -> console.warn("%s: light units taken as %s; --light-pictures shows each choice",
                                     file, usedUnits.description()));
+        }
+        if (imported.hasIndirect() && indirect == IndirectChoice.AUTO) {
+            console.warn("%s: the camera is in a closed room, so indirect light is on; --indirect off leaves it out", file);
         }
         console.printNotes(file, "left out or approximated", imported.notes());
         console.print("%s: written; %s, %s, %s", output, Console.count(imported.scene().stage().shapeCount(), "object"),

@@ -153,6 +153,11 @@ public record Scene(PictureSettings picture, Camera camera, World world, Stage s
         return new Scene(v, camera, world, stage, rig);
     }
 
+    /** Returns the scene without indirect light: itself if it has none. */
+    public Scene withoutIndirect() {
+        return picture.indirect().isEmpty() ? this : withPicture(picture.withIndirect(Optional.empty()));
+    }
+
     public Scene withWorld(World v) {
         return new Scene(picture, camera, v, stage, rig);
     }

@@ -24,6 +24,43 @@ class ImportCommandTest {
         CliResult.run("check", folder.resolve("a.jen")).assertSuccess();
     }
 
+    /** Box from −1 to 1 around a camera at its center, whose front is left out if it is open. */
+    private static String room(boolean closed) {
+        String nff = """
+                v
+                from 0 0 0.5
+                at 0 0 -1
+                up 0 1 0
+                angle 60
+                hither 0.01
+                resolution 32 32
+                l 0 0.5 0
+                f 1 1 1 1 0 0 0 1
+                p 4\n-1 -1 -1\n1 -1 -1\n1 1 -1\n-1 1 -1
+                p 4\n-1 -1 -1\n-1 -1 1\n-1 1 1\n-1 1 -1
+                p 4\n1 -1 -1\n1 -1 1\n1 1 1\n1 1 -1
+                p 4\n-1 -1 -1\n1 -1 -1\n1 -1 1\n-1 -1 1
+                p 4\n-1 1 -1\n1 1 -1\n1 1 1\n-1 1 1
+                """;
+        return closed ? nff + "p 4\n-1 -1 1\n1 -1 1\n1 1 1\n-1 1 1\n" : nff;
+    }
+
+    @Test
+    void indirectLight_isOnInClosedRoomsAndByChoice() throws Exception {
+        Path closed = Files.writeString(folder.resolve("closed.nff"), room(true));
+        Path open = Files.writeString(folder.resolve("open.nff"), room(false));
+        Path scene = folder.resolve("a.jen");
+        assertThat(CliResult.run("import", closed, "-o", scene).assertSuccess().err())
+                .contains("the camera is in a closed room, so indirect light is on");
+        assertThat(Files.readString(scene)).contains("indirect");
+        CliResult.run("import", closed, "-o", scene, "--indirect", "off").assertSuccess();
+        assertThat(Files.readString(scene)).doesNotContain("indirect");
+        assertThat(CliResult.run("import", open, "-o", scene).assertSuccess().err()).doesNotContain("indirect");
+        assertThat(Files.readString(scene)).doesNotContain("indirect");
+        CliResult.run("import", open, "-o", scene, "--indirect", "on").assertSuccess();
+        assertThat(Files.readString(scene)).contains("indirect");
+    }
+
     @Test
     void lights_areExportedIntoCopy() throws Exception {
         Path scene = CliResult.scene(folder);

@@ -2,6 +2,7 @@ package lightning.bench.accuracy;
 
 import java.util.Arrays;
 import java.util.SplittableRandom;
+import java.util.stream.IntStream;
 import lightning.render.engine.Engine;
 import lightning.render.engine.choice.Engines;
 import lightning.render.gather.DirectionTable;
@@ -29,6 +30,7 @@ final class BruteForceGather {
     /** Reference bounces: those of any setting. */
     static final int BOUNCES = IndirectSettings.MAX_BOUNCES;
     /** Luminance of red, green and blue (ITU-R BT.709). */
+    private static final int[] RAYS_BY_INDEX = IntStream.range(0, RayBatch.MAX_RAYS).toArray();
     private static final double[] LUMINANCE = {0.2126, 0.7152, 0.0722};
     private static final int HITS_PER_BATCH = RayBatch.MAX_RAYS / HIT_RAYS;
 
@@ -153,8 +155,8 @@ final class BruteForceGather {
         for (int l = 0; l < lights.length; l++) {
             layers[l] = lights[l].isDark() ? null : kernel.recompute(rows, lights[l].source(), columns);
         }
-        shader.writeDirectLight(rows, lights, layers, 0, direct);
-        shader.writeReflection(rows, 0, albedo, glow);
+        shader.writeDirectLight(rows, lights, layers, RAYS_BY_INDEX, direct);
+        shader.writeReflection(rows, RAYS_BY_INDEX, albedo, glow);
     }
 
     /** Returns the luminance of a color. */

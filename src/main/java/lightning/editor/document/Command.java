@@ -272,6 +272,9 @@ public enum Command {
     INDIRECT_BACKGROUND(Messages.key("Light from Background"),
             Messages.key("Choose whether the background lights the scene where a ray leaves it"), "mdi2i-image-outline", "",
             DisabledReasons::noIndirectLight),
+    INDIRECT_ACCURACY(Messages.key("Measure Accuracy…"),
+            Messages.key("Compare the time and accuracy of indirect light for several spacings and rays"), "mdi2c-chart-scatter-plot", "",
+            DisabledReasons.NONE),
 
     ONLY_SELECTED(Messages.key("Isolate Selected Light"),
             Messages.key("Show only the selected light's contribution, reflections included"),

@@ -92,8 +92,15 @@ public record EditorState(Scene scene, Optional<Frame> frame, Optional<Scene> sc
         if (frame.isEmpty()) {
             return Optional.empty();
         }
-        return hasPendingEdits() ? Optional.of(Messages.tr("the image is out of date"))
+        return lacksIndirectLight() ? Optional.of(Messages.tr("the image has no indirect light yet"))
+                : hasPendingEdits() ? Optional.of(Messages.tr("the image is out of date"))
                 : lacksSamples() ? Optional.of(Messages.tr("the image is not anti-aliased yet")) : Optional.empty();
+    }
+
+    /** Tests if the traced image shows the scene, but not its indirect light, which is rendered after direct light. */
+    public boolean lacksIndirectLight() {
+        return scene.picture().indirect().isPresent()
+                && frame.filter(f -> VisibleState.isSame(scene.withoutIndirect(), f.scene())).isPresent();
     }
 
     /** Tests if the traced image has one sample per pixel center and its anti-aliasing samples are pending. */

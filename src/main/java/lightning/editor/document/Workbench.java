@@ -44,6 +44,8 @@ public final class Workbench implements AutoCloseable {
     private Optional<Scene> previousScene = Optional.empty();
     private Optional<Scene> sceneInProgress = Optional.empty();
     private Optional<Light> copiedLight = Optional.empty();
+    /** True if the image shows only the direct light of a scene whose indirect light is being rendered. */
+    private boolean isFrameStep;
     private boolean isVerifying;
     private boolean isLive;
     private boolean isAnimating;
@@ -108,8 +110,11 @@ public final class Workbench implements AutoCloseable {
         sceneInProgress = isBusy ? sceneInProgress : Optional.empty();
         RenderState newState = feed.state();
         if (newState.frame() != null && newState.frame() != renderState.frame()) {
-            Optional<Scene> shownScene = frame().map(Frame::scene);
+            Optional<Scene> shownScene = frame().map(Frame::scene).filter(_ -> !isFrameStep);
             previousScene = shownScene.filter(s -> !VisibleState.isSame(s, newState.frame().scene())).or(() -> previousScene);
+            isFrameStep =
+                    sceneInProgress.filter(s -> s.picture().indirect().isPresent() && s.withoutIndirect().equals(newState.frame().scene()))
+                            .isPresent();
         }
         renderState = newState;
     }

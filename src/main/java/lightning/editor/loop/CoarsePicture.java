@@ -29,7 +29,7 @@ import lightning.scene.SceneLimits;
  */
 public record CoarsePicture(Scene scene, Geometry geometry, Film film, double pixelsPerSecond) {
     /**
-     * Renders the first previews before anything else renders the scene. Pass the result to {@link RenderLoop#setStartupPreview}.
+     * Renders the first previews before anything else renders the scene, with direct light. Pass the result to {@link RenderLoop#setStartupPreview}.
      *
      * @param listener receives each preview
      * @return the last one; empty if the final image is ready as soon, or is too large to render
@@ -40,9 +40,9 @@ public record CoarsePicture(Scene scene, Geometry geometry, Film film, double pi
             return Optional.empty();
         }
         try (var renderer = new Renderer(options)) {
-            var pass = new CoarsePass(RenderedScenes.of(scene), renderer::prepare, options, listener, Progress.NONE);
+            var pass = new CoarsePass(RenderedScenes.of(scene.withoutIndirect()), renderer::prepare, options, listener, Progress.NONE);
             pass.showFirst();
-            return pass.last();
+            return pass.last().map(last -> new CoarsePicture(scene, last.geometry, last.film, last.pixelsPerSecond));
         }
     }
 

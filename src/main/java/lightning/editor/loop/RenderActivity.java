@@ -15,6 +15,8 @@ public record RenderActivity(Stage stage, long rays, long nanoseconds, long rayN
     public enum Stage {
         /** Coarse images, then one sample in each pixel. */
         CENTERS,
+        /** Indirect light, added to a picture that shows direct light. */
+        INDIRECT,
         /** Finer samples for anti-aliasing. */
         SAMPLES
     }

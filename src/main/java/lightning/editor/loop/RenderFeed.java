@@ -109,10 +109,20 @@ public final class RenderFeed implements RenderListener {
     }
 
     @Override
+    public void indirectStarted() {
+        canvas.indirectStarted();
+        startStage(RenderActivity.Stage.INDIRECT);
+    }
+
+    @Override
     public void samplesStarted() {
-        lastReportNs.set(System.nanoTime());
-        rays.start(RenderActivity.Stage.SAMPLES);
         canvas.samplesStarted();
+        startStage(RenderActivity.Stage.SAMPLES);
+    }
+
+    private void startStage(RenderActivity.Stage stage) {
+        lastReportNs.set(System.nanoTime());
+        rays.start(stage);
         publish(s -> s.withProgress(0, 0).withActivity(rays.activity()));
     }
 

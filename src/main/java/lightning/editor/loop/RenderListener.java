@@ -14,6 +14,9 @@ public interface RenderListener {
     /** Called when an update starts. */
     default void started(UpdatePlan plan) {}
 
+    /** Called when the indirect light of an image starts that shows direct light so far. Its progress follows. */
+    default void indirectStarted() {}
+
     /** Called when the finer samples of an image start. Their progress follows. */
     default void samplesStarted() {}
 

@@ -115,23 +115,65 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
     private void renderScene(Scene scene, RenderQueue.CancelSignal signal) {
         PlannedUpdate planned = renderer.plan(scene);
         listener.started(planned.update());
-        ProgressiveDisplay display =
-                planned.update() instanceof UpdatePlan.FirstPass ? startFirstPass(scene, signal) : startUpdate(scene, planned, signal);
-        long start = System.nanoTime();
-        update((r, _) -> r.renderCenters(planned, display), (r, progress) -> r.render(scene, progress), signal);
-        if (System.nanoTime() - start < ProgressiveDisplay.SLOW_NS) {
-            slowUpdate = "";
+        if (addsIndirectLight(scene, planned.update())) {
+            renderDirectFirst(scene, signal);
+        } else {
+            renderStep(scene, scene, planned, signal);
         }
         if (!renderer.isFinished()) {
             queue.requestSamples();
         }
     }
 
+    /**
+     * @param requested scene that the display waits for
+     * @param scene     scene of this step: the same, or without its indirect light
+     */
+    private void renderStep(Scene requested, Scene scene, PlannedUpdate planned, RenderQueue.CancelSignal signal) {
+        ProgressiveDisplay display = planned.update() instanceof UpdatePlan.FirstPass ? startFirstPass(requested, scene, signal)
+                : startUpdate(requested, scene, planned, signal);
+        long start = System.nanoTime();
+        update((r, _) -> r.renderCenters(planned, display), (r, progress) -> r.render(scene, progress), signal);
+        if (System.nanoTime() - start < ProgressiveDisplay.SLOW_NS) {
+            slowUpdate = "";
+        }
+    }
+
+    /** Returns whether an update traces the paths of indirect light, and the image without it can be kept. */
+    private boolean addsIndirectLight(Scene scene, UpdatePlan update) {
+        Scene shown = renderer.options().view().apply(scene);
+        if (shown.picture().indirect().isEmpty()) {
+            return false;
+        }
+        PixelCache cache = renderer.hasPicture() ? renderer.cache() : null;
+        return update instanceof UpdatePlan.FirstPass || cache.indirect() == null
+                || !shown.picture().indirect().equals(cache.scene().picture().indirect())
+                        && shown.withoutIndirect().equals(cache.scene().withoutIndirect());
+    }
+
+    /**
+     * Renders the scene without indirect light, shows it, and adds indirect light. A newer scene replaces the second step, so that each
+     * scene of a drag is shown with direct light. A canceled second step leaves the image of the first.
+     */
+    private void renderDirectFirst(Scene scene, RenderQueue.CancelSignal signal) {
+        Scene direct = scene.withoutIndirect();
+        boolean isShown = renderer.hasPicture()
+                && renderer.scene().withoutIndirect().equals(renderer.options().view().apply(direct));
+        if (!isShown) {
+            renderStep(scene, direct, renderer.plan(direct), signal);
+        } else {
+            renderer.requireMemory(scene, 0, signal, _ -> {});
+        }
+        listener.indirectStarted();
+        queue.setReplaceable(signal, true);
+        update((r, progress) -> r.renderCenters(r.planKeepingReflectionsCurrent(scene), progress), null, signal);
+    }
+
     /** Shows the first coarse images, makes sure that the scene fits into memory, and shows further ones. */
-    private ProgressiveDisplay startFirstPass(Scene scene, RenderQueue.CancelSignal signal) {
+    private ProgressiveDisplay startFirstPass(Scene requested, Scene scene, RenderQueue.CancelSignal signal) {
         CoarsePass coarse = new CoarsePass(RenderedScenes.of(scene), renderer::prepare, renderer.options(),
-                film -> listener.coarseRendered(film, scene), signal);
-        takeStartupPreview().filter(preview -> preview.scene() == scene).ifPresent(preview -> {
+                film -> listener.coarseRendered(film, requested), signal);
+        takeStartupPreview().filter(preview -> preview.scene() == requested).ifPresent(preview -> {
             renderer.setSharedGeometry(preview.geometry());
             coarse.show(preview);
         });
@@ -141,29 +183,29 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
             coarse.showFirst();
         }
         queue.setReplaceable(signal, coarse.isShown());
-        freeMemory(scene, signal, canShow ? coarse::offer : _ -> {});
+        freeMemory(requested, signal, canShow && scene == requested ? coarse::offer : _ -> {});
         coarse.last().ifPresent(picture -> renderer.setSharedGeometry(picture.geometry()));
         coarse.showRest();
         coarsePixelsPerSecond = coarse.pixelsPerSecond();
-        return new ProgressiveDisplay(signal, scene, listener, _ -> {}, canReplace -> queue.setReplaceable(signal, canReplace), true)
+        return new ProgressiveDisplay(signal, requested, listener, _ -> {}, canReplace -> queue.setReplaceable(signal, canReplace), true)
                 .showingTiles(coarse.isShown());
     }
 
     /** Shows a coarse image if the last update of this kind was slow, and prepares to show one if this update turns out to be slow. */
-    private ProgressiveDisplay startUpdate(Scene scene, PlannedUpdate planned, RenderQueue.CancelSignal signal) {
+    private ProgressiveDisplay startUpdate(Scene requested, Scene scene, PlannedUpdate planned, RenderQueue.CancelSignal signal) {
         String kind = planned.update().description();
         var scenes = new RenderedScenes(scene,
                 renderer.options().reflections() == ReflectionMode.CURRENT ? scene : renderer.cache().mirroredScene());
         boolean canShow = displayMode.isFullPicture() && CoarseSteps.of(scene.picture()).first() > 0;
-        var display = new ProgressiveDisplay(signal, scene, listener, seconds -> {
+        var display = new ProgressiveDisplay(signal, requested, listener, seconds -> {
             slowUpdate = kind;
             slowSeconds = seconds;
             if (canShow) {
-                listener.coarseRendered(traceCoarse(scenes, 1, signal).film(), scene);
+                listener.coarseRendered(traceCoarse(scenes, 1, signal).film(), requested);
             }
         }, canReplace -> queue.setReplaceable(signal, canReplace), canShow);
         if (canShow && kind.equals(slowUpdate)) {
-            var coarse = new CoarsePass(scenes, renderer::geometryOf, renderer.options(), film -> listener.coarseRendered(film, scene),
+            var coarse = new CoarsePass(scenes, renderer::geometryOf, renderer.options(), film -> listener.coarseRendered(film, requested),
                     signal);
             coarse.show(traceCoarse(scenes, renderer.options().threads(), signal));
             queue.setReplaceable(signal, true);
@@ -223,14 +265,14 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
     /**
      * Updates the image.
      *
-     * @param repeatStep repeats the update from the start, planning included, to measure its saving
+     * @param repeatStep repeats the update from the start, planning included, to measure its saving; null if its saving is not measured
      */
     private void update(WarmSaving.UpdateStep step, WarmSaving.UpdateStep repeatStep, RenderQueue.CancelSignal signal) {
         PixelCache start = startCache();
         ViewTransform usedView = view;
         renderer.setView(usedView.exposure(), usedView.steepestCurve());
         UpdateResult update = step.run(renderer, signal);
-        verifier.setLastEdit(!renderer.isFinished() ? Optional.empty()
+        verifier.setLastEdit(!renderer.isFinished() || repeatStep == null ? Optional.empty()
                 : WarmSaving.RepeatableEdit.of(update, start, renderer.options(), (r, progress) -> {
                     r.setView(usedView.exposure(), usedView.steepestCurve());
                     return repeatStep.run(r, progress);

@@ -15,6 +15,7 @@ import lightning.editor.window.contribution.ContributionPane;
 import lightning.editor.window.cue.CuePane;
 import lightning.editor.window.measure.AccuracyPane;
 import lightning.editor.window.measure.EffectsPane;
+import lightning.editor.window.measure.IndirectAccuracyPane;
 import lightning.editor.window.measure.ScopesPane;
 import lightning.editor.window.mixer.MixerPane;
 import lightning.editor.window.model.CommandRegistry;
@@ -29,6 +30,7 @@ final class PanelWindows implements AutoCloseable {
             Command.EFFECTS_PANEL,
             new PanelSpec(760, 680,
                     m -> new EffectsPane(m.editor(), m.workbench(), m.accuracyModeProperty(), m.pictureDisplay().effectsProperty())),
+            Command.INDIRECT_ACCURACY, new PanelSpec(760, 460, m -> new IndirectAccuracyPane(m.editor(), m.accuracyModeProperty())),
             Command.KEYS, new PanelSpec(880, 720, m -> new ShortcutsPane(m.commands())),
             Command.SCOPES, new PanelSpec(540, 540, m -> new ScopesPane(m.picture(), m.files().windowExecutor())),
             Command.HISTORY_PANEL, new PanelSpec(380, 560, m -> new HistoryPane(m.editor(), m.workbench())),

@@ -43,7 +43,7 @@ final class StatusBar extends HBox {
         status.setOnAction(_ -> commands.run(Command.UPDATES_PANEL));
         var gap = new Region();
         HBox.setHgrow(gap, Priority.ALWAYS);
-        getChildren().addAll(status, gap, message);
+        getChildren().addAll(status, gap, new WarningBar(editor), message);
         editor.message().textProperty().subscribe(text -> {
             message.setText(text);
             message.setManaged(!text.isEmpty());

@@ -16,6 +16,7 @@ import lightning.base.text.Quote;
 import lightning.format.jen.JenException;
 import lightning.format.jen.JenReader;
 import lightning.format.jen.JenWriter;
+import lightning.scene.IndirectSettings;
 import lightning.scene.Scene;
 
 /**
@@ -75,6 +76,18 @@ public record ImportedScene(Scene unscaledScene, Set<String> restored, Optional<
     public ImportedScene inUnits(LightUnits newUnits) {
         return units.isEmpty() ? this
                 : new ImportedScene(unscaledScene, restored, Optional.of(newUnits), comments, sceneFile, copies, notes);
+    }
+
+    /** Returns this scene with indirect light of the default settings. */
+    ImportedScene withIndirect() {
+        return new ImportedScene(
+                unscaledScene.withPicture(unscaledScene.picture().withIndirect(Optional.of(IndirectSettings.DEFAULT))), restored, units,
+                comments, sceneFile, copies, notes);
+    }
+
+    /** Returns whether the scene has indirect light. */
+    public boolean hasIndirect() {
+        return unscaledScene.picture().indirect().isPresent();
     }
 
     /** Returns the scene as the {@code .jen} file contains it. */

@@ -40,7 +40,7 @@ public final class LightUnitPreviews {
         PictureSettings settings = imported.unscaledScene().picture();
         double scale = (double) size / Math.max(settings.width(), settings.height());
         PictureSettings small = settings.withSize((int) Math.ceil(scale * settings.width()), (int) Math.ceil(scale * settings.height()))
-                .withSampling(EDGES);
+                .withSampling(EDGES).withIndirect(Optional.empty());
         List<Material> untextured = imported.unscaledScene().materials().stream()
                 .map(m -> m.withTexture(Optional.empty()).withCutout(AlphaCutout.NONE).withBumpMapping(BumpMapping.NONE)).toList();
         Geometry geometry = null;

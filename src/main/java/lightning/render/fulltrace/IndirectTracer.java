@@ -95,7 +95,7 @@ final class IndirectTracer {
         HitRows[] rows = structure.surfels();
         List<EngineWorkers<SurfelTracer>> threads = EngineWorkers.perThread(workers.count(), engines, SurfelTracer::new);
         workers.run(rows.length, (worker, block) -> threads.get(worker).forTile(block).shade(rows[block], structure.numbers(block),
-                edgeLights, direct, edges, albedo, glow), progress);
+                edgeLights, direct, edges, albedo, glow), progress.cancellationOnly());
         gatherRays = structure.rays();
         shadowRays = threads.stream().flatMap(thread -> thread.workers().stream()).mapToLong(tracer -> tracer.kernel.shadowRays()).sum();
         IndirectSolver solver = new IndirectSolver(structure, scene, workers, progress);

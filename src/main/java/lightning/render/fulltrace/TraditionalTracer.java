@@ -3,6 +3,7 @@ package lightning.render.fulltrace;
 import java.util.List;
 import java.util.stream.IntStream;
 import lightning.base.work.Progress;
+import lightning.base.work.ProgressPart;
 import lightning.base.work.WorkerPool;
 import lightning.render.engine.EngineChoice;
 import lightning.render.engine.EngineWorkers;
@@ -20,6 +21,9 @@ import lightning.scene.Scene;
 
 /** Fastest full tracer without a cache, tile by tile: the baseline of all measured savings. */
 public final class TraditionalTracer {
+    /** Usual share of indirect light in the time of a trace. */
+    private static final double INDIRECT_SHARE = 0.6;
+
     private final Geometry geometry;
     private final Geometry mirroredGeometry;
     private final Scene scene;
@@ -99,12 +103,19 @@ public final class TraditionalTracer {
      * @throws java.util.concurrent.CancellationException if {@code progress} requested cancellation
      */
     public Result trace(WorkerPool workers, int[] tiles, Progress progress) {
+        if (scene.picture().indirect().isEmpty() && mirrored.picture().indirect().isEmpty()) {
+            return trace(workers, tiles, progress, progress);
+        }
+        return trace(workers, tiles, new ProgressPart(progress, 0, INDIRECT_SHARE), new ProgressPart(progress, INDIRECT_SHARE, 1));
+    }
+
+    private Result trace(WorkerPool workers, int[] tiles, Progress indirectProgress, Progress progress) {
         Film film = Film.black(scene.picture().width(), scene.picture().height());
         RenderedScenes scenes = new RenderedScenes(scene, mirrored);
         TileTracer.SceneLights lights = TileTracer.SceneLights.of(scenes);
-        IndirectTracer indirect = new IndirectTracer(geometry, scene, lights.direct(), engines, workers, progress);
+        IndirectTracer indirect = new IndirectTracer(geometry, scene, lights.direct(), engines, workers, indirectProgress);
         IndirectTracer inMirrors = scene == mirrored ? indirect
-                : new IndirectTracer(mirroredGeometry, mirrored, lights.mirrored(), engines, workers, progress);
+                : new IndirectTracer(mirroredGeometry, mirrored, lights.mirrored(), engines, workers, indirectProgress);
         IndirectLight light = indirect.trace();
         List<EngineWorkers<TileTracer>> threads =
                 createTracers(workers, scenes, lights.withIndirect(light, inMirrors == indirect ? light : inMirrors.trace()));

@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.function.IntFunction;
 import lightning.base.work.Progress;
+import lightning.base.work.ProgressPart;
 import lightning.base.work.WorkerPool;
 import lightning.render.image.Film;
 import lightning.render.trace.Geometry;
@@ -22,6 +23,9 @@ public final class GatherBuilder {
     private static final int CANDIDATES_PER_CELL = 4;
     /** Maximum number of gather points at a candidate: one in each size of cells. */
     public static final int MAX_POINTS_PER_CANDIDATE = CellKeys.LEVELS;
+    /** Usual shares of the time after the candidates and the rays of gather points. */
+    private static final double CANDIDATES_SHARE = 0.1;
+    private static final double POINTS_SHARE = 0.5;
 
     /** Bytes of a surfel's key, seed, place and normal, and of its light while it is solved. */
     private static final int BYTES_BESIDE_ROW = 160;
@@ -98,11 +102,11 @@ public final class GatherBuilder {
         List<SurfaceColumns> candidates = traceCandidates(candidateTracers);
         PathCaster pointCaster = caster(new DirectionTable(settings.raysPerSide()), true);
         PathMemory memory = new PathMemory(settings, memoryBytes);
-        PointPlacer placer = new PointPlacer(workers, progress, keys, pointCaster);
+        PointPlacer placer = new PointPlacer(workers, new ProgressPart(progress, CANDIDATES_SHARE, POINTS_SHARE), keys, pointCaster);
         placer.links.setMemory(memory);
         placer.place(candidates);
         PathCaster surfelCaster = caster(new DirectionTable(settings.raysPerSide() / 2), false);
-        SurfelBuilder surfels = new SurfelBuilder(workers, progress, keys, surfelCaster, memo);
+        SurfelBuilder surfels = new SurfelBuilder(workers, new ProgressPart(progress, POINTS_SHARE, 1), keys, surfelCaster, memo);
         surfels.setMemory(memory, surfelBytes());
         surfels.build(placer.sources, placer.links, pointCaster, settings.bounces());
         PointFilter filter = new FilterBuilder(placer.points, placer.radius, placer.harmonic, placer.side).build(workers, progress);
@@ -117,7 +121,7 @@ public final class GatherBuilder {
     }
 
     private PathCaster caster(DirectionTable directions, boolean ofPoints) {
-        return new PathCaster(geometry, scene, workers, progress, tracers, memo, memoTracers, keys, directions, ofPoints);
+        return new PathCaster(geometry, scene, workers, tracers, memo, memoTracers, keys, directions, ofPoints);
     }
 
     private List<SurfaceColumns> traceCandidates(CandidateTracer[] candidateTracers) {
@@ -128,7 +132,7 @@ public final class GatherBuilder {
         workers.run(levels.length,
                 (worker, tile) -> levels[tile] =
                         candidateTracers[worker].trace(tile % tilesX * Film.TILE_SIZE, tile / tilesX * Film.TILE_SIZE),
-                progress.cancellationOnly());
+                new ProgressPart(progress, 0, CANDIDATES_SHARE));
         List<SurfaceColumns> all = new ArrayList<>();
         for (List<SurfaceColumns> tile : levels) {
             all.addAll(tile);

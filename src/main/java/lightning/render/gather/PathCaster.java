@@ -16,7 +16,6 @@ final class PathCaster {
     private static final int MEMO_POINTS = 256;
 
     private final WorkerPool workers;
-    private final Progress progress;
     private final PathMemo memo;
     private final KnownRays known;
     private final boolean ofPoints;
@@ -34,10 +33,9 @@ final class PathCaster {
      * @param memoTracers   one for each thread, of the geometry before the edit
      * @param ofPoints      whether gather points cast the rays
      */
-    PathCaster(Geometry geometry, Scene scene, WorkerPool workers, Progress progress, Tracer[] tracers, PathMemo memo,
+    PathCaster(Geometry geometry, Scene scene, WorkerPool workers, Tracer[] tracers, PathMemo memo,
             IntFunction<Tracer> memoTracers, CellKeys keys, DirectionTable directions, boolean ofPoints) {
         this.workers = workers;
-        this.progress = progress.cancellationOnly();
         this.memo = memo;
         this.ofPoints = ofPoints;
         normals = new SurfaceNormals[tracers.length];
@@ -59,8 +57,9 @@ final class PathCaster {
      *
      * @param links          receives the cell that each ray hit
      * @param inverseLengths receives the sum of the {@link InverseLengths} of each point's rays; null if not wanted
+     * @param progress       receives the finished share of the points
      */
-    void cast(RaySources points, int from, int to, RayLinks links, long[] inverseLengths) {
+    void cast(RaySources points, int from, int to, RayLinks links, long[] inverseLengths, Progress progress) {
         points.reserveNormals(to);
         workers.run(Math.ceilDiv(to - from, pointsPerBatch), (worker, job) -> {
             int first = from + job * pointsPerBatch;

@@ -2,7 +2,7 @@ package lightning.render.gather;
 
 import java.util.Arrays;
 import java.util.List;
-import lightning.base.work.Progress;
+import lightning.base.work.ProgressPart;
 import lightning.base.work.WorkerPool;
 
 /**
@@ -19,7 +19,7 @@ final class PointPlacer {
     private static final float ACCURACY = 0.35f;
 
     private final WorkerPool workers;
-    private final Progress progress;
+    private final ProgressPart progress;
     private final CellKeys keys;
     private final PathCaster caster;
     final SurfaceColumns points = new SurfaceColumns();
@@ -31,7 +31,7 @@ final class PointPlacer {
     /** Side of the largest cell at each point. */
     float[] side = {};
 
-    PointPlacer(WorkerPool workers, Progress progress, CellKeys keys, PathCaster caster) {
+    PointPlacer(WorkerPool workers, ProgressPart progress, CellKeys keys, PathCaster caster) {
         this.workers = workers;
         this.progress = progress;
         this.keys = keys;
@@ -52,7 +52,7 @@ final class PointPlacer {
             CellTable cells = new CellTable();
             int[] chosen = choose(candidates, active, cell, level, cells);
             sources.levelStart[level] = points.count;
-            addPoints(candidates, chosen, point);
+            addPoints(candidates, chosen, point, level);
             for (int candidate : chosen) {
                 cells.setNumber(cell[candidate], divide(point[candidate], level) ? 1 : 0);
             }
@@ -94,7 +94,7 @@ final class PointPlacer {
      *
      * @param point of each candidate, or {@link #NONE}
      */
-    private void addPoints(SurfaceColumns candidates, int[] chosen, int[] point) {
+    private void addPoints(SurfaceColumns candidates, int[] chosen, int[] point, int level) {
         int first = points.count;
         points.reserve(first + chosen.length);
         for (int candidate : chosen) {
@@ -109,7 +109,7 @@ final class PointPlacer {
         radius = Arrays.copyOf(radius, count);
         side = Arrays.copyOf(side, count);
         links.setPoints(count);
-        caster.cast(sources, first, count, links, inverseLengths);
+        caster.cast(sources, first, count, links, inverseLengths, progress.section(level, CellKeys.LEVELS));
         for (int p = first; p < count; p++) {
             harmonic[p] = InverseLengths.harmonicMean(inverseLengths[p], links.raysPerPoint(), keys.side(points, p));
         }

@@ -1,5 +1,7 @@
 package lightning.render.gather;
 
+import java.util.Arrays;
+
 /** Weights of the gather points near each row of a level: at most eight for each, fixed like the rows. Immutable. */
 public final class RowWeights {
     static final int PER_ROW = 8;
@@ -103,6 +105,27 @@ public final class RowWeights {
             for (int i = first; i < end; i++) {
                 to[4 * (i - first) + c] = light[c][near.points()[i]];
             }
+        }
+    }
+
+    /** Writes the indirect light of one row, with the bits of {@link #interpolate(float[][], float[][])}, to red, green and blue. */
+    public void interpolate(float[][] light, int row, float[] to) {
+        int first = 0;
+        for (int before = 0; before < row; before++) {
+            first += count[before];
+        }
+        int total = 0;
+        Arrays.fill(to, 0);
+        for (int i = first; i < first + count[row]; i++) {
+            int point = near.point(i);
+            int whole = near.weight[i] & 0xFF;
+            for (int c = 0; c < 3; c++) {
+                to[c] += whole * WeightedPoints.SCALE * light[c][point];
+            }
+            total += whole;
+        }
+        for (int c = 0; c < 3; c++) {
+            to[c] *= total == 0 ? 0 : 1 / (total * WeightedPoints.SCALE);
         }
     }
 

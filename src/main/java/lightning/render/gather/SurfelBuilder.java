@@ -3,7 +3,7 @@ package lightning.render.gather;
 import java.util.Arrays;
 import java.util.BitSet;
 import java.util.stream.IntStream;
-import lightning.base.work.Progress;
+import lightning.base.work.ProgressPart;
 import lightning.base.work.WorkerPool;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.RayBatch;
@@ -18,7 +18,7 @@ final class SurfelBuilder {
     private static final int BATCH = 1 << 14;
 
     private final WorkerPool workers;
-    private final Progress progress;
+    private final ProgressPart progress;
     private final CellKeys cellKeys;
     private final PathCaster caster;
     private final PathMemo memo;
@@ -40,7 +40,7 @@ final class SurfelBuilder {
      * @param caster of the surfels' rays
      * @param memo   paths before an edit, or null
      */
-    SurfelBuilder(WorkerPool workers, Progress progress, CellKeys cellKeys, PathCaster caster, PathMemo memo) {
+    SurfelBuilder(WorkerPool workers, ProgressPart progress, CellKeys cellKeys, PathCaster caster, PathMemo memo) {
         this.workers = workers;
         this.progress = progress;
         this.cellKeys = cellKeys;
@@ -87,7 +87,7 @@ final class SurfelBuilder {
             int from = linked;
             int to = surfels.count;
             links.setPoints(to);
-            caster.cast(sources, from, to, links, null);
+            caster.cast(sources, from, to, links, null, progress.section(bounce - 2, bounces - 1));
             addSurfels(sources, links, from * links.raysPerPoint(), caster);
             linked = to;
         }

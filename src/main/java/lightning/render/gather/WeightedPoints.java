@@ -31,6 +31,15 @@ final class WeightedPoints {
         this.weight = weight;
     }
 
+    /** Returns the point of an entry. */
+    int point(int entry) {
+        int table = 0;
+        while (firstEntry[table + 1] <= entry) {
+            table++;
+        }
+        return points[firstPoint[table] + (index[entry] & 0xFF)];
+    }
+
     /** Builds lists entry by entry. */
     static final class Builder {
         private int[] points = new int[TABLE_SIZE];

@@ -1,6 +1,9 @@
 package lightning.render.relight;
 
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
+import lightning.base.work.Progress;
 import lightning.render.cache.CachedTile;
 import lightning.render.cache.FineSamples;
 import lightning.render.cache.PixelCache;
@@ -16,11 +19,11 @@ import lightning.scene.Scene;
 
 /**
  * Thumbnails of every light's contribution to a picture, composed from its cache. No ray is cast, and only the rows of the
- * thumbnail's pixels are processed, so all lights together take less time than composing one picture. For the same reason
- * contributions contain no diffuse indirect light: it must be solved for each light over the whole picture.
+ * thumbnail's pixels are processed, so all lights together take less time than composing one picture. Diffuse indirect light is included
+ * if its solution for each light is given.
  *
  * <p>A pixel is represented by its center, or by its first sample if all pixels have several. Each value then has the bits of
- * {@link Renderer#lightImage} of a picture without anti-aliasing and indirect light. A cache is never modified, so this may run on any thread
+ * {@link Renderer#lightImage} of a picture without anti-aliasing. A cache is never modified, so this may run on any thread
  * concurrently with the renderer.
  */
 public final class LightThumbnails {
@@ -30,8 +33,10 @@ public final class LightThumbnails {
     /** Image of each light, the environment last: red, green, blue of each pixel, the top row first. */
     private final float[][] lightImages;
     private final float[] image;
+    private final boolean hasAllLight;
 
-    private LightThumbnails(Scene scene, int width, int height, int lights) {
+    private LightThumbnails(Scene scene, int width, int height, int lights, boolean hasAllLight) {
+        this.hasAllLight = hasAllLight;
         this.scene = scene;
         this.width = width;
         this.height = height;
@@ -40,21 +45,33 @@ public final class LightThumbnails {
     }
 
     /**
-     * Creates thumbnails with the picture's aspect ratio.
+     * Creates thumbnails of direct light with the picture's aspect ratio.
      *
      * @param maxWidth pixels, ≥ 1, with {@code maxHeight}
      * @throws IllegalStateException if mirror levels are stored as hit shapes
      */
     public static LightThumbnails of(PixelCache cache, int maxWidth, int maxHeight) {
+        return of(cache, maxWidth, maxHeight, null, Progress.NONE);
+    }
+
+    /**
+     * Creates thumbnails with the picture's aspect ratio.
+     *
+     * @param indirect indirect light of the picture by light; null for thumbnails of direct light
+     * @throws IllegalStateException if mirror levels are stored as hit shapes
+     * @throws java.util.concurrent.CancellationException if {@code progress} requested cancellation
+     */
+    public static LightThumbnails of(PixelCache cache, int maxWidth, int maxHeight, IndirectByLight indirect, Progress progress) {
         int w = cache.scene().picture().width();
         int h = cache.scene().picture().height();
         double shrink = Math.max(1, Math.max((double) w / maxWidth, (double) h / maxHeight));
-        return of(cache, pixelPositions(w, (int) Math.max(1, w / shrink)), pixelPositions(h, (int) Math.max(1, h / shrink)));
+        return of(cache, pixelPositions(w, (int) Math.max(1, w / shrink)), pixelPositions(h, (int) Math.max(1, h / shrink)), indirect,
+                progress);
     }
 
     /** Creates the thumbnails of one pixel, in column {@code x} from the left and row {@code y} from the top. */
-    public static LightThumbnails pixel(PixelCache cache, int x, int y) {
-        return of(cache, new int[] {x}, new int[] {y});
+    public static LightThumbnails pixel(PixelCache cache, int x, int y, IndirectByLight indirect, Progress progress) {
+        return of(cache, new int[] {x}, new int[] {y}, indirect, progress);
     }
 
     /** Returns the midpoints of {@code count} equal parts of a side. */
@@ -64,9 +81,10 @@ public final class LightThumbnails {
         return places;
     }
 
-    private static LightThumbnails of(PixelCache cache, int[] columns, int[] rows) {
+    private static LightThumbnails of(PixelCache cache, int[] columns, int[] rows, IndirectByLight indirect, Progress progress) {
         WeightedLight[] top = WeightedLight.ofScene(cache.scene());
-        var shares = new LightThumbnails(cache.scene(), columns.length, rows.length, top.length);
+        var shares = new LightThumbnails(cache.scene(), columns.length, rows.length, top.length,
+                indirect != null || cache.indirect() == null && cache.mirroredIndirect() == null);
         Film film = cache.film();
         for (int i = 0; i < shares.image.length / 3; i++) {
             int x = columns[i % columns.length];
@@ -90,10 +108,16 @@ public final class LightThumbnails {
                     }
                 }
                 var part = new TilePart(x0, y0, x1 - x0, columns.length);
-                shares.renderTile(cache, rows[y0] / Film.TILE_SIZE * tilesPerRow + columns[x0] / Film.TILE_SIZE, target, part, levels);
+                levels.addTile(cache, rows[y0] / Film.TILE_SIZE * tilesPerRow + columns[x0] / Film.TILE_SIZE, target, part);
                 x0 = x1;
             }
             y0 = y1;
+        }
+        for (int l = 0; l < top.length; l++) {
+            // The first light of the environment has the indirect light of all of them.
+            levels.setIndirect(indirect == null || l > cache.scene().lights().size() ? IndirectByLight.Solution.NONE
+                    : indirect.of(cache, l, progress));
+            levels.render(l, shares.lightImages[l]);
         }
         return shares;
     }
@@ -114,21 +138,8 @@ public final class LightThumbnails {
         }
     }
 
-    private void renderTile(PixelCache cache, int index, short[] target, TilePart part, LevelWalk levels) {
-        if (cache.tileCount() > 0) {
-            levels.renderTile(cache.tile(index), target, part, lightImages);
-            return;
-        }
-        FineSamples all = cache.fineTile(index).first();
-        for (SampleBlock block : all.blocks()) {
-            short[] first = new short[Film.TILE_PIXELS];
-            Arrays.fill(first, (short) -1);
-            for (int i = 0; i < block.pixels().length; i++) {
-                first[i * all.cells().count()] = target[block.pixels()[i]];
-            }
-            levels.renderTile(block.rows(), first, part, lightImages);
-        }
-    }
+    /** Selected rows of a tile's pixels. */
+    private record SelectedPart(TilePart part, SelectedRows rows) {}
 
     /** Rows of single pixels and of everything seen from there in mirrors and through clear surfaces. */
     private static final class LevelWalk {
@@ -140,6 +151,8 @@ public final class LightThumbnails {
         private final RowContribution eyeShader;
         private final RowContribution mirrorShader;
         private final int depth;
+        private final List<SelectedPart> parts = new ArrayList<>();
+        private IndirectByLight.Solution indirect = IndirectByLight.Solution.NONE;
         private TileLevel[] levels;
         /** Next level of the walk. */
         private int nextLevel;
@@ -162,18 +175,44 @@ public final class LightThumbnails {
             mirrorShader = new RowContribution(cache.mirroredGeometry().materials());
         }
 
+        void addTile(PixelCache cache, int index, short[] target, TilePart part) {
+            if (cache.tileCount() > 0) {
+                addRows(cache.tile(index), target, part);
+                return;
+            }
+            FineSamples all = cache.fineTile(index).first();
+            for (SampleBlock block : all.blocks()) {
+                short[] first = new short[Film.TILE_PIXELS];
+                Arrays.fill(first, (short) -1);
+                for (int i = 0; i < block.pixels().length; i++) {
+                    first[i * all.cells().count()] = target[block.pixels()[i]];
+                }
+                addRows(block.rows(), first, part);
+            }
+        }
+
         /** @param target for each position of the tile its index in the part, or −1 */
-        void renderTile(CachedTile tile, short[] target, TilePart part, float[][] shares) {
+        private void addRows(CachedTile tile, short[] target, TilePart part) {
             if (!tile.storesRows()) {
                 throw new IllegalStateException("mirror levels are stored as hit shapes");
             }
             levels = tile.levels;
             nextLevel = 1;
-            SelectedRows first = collectLevel(0, 0, target);
-            for (int l = 0; l < lights.length; l++) {
-                float[] colors = first.colors(eyeShader, lights[l], l, this);
+            parts.add(new SelectedPart(part, collectLevel(0, 0, target)));
+        }
+
+        /** Sets the indirect light that is added from now on. */
+        void setIndirect(IndirectByLight.Solution v) {
+            indirect = v;
+        }
+
+        /** Writes one light's contribution to all pixels. */
+        void render(int light, float[] to) {
+            for (SelectedPart selected : parts) {
+                SelectedRows first = selected.rows;
+                float[] colors = first.colors(eyeShader, lights[light], light, this);
                 for (int i = 0; i < first.count; i++) {
-                    System.arraycopy(colors, 3 * i, shares[l], 3 * part.index(first.parentNumber[i]), 3);
+                    System.arraycopy(colors, 3 * i, to, 3 * selected.part.index(first.parentNumber[i]), 3);
                 }
             }
         }
@@ -240,8 +279,13 @@ public final class LightThumbnails {
             float[] refracted = bounceColors(BounceKind.REFRACTED, layer, levels);
             float[] colors = new float[3 * count];
             LightLayer rows = level.layers()[equation == levels.eyeShader ? layer : levels.mirrorLayer[layer]];
+            float[][] indirect = equation == levels.eyeShader ? levels.indirect.shown() : levels.indirect.mirrored();
+            float[] indirectRow = indirect == null ? null : new float[3];
             for (int i = 0; i < count; i++) {
-                equation.color(level.rows(), row[i], material[i], light, rows, mirrored, refracted, 3 * i, colors, 3 * i);
+                if (indirect != null) {
+                    level.weights().interpolate(indirect, row[i], indirectRow);
+                }
+                equation.color(level.rows(), row[i], material[i], light, rows, indirectRow, mirrored, refracted, 3 * i, colors, 3 * i);
             }
             return colors;
         }
@@ -280,7 +324,12 @@ public final class LightThumbnails {
         return image.clone();
     }
 
-    /** Returns the contribution of the scene's light at an index, without indirect light, in the layout of {@link #image}. */
+    /** Returns whether contributions include the indirect light of the picture, or it has none. */
+    public boolean hasAllLight() {
+        return hasAllLight;
+    }
+
+    /** Returns the contribution of the scene's light at an index, in the layout of {@link #image}. */
     public float[] lightImage(int nodeIndex) {
         return lightImages[nodeIndex].clone();
     }

@@ -106,9 +106,10 @@ final class MemoryForecast {
         return half.fine == 0 ? 2 : Math.clamp(Math.log((double) small.fine / half.fine) / Math.log(2), 1, 2);
     }
 
-    /** Returns whether this is a forecast of that scene with these options, whatever their memory. */
+    /** Returns whether this is a forecast of that scene or of one that adds indirect light, with these options, whatever their memory. */
     boolean isOf(Scene other, RenderOptions otherOptions, PictureParts otherParts) {
-        return parts == otherParts && options.equals(otherOptions.withMemory(options.memory())) && scene.equals(other);
+        return parts == otherParts && options.equals(otherOptions.withMemory(options.memory()))
+                && (scene.equals(other) || other.picture().indirect().isEmpty() && scene.withoutIndirect().equals(other));
     }
 
     /** Returns whether this forecast includes a scene's edge samples, possibly under other lights. */

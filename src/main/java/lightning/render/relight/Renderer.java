@@ -81,6 +81,11 @@ public final class Renderer implements AutoCloseable {
         return plan(options.view().apply(target), options.reflections() == ReflectionMode.CURRENT);
     }
 
+    /** Plans the update of the film to the target scene, with mirror images if they show the scene rendered last. */
+    public PlannedUpdate planKeepingReflectionsCurrent(Scene target) {
+        return plan(options.view().apply(target), options.reflections() == ReflectionMode.CURRENT || hasCurrentReflections());
+    }
+
     private PlannedUpdate plan(Scene target, boolean mirrors) {
         long start = System.nanoTime();
         PendingSamples.Start base = pendingSamples == null ? new PendingSamples.Start(cache, difference(target, mirrors))

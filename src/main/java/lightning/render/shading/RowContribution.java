@@ -28,11 +28,13 @@ public final class RowContribution {
      *
      * @param material the row's material
      * @param layer    the light's layer over the rows; unread if the light is dark
+     * @param indirect the light's indirect light of the row: red, green, blue; null if there is none
      * @param mirrored red, green and blue contributions of the row's mirrored ray at {@code from}, 0 if there is none; {@code
      *                 refracted} has the same layout
      * @param to       receives the row's color at {@code at}
      */
-    public void color(HitRows rows, int row, int material, WeightedLight light, LightLayer layer, float[] mirrored, float[] refracted,
+    public void color(HitRows rows, int row, int material, WeightedLight light, LightLayer layer, float[] indirect, float[] mirrored,
+            float[] refracted,
             int from,
             float[] to, int at) {
         ShadingMaterial shading = shadingMaterials[material];
@@ -45,13 +47,13 @@ public final class RowContribution {
             shading.interior().write(rows.insideDistance[row], tint);
         }
         // Not a loop: a compiled loop reads the length of an absent column before it checks for null, a fault of the virtual machine.
-        writeChannel(0, rows, row, shading, isZero, light, layer, fresnel, mirrored, refracted, from, to, at);
-        writeChannel(1, rows, row, shading, isZero, light, layer, fresnel, mirrored, refracted, from, to, at);
-        writeChannel(2, rows, row, shading, isZero, light, layer, fresnel, mirrored, refracted, from, to, at);
+        writeChannel(0, rows, row, shading, isZero, light, layer, indirect, fresnel, mirrored, refracted, from, to, at);
+        writeChannel(1, rows, row, shading, isZero, light, layer, indirect, fresnel, mirrored, refracted, from, to, at);
+        writeChannel(2, rows, row, shading, isZero, light, layer, indirect, fresnel, mirrored, refracted, from, to, at);
     }
 
     private void writeChannel(int c, HitRows rows, int row, ShadingMaterial shading, boolean isZero, WeightedLight light, LightLayer layer,
-            float fresnel, float[] mirrored, float[] refracted, int from, float[] to, int at) {
+            float[] indirect, float fresnel, float[] mirrored, float[] refracted, int from, float[] to, int at) {
         float texel = shading.isTextured() ? rows.texel(c)[row] : 1;
         float diffuse = 0;
         float specular = 0;
@@ -65,6 +67,7 @@ public final class RowContribution {
                 ks += shading.isTextured() ? texel * shading.texturedF0()[c] : shading.texturedF0()[c];
             }
         }
+        diffuse = indirect == null ? diffuse : indirect[c] + diffuse;
         float kd = shading.isTextured() ? texel * shading.diffuse()[c] : shading.diffuse()[c];
         to[at + c] = shading.clarity() == null
                 ? LightingEquation.color(0, kd, diffuse, ks, specular, grazing, shading.reflective()[c], mirrored[from + c])

@@ -43,6 +43,11 @@ public record WeightedLight(Light light, float red, float green, float blue, Lig
         return new WeightedLight(light, (float) weight.r(), (float) weight.g(), (float) weight.b(), LightSource.of(light, scene));
     }
 
+    /** Returns this light switched off. */
+    public WeightedLight darkened() {
+        return new WeightedLight(light, 0, 0, 0, source);
+    }
+
     /**
      * Returns this light as edge detection sees it, with each weight rounded to the nearest power of two (in its logarithm). Edits
      * of color and intensity change edges only where a weight reaches another power.

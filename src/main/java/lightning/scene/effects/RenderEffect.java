@@ -100,7 +100,7 @@ public final class RenderEffect {
                     scene -> scene.withWorld(scene.world().withEnvironment(Optional.empty())), UnaryOperator.identity(), false);
 
     public static final RenderEffect INDIRECT = register("indirect", "indirect light", EffectUsers::indirectLight,
-            scene -> scene.withPicture(scene.picture().withIndirect(Optional.empty())), UnaryOperator.identity(), false);
+            Scene::withoutIndirect, UnaryOperator.identity(), false);
 
     /** All effects: those above, then one for each type of light and each type of solid. */
     public static final List<RenderEffect> ALL = Stream.of(REGISTRY.stream(), Arrays.stream(LightType.values()).map(RenderEffect::lights),

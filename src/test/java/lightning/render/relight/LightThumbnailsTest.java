@@ -41,11 +41,16 @@ class LightThumbnailsTest {
                 renderer.render(indirect ? IndirectScenes.with(scene) : scene, Progress.NONE);
                 direct.render(scene, Progress.NONE);
                 LightThumbnails small = LightThumbnails.of(renderer.cache(), width, height);
+                LightThumbnails all = LightThumbnails.of(renderer.cache(), width, height, new IndirectByLight(renderer.cache()),
+                        Progress.NONE);
+                assertThat(all.hasAllLight()).isTrue();
+                assertThat(small.hasAllLight()).isEqualTo(!indirect);
                 assertThat(small.width()).isLessThanOrEqualTo(width);
                 assertThat(small.height()).isLessThanOrEqualTo(height);
                 if (scene.picture().sampling().antialias() != AntialiasMode.EVERY) {
                     for (int l = 0; l < scene.lights().size(); l++) {
                         assertPixels(small, small.lightImage(l), direct.lightImage(scene.lights().get(l).name(), Progress.NONE), scene);
+                        assertPixels(all, all.lightImage(l), renderer.lightImage(scene.lights().get(l).name(), Progress.NONE), scene);
                     }
                 }
                 assertPixels(small, small.image(), renderer.film(), scene);

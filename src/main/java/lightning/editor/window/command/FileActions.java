@@ -22,6 +22,7 @@ import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.model.StatusMessage;
 import lightning.format.MeshFormat;
 import lightning.format.exchange.ImportedScene;
+import lightning.format.exchange.IndirectChoice;
 import lightning.format.exchange.LightUnitPreviews;
 import lightning.format.exchange.LightUnits;
 import lightning.format.exchange.SceneImporter;
@@ -31,7 +32,6 @@ import lightning.format.jen.JenFile;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
 import lightning.scene.Scene;
-import lightning.scene.SceneWarnings;
 
 /** Actions of the file commands. Files are read and written in the background. */
 public final class FileActions {
@@ -118,7 +118,7 @@ public final class FileActions {
     private void importScene(Path file, Path to) {
         readInBackground(file, () -> {
             var progress = new FileProgressMessage(file, model.fileActivity(), model.files().windowExecutor(), message);
-            ImportedScene imported = SceneImporter.read(file, to, LightUnits.CANDELA, progress);
+            ImportedScene imported = IndirectChoice.AUTO.apply(SceneImporter.read(file, to, LightUnits.CANDELA, progress));
             try (var workers = new WorkerPool(WorkerPool.processorCount())) {
                 return new ImportPreview(imported,
                         LightUnitPreviews.render(imported, UNIT_PICTURE_SIZE, workers, progress.cancellationOnly()));
@@ -141,7 +141,8 @@ public final class FileActions {
             String text = Messages.tr("Imported {0}", Quote.path(file.getFileName())) + (noteCount == 0 ? "" : Messages.count(noteCount,
                     "; {0} import note: {1}", "; {0} import notes: {1}",
                     noteCount, String.join(", ", imported.notes().keySet().stream().sorted().toList())));
-            model.files().windowExecutor().execute(() -> message.show(text));
+            String indirect = imported.hasIndirect() ? Messages.tr("; indirect light is on, as in a closed room") : "";
+            model.files().windowExecutor().execute(() -> message.show(text + indirect));
             return OpenDocument.open(imported.sceneFile());
         });
     }
@@ -175,7 +176,6 @@ public final class FileActions {
 
     private void showDocument(OpenDocument opened) {
         model.open(opened);
-        SceneWarnings.of(opened.scene()).forEach(message::show);
         preferences.addRecent(opened.file());
         refreshRecent();
     }

@@ -33,8 +33,10 @@ import lightning.editor.window.model.TracedPicture;
 import lightning.editor.window.widget.DisabledReason;
 import lightning.editor.window.widget.PercentText;
 import lightning.editor.window.widget.VisibilityListener;
+import lightning.render.cache.PixelCache;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
+import lightning.render.relight.IndirectByLight;
 import lightning.render.relight.LightContribution;
 import lightning.render.relight.LightContributions;
 import lightning.render.relight.LightThumbnails;
@@ -67,6 +69,8 @@ public final class ContributionPane extends VBox {
     private LightContributions shown;
     private Scene shownScene;
     private Frame lastFrame;
+    /** Indirect light of the last picture under the pointer; used on the thread of pixel queries only. */
+    private IndirectByLight indirect;
     /** Pending comparison after lights were switched off; null if there is none. */
     private Comparison pendingComparison;
 
@@ -259,12 +263,20 @@ public final class ContributionPane extends VBox {
             table.refresh();
             return;
         }
-        pixelQuery.submit(_ -> model.workbench().cache()
+        pixelQuery.submit(progress -> model.workbench().cache()
                 .filter(c -> pixel.x() < c.scene().picture().width() && pixel.y() < c.scene().picture().height())
-                .map(cache -> pixelShares(LightThumbnails.pixel(cache, pixel.x(), pixel.y()))), shares -> {
+                .map(cache -> pixelShares(LightThumbnails.pixel(cache, pixel.x(), pixel.y(), indirectOf(cache), progress))), shares -> {
                     sharesAtPointer = shares;
                     table.refresh();
                 }, failure -> editor.message().show(ErrorMessage.of(failure)));
+    }
+
+    /** Returns the indirect light by light of a picture. Called on the thread of pixel queries only. */
+    private IndirectByLight indirectOf(PixelCache cache) {
+        if (indirect == null || !indirect.isOf(cache)) {
+            indirect = new IndirectByLight(cache);
+        }
+        return indirect;
     }
 
     private static Map<String, Double> pixelShares(LightThumbnails shares) {

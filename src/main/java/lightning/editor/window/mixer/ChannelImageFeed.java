@@ -1,11 +1,16 @@
 package lightning.editor.window.mixer;
 
+import java.util.Optional;
+import java.util.concurrent.CancellationException;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import javafx.beans.property.ObjectProperty;
+import lightning.base.work.Progress;
 import lightning.editor.document.Workbench;
 import lightning.editor.window.model.PaneUpdater;
+import lightning.render.cache.PixelCache;
 import lightning.render.image.ViewTransform;
+import lightning.render.relight.IndirectByLight;
 import lightning.render.relight.LightThumbnails;
 
 /** Computes the thumbnails of the mixer's strips. */
@@ -13,9 +18,14 @@ final class ChannelImageFeed implements AutoCloseable {
     /** Width of a strip's thumbnail, pixels. */
     static final int WIDTH = 88;
     static final int HEIGHT = 60;
+    /** Maximum time for the indirect light of all lights of a picture, nanoseconds. */
+    private static final long INDIRECT_NS = 5_000_000_000L;
 
     private final ObjectProperty<ViewTransform> viewProperty;
     private final PaneUpdater<ChannelImages> feed;
+    private final Workbench workbench;
+    /** Indirect light of the last picture; used on the feed's thread only. */
+    private IndirectByLight indirect;
     private volatile ViewTransform view = ViewTransform.DEFAULT;
 
     /**
@@ -28,8 +38,27 @@ final class ChannelImageFeed implements AutoCloseable {
     ChannelImageFeed(Workbench workbench, ObjectProperty<ViewTransform> viewProperty, Executor windowExecutor,
             Consumer<ChannelImages> listener) {
         this.viewProperty = viewProperty;
-        feed = new PaneUpdater<>("lightning-mixer", windowExecutor, () -> workbench.cache()
-                .map(cache -> LightThumbnails.of(cache, WIDTH, HEIGHT)).map(shares -> ChannelImages.of(shares, view)), listener);
+        this.workbench = workbench;
+        feed = new PaneUpdater<>("lightning-mixer", windowExecutor,
+                () -> workbench.cache().flatMap(this::thumbnails).map(shares -> ChannelImages.of(shares, view)), listener);
+    }
+
+    /** Returns thumbnails with indirect light, or with direct light if that takes too long; empty if there is a newer picture. */
+    private Optional<LightThumbnails> thumbnails(PixelCache cache) {
+        if (indirect == null || !indirect.isOf(cache)) {
+            indirect = new IndirectByLight(cache);
+        }
+        long start = System.nanoTime();
+        try {
+            return Optional.of(LightThumbnails.of(cache, WIDTH, HEIGHT, indirect,
+                    Progress.cancellation(() -> System.nanoTime() - start > INDIRECT_NS || !isNewest(cache))));
+        } catch (CancellationException e) {
+            return isNewest(cache) ? Optional.of(LightThumbnails.of(cache, WIDTH, HEIGHT)) : Optional.empty();
+        }
+    }
+
+    private boolean isNewest(PixelCache cache) {
+        return workbench.cache().orElse(null) == cache;
     }
 
     /** Computes the thumbnails again, after the traced picture or its view transform changed. */

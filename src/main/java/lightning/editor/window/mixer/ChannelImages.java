@@ -16,8 +16,9 @@ import lightning.scene.Scene;
  * @param scene scene of the traced picture
  * @param images thumbnail of each channel
  * @param master thumbnail of the traced picture itself
+ * @param hasAllLight false if the channels' thumbnails and shares lack the picture's indirect light
  */
-record ChannelImages(Scene scene, Map<MixerChannel, ChannelImage> images, ChannelImage master) {
+record ChannelImages(Scene scene, Map<MixerChannel, ChannelImage> images, ChannelImage master, boolean hasAllLight) {
 
     /**
      * Thumbnail of one channel.
@@ -38,7 +39,8 @@ record ChannelImages(Scene scene, Map<MixerChannel, ChannelImage> images, Channe
         for (MixerChannel channel : MixerChannel.channelsOf(shares.scene())) {
             images.put(channel, image(shares, view, rgb(shares, channel), totalBrightness));
         }
-        return new ChannelImages(shares.scene(), images, image(shares, view, shares.image(), totalBrightness));
+        return new ChannelImages(shares.scene(), images, image(shares, view, shares.image(), totalBrightness),
+                shares.hasAllLight());
     }
 
     private static float[] rgb(LightThumbnails shares, MixerChannel channel) {

@@ -51,6 +51,8 @@ public final class MixerPane extends VBox {
     private final TextField search = new TextField();
     private final ChoiceBox<StripFilter> filter = new ChoiceBox<>();
     private final Label count = new Label();
+    /** Says what the thumbnails lack; empty if nothing. */
+    private final Label lightNote = new Label();
     private ChannelImages images;
     private Frame lastFrame;
 
@@ -120,13 +122,16 @@ public final class MixerPane extends VBox {
         });
         count.setId("mixer-count");
         count.getStyleClass().add("pane-note");
+        lightNote.setId("mixer-light");
+        lightNote.getStyleClass().add("pane-note");
+        lightNote.managedProperty().bind(lightNote.textProperty().isNotEmpty());
         var message = new Label();
         message.setId("mixer-message");
         message.getStyleClass().add("mixer-message");
         message.textProperty().bind(editor.message().textProperty());
         HBox.setHgrow(message, Priority.ALWAYS);
         message.setMaxWidth(Double.MAX_VALUE);
-        var tools = new HBox(search, filter, new HBox(relative, absolute), count, message);
+        var tools = new HBox(search, filter, new HBox(relative, absolute), count, lightNote, message);
         tools.getStyleClass().add("mixer-tools");
         return tools;
     }
@@ -188,6 +193,7 @@ public final class MixerPane extends VBox {
         images = newImages;
         showPictures();
         master.show(newImages);
+        lightNote.setText(newImages.hasAllLight() ? "" : Messages.tr("Thumbnails show direct light only"));
     }
 
     private void showPictures() {

@@ -68,6 +68,7 @@ public final class StatusText {
     public static String stage(RenderActivity.Stage stage) {
         return switch (stage) {
             case CENTERS -> Messages.tr("Refining…");
+            case INDIRECT -> Messages.tr("Indirect light…");
             case SAMPLES -> Messages.tr("Anti-aliasing…");
         };
     }

@@ -65,11 +65,17 @@ public final class TracedRaster implements RenderListener {
     public synchronized void rendered(Frame frame) {
         finishedScene = frame.isFinished() ? frame.scene() : null;
         // The remote film already has all samples.
-        if (frame.isFinished() || frame.scene() != remoteScene || !frame.displayMode().isFullPicture()) {
+        if (frame.isFinished() || !isOfRemoteScene(frame) || !frame.displayMode().isFullPicture()) {
             show(frame.displayed());
         } else {
             shownFilm = frame.displayed();
         }
+    }
+
+    /** Returns whether a frame shows the remote scene, or its direct light. */
+    private boolean isOfRemoteScene(Frame frame) {
+        return remoteScene != null
+                && (frame.scene() == remoteScene || frame.scene() != null && frame.scene().equals(remoteScene.withoutIndirect()));
     }
 
     @Override

@@ -16,7 +16,6 @@ import lightning.editor.window.command.CommandMenuItems;
 import lightning.editor.window.model.SceneEditor;
 import lightning.scene.IndirectSettings;
 import lightning.scene.Scene;
-import lightning.scene.SceneWarnings;
 
 /** Menu of the settings of indirect light. Each choice is an edit of the scene. */
 public final class IndirectMenu {
@@ -49,7 +48,8 @@ public final class IndirectMenu {
                 values(Command.INDIRECT_SPACING, SPACINGS, n -> Messages.tr("{0} Pixels", n), IndirectSettings::spacing,
                         IndirectSettings::withSpacing),
                 values(Command.INDIRECT_BACKGROUND, List.of(false, true), on -> on ? Messages.tr("On") : Messages.tr("Off"),
-                        IndirectSettings::background, IndirectSettings::withBackground));
+                        IndirectSettings::background, IndirectSettings::withBackground),
+                new SeparatorMenuItem(), items.item(Command.INDIRECT_ACCURACY));
     }
 
     private MenuItem toggle(String title, boolean on) {
@@ -67,11 +67,8 @@ public final class IndirectMenu {
     }
 
     private void edit(UnaryOperator<Optional<IndirectSettings>> change) {
-        Optional<String> refusal = editor.editOrReport(
+        editor.editOrReport(
                 scene -> EditOutcome.of(() -> scene.withPicture(scene.picture().withIndirect(change.apply(indirect(scene))))));
-        if (refusal.isEmpty()) {
-            SceneWarnings.of(editor.scene()).forEach(editor.message()::show);
-        }
     }
 
     private static Optional<IndirectSettings> indirect(Scene scene) {

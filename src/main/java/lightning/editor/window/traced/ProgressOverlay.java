@@ -9,7 +9,6 @@ import javafx.util.Duration;
 import lightning.base.text.Messages;
 import lightning.editor.document.Command;
 import lightning.editor.document.EditorState;
-import lightning.editor.loop.RenderActivity;
 import lightning.editor.loop.RenderState;
 import lightning.editor.window.command.CommandButton;
 import lightning.editor.window.model.CommandRegistry;
@@ -51,8 +50,10 @@ final class ProgressOverlay extends HBox {
     }
 
     private static String title(RenderState state) {
-        return state.activity().stage() == RenderActivity.Stage.SAMPLES ? StatusText.stage(RenderActivity.Stage.SAMPLES)
-                : Messages.tr("Tracing");
+        return switch (state.activity().stage()) {
+            case CENTERS -> Messages.tr("Tracing");
+            case INDIRECT, SAMPLES -> StatusText.stage(state.activity().stage());
+        };
     }
 
     private void update() {

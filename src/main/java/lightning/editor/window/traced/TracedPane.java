@@ -272,6 +272,9 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         if (traced.raster().pixels() == null) {
             return "";
         }
+        if (state.lacksIndirectLight()) {
+            return isStopped() ? Messages.tr("Direct light only. Render (F5)") : Messages.tr("Direct light only");
+        }
         if (state.frame().isEmpty() || state.hasPendingEdits() && traced.raster().isUnfinished()) {
             return isStopped() ? Messages.tr("Unfinished. Render (F5)") : coarseNote();
         }

@@ -61,7 +61,7 @@ public final class CacheBuilder {
         IndirectBuilder indirectBuilder = new IndirectBuilder(job, workers, oldCache);
         IndirectCache indirect = indirectBuilder.build();
         IndirectCache mirroredIndirect = job.mirrorTarget() == job.target() ? indirect : oldCache.mirroredIndirect();
-        job = job.withIndirect(indirect, mirroredIndirect, oldCache);
+        job = job.withIndirect(indirect, mirroredIndirect, oldCache).withProgress(indirectBuilder.tileProgress());
         CachedTile[] centers = buildCenters(centersOnly ? 0 : fineTileCount());
         FineTile[] fine = centersOnly ? new FineTile[0] : buildSamples(centers, centers.length);
         List<CachedLight> lights = job.plan() == null ? CachedLight.ofScene(job.scene(), this::freshStamp) : lightsAfter(job.topPlan());

@@ -6,6 +6,8 @@ import java.util.Optional;
 import java.util.function.BiPredicate;
 import java.util.stream.IntStream;
 import lightning.base.work.HeapBudget;
+import lightning.base.work.Progress;
+import lightning.base.work.ProgressPart;
 import lightning.base.work.WorkerPool;
 import lightning.render.cache.IndirectCache;
 import lightning.render.cache.PixelCache;
@@ -28,6 +30,9 @@ import lightning.scene.IndirectSettings;
  * updates the layers of surfels like those of any level.
  */
 final class IndirectBuilder {
+    /** Usual share of paths in the time of a job that traces them. The weights of rows take most of the rest. */
+    private static final double PATHS_SHARE = 0.7;
+
     private final RenderJob job;
     private final WorkerPool workers;
     private final PixelCache oldCache;
@@ -143,7 +148,7 @@ final class IndirectBuilder {
     private GatherStructure trace(IndirectSettings settings, IndirectCache before) {
         GatherBuilder builder = new GatherBuilder(job.target().geometry(), job.scene(), settings, workers,
                 _ -> job.options().engines().forTile(0).tracer(job.target().geometry()),
-                Math.min(job.options().memory(), HeapBudget.availableBytes()), job.progress());
+                Math.min(job.options().memory(), HeapBudget.availableBytes()), new ProgressPart(job.progress(), 0, PATHS_SHARE));
         if (before != null && SurfelUpdate.isCompact(before)) {
             HitRows[] rows = Arrays.stream(before.surfels()).map(TileLevel::rows).toArray(HitRows[]::new);
             Geometry geometry = oldCache.geometry();
@@ -152,6 +157,7 @@ final class IndirectBuilder {
         }
         GatherStructure structure = builder.build();
         gatherRays += structure.rays();
+        job.progress().raysCast(structure.rays());
         return structure;
     }
 
@@ -169,6 +175,11 @@ final class IndirectBuilder {
                 (worker, block) -> surfels[block] = surfelWorker(worker, block).update(before[block], job.topPlan()),
                 job.progress().cancellationOnly());
         return surfels;
+    }
+
+    /** Returns the progress of the job's tiles, which follow. */
+    Progress tileProgress() {
+        return gatherRays == 0 ? job.progress() : new ProgressPart(job.progress(), PATHS_SHARE, 1);
     }
 
     /** Returns the work since the start. */

@@ -81,6 +81,11 @@ public record RenderJob(PreparedScene target, PreparedScene mirrorTarget, Render
         return indirect == null ? null : indirect.light();
     }
 
+    /** Returns this job with another progress. */
+    RenderJob withProgress(Progress v) {
+        return new RenderJob(target, mirrorTarget, options, plan, v);
+    }
+
     /** Returns whether the scene has finer samples only at edges. */
     public static boolean needsEdges(Scene scene) {
         return scene.picture().sampling().antialias() == AntialiasMode.EDGES;

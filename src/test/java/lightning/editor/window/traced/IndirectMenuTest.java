@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
+import javafx.scene.control.Button;
 import javafx.scene.control.Menu;
 import javafx.scene.control.MenuButton;
 import javafx.scene.control.MenuItem;
@@ -65,15 +66,36 @@ class IndirectMenuTest extends EditorFixture {
         assertThat(indirect()).contains(IndirectSettings.DEFAULT);
     }
 
+    private Button warning() {
+        return robot.lookup("#warning").query();
+    }
+
     @Test
-    void ambience_isReportedInTheStatusLine() {
+    void ambience_isReportedUntilItsCauseIsGone() {
         robot.interact(() -> model().editor().edit(scene -> NumericParameter.AMBIENCE.set(scene, "", 0)));
         choose("indirect-on");
-        assertThat(model().editor().message().textProperty().get()).isEmpty();
+        assertThat(warning().isVisible()).isFalse();
+        robot.interact(() -> model().editor().edit(scene -> NumericParameter.AMBIENCE.set(scene, "", 1)));
+        assertThat(warning().getText()).isEqualTo("ambience and indirect light count twice: set ambience to 0");
+        robot.interact(() -> {
+            model().editor().message().show("Saved");
+            model().editor().go();
+        });
+        assertThat(warning().isVisible()).isTrue();
         choose("indirect-off");
+        assertThat(warning().isVisible()).isFalse();
+    }
+
+    @Test
+    void warning_isHiddenByAClick() {
         robot.interact(() -> model().editor().edit(scene -> NumericParameter.AMBIENCE.set(scene, "", 1)));
         choose("indirect-on");
-        assertThat(model().editor().message().textProperty().get())
-                .isEqualTo("ambience and indirect light count twice: set ambience to 0");
+        click("warning");
+        assertThat(warning().isVisible()).isFalse();
+        choose("indirect-rays-256");
+        assertThat(warning().isVisible()).isFalse();
+        choose("indirect-off");
+        choose("indirect-on");
+        assertThat(warning().isVisible()).isTrue();
     }
 }

@@ -1,0 +1,119 @@
+package lightning.editor.window.measure;
+
+import java.util.Optional;
+import java.util.function.Function;
+import javafx.beans.property.ReadOnlyStringWrapper;
+import javafx.beans.value.ObservableValue;
+import javafx.geometry.Pos;
+import javafx.scene.control.Button;
+import javafx.scene.control.Label;
+import javafx.scene.control.TableColumn;
+import javafx.scene.control.TableView;
+import javafx.scene.layout.BorderPane;
+import javafx.scene.layout.HBox;
+import javafx.scene.layout.Priority;
+import javafx.scene.layout.Region;
+import javafx.scene.layout.StackPane;
+import lightning.base.text.Messages;
+import lightning.bench.accuracy.IndirectSweep;
+import lightning.editor.document.EditOutcome;
+import lightning.editor.window.model.AccuracyMode;
+import lightning.editor.window.model.SceneEditor;
+import lightning.editor.window.model.StatusText;
+import lightning.editor.window.widget.DisabledReason;
+import lightning.scene.IndirectSettings;
+import lightning.scene.Scene;
+
+/** Pane that compares settings of indirect light on the current scene: time and difference of each, measured on request. */
+public final class IndirectAccuracyPane extends BorderPane {
+    private static final double ROW_HEIGHT = 30;
+
+    private final SceneEditor editor;
+    private final Label note = new Label();
+    private final MeasureBar bar = new MeasureBar("-indirect",
+            Messages.tr("Render the scene with each setting in the background"));
+    private final TableView<IndirectSweep.Point> table = new TableView<>();
+    private final Button use = new Button(Messages.tr("Use These Settings"));
+    private final StackPane useBox = new StackPane(use);
+    private final DisabledReason useReason =
+            new DisabledReason(useBox, use, Messages.tr("Set the spacing and rays of the selected row"));
+
+    public IndirectAccuracyPane(SceneEditor editor, ObservableValue<AccuracyMode> accuracyMode) {
+        this.editor = editor;
+        setId("indirect-accuracy");
+        getStyleClass().add("accuracy");
+        note.setId("indirect-accuracy-note");
+        note.setWrapText(true);
+        note.setMaxWidth(Double.MAX_VALUE);
+        HBox.setHgrow(note, Priority.ALWAYS);
+        note.setText(Messages.tr("Click Measure to compare the time and accuracy of indirect light for this scene."));
+        bar.setMinWidth(Region.USE_PREF_SIZE);
+        bar.setOnMeasure(() -> measure(accuracyMode.getValue()));
+        var head = new HBox(note, bar);
+        head.setAlignment(Pos.CENTER_LEFT);
+        head.getStyleClass().add("accuracy-head");
+        setTop(head);
+        setCenter(table());
+        use.setId("use-indirect-settings");
+        use.setMinWidth(Region.USE_PREF_SIZE);
+        use.setOnAction(_ -> useSelected());
+        var explanation = new Label(
+                Messages.tr(
+                        "Times add to a first pass without anti-aliasing. Differences are those of the brightness from the densest setting."));
+        explanation.getStyleClass().add("pane-note");
+        explanation.setWrapText(true);
+        explanation.setMaxWidth(Double.MAX_VALUE);
+        HBox.setHgrow(explanation, Priority.ALWAYS);
+        var bottom = new HBox(explanation, useBox);
+        bottom.setAlignment(Pos.CENTER_LEFT);
+        bottom.getStyleClass().add("accuracy-head");
+        setBottom(bottom);
+        table.getSelectionModel().selectedItemProperty().subscribe(point -> useReason
+                .set(point == null ? Optional.of(Messages.tr("no row is selected")) : Optional.empty()));
+    }
+
+    private TableView<IndirectSweep.Point> table() {
+        table.setId("indirect-table");
+        table.setAccessibleText(Messages.tr("Settings of indirect light"));
+        table.getStyleClass().add("dense");
+        table.setPlaceholder(new Label(Messages.tr("Not measured yet")));
+        table.setColumnResizePolicy(TableView.CONSTRAINED_RESIZE_POLICY_FLEX_LAST_COLUMN);
+        table.setFixedCellSize(ROW_HEIGHT);
+        addColumn(Messages.tr("Spacing"), p -> Messages.tr("{0} Pixels", p.settings().spacing()));
+        addColumn(Messages.tr("Rays"), p -> Integer.toString(p.settings().rays()));
+        addColumn(Messages.tr("Time"), p -> p.fits() ? StatusText.time(p.milliseconds()) : Messages.tr("too large for memory"));
+        addColumn(Messages.tr("Mean difference"), p -> p.fits() ? percent(p.meanDifference()) : "");
+        addColumn(Messages.tr("95 % of pixels below"), p -> p.fits() ? percent(p.difference95()) : "");
+        return table;
+    }
+
+    private static String percent(double share) {
+        return String.format(Messages.locale(), "%.1f %%", 100 * share);
+    }
+
+    private void addColumn(String title, Function<IndirectSweep.Point, String> text) {
+        var column = new TableColumn<IndirectSweep.Point, String>(title);
+        column.setSortable(false);
+        column.setReorderable(false);
+        column.setCellValueFactory(cell -> new ReadOnlyStringWrapper(text.apply(cell.getValue())));
+        table.getColumns().add(column);
+    }
+
+    private void measure(AccuracyMode mode) {
+        Scene scene = editor.scene();
+        note.setText(Messages.tr("Measuring …"));
+        bar.start("lightning-indirect-accuracy", progress -> IndirectSweep.measure(scene, mode.options(), progress), sweep -> {
+            table.getItems().setAll(sweep.points());
+            IndirectSettings used = scene.picture().indirect().orElse(IndirectSettings.DEFAULT);
+            sweep.points().stream().filter(p -> p.settings().equals(used)).findFirst().ifPresent(table.getSelectionModel()::select);
+            note.setText(Messages.tr("{0} × {1} pixels · first pass without indirect light {2}", scene.picture().width(),
+                    scene.picture().height(), StatusText.time(sweep.directMilliseconds())));
+        }, note::setText);
+    }
+
+    private void useSelected() {
+        IndirectSettings chosen = table.getSelectionModel().getSelectedItem().settings();
+        editor.editOrReport(scene -> EditOutcome.of(() -> scene.withPicture(scene.picture().withIndirect(Optional.of(
+                scene.picture().indirect().orElse(IndirectSettings.DEFAULT).withSpacing(chosen.spacing()).withRays(chosen.rays()))))));
+    }
+}

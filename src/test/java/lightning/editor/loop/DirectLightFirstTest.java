@@ -1,0 +1,137 @@
+package lightning.editor.loop;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import lightning.base.math.Vec3;
+import lightning.render.relight.plan.ReflectionMode;
+import lightning.render.relight.plan.UpdatePlan;
+import lightning.render.relight.tile.RenderOptions;
+import lightning.render.shading.ReferenceTracer;
+import lightning.sample.IndirectScenes;
+import lightning.scene.Scene;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+
+/** The picture with direct light that precedes the one with indirect light. */
+class DirectLightFirstTest {
+    private final RecordingRenderListener listener = new RecordingRenderListener();
+    private final RenderLoop loop =
+            new RenderLoop(RenderOptions.DEFAULT.withReflections(ReflectionMode.STALE).withThreads(2), listener);
+    private final Scene scene = IndirectScenes.all().get("mirror ball");
+
+    @AfterEach
+    void close() {
+        loop.close();
+    }
+
+    private RecordingRenderListener.Shown next() throws InterruptedException {
+        return listener.next(RecordingRenderListener.Shown.class);
+    }
+
+    private static void assertShows(RecordingRenderListener.Shown shown, Scene expected) {
+        assertThat(shown.frame().scene()).isEqualTo(expected);
+        assertThat(shown.film().hasSameBits(new ReferenceTracer(expected).trace())).isTrue();
+    }
+
+    private Scene dimmed(double intensity) {
+        return scene.withLight(scene.lights().getFirst().withIntensity(intensity));
+    }
+
+    @Test
+    void firstPass_showsDirectLightThenAddsIndirectLight() throws InterruptedException {
+        loop.render(scene);
+        assertShows(next(), scene.withoutIndirect());
+        RecordingRenderListener.Shown shown = next();
+        assertShows(shown, scene);
+        assertThat(shown.frame().mirrorsAreCurrent()).isTrue();
+        listener.expectNext(RecordingRenderListener.Event.IDLE);
+    }
+
+    @Test
+    void lightEdit_isOneStep() throws InterruptedException {
+        loop.render(scene);
+        listener.expectNext(RecordingRenderListener.Event.IDLE);
+        loop.render(dimmed(0.5));
+        assertThat(next().frame().scene()).isEqualTo(dimmed(0.5));
+    }
+
+    @Test
+    void settings_keepThePictureUntilTheNextIsFinished() throws InterruptedException {
+        loop.render(scene);
+        listener.expectNext(RecordingRenderListener.Event.IDLE);
+        Scene denser = scene.withPicture(scene.picture().withIndirect(scene.picture().indirect().map(i -> i.withSpacing(2))));
+        loop.render(denser);
+        assertShows(next(), denser);
+    }
+
+    @Test
+    void camera_showsDirectLightFirst() throws InterruptedException {
+        loop.render(scene);
+        listener.expectNext(RecordingRenderListener.Event.IDLE);
+        Scene moved = scene.withCamera(scene.camera().withOrigin(new Vec3(0.2, 0, 4)));
+        loop.render(moved);
+        assertShows(next(), moved.withoutIndirect());
+        assertShows(next(), moved);
+    }
+
+    @Test
+    void cancel_leavesDirectLight() throws InterruptedException {
+        var hold = listener.holdAfterNextPicture();
+        loop.render(scene);
+        hold.awaitReached();
+        loop.cancel();
+        hold.release();
+        assertShows(next(), scene.withoutIndirect());
+        listener.expectNext(RecordingRenderListener.Event.CANCELLED);
+        listener.expectNext(RecordingRenderListener.Event.IDLE);
+        loop.render(scene);
+        assertThat(listener.next(RecordingRenderListener.Started.class).plan()).isInstanceOf(UpdatePlan.Relight.class);
+        assertShows(next(), scene);
+    }
+
+    @Test
+    void editMeanwhile_isShownWithDirectLightAndReplacesTheOldOne() throws InterruptedException {
+        var hold = listener.holdAfterNextPicture();
+        loop.render(scene);
+        hold.awaitReached();
+        loop.render(dimmed(0.5));
+        hold.release();
+        assertShows(next(), scene.withoutIndirect());
+        assertThat(next().frame().scene()).isEqualTo(dimmed(0.5).withoutIndirect());
+        assertThat(next().frame().scene()).isEqualTo(dimmed(0.5));
+    }
+
+    @Test
+    void progress_growsToTheEnd() throws InterruptedException {
+        List<Double> shares = Collections.synchronizedList(new ArrayList<>());
+        var counting = new RenderListener() {
+            private volatile boolean isIndirect;
+
+            @Override
+            public void indirectStarted() {
+                isIndirect = true;
+            }
+
+            @Override
+            public void progress(int done, int total) {
+                if (isIndirect) {
+                    shares.add((double) done / total);
+                }
+            }
+
+            @Override
+            public void idle() {
+                listener.idle();
+            }
+        };
+        try (var single = new RenderLoop(RenderOptions.DEFAULT.withThreads(1), counting)) {
+            single.render(scene);
+            listener.expectNext(RecordingRenderListener.Event.IDLE);
+        }
+        assertThat(shares).isSorted().hasSizeGreaterThan(5).endsWith(1.0);
+        assertThat(shares.getFirst()).isLessThan(0.2);
+    }
+}
