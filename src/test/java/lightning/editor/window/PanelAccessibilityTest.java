@@ -28,7 +28,8 @@ import org.junit.jupiter.api.Test;
 /** Accessibility of the secondary windows, and of the main window in both themes: contrast, and use without a mouse. */
 class PanelAccessibilityTest extends EditorFixture {
     private static final int MANY = 120;
-    private static final List<Command> PANELS = List.of(Command.ACCURACY_PANEL, Command.EFFECTS_PANEL, Command.KEYS, Command.SCOPES,
+    private static final List<Command> PANELS = List.of(Command.ACCURACY_PANEL, Command.INDIRECT_ACCURACY, Command.EFFECTS_PANEL,
+            Command.KEYS, Command.SCOPES,
             Command.HISTORY_PANEL, Command.UPDATES_PANEL, Command.MIXER, Command.CUES, Command.CONTRIBUTIONS, Command.MAKE_ANIMATION,
             Command.PALETTE, Command.ABOUT);
 

@@ -17,8 +17,9 @@ import org.junit.jupiter.api.Test;
 
 /** The commands' shortcuts work in the secondary windows as in the main window. */
 class PanelShortcutsTest extends EditorFixture {
-    private static final List<Command> PANELS = List.of(Command.ACCURACY_PANEL, Command.EFFECTS_PANEL, Command.KEYS, Command.SCOPES,
-            Command.HISTORY_PANEL, Command.UPDATES_PANEL, Command.MIXER, Command.CUES, Command.CONTRIBUTIONS);
+    private static final List<Command> PANELS =
+            List.of(Command.ACCURACY_PANEL, Command.INDIRECT_ACCURACY, Command.EFFECTS_PANEL, Command.KEYS, Command.SCOPES,
+                    Command.HISTORY_PANEL, Command.UPDATES_PANEL, Command.MIXER, Command.CUES, Command.CONTRIBUTIONS);
 
     @AfterEach
     void closeWindows() {

@@ -48,7 +48,8 @@ abstract class TextClippingFixture extends EditorFixture {
         });
         checkWindow("shape", () -> model().editor().selection().selectNode("ball"));
         robot.interact(() -> model().editor().selection().selectLight("stage"));
-        for (Command panel : List.of(Command.ACCURACY_PANEL, Command.EFFECTS_PANEL, Command.KEYS, Command.SCOPES, Command.HISTORY_PANEL,
+        for (Command panel : List.of(Command.ACCURACY_PANEL, Command.INDIRECT_ACCURACY, Command.EFFECTS_PANEL, Command.KEYS, Command.SCOPES,
+                Command.HISTORY_PANEL,
                 Command.UPDATES_PANEL, Command.MIXER, Command.CUES, Command.CONTRIBUTIONS, Command.MAKE_ANIMATION, Command.PALETTE)) {
             checkWindow(panel.name(), () -> model().commands().run(panel));
             robot.interact(this::narrow);
