@@ -53,6 +53,10 @@ class LocaleTest {
         run(output, to, "compare", to.resolve("a.png"), to.resolve("b.png"), "-o", to.resolve("d.png"));
         run(output, to, "explain", scene, "20,20");
         run(output, to, "export", scene, "-o", to.resolve("a.pov"));
+        Path lit = to.resolve("indirect.jen");
+        run(output, to, "relight", scene, "-o", to.resolve("c.pfm"), "--set", "picture.indirect={ rays 16 }", "--then", "--set",
+                "lamp.intensity=0.25", "--verify", "--save", lit);
+        run(output, to, "render", lit, "-o", to.resolve("indirect.pfm"));
         assertThat(output.stream().filter(text -> !text.startsWith("0\n"))).singleElement().asString().startsWith("1\ndifferent: ");
         run(output, to, "check", to.resolve("missing.jen"));
         run(output, to, "RENDER");

@@ -4,8 +4,10 @@ import java.util.ArrayList;
 import java.util.List;
 import lightning.format.jen.JenWriter;
 import lightning.scene.Scene;
+import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.Combinators;
+import net.jqwik.api.Tuple;
 
 /** Editing session: a scene and a sequence of edits. */
 public final class EditSession {
@@ -23,6 +25,11 @@ public final class EditSession {
     /** Returns sessions of one to twelve edits; shrinking removes edits first. */
     public static Arbitrary<EditSession> sessions() {
         return Combinators.combine(EditArbitraries.sequences(), SceneArbitraries.scenes()).as(EditSession::new);
+    }
+
+    /** Returns sessions of which a small share has indirect light, which takes much more time. */
+    public static Arbitrary<EditSession> mixedSessions() {
+        return Arbitraries.frequencyOf(Tuple.of(11, sessions()), Tuple.of(1, indirectSessions()));
     }
 
     /** Returns sessions of one to twelve edits of light intensity and falloff. */

@@ -26,6 +26,11 @@ public final class IndirectArbitraries {
         return Combinators.combine(settings(), SceneArbitraries.scenes()).as(IndirectArbitraries::withIndirect);
     }
 
+    /** Returns the scenes of {@link SceneArbitraries}, of which a small share has indirect light. */
+    public static Arbitrary<Scene> mixedScenes() {
+        return Arbitraries.frequencyOf(Tuple.of(11, SceneArbitraries.scenes()), Tuple.of(1, scenes()));
+    }
+
     private static Scene withIndirect(IndirectSettings settings, Scene scene) {
         SamplingSettings sampling = scene.picture().sampling();
         return scene.withPicture(scene.picture().withIndirect(Optional.of(settings))

@@ -88,6 +88,11 @@ public final class IndirectScenes {
         return scenes;
     }
 
+    /** Returns a scene without its indirect light, for tests of other things: their time stays the same, whatever the scene's file has. */
+    public static Scene without(Scene scene) {
+        return scene.withPicture(scene.picture().withIndirect(Optional.empty()));
+    }
+
     private static Scene scene(String picture, String text, IndirectSettings settings) {
         try {
             Scene scene = JenReader.read("jen 1\npicture { " + picture + " }\n" + text, "indirect.jen", Path.of("")).scene();

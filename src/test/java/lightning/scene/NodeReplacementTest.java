@@ -7,7 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
-import lightning.sample.SceneArbitraries;
+import lightning.sample.IndirectArbitraries;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.Assume;
 import net.jqwik.api.ForAll;
@@ -29,7 +29,7 @@ class NodeReplacementTest {
 
     @Provide
     Arbitrary<Scene> scenes() {
-        return SceneArbitraries.scenes();
+        return IndirectArbitraries.mixedScenes();
     }
 
     private static List<? extends SceneNode> of(SceneNode node, Replacement kind) {

@@ -26,7 +26,7 @@ class VisibleStateTest {
 
     @Provide
     Arbitrary<EditSession> sessions() {
-        return EditSession.sessions();
+        return EditSession.mixedSessions();
     }
 
     private boolean isInvisible(EditOutcome change) {

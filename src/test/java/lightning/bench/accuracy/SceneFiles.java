@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.stream.Stream;
 import lightning.format.jen.JenException;
 import lightning.format.jen.JenReader;
+import lightning.sample.IndirectScenes;
 import lightning.scene.Scene;
 
 /** Scenes of the project. */
@@ -26,9 +27,10 @@ final class SceneFiles {
         }
     }
 
+    /** Returns a scene without indirect light, as all benchmark parts but that of indirect light measure it. */
     static Scene read(String name) {
         try {
-            return JenReader.read(FOLDER.resolve(name + ".jen")).scene();
+            return IndirectScenes.without(JenReader.read(FOLDER.resolve(name + ".jen")).scene());
         } catch (IOException | JenException e) {
             throw new AssertionError(name, e);
         }

@@ -22,7 +22,7 @@ class EditHistoryTest {
 
     @Provide
     Arbitrary<EditSession> sessions() {
-        return EditSession.sessions();
+        return EditSession.mixedSessions();
     }
 
     private void set(NumericParameter parameter, String light, double value) {

@@ -35,7 +35,7 @@ class CancellationTest {
 
     @Provide
     Arbitrary<EditSession> sessions() {
-        return EditSession.sessions();
+        return EditSession.mixedSessions();
     }
 
     /** Kinds of interruption of an update. */

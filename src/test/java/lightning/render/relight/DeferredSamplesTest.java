@@ -44,7 +44,7 @@ class DeferredSamplesTest {
 
     @Provide
     Arbitrary<EditSession> sessions() {
-        return EditSession.sessions();
+        return EditSession.mixedSessions();
     }
 
     @Property(edgeCases = EdgeCasesMode.NONE)

@@ -32,7 +32,7 @@ class RowOrderTest {
 
     @Provide
     Arbitrary<EditSession> sessions() {
-        return EditSession.sessions();
+        return EditSession.mixedSessions();
     }
 
     @Property(edgeCases = EdgeCasesMode.NONE)

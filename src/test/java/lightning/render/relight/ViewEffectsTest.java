@@ -84,7 +84,7 @@ class ViewEffectsTest {
 
     @Provide
     Arbitrary<EditSession> sessions() {
-        return EditSession.sessions();
+        return EditSession.mixedSessions();
     }
 
     @Test

@@ -20,7 +20,7 @@ import lightning.render.image.FilmAssert;
 import lightning.sample.EdgeCaseScenes;
 import lightning.sample.EditSession;
 import lightning.sample.FailedSceneRecorder;
-import lightning.sample.SceneArbitraries;
+import lightning.sample.IndirectArbitraries;
 import lightning.sample.Slow;
 import lightning.scene.AntialiasMode;
 import lightning.scene.Camera;
@@ -58,7 +58,7 @@ class FiniteFilmTest {
 
     @Provide
     Arbitrary<Scene> scenes() {
-        return SceneArbitraries.scenes();
+        return IndirectArbitraries.mixedScenes();
     }
 
     @Provide

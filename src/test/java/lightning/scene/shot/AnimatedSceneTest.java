@@ -37,7 +37,7 @@ class AnimatedSceneTest {
 
     @Provide
     Arbitrary<Case> cases() {
-        return EditSession.sessions().flatMap(s -> ShotArbitraries.shots(s.scenes().getFirst()).map(shot -> new Case(s, shot)));
+        return EditSession.mixedSessions().flatMap(s -> ShotArbitraries.shots(s.scenes().getFirst()).map(shot -> new Case(s, shot)));
     }
 
     private static Keyframe key(int frame, Interpolation passage, double number) {

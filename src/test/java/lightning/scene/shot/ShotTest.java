@@ -6,7 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.util.List;
 import java.util.stream.IntStream;
 import lightning.base.math.Vec3;
-import lightning.sample.SceneArbitraries;
+import lightning.sample.IndirectArbitraries;
 import lightning.sample.ShotArbitraries;
 import lightning.scene.Camera;
 import lightning.scene.ChoiceKind;
@@ -50,7 +50,7 @@ class ShotTest {
 
     @Provide
     Arbitrary<Case> cases() {
-        return SceneArbitraries.scenes().flatMap(scene -> ShotArbitraries.shots(scene).map(shot -> new Case(scene, shot)));
+        return IndirectArbitraries.mixedScenes().flatMap(scene -> ShotArbitraries.shots(scene).map(shot -> new Case(scene, shot)));
     }
 
     private static Keyframe key(int frame, Interpolation passage, double... numbers) {

@@ -33,7 +33,7 @@ class LightingBlendTest {
 
     @Provide
     Arbitrary<EditSession> sessions() {
-        return EditSession.sessions();
+        return EditSession.mixedSessions();
     }
 
     @Property(tries = 100, edgeCases = EdgeCasesMode.NONE)

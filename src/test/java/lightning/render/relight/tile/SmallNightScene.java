@@ -2,6 +2,7 @@ package lightning.render.relight.tile;
 
 import java.nio.file.Path;
 import lightning.format.jen.JenReader;
+import lightning.sample.IndirectScenes;
 import lightning.scene.Scene;
 
 /** Scene of thirty lights over few pixels, for repeated traces. */
@@ -12,7 +13,7 @@ final class SmallNightScene {
 
     private static Scene read() {
         try {
-            Scene scene = JenReader.read(Path.of("scenes/night.jen")).scene();
+            Scene scene = IndirectScenes.without(JenReader.read(Path.of("scenes/night.jen")).scene());
             return scene.withPicture(scene.picture().withSize(70, 50));
         } catch (Exception e) {
             throw new IllegalStateException(e);
