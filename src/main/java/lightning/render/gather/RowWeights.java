@@ -41,6 +41,23 @@ public record RowWeights(GatherStructure structure, int[] points, short[] index,
         }
     }
 
+    /** Returns the point that alone has a weight at a row; −1 if there are several. */
+    int onlyPoint(int row) {
+        return weight[PER_ROW * row + 1] == 0 ? points[index[PER_ROW * row] & 0xFFFF] : -1;
+    }
+
+    /** Returns these weights with other numbers of the points; null if one has none. */
+    RowWeights renumbered(GatherStructure to, int[] newNumber) {
+        int[] renumbered = new int[points.length];
+        for (int i = 0; i < points.length; i++) {
+            renumbered[i] = newNumber[points[i]];
+            if (renumbered[i] < 0) {
+                return null;
+            }
+        }
+        return new RowWeights(to, renumbered, index, weight);
+    }
+
     /** Returns the bytes of all columns. */
     public long bytes() {
         return 4L * points.length + 2L * index.length + weight.length;

@@ -11,6 +11,7 @@ import lightning.render.cache.TileLevel;
 import lightning.render.engine.EngineWorkers;
 import lightning.render.gather.GatherBuilder;
 import lightning.render.gather.GatherStructure;
+import lightning.render.gather.PointChanges;
 import lightning.render.relight.plan.UpdatePlan;
 import lightning.render.shading.IndirectLight;
 import lightning.render.shading.RayCounts;
@@ -30,6 +31,9 @@ final class IndirectBuilder {
     private final PixelCache oldCache;
     private final List<EngineWorkers<LevelWorker>> surfelWorkers;
     private long gatherRays;
+    /** Repetition of the paths; null before. */
+    private GatherBuilder repeated;
+    private PointChanges pointChanges;
 
     /** @param old cache of the last picture, or null */
     IndirectBuilder(RenderJob job, WorkerPool workers, PixelCache old) {
@@ -66,6 +70,7 @@ final class IndirectBuilder {
                         job.progress().cancellationOnly());
                 update.add(surfels);
                 structure = update.structure();
+                pointChanges = repeated.changes(structure);
                 surfels = update.surfels();
             }
         }
@@ -74,6 +79,11 @@ final class IndirectBuilder {
         IndirectLight light = new IndirectLight(structure, solver.solve(job.target().lights(), job.scene()),
                 job.detectsEdges() ? edgeSolver(solver, structure, surfels).solve(job.target().edgeLights(), job.scene()) : null);
         return new IndirectCache(settings.get(), surfels, light);
+    }
+
+    /** Returns the change of the gather points; null if all may have changed, or none did. */
+    PointChanges pointChanges() {
+        return pointChanges;
     }
 
     /** Returns the solver for lights with rounded weights. Layers of some accuracies contain the exact weights, so they are replaced by terms. */
@@ -127,6 +137,7 @@ final class IndirectBuilder {
             builder.remember(before.structure(), rows, geometry, job.shapeChange(),
                     _ -> job.options().engines().forTile(0).tracer(geometry));
         }
+        repeated = builder;
         GatherStructure structure = builder.build();
         gatherRays += structure.rays();
         return structure;

@@ -3,6 +3,7 @@ package lightning.render.relight.tile;
 import lightning.base.work.Progress;
 import lightning.render.cache.IndirectCache;
 import lightning.render.cache.PixelCache;
+import lightning.render.gather.PointChanges;
 import lightning.render.image.Film;
 import lightning.render.relight.plan.LevelPlan;
 import lightning.render.relight.plan.UpdatePlan;
@@ -56,13 +57,15 @@ public record RenderJob(PreparedScene target, PreparedScene mirrorTarget, Render
      *
      * @param shown    indirect light of the target scene
      * @param mirrored indirect light of the scene that mirrors show
+     * @param changes  change of the gather points of the target scene since the last picture, or null
      */
-    RenderJob withIndirect(IndirectCache shown, IndirectCache mirrored) {
+    RenderJob withIndirect(IndirectCache shown, IndirectCache mirrored, PointChanges changes) {
         if (shown == null && mirrored == null) {
             return this;
         }
-        PreparedScene top = target.withIndirect(shown == null ? null : shown.light());
-        return new RenderJob(top, mirrorTarget == target ? top : mirrorTarget.withIndirect(mirrored == null ? null : mirrored.light()),
+        PreparedScene top = target.withIndirect(shown == null ? null : shown.light(), changes);
+        return new RenderJob(top,
+                mirrorTarget == target ? top : mirrorTarget.withIndirect(mirrored == null ? null : mirrored.light(), null),
                 options, plan, progress);
     }
 
