@@ -55,14 +55,12 @@ public final class GatherBuilder {
      * @param previous geometry before the edit
      * @param shapes   edit of the shapes
      * @param itsTracers one for each thread, of that geometry
-     * @return whether it does
      */
-    public boolean remember(GatherStructure old, HitRows[] rows, Geometry previous, ShapeChange shapes,
+    public void remember(GatherStructure old, HitRows[] rows, Geometry previous, ShapeChange shapes,
             IntFunction<Tracer> itsTracers) {
         before = old;
         memo = PathMemo.of(old, rows, previous, shapes, geometry, keys);
         memoTracers = itsTracers;
-        return memo != null;
     }
 
     /** Returns the distance of the pixels through which candidates for gather points are traced. */

@@ -69,7 +69,7 @@ public final class PointChanges {
      * @return null if they may differ
      */
     public RowWeights keep(RowWeights weights, HitRows rows) {
-        if (weights.structure() != before || rows.count == 0) {
+        if (weights.structure() != before || before.pointCount() == 0 || rows.count == 0) {
             return null;
         }
         float[] box = {Float.POSITIVE_INFINITY, Float.POSITIVE_INFINITY, Float.POSITIVE_INFINITY, Float.NEGATIVE_INFINITY,

@@ -22,8 +22,13 @@ record IndirectEstimate(double bytesPerPixel, double borderBytes, double surfelB
     static final IndirectEstimate NONE = new IndirectEstimate(0, 0, 0, 1, 1);
     /** Weights of a row and its part of the list of points. */
     static final long MAX_WEIGHT_BYTES_PER_ROW = 8 * (Short.BYTES + Byte.BYTES + Integer.BYTES);
-    /** Bytes of a point without its links: place, normal, light, and a filter of 256 neighbors, several times the usual number. */
-    private static final int POINT_BYTES = 56 + 8 * 256;
+    /**
+     * Bytes of a point without its links: place, normal, lengths, light, an entry of the table of known points, and a filter of 256
+     * neighbors, several times the usual number.
+     */
+    private static final int POINT_BYTES = 56 + 8 + 16 + 8 * 256;
+    /** Bytes of a surfel besides its row: its number, and while an edit is made its place, cell, first ray and entry in a table. */
+    private static final int SURFEL_BYTES = 4 + 28 + 8 + 4 + 16;
 
     /** Measured indirect light of a small picture. */
     record Sample(long pixels, int side, long pointBytes, long surfelBytes, long buildBytes) {
@@ -92,7 +97,7 @@ record IndirectEstimate(double bytesPerPixel, double borderBytes, double surfelB
         double rays = points * settings.rays();
         int linkBytes = RayLinks.BUILD_BYTES + Integer.BYTES + 12 + 12 / 2;
         double surfelBytes = ColumnGroup.HIT.bytesPerRow() + ColumnGroup.TEXEL.bytesPerRow() + ColumnGroup.OWNER.bytesPerRow()
-                + ColumnGroup.TRANSPARENT.bytesPerRow() + layerBytes
+                + ColumnGroup.TRANSPARENT.bytesPerRow() + layerBytes + SURFEL_BYTES
                 + (settings.bounces() > 1 ? linkBytes * settings.rays() / 4.0 : 0);
         double rowBytes = ColumnGroup.HIT.bytesPerRow() + ColumnGroup.TEXEL.bytesPerRow() + ColumnGroup.OWNER.bytesPerRow();
         return (long) Math.min(Long.MAX_VALUE / 4.0, candidates * rowBytes + points * POINT_BYTES + rays * (linkBytes + surfelBytes));

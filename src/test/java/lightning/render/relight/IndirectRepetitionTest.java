@@ -81,6 +81,20 @@ class IndirectRepetitionTest {
         assertThat(share(room(), room().withNodes(nodes))).isBetween(0.01, 0.33);
     }
 
+    /** The only candidate is the first pixel, which shows the background. */
+    @Test
+    void sceneWithoutGatherPoints_isUpdated() throws JenException {
+        Scene scene = room("""
+                jen 1
+                picture { size 16 16  depth 0 }
+                camera { from 0 0 5  to 0 0 0 }
+                sphere ball { scale 0.3 0.3 0.3 }
+                light lamp point { at 1 2 3 }
+                """);
+        Scene sparse = scene.withPicture(scene.picture().withIndirect(Optional.of(new IndirectSettings(2, 16, 64, false))));
+        assertThat(share(sparse, sparse.withPicture(sparse.picture().withDepth(1)))).isPositive();
+    }
+
     @Test
     void materialThatBecomesGlass_repeatsFewRays() throws JenException {
         String solid = ROOM.replace("plane left { material red", "plane left { material white");
