@@ -67,6 +67,20 @@ class ShotRenderCommandTest {
         assertThat(done.out()).contains("2 frames traced in", "3 relit in");
     }
 
+    /** Paths are kept, traced again for the camera, and repeated in part for the ball. */
+    @Test
+    void everyFrameWithIndirectLight_matchesReference() throws Exception {
+        Files.writeString(scene, Files.readString(scene).replace("depth 2", "depth 2  indirect { rays 16  spacing 4 }"));
+        CliResult.run("shot", "render", scene, "-o", folder.resolve("b.pfm")).assertSuccess();
+        JenDocument document = JenReader.read(scene);
+        for (int frame = 3; frame <= 7; frame++) {
+            assertThat(ImageFile.read(folder.resolve("b-000" + frame + ".pfm"))
+                    .hasSameBits(new ReferenceTracer(document.shot().orElseThrow().sceneAt(document.scene(), frame)).trace()))
+                    .as("frame " + frame)
+                    .isTrue();
+        }
+    }
+
     @Test
     void singleFrame_isCountedAsOne() {
         CliResult done = CliResult.run("shot", "render", scene, "-o", folder.resolve("out"), "--frames", "4").assertSuccess();

@@ -129,6 +129,17 @@ public final class EditArbitraries {
                 Combinators.combine(nodes(), Arbitraries.of(NodeArbitraries.MATERIALS)).as(Edit.AssignMaterial::new)));
     }
 
+    /** Returns edits of objects and their materials; some undo earlier ones, some move a light. */
+    static Arbitrary<Edit> objectEdits() {
+        return Arbitraries.frequencyOf(
+                Tuple.of(10, shapeEdits()),
+                Tuple.of(3, materialEdits()),
+                Tuple.of(1, Combinators.combine(nodes(), Arbitraries.of(NodeArbitraries.MATERIALS)).as(Edit.AssignMaterial::new)),
+                Tuple.of(1, SceneArbitraries.depths().map(Edit.SetDepth::new)),
+                Tuple.of(2, lightEdits()),
+                Tuple.of(3, Arbitraries.integers().between(1, 4).map(Edit.Undo::new)));
+    }
+
     private static Arbitrary<Edit> shapeEdits() {
         return Arbitraries.frequencyOf(
                 Tuple.of(10, Combinators.combine(nodes(), NodeArbitraries.changes()).as(Edit.EditNode::new)),

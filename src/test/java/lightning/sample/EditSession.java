@@ -42,6 +42,11 @@ public final class EditSession {
         return Combinators.combine(IndirectArbitraries.edits(), IndirectArbitraries.scenes()).as(EditSession::new);
     }
 
+    /** Returns sessions of one to eight edits of objects in rooms with indirect light. */
+    public static Arbitrary<EditSession> indirectObjectSessions() {
+        return Combinators.combine(IndirectArbitraries.objectEdits(), IndirectArbitraries.rooms()).as(EditSession::new);
+    }
+
     /** Returns sessions of one to ten edits with weights, falloffs and highlights down to the underflow of a float. */
     public static Arbitrary<EditSession> extremeSessions() {
         return Combinators.combine(ExtremeArbitraries.edits(), ExtremeArbitraries.scenes()).as(EditSession::new);

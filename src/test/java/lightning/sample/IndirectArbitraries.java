@@ -1,10 +1,13 @@
 package lightning.sample;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import lightning.scene.IndirectSettings;
+import lightning.scene.Material;
 import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
+import lightning.scene.SceneNode;
 import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.Combinators;
@@ -36,6 +39,24 @@ public final class IndirectArbitraries {
         return scene.withPicture(scene.picture().withIndirect(Optional.of(settings))
                 .withSampling(
                         sampling.isSupersampled() ? new SamplingSettings(sampling.antialias(), Math.min(sampling.grid(), 3)) : sampling));
+    }
+
+    /** Returns the scenes of {@link IndirectScenes} with some random objects among theirs, so that most objects stay after an edit. */
+    static Arbitrary<Scene> rooms() {
+        return Combinators.combine(Arbitraries.of(List.copyOf(IndirectScenes.all().values())), NodeArbitraries.nodes(),
+                MaterialArbitraries.materials("m0"), MaterialArbitraries.materials("m1"), MaterialArbitraries.materials("m2"))
+                .as((room, added, m0, m1, m2) -> {
+                    List<Material> materials = new ArrayList<>(List.of(m0, m1, m2));
+                    materials.addAll(room.materials());
+                    List<SceneNode> nodes = new ArrayList<>(room.nodes());
+                    added.stream().limit(3).filter(node -> !room.isNameUsed(node.name())).forEach(nodes::add);
+                    return room.withMaterials(materials).withNodes(nodes);
+                });
+    }
+
+    /** Returns sequences of one to eight edits of objects and their materials. */
+    static Arbitrary<List<Edit>> objectEdits() {
+        return EditArbitraries.objectEdits().list().ofMinSize(1).ofMaxSize(8);
     }
 
     /** Returns sequences of one to eight edits; some switch indirect light on or off, or change its settings. */

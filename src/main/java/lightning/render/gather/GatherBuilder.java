@@ -40,6 +40,7 @@ public final class GatherBuilder {
     private final Tracer[] tracers;
     private final CellKeys keys;
     /** Paths before an edit, or null. */
+    private GatherStructure before;
     private PathMemo memo;
     private IntFunction<Tracer> memoTracers;
     private final long memoryBytes;
@@ -64,18 +65,17 @@ public final class GatherBuilder {
     /**
      * Uses the paths before an edit, if few enough objects changed. The structure then contains no rows of surfels that stay.
      *
-     * @param before   paths of a picture with the same camera, size and settings
+     * @param old      paths of a picture with the same camera, size and settings
      * @param rows     rows of its surfels
      * @param previous geometry before the edit
      * @param shapes   edit of the shapes
      * @param itsTracers one for each thread, of that geometry
-     * @return whether it does
      */
-    public boolean remember(GatherStructure before, HitRows[] rows, Geometry previous, ShapeChange shapes,
+    public void remember(GatherStructure old, HitRows[] rows, Geometry previous, ShapeChange shapes,
             IntFunction<Tracer> itsTracers) {
-        memo = PathMemo.of(before, rows, previous, shapes, geometry, keys);
+        before = old;
+        memo = PathMemo.of(old, rows, previous, shapes, geometry, keys);
         memoTracers = itsTracers;
-        return memo != null;
     }
 
     /** Returns the distance of the pixels through which candidates for gather points are traced. */
@@ -118,6 +118,15 @@ public final class GatherBuilder {
                 placer.links, surfels.links, new SurfelRows(surfels.blocks, surfels.numbers, surfels.near, surfels.count()),
                 surfels.geometricNormals(), surfels.kept,
                 settings.bounces(), rays);
+    }
+
+    /**
+     * Returns the difference between the gather points of the paths before an edit and those after it; null if they are not used.
+     *
+     * @param after paths after the edit
+     */
+    public PointChanges changes(GatherStructure after) {
+        return memo == null ? null : PointChanges.between(before, after, memo.points());
     }
 
     private PathCaster caster(DirectionTable directions, boolean ofPoints) {

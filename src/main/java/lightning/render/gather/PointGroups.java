@@ -86,6 +86,42 @@ final class PointGroups {
         return found;
     }
 
+    /** Returns whether the radius of any point may reach into a box. */
+    boolean reaches(float[] box) {
+        for (int outer = 0; SIZE * outer < count; outer++) {
+            for (int g = SIZE * outer; touches(outerBoxes, outer, box) && g < Math.min(count, SIZE * outer + SIZE); g++) {
+                for (int p = g * SIZE; touches(boxes, g, box) && p < Math.min(points.count, g * SIZE + SIZE); p++) {
+                    if (reaches(p, box)) {
+                        return true;
+                    }
+                }
+            }
+        }
+        return false;
+    }
+
+    private boolean reaches(int p, float[] box) {
+        float r = radius[p];
+        return points.px[p] - r <= box[3] && points.px[p] + r >= box[0] && points.py[p] - r <= box[4] && points.py[p] + r >= box[1]
+                && points.pz[p] - r <= box[5] && points.pz[p] + r >= box[2];
+    }
+
+    /** Returns whether the {@link PointWeight#distance} of any point is not greater than a distance. */
+    boolean isAnyNearer(float distance, float x, float y, float z, float nx, float ny, float nz) {
+        for (int g = 0; g < count; g++) {
+            if (g % SIZE == 0 && boxDistance(outerBoxes, g / SIZE, x, y, z) > distance) {
+                g += SIZE - 1;
+            } else if (!(boxDistance(pointBoxes, g, x, y, z) > distance)) {
+                for (int p = g * SIZE; p < Math.min(points.count, g * SIZE + SIZE); p++) {
+                    if (!(PointWeight.distance(points, p, x, y, z, nx, ny, nz) > distance)) {
+                        return true;
+                    }
+                }
+            }
+        }
+        return false;
+    }
+
     private static boolean touches(float[] boxes, int at, float[] box) {
         return boxes[6 * at] <= box[3] && boxes[6 * at + 3] >= box[0] && boxes[6 * at + 1] <= box[4] && boxes[6 * at + 4] >= box[1]
                 && boxes[6 * at + 2] <= box[5] && boxes[6 * at + 5] >= box[2];

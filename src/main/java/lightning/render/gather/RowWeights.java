@@ -43,6 +43,12 @@ public final class RowWeights {
         near = builder.build();
     }
 
+    private RowWeights(GatherStructure structure, byte[] count, WeightedPoints near) {
+        this.structure = structure;
+        this.count = count;
+        this.near = near;
+    }
+
     /** Returns the structure that the points belong to. */
     public GatherStructure structure() {
         return structure;
@@ -127,6 +133,23 @@ public final class RowWeights {
         for (int c = 0; c < 3; c++) {
             to[c] *= total == 0 ? 0 : 1 / (total * WeightedPoints.SCALE);
         }
+    }
+
+    /** Returns for each row the point that alone has a weight there; −1 if there are several. */
+    int[] onlyPoints() {
+        int[] only = new int[count.length];
+        int entry = 0;
+        for (int row = 0; row < only.length; row++) {
+            only[row] = count[row] == 1 ? near.point(entry) : -1;
+            entry += count[row];
+        }
+        return only;
+    }
+
+    /** Returns these weights with other numbers of the points; null if one has none. */
+    RowWeights renumbered(GatherStructure to, int[] newNumber) {
+        WeightedPoints renumbered = near.renumbered(newNumber);
+        return renumbered == null ? null : new RowWeights(to, count, renumbered);
     }
 
     /** Returns the bytes of all columns. */

@@ -31,6 +31,18 @@ final class WeightedPoints {
         this.weight = weight;
     }
 
+    /** Returns these lists with other numbers of the points; null if one has none. */
+    WeightedPoints renumbered(int[] newNumber) {
+        int[] renumbered = new int[points.length];
+        for (int i = 0; i < points.length; i++) {
+            renumbered[i] = newNumber[points[i]];
+            if (renumbered[i] < 0) {
+                return null;
+            }
+        }
+        return new WeightedPoints(renumbered, firstEntry, firstPoint, index, weight);
+    }
+
     /** Returns the point of an entry. */
     int point(int entry) {
         int table = 0;

@@ -21,10 +21,12 @@ import lightning.scene.PictureSettings;
 record IndirectEstimate(double bytesPerPixel, double borderBytes, double surfelBytes, int side, double buildFactor) {
     static final IndirectEstimate NONE = new IndirectEstimate(0, 0, 0, 1, 1);
     /**
-     * Bytes of a point without its links: place, normal, light, and a filter of 256 neighbors, several times the usual number, both before
-     * and after it is packed.
+     * Bytes of a point without its links: place, normal, lengths, light, an entry of the table of known points, and a filter of 256
+     * neighbors, several times the usual number, both before and after it is packed.
      */
-    private static final int POINT_BYTES = 56 + (8 + 2) * 256;
+    private static final int POINT_BYTES = 56 + 8 + 16 + (8 + 2) * 256;
+    /** Bytes of a surfel besides its row: its number, and while an edit is made its place, cell, first ray and entry in a table. */
+    private static final int SURFEL_BYTES = 4 + 28 + 8 + 4 + 16;
 
     /** Measured indirect light of a small picture. */
     record Sample(long pixels, int side, long pointBytes, long surfelBytes, long buildBytes) {
@@ -92,7 +94,7 @@ record IndirectEstimate(double bytesPerPixel, double borderBytes, double surfelB
         double rays = candidates * settings.rays();
         int linkBytes = RayLinks.BUILD_BYTES + RayLinks.TINT_BUILD_BYTES + Integer.BYTES;
         double surfelBytes = ColumnGroup.HIT.bytesPerRow() + ColumnGroup.TEXEL.bytesPerRow() + ColumnGroup.OWNER.bytesPerRow()
-                + ColumnGroup.TRANSPARENT.bytesPerRow() + layerBytes
+                + ColumnGroup.TRANSPARENT.bytesPerRow() + layerBytes + SURFEL_BYTES
                 + (settings.bounces() > 1 ? linkBytes * settings.rays() / 4.0 : 0);
         double rowBytes = ColumnGroup.HIT.bytesPerRow() + ColumnGroup.TEXEL.bytesPerRow() + ColumnGroup.OWNER.bytesPerRow();
         return (long) Math.min(Long.MAX_VALUE / 4.0, candidates * (rowBytes + POINT_BYTES) + rays * (linkBytes + surfelBytes));

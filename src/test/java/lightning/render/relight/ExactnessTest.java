@@ -32,6 +32,7 @@ import net.jqwik.api.EdgeCasesMode;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
+import net.jqwik.api.Tuple;
 import net.jqwik.api.constraints.IntRange;
 import net.jqwik.api.statistics.Statistics;
 import net.jqwik.api.statistics.StatisticsReport;
@@ -44,9 +45,12 @@ import org.junit.jupiter.params.provider.ValueSource;
  */
 class ExactnessTest {
 
+    /** Weight of sessions with indirect light, whose reference is slow, to 19 without. */
+    private static final int INDIRECT = Integer.getInteger("lightning.test.indirect", 1);
+
     @Provide
     Arbitrary<EditSession> sessions() {
-        return EditSession.sessions();
+        return Arbitraries.frequencyOf(Tuple.of(19, EditSession.sessions()), Tuple.of(INDIRECT, EditSession.indirectSessions()));
     }
 
     @Provide

@@ -46,6 +46,20 @@ class IndirectExactnessTest {
         SessionAssert.assertExactAfterEveryEdit("indirect-current", session, options, scene -> fullTrace(scene, scene));
     }
 
+    @Provide
+    Arbitrary<EditSession> objectSessions() {
+        return EditSession.indirectObjectSessions();
+    }
+
+    /** Most rays meet no changed object, so they are taken from the last picture. */
+    @Property(edgeCases = EdgeCasesMode.NONE)
+    void editedObjects_equalFullTraceAfterEveryEdit(@ForAll("objectSessions") EditSession session, @ForAll MirrorStorage storage,
+            @ForAll @IntRange(min = 1, max = 3) int threads, @ForAll long engines) {
+        RenderOptions options = new RenderOptions(Accuracy.EXACT, ReflectionMode.CURRENT, storage, threads)
+                .withEngines(new MixedEngineChoice(engines));
+        SessionAssert.assertExactAfterEveryEdit("indirect-objects", session, options, scene -> fullTrace(scene, scene));
+    }
+
     @Property(edgeCases = EdgeCasesMode.NONE)
     @Slow
     void staleReflections_showLastUpdatedScene(@ForAll("sessions") EditSession session, @ForAll @IntRange(min = 1, max = 7) int refreshEach,

@@ -20,6 +20,7 @@ import lightning.render.image.Film;
 import lightning.render.image.FilmAssert;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.render.shading.ReferenceTracer;
+import lightning.sample.IndirectScenes;
 import lightning.sample.Slow;
 import lightning.scene.Scene;
 import lightning.shot.FrameState;
@@ -91,7 +92,16 @@ final class ClusterTest {
 
     @Test
     void frames_withTextures_areTracedAndRelitByNodes() throws Exception {
-        ShotRevision revision = textured();
+        assertTracedAndRelit(textured());
+    }
+
+    @Test
+    void frames_withIndirectLight_areTracedAndRelitByNodes() throws Exception {
+        ShotRevision textured = textured();
+        assertTracedAndRelit(new ShotRevision(IndirectScenes.with(textured.scene()), textured.shot()));
+    }
+
+    private void assertTracedAndRelit(ShotRevision revision) throws Exception {
         var network = new LocalNetwork(1, 0);
         node(network.addEndpoint(), "r");
         node(network.addEndpoint(), "r");

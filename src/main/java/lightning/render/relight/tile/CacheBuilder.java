@@ -61,7 +61,8 @@ public final class CacheBuilder {
         IndirectBuilder indirectBuilder = new IndirectBuilder(job, workers, oldCache);
         IndirectCache indirect = indirectBuilder.build();
         IndirectCache mirroredIndirect = job.mirrorTarget() == job.target() ? indirect : oldCache.mirroredIndirect();
-        job = job.withIndirect(indirect, mirroredIndirect, oldCache).withProgress(indirectBuilder.tileProgress());
+        job = job.withIndirect(indirect, mirroredIndirect, oldCache, indirectBuilder.pointChanges())
+                .withProgress(indirectBuilder.tileProgress());
         CachedTile[] centers = buildCenters(centersOnly ? 0 : fineTileCount());
         FineTile[] fine = centersOnly ? new FineTile[0] : buildSamples(centers, centers.length);
         List<CachedLight> lights = job.plan() == null ? CachedLight.ofScene(job.scene(), this::freshStamp) : lightsAfter(job.topPlan());
@@ -87,7 +88,7 @@ public final class CacheBuilder {
      * @throws java.util.concurrent.CancellationException if the job's progress requested cancellation
      */
     public BuildResult finish(PixelCache centers) {
-        job = job.withIndirect(centers.indirect(), centers.mirroredIndirect(), oldCache);
+        job = job.withIndirect(centers.indirect(), centers.mirroredIndirect(), oldCache, null);
         return new BuildResult(new PixelCache(centers.geometry(), centers.tiles(), buildSamples(centers.tiles(), 0), centers.scenes(),
                 centers.lights(), centers.mirroredLights(), centers.indirect(), centers.mirroredIndirect()), work());
     }

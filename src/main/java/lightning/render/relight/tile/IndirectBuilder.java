@@ -15,6 +15,7 @@ import lightning.render.cache.TileLevel;
 import lightning.render.engine.EngineWorkers;
 import lightning.render.gather.GatherBuilder;
 import lightning.render.gather.GatherStructure;
+import lightning.render.gather.PointChanges;
 import lightning.render.relight.plan.UpdatePlan;
 import lightning.render.shading.IndirectLight;
 import lightning.render.shading.LightLayer;
@@ -38,6 +39,9 @@ final class IndirectBuilder {
     private final PixelCache oldCache;
     private final List<EngineWorkers<LevelWorker>> surfelWorkers;
     private long gatherRays;
+    /** Repetition of the paths; null before. */
+    private GatherBuilder repeated;
+    private PointChanges pointChanges;
 
     /** @param old cache of the last picture, or null */
     IndirectBuilder(RenderJob job, WorkerPool workers, PixelCache old) {
@@ -75,6 +79,7 @@ final class IndirectBuilder {
                         job.progress().cancellationOnly());
                 update.add(surfels);
                 structure = update.structure();
+                pointChanges = repeated.changes(structure);
                 surfels = update.surfels();
             }
         }
@@ -101,6 +106,11 @@ final class IndirectBuilder {
     private boolean isUnchanged(TileLevel[] before, TileLevel[] after, BiPredicate<TileLevel, LightLayer[]> canChange) {
         return job.topPlan().materials().isEmpty()
                 && IntStream.range(0, after.length).noneMatch(block -> canChange.test(before[block], after[block].layers()));
+    }
+
+    /** Returns the change of the gather points; null if all may have changed, or none did. */
+    PointChanges pointChanges() {
+        return pointChanges;
     }
 
     /** Returns the solver for lights with rounded weights. Layers of some accuracies contain the exact weights, so they are replaced by terms. */
@@ -155,6 +165,7 @@ final class IndirectBuilder {
             builder.remember(before.structure(), rows, geometry, job.shapeChange(),
                     _ -> job.options().engines().forTile(0).tracer(geometry));
         }
+        repeated = builder;
         GatherStructure structure = builder.build();
         gatherRays += structure.rays();
         job.progress().raysCast(structure.rays());

@@ -6,6 +6,7 @@ import java.util.function.Function;
 import lightning.render.cache.TileLevel;
 import lightning.render.engine.Engine;
 import lightning.render.gather.RowWeigher;
+import lightning.render.gather.RowWeights;
 import lightning.render.relight.plan.LayerPlan;
 import lightning.render.relight.plan.LayerUpdater;
 import lightning.render.relight.plan.LevelPlan;
@@ -105,6 +106,11 @@ final class LevelWorker {
     TileLevel withWeights(TileLevel level) {
         if (target.indirect() == null || level.hasWeightsOf(target.indirect().structure())) {
             return level;
+        }
+        RowWeights kept =
+                target.pointChanges() == null || level.weights() == null ? null : target.pointChanges().keep(level.weights(), level.rows());
+        if (kept != null) {
+            return level.withWeights(kept);
         }
         weigher = weigher == null ? new RowWeigher(target.indirect().structure()) : weigher;
         return level.withWeights(weigher.weigh(level.rows()));

@@ -1,5 +1,6 @@
 package lightning.render.relight.tile;
 
+import lightning.render.gather.PointChanges;
 import lightning.render.shading.IndirectLight;
 import lightning.render.shading.WeightedLight;
 import lightning.render.trace.Geometry;
@@ -12,18 +13,20 @@ import lightning.scene.Scene;
  * @param lights     the scene's lights, in its order
  * @param edgeLights the same lights as edge detection sees them
  * @param indirect   the scene's indirect light; null if it has none, or before it is computed
+ * @param pointChanges change of its gather points since the last picture; null if all may have changed, or none did
  */
-public record PreparedScene(Geometry geometry, Scene scene, WeightedLight[] lights, WeightedLight[] edgeLights, IndirectLight indirect) {
+public record PreparedScene(Geometry geometry, Scene scene, WeightedLight[] lights, WeightedLight[] edgeLights, IndirectLight indirect,
+        PointChanges pointChanges) {
     // An array in a record: written once by its creator, never after.
 
     /** @param geometry geometry of the same shapes, with any materials */
     public static PreparedScene of(Geometry geometry, Scene scene) {
         WeightedLight[] lights = WeightedLight.ofScene(scene);
-        return new PreparedScene(geometry.withMaterialsOf(scene), scene, lights, WeightedLight.forEdges(lights), null);
+        return new PreparedScene(geometry.withMaterialsOf(scene), scene, lights, WeightedLight.forEdges(lights), null, null);
     }
 
     /** Returns this scene with its indirect light. */
-    PreparedScene withIndirect(IndirectLight light) {
-        return new PreparedScene(geometry, scene, lights, edgeLights, light);
+    PreparedScene withIndirect(IndirectLight light, PointChanges changes) {
+        return new PreparedScene(geometry, scene, lights, edgeLights, light, changes);
     }
 }

@@ -3,6 +3,7 @@ package lightning.render.relight.tile;
 import lightning.base.work.Progress;
 import lightning.render.cache.IndirectCache;
 import lightning.render.cache.PixelCache;
+import lightning.render.gather.PointChanges;
 import lightning.render.image.Film;
 import lightning.render.relight.plan.LevelPlan;
 import lightning.render.relight.plan.UpdatePlan;
@@ -64,15 +65,17 @@ public record RenderJob(PreparedScene target, PreparedScene mirrorTarget, Render
      * @param shown    indirect light of the target scene
      * @param mirrored indirect light of the scene that mirrors show
      * @param old      cache of the last picture, or null
+     * @param changes  change of the gather points of the target scene since the last picture, or null
      */
-    RenderJob withIndirect(IndirectCache shown, IndirectCache mirrored, PixelCache old) {
+    RenderJob withIndirect(IndirectCache shown, IndirectCache mirrored, PixelCache old, PointChanges changes) {
         IndirectLight shownLight = light(shown);
         IndirectLight mirroredLight = light(mirrored);
         IndirectLight shownBefore = old == null ? null : light(old.indirect());
         IndirectLight mirroredBefore = old == null ? null : light(old.mirroredIndirect());
-        PreparedScene top = target.withIndirect(shownLight);
+        PreparedScene top = target.withIndirect(shownLight, changes);
         IndirectChange change = IndirectChange.between(shownBefore, shownLight);
-        return new RenderJob(top, mirrorTarget == target ? top : mirrorTarget.withIndirect(mirroredLight), options, plan, progress, change,
+        return new RenderJob(top, mirrorTarget == target ? top : mirrorTarget.withIndirect(mirroredLight, null), options, plan, progress,
+                change,
                 mirroredBefore == shownBefore && mirroredLight == shownLight ? change
                         : IndirectChange.between(mirroredBefore, mirroredLight));
     }
@@ -83,7 +86,7 @@ public record RenderJob(PreparedScene target, PreparedScene mirrorTarget, Render
 
     /** Returns this job with another progress. */
     RenderJob withProgress(Progress v) {
-        return new RenderJob(target, mirrorTarget, options, plan, v);
+        return new RenderJob(target, mirrorTarget, options, plan, v, indirectChange, mirroredIndirectChange);
     }
 
     /** Returns whether the scene has finer samples only at edges. */

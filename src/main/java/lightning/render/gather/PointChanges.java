@@ -1,0 +1,105 @@
+package lightning.render.gather;
+
+import java.util.Arrays;
+import lightning.render.trace.HitRows;
+
+/**
+ * Difference between the gather points before and after an edit. Points with the same place, normal and radius are unchanged if they also
+ * keep their order, which breaks ties between equal weights. Rows that no changed point reaches keep their weights. Thread-safe.
+ */
+public final class PointChanges {
+    private final GatherStructure before;
+    private final GatherStructure after;
+    /** New number of each old point; −1 for a changed one. */
+    private final int[] newNumber;
+    /** Changed points, before and after. */
+    private final PointGroups removed;
+    private final PointGroups added;
+
+    private PointChanges(GatherStructure before, GatherStructure after, int[] newNumber, PointGroups removed, PointGroups added) {
+        this.before = before;
+        this.after = after;
+        this.newNumber = newNumber;
+        this.removed = removed;
+        this.added = added;
+    }
+
+    static PointChanges between(GatherStructure before, GatherStructure after, KnownRays known) {
+        GatherPoints old = before.points();
+        GatherPoints now = after.points();
+        int[] newNumber = new int[old.count()];
+        Arrays.fill(newNumber, -1);
+        boolean[] isKept = new boolean[now.count()];
+        int last = -1;
+        for (int p = 0; p < now.count(); p++) {
+            int o = known.find(now.sources(), p);
+            if (o > last && old.radius()[o] == now.radius()[p]) {
+                newNumber[o] = p;
+                isKept[p] = true;
+                last = o;
+            }
+        }
+        boolean[] isRemoved = new boolean[old.count()];
+        boolean[] isAdded = new boolean[now.count()];
+        for (int o = 0; o < isRemoved.length; o++) {
+            isRemoved[o] = newNumber[o] < 0;
+        }
+        for (int p = 0; p < isAdded.length; p++) {
+            isAdded[p] = !isKept[p];
+        }
+        return new PointChanges(before, after, newNumber, groups(old, isRemoved), groups(now, isAdded));
+    }
+
+    private static PointGroups groups(GatherPoints points, boolean[] selected) {
+        SurfaceColumns surface = new SurfaceColumns();
+        float[] radius = new float[points.count()];
+        for (int p = 0; p < points.count(); p++) {
+            if (selected[p]) {
+                radius[surface.count] = points.radius()[p];
+                surface.add(points.surface(), p);
+            }
+        }
+        return new PointGroups(surface, radius);
+    }
+
+    /**
+     * Returns the weights of rows after the edit.
+     *
+     * @param weights of the same rows before
+     * @return null if they may differ
+     */
+    public RowWeights keep(RowWeights weights, HitRows rows) {
+        if (weights.structure() != before || before.pointCount() == 0 || rows.count == 0) {
+            return null;
+        }
+        float[] box = {Float.POSITIVE_INFINITY, Float.POSITIVE_INFINITY, Float.POSITIVE_INFINITY, Float.NEGATIVE_INFINITY,
+            Float.NEGATIVE_INFINITY, Float.NEGATIVE_INFINITY};
+        for (int row = 0; row < rows.count; row++) {
+            enlarge(box, 0, rows.px[row]);
+            enlarge(box, 1, rows.py[row]);
+            enlarge(box, 2, rows.pz[row]);
+        }
+        return removed.reaches(box) || added.reaches(box) || mayHaveOtherNearest(weights, rows) ? null
+                : weights.renumbered(after, newNumber);
+    }
+
+    private static void enlarge(float[] box, int axis, float place) {
+        box[axis] = Math.min(box[axis], place);
+        box[3 + axis] = Math.max(box[3 + axis], place);
+    }
+
+    /** Returns whether a row that no point reaches may take its light from another point than before. */
+    private boolean mayHaveOtherNearest(RowWeights weights, HitRows rows) {
+        int[] onlyPoints = weights.onlyPoints();
+        for (int row = 0; row < rows.count; row++) {
+            int only = onlyPoints[row];
+            if (only >= 0 && (newNumber[only] < 0 || added.isAnyNearer(
+                    PointWeight.distance(before.points().surface(), only, rows.px[row], rows.py[row], rows.pz[row], rows.nx[row],
+                            rows.ny[row], rows.nz[row]),
+                    rows.px[row], rows.py[row], rows.pz[row], rows.nx[row], rows.ny[row], rows.nz[row]))) {
+                return true;
+            }
+        }
+        return false;
+    }
+}
