@@ -92,6 +92,11 @@ public final class GatherStructure {
         return bytes() + RayLinks.BUILD_BYTES * ((long) pointLinks.surfels().length + surfelLinks.surfels().length);
     }
 
+    /** Returns the share of gather points, their filter and their links in these bytes. */
+    public long pointBuildBytes() {
+        return pointBytes() + RayLinks.BUILD_BYTES * (long) pointLinks.surfels().length;
+    }
+
     private long surfelBytes() {
         long bytes = surfelLinks.bytes();
         for (HitRows rows : surfels) {
