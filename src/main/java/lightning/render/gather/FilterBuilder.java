@@ -49,20 +49,21 @@ final class FilterBuilder {
         near.collect(points.px, points.py, points.pz, from, to);
         for (int first = from; first < to; first += CHUNK) {
             int end = Math.min(to, first + CHUNK);
-            int selected = near.select(points.px, points.py, points.pz, first, end);
+            near.select(points.px, points.py, points.pz, first, end);
             for (int p = first; p < end; p++) {
-                link(p, near, selected, neighbors, weights);
+                link(p, near, neighbors, weights);
             }
         }
     }
 
-    private void link(int p, NearPoints near, int selected, int[][] neighbors, float[][] weights) {
-        int[] point = new int[selected];
-        float[] weight = new float[selected];
+    private void link(int p, NearPoints near, int[][] neighbors, float[][] weights) {
+        int candidates = near.findNear(points.px[p], points.py[p], points.pz[p], reach[p]);
+        int[] point = new int[candidates];
+        float[] weight = new float[candidates];
         int count = 0;
         float sum = 0;
-        for (int i = 0; i < selected; i++) {
-            int column = near.selected[i];
+        for (int i = 0; i < candidates; i++) {
+            int column = near.near[i];
             float w = weight(p, near.columns, column, near.point(column));
             if (w > 0) {
                 point[count] = near.point(column);

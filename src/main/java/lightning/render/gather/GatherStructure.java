@@ -126,12 +126,17 @@ public final class GatherStructure {
 
     /** Returns the bytes of the gather points, their filter and their links. */
     public long pointBytes() {
-        return pointLinks.bytes() + points.filter().bytes() + 40L * points.count();
+        return pointLinks.bytes() + points.filter().bytes() + 52L * points.count();
     }
 
     /** Returns the bytes that it took at most while it was built. */
     public long buildBytes() {
         return bytes() + pointLinks.buildBytes() + surfelLinks.buildBytes();
+    }
+
+    /** Returns the share of gather points, their filter and their links in these bytes. */
+    public long pointBuildBytes() {
+        return pointBytes() + pointLinks.buildBytes();
     }
 
     private long surfelBytes() {

@@ -1,8 +1,8 @@
 package lightning.render.gather;
 
 /**
- * Gather points near some places: first those near all of them, then those near a few, side by side in memory. Holds scratch memory: use
- * one instance per thread.
+ * Gather points near some places: first those near all of them, then those near a few, then those near one, side by side in memory. Holds
+ * scratch memory: use one instance per thread.
  */
 final class NearPoints {
     private final SurfaceColumns points;
@@ -12,8 +12,17 @@ final class NearPoints {
     private final int[] found;
     final SurfaceColumns columns = new SurfaceColumns();
     float[] columnRadius = new float[1024];
-    /** Indices of the selected points among these columns, ascending. */
-    int[] selected = new int[1024];
+    /** Columns of the points near a few places, ascending, their places and the squares of their radii. */
+    private int[] selected = new int[1024];
+    private float[] x = new float[1024];
+    private float[] y = new float[1024];
+    private float[] z = new float[1024];
+    private float[] square = new float[1024];
+    private int selectedCount;
+    /** Square of the distance to each selected point, minus the square within which it is near. */
+    private float[] excess = new float[1024];
+    /** Columns of the points near one place, ascending. */
+    int[] near = new int[1024];
     private final float[] box = new float[6];
 
     /** @param radius distance from each point within which it is of interest; also that of the groups */
@@ -30,13 +39,12 @@ final class NearPoints {
     }
 
     /** Collects the points near places {@code from … to − 1}, at least one. */
-    void collect(float[] x, float[] y, float[] z, int from, int to) {
-        bound(x, y, z, from, to);
+    void collect(float[] placesX, float[] placesY, float[] placesZ, int from, int to) {
+        bound(placesX, placesY, placesZ, from, to);
         int count = groups.find(box, found);
         columns.reserve(count);
         if (columnRadius.length < count) {
-            columnRadius = new float[columns.px.length];
-            selected = new int[columns.px.length];
+            reserve(columns.px.length);
         }
         columns.count = count;
         for (int i = 0; i < count; i++) {
@@ -46,9 +54,20 @@ final class NearPoints {
         }
     }
 
+    private void reserve(int length) {
+        columnRadius = new float[length];
+        selected = new int[length];
+        x = new float[length];
+        y = new float[length];
+        z = new float[length];
+        square = new float[length];
+        excess = new float[length];
+        near = new int[length];
+    }
+
     /** Selects among the collected points those near places {@code from … to − 1}; returns their number. */
-    int select(float[] x, float[] y, float[] z, int from, int to) {
-        bound(x, y, z, from, to);
+    int select(float[] placesX, float[] placesY, float[] placesZ, int from, int to) {
+        bound(placesX, placesY, placesZ, from, to);
         int count = 0;
         for (int i = 0; i < columns.count; i++) {
             float r = columnRadius[i];
@@ -57,13 +76,41 @@ final class NearPoints {
                     & columns.py[i] + r >= box[1] & columns.pz[i] - r <= box[5] & columns.pz[i] + r >= box[2];
             count += isNear ? 1 : 0;
         }
+        for (int i = 0; i < count; i++) {
+            int column = selected[i];
+            x[i] = columns.px[column];
+            y[i] = columns.py[column];
+            z[i] = columns.pz[column];
+            square[i] = columnRadius[column] * columnRadius[column];
+        }
+        selectedCount = count;
         return count;
     }
 
-    private void bound(float[] x, float[] y, float[] z, int from, int to) {
-        bound(x, from, to, 0);
-        bound(y, from, to, 1);
-        bound(z, from, to, 2);
+    /**
+     * Writes the selected points that are nearer to a place than their radius and a limit to {@link #near}; returns their number. The
+     * first loop has no branch, so that it runs on lanes.
+     */
+    int findNear(float placeX, float placeY, float placeZ, float limit) {
+        float limitSquare = limit * limit;
+        for (int i = 0; i < selectedCount; i++) {
+            float dx = placeX - x[i];
+            float dy = placeY - y[i];
+            float dz = placeZ - z[i];
+            excess[i] = dx * dx + dy * dy + dz * dz - Math.min(square[i], limitSquare);
+        }
+        int count = 0;
+        for (int i = 0; i < selectedCount; i++) {
+            near[count] = selected[i];
+            count += excess[i] < 0 ? 1 : 0;
+        }
+        return count;
+    }
+
+    private void bound(float[] placesX, float[] placesY, float[] placesZ, int from, int to) {
+        bound(placesX, from, to, 0);
+        bound(placesY, from, to, 1);
+        bound(placesZ, from, to, 2);
     }
 
     private void bound(float[] places, int from, int to, int axis) {

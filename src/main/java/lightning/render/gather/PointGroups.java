@@ -18,6 +18,7 @@ final class PointGroups {
     private final float[] outerBoxes;
     /** Boxes of the groups' points. */
     private final float[] pointBoxes;
+    private final float[] outerPointBoxes;
     private final int count;
 
     PointGroups(SurfaceColumns points, float[] radius) {
@@ -27,10 +28,12 @@ final class PointGroups {
         boxes = emptyBoxes(count);
         pointBoxes = emptyBoxes(count);
         outerBoxes = emptyBoxes(Math.ceilDiv(count, SIZE));
+        outerPointBoxes = emptyBoxes(Math.ceilDiv(count, SIZE));
         for (int p = 0; p < points.count; p++) {
             enlarge(boxes, p / SIZE, p, radius[p]);
             enlarge(outerBoxes, p / SIZE / SIZE, p, radius[p]);
             enlarge(pointBoxes, p / SIZE, p, 0);
+            enlarge(outerPointBoxes, p / SIZE / SIZE, p, 0);
         }
     }
 
@@ -127,18 +130,22 @@ final class PointGroups {
                 && boxes[6 * at + 2] <= box[5] && boxes[6 * at + 5] >= box[2];
     }
 
-    /** Returns the point with the least {@link PointWeight#distance}, the first of equals; −1 if there is none. */
-    int nearest(float x, float y, float z, float nx, float ny, float nz) {
-        int nearest = -1;
-        float least = Float.POSITIVE_INFINITY;
+    /**
+     * Returns the point with the least {@link PointWeight#distance}, the first of equals.
+     *
+     * @param guess any point; the fewer points are nearer, the faster
+     */
+    int nearest(float x, float y, float z, float nx, float ny, float nz, int guess) {
+        int nearest = guess;
+        float least = PointWeight.distance(points, guess, x, y, z, nx, ny, nz);
         for (int g = 0; g < count; g++) {
-            if (g % SIZE == 0 && nearest >= 0 && boxDistance(outerBoxes, g / SIZE, x, y, z) >= least) {
-                // No point of a box is nearer than the box.
+            // No point of a box is nearer than the box.
+            if (g % SIZE == 0 && boxDistance(outerPointBoxes, g / SIZE, x, y, z) > least) {
                 g += SIZE - 1;
-            } else if (nearest < 0 || boxDistance(pointBoxes, g, x, y, z) < least) {
+            } else if (!(boxDistance(pointBoxes, g, x, y, z) > least)) {
                 for (int p = g * SIZE; p < Math.min(points.count, g * SIZE + SIZE); p++) {
                     float distance = PointWeight.distance(points, p, x, y, z, nx, ny, nz);
-                    if (nearest < 0 || distance < least) {
+                    if (distance < least || distance == least && p < nearest) {
                         least = distance;
                         nearest = p;
                     }

@@ -6,6 +6,8 @@ import lightning.render.trace.SurfacePoint;
 
 /** Finds the gather points of rows. Holds scratch memory: use one instance per thread. */
 public final class RowWeigher {
+    /** Rows whose points are collected together: about four lines of a tile. */
+    private static final int BLOCK = 128;
     /** Rows whose points are selected together. */
     private static final int CHUNK = 16;
     private static final int BEST = RowWeights.PER_ROW;
@@ -23,6 +25,8 @@ public final class RowWeigher {
     private int call;
     private final int[] used = new int[BEST * MAX_ROWS];
     private int usedCount;
+    /** Point of the last row that is near none; probably not far from the next such row. */
+    private int lastNearest;
     private final int[] best = new int[BEST + 1];
     private final float[] bestWeight = new float[BEST + 1];
 
@@ -56,24 +60,25 @@ public final class RowWeigher {
         int count = pointCount == 0 ? 0 : rows.count;
         short[] index = new short[BEST * rows.count];
         byte[] weight = new byte[BEST * rows.count];
-        if (count > 0) {
-            near.collect(rows.px, rows.py, rows.pz, 0, count);
-        }
         for (int from = 0; from < count; from += CHUNK) {
+            if (from % BLOCK == 0) {
+                near.collect(rows.px, rows.py, rows.pz, from, Math.min(count, from + BLOCK));
+            }
             int to = Math.min(count, from + CHUNK);
-            int selected = near.select(rows.px, rows.py, rows.pz, from, to);
+            near.select(rows.px, rows.py, rows.pz, from, to);
             for (int row = from; row < to; row++) {
-                findBest(rows, row, selected);
+                findBest(rows, row);
                 write(rows, row, index, weight);
             }
         }
         return new RowWeights(structure, Arrays.copyOf(used, usedCount), index, weight);
     }
 
-    private void findBest(HitRows rows, int row, int selected) {
+    private void findBest(HitRows rows, int row) {
         Arrays.fill(bestWeight, 0);
-        for (int i = 0; i < selected; i++) {
-            int column = near.selected[i];
+        int count = near.findNear(rows.px[row], rows.py[row], rows.pz[row], Float.POSITIVE_INFINITY);
+        for (int i = 0; i < count; i++) {
+            int column = near.near[i];
             float w = PointWeight.at(near.columns, column, near.columnRadius[column], rows.px[row], rows.py[row], rows.pz[row],
                     rows.nx[row], rows.ny[row], rows.nz[row]);
             if (w > bestWeight[BEST]) {
@@ -97,7 +102,8 @@ public final class RowWeigher {
     private void write(HitRows rows, int row, short[] index, byte[] weight) {
         int at = BEST * row;
         if (bestWeight[0] == 0) {
-            index[at] = index(groups.nearest(rows.px[row], rows.py[row], rows.pz[row], rows.nx[row], rows.ny[row], rows.nz[row]));
+            lastNearest = groups.nearest(rows.px[row], rows.py[row], rows.pz[row], rows.nx[row], rows.ny[row], rows.nz[row], lastNearest);
+            index[at] = index(lastNearest);
             weight[at] = (byte) MAX_WEIGHT;
             return;
         }

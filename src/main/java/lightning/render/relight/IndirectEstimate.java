@@ -2,6 +2,7 @@ package lightning.render.relight;
 
 import lightning.render.cache.IndirectCache;
 import lightning.render.gather.GatherBuilder;
+import lightning.render.gather.GatherStructure;
 import lightning.render.gather.RayLinks;
 import lightning.render.image.Film;
 import lightning.render.trace.HitRows.ColumnGroup;
@@ -16,10 +17,12 @@ import lightning.scene.PictureSettings;
  * @param bytesPerPixel bytes of gather points per pixel in a picture of any size
  * @param borderBytes   additional bytes per pixel for a longer side of one pixel
  * @param surfelBytes   bytes of surfels and their layers in a picture whose longer side is {@code side}
+ * @param surfelBuildBytes bytes of surfels while paths are built, in the same picture
  * @param buildFactor   bytes of gather points while paths are built, relative to those kept
  */
-record IndirectEstimate(double bytesPerPixel, double borderBytes, double surfelBytes, int side, double buildFactor) {
-    static final IndirectEstimate NONE = new IndirectEstimate(0, 0, 0, 1, 1);
+record IndirectEstimate(double bytesPerPixel, double borderBytes, double surfelBytes, double surfelBuildBytes, int side,
+        double buildFactor) {
+    static final IndirectEstimate NONE = new IndirectEstimate(0, 0, 0, 0, 1, 1);
     /**
      * Bytes of a point without its links: place, normal, lengths, light, an entry of the table of known points, and a filter of 256
      * neighbors, several times the usual number, both before and after it is packed.
@@ -29,13 +32,16 @@ record IndirectEstimate(double bytesPerPixel, double borderBytes, double surfelB
     private static final int SURFEL_BYTES = 4 + 28 + 8 + 4 + 16;
 
     /** Measured indirect light of a small picture. */
-    record Sample(long pixels, int side, long pointBytes, long surfelBytes, long buildBytes) {
+    record Sample(long pixels, int side, long pointBytes, long surfelBytes, long pointBuildBytes, long surfelBuildBytes) {
         static Sample of(PictureSettings picture, IndirectCache indirect) {
             long pixels = (long) picture.width() * picture.height();
             int side = Math.max(picture.width(), picture.height());
-            return indirect == null ? new Sample(pixels, side, 0, 0, 0)
-                    : new Sample(pixels, side, indirect.structure().pointBytes(), indirect.bytes() - indirect.structure().pointBytes(),
-                            indirect.structure().buildBytes());
+            if (indirect == null) {
+                return new Sample(pixels, side, 0, 0, 0, 0);
+            }
+            GatherStructure structure = indirect.structure();
+            return new Sample(pixels, side, structure.pointBytes(), indirect.bytes() - structure.pointBytes(), structure.pointBuildBytes(),
+                    structure.buildBytes() - structure.pointBuildBytes());
         }
 
         private double bytesPerPixel() {
@@ -43,20 +49,21 @@ record IndirectEstimate(double bytesPerPixel, double borderBytes, double surfelB
         }
 
         private double buildFactor() {
-            return pointBytes == 0 ? 1 : (double) buildBytes / pointBytes;
+            return pointBytes == 0 ? 1 : (double) pointBuildBytes / pointBytes;
         }
     }
 
     /** Extrapolates from two pictures, the larger of which has twice the side. */
     static IndirectEstimate of(Sample small, Sample large) {
         double border = Math.max(0, (small.bytesPerPixel() - large.bytesPerPixel()) * large.side);
-        return new IndirectEstimate(large.bytesPerPixel() - border / large.side, border, large.surfelBytes, large.side,
-                large.buildFactor());
+        return new IndirectEstimate(large.bytesPerPixel() - border / large.side, border, large.surfelBytes,
+                large.surfelBuildBytes, large.side, large.buildFactor());
     }
 
     /** Extrapolates from one picture; rather too large for larger ones. */
     static IndirectEstimate upperOf(Sample sample, double margin) {
-        return new IndirectEstimate(margin * sample.bytesPerPixel(), 0, margin * sample.surfelBytes, sample.side, sample.buildFactor());
+        return new IndirectEstimate(margin * sample.bytesPerPixel(), 0, margin * sample.surfelBytes, margin * sample.surfelBuildBytes,
+                sample.side, sample.buildFactor());
     }
 
     /** Returns the bytes in a finished picture. */
@@ -66,7 +73,7 @@ record IndirectEstimate(double bytesPerPixel, double borderBytes, double surfelB
 
     /** Returns the bytes while paths are built, before there are other rows. */
     double buildBytes(PictureSettings picture) {
-        return buildFactor * pointBytes(picture) + surfelBytes * Math.sqrt((double) longerSide(picture) / side);
+        return buildFactor * pointBytes(picture) + surfelBuildBytes * Math.sqrt((double) longerSide(picture) / side);
     }
 
     private double pointBytes(PictureSettings picture) {

@@ -39,6 +39,11 @@ public final class RayBatch {
     private final RayColumns rays;
     private final CandidateList candidates = new CandidateList();
     private final SurfaceHit surface = new SurfaceHit();
+    /** Rays in an order in which neighbors have similar directions. */
+    private final RayColumns sorted;
+    private final DirectionOrder order = new DirectionOrder(MAX_RAYS);
+    /** Rays to trace, first all, then those that pass a surface. */
+    private final short[] selected = new short[MAX_RAYS];
     /** Length of each ray before its last segment. */
     private final double[] passed = new double[MAX_RAYS];
     private boolean tinted;
@@ -50,6 +55,7 @@ public final class RayBatch {
         this.tracer = tracer;
         rowBuilder = new HitRowBuilder(geometry, tracer);
         rays = new RayColumns(new CameraRays(scene.camera(), scene.picture()));
+        sorted = new RayColumns(new CameraRays(scene.camera(), scene.picture()));
         directionX = rays.dx;
         directionY = rays.dy;
         directionZ = rays.dz;
@@ -60,8 +66,9 @@ public final class RayBatch {
     /** Traces rays {@code 0 … count − 1}. Replaces the origins of rays that pass a transparent surface. */
     public void trace(int count) {
         traceToFirst(count);
-        for (int pass = 1; materials.transparentCount() > 0 && moveThroughSurfaces(pass > MAX_SURFACES); pass++) {
-            findNearest();
+        for (int pass = 1, moved = count; materials.transparentCount() > 0 && moved > 0; pass++) {
+            moved = moveThroughSurfaces(moved, pass > MAX_SURFACES);
+            findNearest(moved);
         }
     }
 
@@ -77,28 +84,51 @@ public final class RayBatch {
             passed[i] = 0;
         }
         tinted = false;
-        findNearest();
+        System.arraycopy(rays.slot, 0, selected, 0, count);
+        findNearest(count);
     }
 
-    private void findNearest() {
+    /** Traces the first {@code count} selected rays. */
+    private void findNearest(int count) {
         if (geometry.primitiveCount() == 0) {
             Arrays.fill(rays.primitive, 0, rays.count, -1);
             return;
         }
-        tracer.findNearest(rays, candidates);
+        if (count == 0) {
+            return;
+        }
+        order.sort(selected, count, rays, sorted.slot);
+        sorted.startX = startX;
+        sorted.startY = startY;
+        sorted.startZ = startZ;
+        sorted.count = count;
+        for (int i = 0; i < count; i++) {
+            int ray = sorted.slot[i];
+            sorted.dx[i] = rays.dx[ray];
+            sorted.dy[i] = rays.dy[ray];
+            sorted.dz[i] = rays.dz[ray];
+        }
+        tracer.findNearest(sorted, candidates);
+        for (int i = 0; i < count; i++) {
+            int ray = sorted.slot[i];
+            rays.t[ray] = sorted.t[i];
+            rays.primitive[ray] = sorted.primitive[i];
+            rays.part[ray] = sorted.part[i];
+        }
     }
 
-    /** Moves the origins of rays that hit a transparent surface to its other side; returns whether any ray does. */
-    private boolean moveThroughSurfaces(boolean stop) {
-        boolean moved = false;
-        for (int i = 0; i < rays.count; i++) {
-            int primitive = rays.primitive[i];
+    /** Moves the origins of selected rays that hit a transparent surface to its other side; selects these and returns their number. */
+    private int moveThroughSurfaces(int count, boolean stop) {
+        int moved = 0;
+        for (int i = 0; i < count; i++) {
+            int ray = selected[i];
+            int primitive = rays.primitive[ray];
             if (primitive >= 0 && materials.isTransparent(primitives.material[primitive])) {
                 if (stop) {
-                    rays.primitive[i] = -1;
+                    rays.primitive[ray] = -1;
                 } else {
-                    moveThroughSurface(i, primitive);
-                    moved = true;
+                    moveThroughSurface(ray, primitive);
+                    selected[moved++] = (short) ray;
                 }
             }
         }
