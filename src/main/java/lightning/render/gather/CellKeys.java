@@ -9,7 +9,7 @@ import lightning.scene.Scene;
 /**
  * Keys of the cells into which surfaces are divided. A cell contains points of one primitive with similar normals. Its side grows with
  * the distance from the eye in steps of 2, so that it covers about the same number of pixels everywhere. Cells with equal keys are one
- * cell; that happens once in 2⁶⁴ pairs.
+ * cell; that happens once in 2⁶⁰ pairs. The lowest four bits of a key are the place of the cell among its neighbors.
  */
 public final class CellKeys {
     /** Sizes of the cells of gather points; each is half of the previous. */
@@ -18,7 +18,11 @@ public final class CellKeys {
     private static final double SURFELS_PER_HEIGHT = 30;
     /** A surfel nearer to the ray's start than this many sides gets a smaller cell. */
     private static final double NEAR = 4;
+    /** Odd, so that no two indices have the same rank: 2³² divided by the golden ratio. */
+    static final int RANK_FACTOR = 0x9e3779b1;
     private static final long MASK = (1L << 21) - 1;
+    /** Neighboring cells are at this many places along each axis of a square, in turns. */
+    private static final int PLACES = 4;
     /** Component of a unit normal between a direction along an axis and one between two axes: sin 22.5°. */
     private static final float OBLIQUE = 0.38f;
     private static final double MIN_DISTANCE = 1e-150;
@@ -99,6 +103,24 @@ public final class CellKeys {
         long i = (long) Math.floor(x / side) & MASK;
         long j = (long) Math.floor(y / side) & MASK;
         long k = (long) Math.floor(z / side) & MASK;
-        return Hash64.mix(Hash64.mix(i << 42 | j << 21 | k) + surface * 0x9e3779b97f4a7c15L + octave);
+        long hash = Hash64.mix(Hash64.mix(i << 42 | j << 21 | k) + surface * 0x9e3779b97f4a7c15L + octave);
+        return hash & -PLACES * PLACES | place(i, j, k);
+    }
+
+    /**
+     * Returns the place of a cell among its neighbors, 0…15. All 4×4 neighbors in a plane along two axes have different places, because
+     * the coefficients of any two axes have an odd determinant.
+     */
+    private static long place(long i, long j, long k) {
+        return (i + 2 * j + k & PLACES - 1) * PLACES + (i + j + 2 * k & PLACES - 1);
+    }
+
+    /** Returns the rank of a ray among those that hit a cell: the surfel is the hit of the lowest. Ranks are as good as random. */
+    public static int rank(int ray) {
+        return rank(ray, RANK_FACTOR);
+    }
+
+    static int rank(int index, int factor) {
+        return index * factor & Integer.MAX_VALUE;
     }
 }

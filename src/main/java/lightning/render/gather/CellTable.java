@@ -3,15 +3,26 @@ package lightning.render.gather;
 import java.util.Arrays;
 
 /**
- * Set of cells that many threads add to, with the lowest index that was added to each. The result does not depend on the order.
+ * Set of cells that many threads add to, with the index that was added to each and comes first. The result does not depend on the order
+ * in which they are added.
  */
 final class CellTable {
     private static final int SEGMENTS = 64;
 
     private final Segment[] segments = new Segment[SEGMENTS];
 
-    CellTable() {
-        Arrays.setAll(segments, i -> new Segment());
+    private CellTable(int factor) {
+        Arrays.setAll(segments, i -> new Segment(factor));
+    }
+
+    /** Returns a table in which the lowest index comes first. */
+    static CellTable ofLowest() {
+        return new CellTable(1);
+    }
+
+    /** Returns a table in which any index may come first, by {@link CellKeys#rank}. */
+    static CellTable ofRandom() {
+        return new CellTable(CellKeys.RANK_FACTOR);
     }
 
     /** Adds an index to a cell. */
@@ -19,7 +30,7 @@ final class CellTable {
         segments[(int) (key >>> 58)].add(key, index);
     }
 
-    /** Returns the lowest index of each cell, ascending. */
+    /** Returns the first index of each cell, ascending. */
     int[] firsts() {
         int count = 0;
         for (Segment segment : segments) {
@@ -59,8 +70,10 @@ final class CellTable {
         private int[] first = new int[256];
         private int[] number = new int[256];
         private int count;
+        private final int factor;
 
-        Segment() {
+        Segment(int factor) {
+            this.factor = factor;
             Arrays.fill(first, -1);
         }
 
@@ -77,7 +90,7 @@ final class CellTable {
         synchronized void add(long key, int index) {
             int slot = slot(key);
             if (first[slot] >= 0) {
-                first[slot] = Math.min(first[slot], index);
+                first[slot] = CellKeys.rank(index, factor) < CellKeys.rank(first[slot], factor) ? index : first[slot];
                 return;
             }
             put(slot, key, index, -1);

@@ -45,7 +45,7 @@ final class PointPlacer {
         Arrays.setAll(active, i -> i);
         long[] cell = new long[candidates.count];
         for (int level = 0; level < CellKeys.LEVELS && active.length > 0; level++) {
-            CellTable cells = new CellTable();
+            CellTable cells = CellTable.ofLowest();
             int[] chosen = choose(candidates, active, cell, level, cells);
             boolean[] divided = addPoints(candidates, chosen, cell, level);
             for (int i = 0; i < chosen.length; i++) {

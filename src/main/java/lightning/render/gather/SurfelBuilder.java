@@ -18,7 +18,7 @@ final class SurfelBuilder {
     private final Progress progress;
     private final GatherCaster[] surfelCasters;
     private final int pointsPerBatch;
-    private final CellTable cells = new CellTable();
+    private final CellTable cells = CellTable.ofLowest();
     private final CellColors colors;
     private final MaterialTable materials;
     private final SurfaceColumns surfels = new SurfaceColumns();
@@ -92,9 +92,9 @@ final class SurfelBuilder {
         return seeds[surfel] - 1;
     }
 
-    /** Adds a surfel for each new cell that some rays hit, in the order of the first rays. */
+    /** Adds a surfel for each new cell that some rays hit, in the order of the rays that come first. */
     private void addSurfels(SurfaceColumns sources, long[] sourceSeeds, RayLinks rays, int firstRay, GatherCaster[] casters) {
-        CellTable added = new CellTable();
+        CellTable added = CellTable.ofRandom();
         int end = rays.rayCount();
         workers.run(Math.ceilDiv(end - firstRay, BATCH), (_, job) -> {
             int from = firstRay + job * BATCH;

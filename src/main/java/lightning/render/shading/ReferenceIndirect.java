@@ -2,6 +2,7 @@ package lightning.render.shading;
 
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Function;
@@ -48,9 +49,7 @@ final class ReferenceIndirect {
         this.directLight = directLight;
         keys = new CellKeys(scene, settings);
         List<ReferenceGatherPoints.GatherPoint> points = new ReferenceGatherPoints(scene, geometry, keys, settings).place();
-        for (ReferenceGatherPoints.GatherPoint point : points) {
-            addSurfels(point.rays());
-        }
+        addSurfels(points.stream().flatMap(point -> point.rays().stream()).toList(), 0);
         for (int bounce = 2; bounce <= settings.bounces(); bounce++) {
             castSurfelRays();
         }
@@ -62,23 +61,30 @@ final class ReferenceIndirect {
         return light.at(hit);
     }
 
-    /** Adds a surfel for each new cell that some rays hit. */
-    private void addSurfels(List<ReferenceGatherRay> rays) {
-        MaterialTable materials = geometry.materials();
-        for (ReferenceGatherRay ray : rays) {
+    /** Adds a surfel for each new cell that some rays hit: the hit of the ray with the lowest rank. */
+    private void addSurfels(List<ReferenceGatherRay> rays, int firstNumber) {
+        Map<Long, Integer> chosen = new LinkedHashMap<>();
+        for (int i = 0; i < rays.size(); i++) {
+            ReferenceGatherRay ray = rays.get(i);
             if (ray.hit() != null) {
                 addColor(colorSums.computeIfAbsent(ray.cell(), _ -> new long[4]), ray.hit().texel());
-            }
-            if (ray.hit() != null && !surfelByCell.containsKey(ray.cell())) {
-                float[] glow = new float[3];
-                for (int c = 0; c < 3; c++) {
-                    int material = ray.hit().material();
-                    glow[c] = (1 - materials.reflective(material, c)) * materials.glow(material, c);
+                if (!surfelByCell.containsKey(ray.cell())) {
+                    chosen.merge(ray.cell(), firstNumber + i, (a, b) -> CellKeys.rank(a) < CellKeys.rank(b) ? a : b);
                 }
-                surfelByCell.put(ray.cell(), surfels.size());
-                surfels.add(new Surfel(ray.hit(), ray.cell(), directLight.apply(ray.hit()), glow));
             }
         }
+        chosen.values().stream().sorted().forEach(number -> addSurfel(rays.get(number - firstNumber)));
+    }
+
+    private void addSurfel(ReferenceGatherRay ray) {
+        MaterialTable materials = geometry.materials();
+        int material = ray.hit().material();
+        float[] glow = new float[3];
+        for (int c = 0; c < 3; c++) {
+            glow[c] = (1 - materials.reflective(material, c)) * materials.glow(material, c);
+        }
+        surfelByCell.put(ray.cell(), surfels.size());
+        surfels.add(new Surfel(ray.hit(), ray.cell(), directLight.apply(ray.hit()), glow));
     }
 
     private static void addColor(long[] sums, float[] color) {
@@ -99,11 +105,11 @@ final class ReferenceIndirect {
     /** Casts the rays of all surfels that have none, then adds a surfel for each new cell that they hit. */
     private void castSurfelRays() {
         DirectionTable directions = new DirectionTable(settings.raysPerSide() / 2);
-        int known = surfels.size();
-        for (int s = surfelRays.size(); s < known; s++) {
-            surfelRays.add(ReferenceGatherRay.cast(geometry, keys, directions, surfels.get(s).cell() + 1, surfels.get(s).at()));
-            addSurfels(surfelRays.getLast());
+        int known = surfelRays.size();
+        for (Surfel surfel : surfels.subList(known, surfels.size())) {
+            surfelRays.add(ReferenceGatherRay.cast(geometry, keys, directions, surfel.cell() + 1, surfel.at()));
         }
+        addSurfels(surfelRays.subList(known, surfelRays.size()).stream().flatMap(List::stream).toList(), known * directions.rays());
     }
 
     /** Returns the light at each point: red, green, blue. */
