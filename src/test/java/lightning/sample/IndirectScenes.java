@@ -4,11 +4,14 @@ import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
+import lightning.base.math.Vec3;
 import lightning.format.jen.JenException;
 import lightning.format.jen.JenReader;
 import lightning.scene.AntialiasMode;
+import lightning.scene.BumpMapping;
 import lightning.scene.Camera;
 import lightning.scene.IndirectSettings;
+import lightning.scene.Mesh;
 import lightning.scene.PlacedShape;
 import lightning.scene.Placement;
 import lightning.scene.SamplingSettings;
@@ -83,6 +86,27 @@ public final class IndirectScenes {
                 sphere ball { material shell  at 0 0 -1  scale 0.4 0.4 0.4 }
                 light lamp spot { at 0.5 1 0.5  direction 0 -1 -1  angle 40 }
                 """, new IndirectSettings(3, 16, 4, false)));
+        scenes.put("bumps", withBumps(scene("size 32 24  depth 1", CAMERA + ROOM + LAMP + """
+                sphere ball { material blue  at 0.2 -0.5 -0.2  scale 0.5 0.5 0.5 }
+                """, new IndirectSettings(3, 16, 4, false))));
+        scenes.put("needles", withMesh(scene("size 32 24  depth 1", CAMERA + ROOM + LAMP + """
+                sphere ball { material blue  at 0 -1 0  scale 0.9 0.6 0.9 }
+                """, new IndirectSettings(2, 16, 4, false)), SampleMeshes.needles(40)));
+        scenes.put("coincident surfaces and a light on a wall", scene("size 32 24  depth 1", CAMERA + ROOM + """
+                plane cover { material red  at 0 -1 0  scale 1 1 2 }
+                plane edge { material blue  at 0 0 -1  rotate 90 0 0  scale 1 1 2 }
+                light lamp point { at 0.25 1 0.25 }
+                light other point { at 0 0 -1  color 0.2 0.2 0.2 }
+                """, new IndirectSettings(2, 16, 4, false)));
+        scenes.put("black", scene("size 16 12  depth 1", CAMERA + LAMP + """
+                material black { diffuse 0 0 0 }
+                plane floor { material black  at 0 -1 0  scale 9 1 9 }
+                sphere ball { material black }
+                """, new IndirectSettings(2, 16, 4, true)));
+        scenes.put("dim", scene("size 16 12  depth 1", CAMERA + ROOM + """
+                light lamp point { at 0.2 0.8 0.3  color 1e-20 1e-20 1e-20  intensity 1e-20 }
+                """, new IndirectSettings(2, 16, 4, false)));
+        scenes.put("far away", moved(new Vec3(1e6, -2e6, 1e6)));
         scenes.put("huge", scaled(1e6));
         scenes.put("tiny", scaled(1e-6));
         return scenes;
@@ -103,10 +127,19 @@ public final class IndirectScenes {
     }
 
     private static Scene withMesh(Scene scene) {
+        return withMesh(scene, SampleMeshes.withVertexColors(SampleMeshes.ball(5, 8, true)));
+    }
+
+    private static Scene withMesh(Scene scene, Mesh mesh) {
         return scene.withNodes(scene.nodes().stream().map(node -> node instanceof Shape shape && shape.name().equals("ball")
-                ? new Shape(SampleMeshes.solid(SampleMeshes.withVertexColors(SampleMeshes.ball(5, 8, true))), "ball", shape.material(),
-                        shape.placement())
+                ? new Shape(SampleMeshes.solid(mesh), "ball", shape.material(), shape.placement())
                 : node).toList());
+    }
+
+    private static Scene withBumps(Scene scene) {
+        TextureMap steps = new TextureMap("steps.png", 3, 2, new Texture(3, 1, new float[] {0, 0, 0, 1, 1, 1, 0.2f, 0.2f, 0.2f}));
+        BumpMapping bumps = BumpMapping.NONE.withBump(Optional.of(steps)).withHeight(1);
+        return scene.withMaterials(scene.materials().stream().map(m -> m.withBumpMapping(bumps)).toList());
     }
 
     private static Scene withTextures(Scene scene) {
@@ -123,6 +156,17 @@ public final class IndirectScenes {
                 .withCamera(new Camera(scene.camera().from().times(unit), scene.camera().to(), scene.camera().up(), scene.camera().fov()))
                 .withNodes(scene.placedShapes().stream().map(PlacedShape::shape).<SceneNode>map(shape -> scaled(shape, unit)).toList())
                 .withLights(scene.lights().stream().map(l -> l.withPosition(l.position().times(unit))).toList());
+    }
+
+    /** Returns the room at another place. */
+    private static Scene moved(Vec3 by) {
+        Scene scene = scene("size 24 16  depth 1", CAMERA + ROOM + LAMP, new IndirectSettings(2, 16, 4, false));
+        Camera camera = scene.camera();
+        return scene.withCamera(new Camera(camera.from().plus(by), camera.to().plus(by), camera.up(), camera.fov()))
+                .withNodes(scene.placedShapes().stream().map(PlacedShape::shape).<SceneNode>map(shape -> shape.withPlacement(
+                        new Placement(shape.placement().position().plus(by), shape.placement().rotation(), shape.placement().scale())))
+                        .toList())
+                .withLights(scene.lights().stream().map(l -> l.withPosition(l.position().plus(by))).toList());
     }
 
     private static Shape scaled(Shape shape, double unit) {

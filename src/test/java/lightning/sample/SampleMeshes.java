@@ -119,6 +119,21 @@ public final class SampleMeshes {
         return new Mesh(p, t, null, null, null);
     }
 
+    /** Returns a fan of triangles a thousand times longer than wide, from the origin to a circle of radius 1 at height 1. */
+    public static Mesh needles(int count) {
+        float[] p = new float[9 * count];
+        int[] t = new int[3 * count];
+        for (int i = 0; i < count; i++) {
+            double phi = 2 * Math.PI * i / count;
+            float x = (float) Math.sin(phi);
+            float z = (float) Math.cos(phi);
+            float[] corners = {z / 2000, 0, -x / 2000, x, 1, z, -z / 2000, 0, x / 2000};
+            System.arraycopy(corners, 0, p, 9 * i, 9);
+            put(t, 3 * i, 3 * i, 3 * i + 1, 3 * i + 2);
+        }
+        return new Mesh(p, t, null, null, null);
+    }
+
     /** Returns triangles of all sizes, including degenerate and duplicate ones, with random normals. */
     public static Mesh randomTriangles(int triangles, long seed) {
         Random random = new Random(seed);

@@ -9,7 +9,7 @@ import lightning.scene.Scene;
 /**
  * Keys of the cells into which surfaces are divided. A cell contains points of one primitive with similar normals. Its side grows with
  * the distance from the eye in steps of 2, so that it covers about the same number of pixels everywhere. Cells with equal keys are one
- * cell; that happens once in 2⁶⁴ pairs.
+ * cell; that happens once in 2⁶⁰ pairs. The lowest four bits of a key are the place of the cell among its neighbors.
  */
 public final class CellKeys {
     /** Sizes of the cells of gather points; each is half of the previous. */
@@ -21,6 +21,8 @@ public final class CellKeys {
     /** A surfel nearer to the ray's start than this many sides gets a smaller cell. */
     private static final double NEAR = 4;
     private static final long MASK = (1L << 21) - 1;
+    /** Neighboring cells are at this many places along each axis of a square, in turns. */
+    private static final int PLACES = 4;
     /** Component of a unit normal between a direction along an axis and one between two axes: sin 22.5°. */
     private static final float OBLIQUE = 0.38f;
     private static final double MIN_DISTANCE = 1e-150;
@@ -99,7 +101,22 @@ public final class CellKeys {
 
     /** Returns the seed of the directions of a surfel's rays. */
     public long surfelSeed(float x, float y, float z, float nx, float ny, float nz) {
-        return pointKey(x, y, z, nx, ny, nz, ANY_SURFACE - 1, octave(x, y, z));
+        int octave = octave(x, y, z);
+        return key(x, y, z, Math.scalb(surfelSide, octave), octave, 8 * ANY_SURFACE + axis(nx, ny, nz));
+    }
+
+    /**
+     * Returns the rank of a ray among those that hit a cell: the surfel is the hit of the lowest. Ranks are as good as random, and do not
+     * depend on the number of the point that casts the ray.
+     *
+     * @param seed of the point's directions
+     * @param x    place of the point, with {@code y} and {@code z}
+     * @param k    number of the ray among the point's
+     * @return 0 or more
+     */
+    public static int rank(long seed, float x, float y, float z, int k) {
+        long place = (long) Float.floatToIntBits(x) << 32 ^ (long) Float.floatToIntBits(y) << 16 ^ Float.floatToIntBits(z);
+        return (int) (Hash64.mix(seed + place + k * 0x9e3779b97f4a7c15L) >>> 33);
     }
 
     /**
@@ -114,11 +131,15 @@ public final class CellKeys {
     /** @param isNear whether the cell is small because the ray that hit the surfel is short */
     long surfelKey(float x, float y, float z, float nx, float ny, float nz, int primitive, boolean isNear) {
         int octave = surfelOctave(x, y, z, isNear);
+        return key(x, y, z, Math.scalb(surfelSide, octave), octave, 8 * (long) primitive + axis(nx, ny, nz));
+    }
+
+    /** Returns the number of the axis that a normal is nearest to, and its side, 0…5. */
+    private static int axis(float nx, float ny, float nz) {
         float ax = Math.abs(nx);
         float ay = Math.abs(ny);
         float az = Math.abs(nz);
-        int normal = ax >= ay && ax >= az ? side(nx) : ay >= az ? 2 + side(ny) : 4 + side(nz);
-        return key(x, y, z, Math.scalb(surfelSide, octave), octave, 8 * (long) primitive + normal);
+        return ax >= ay && ax >= az ? side(nx) : ay >= az ? 2 + side(ny) : 4 + side(nz);
     }
 
     private int surfelOctave(float x, float y, float z, boolean isNear) {
@@ -151,6 +172,15 @@ public final class CellKeys {
         long i = (long) Math.floor((x + originX) / side) & MASK;
         long j = (long) Math.floor((y + originY) / side) & MASK;
         long k = (long) Math.floor((z + originZ) / side) & MASK;
-        return Hash64.mix(Hash64.mix(i << 42 | j << 21 | k) + surface * 0x9e3779b97f4a7c15L + octave);
+        long hash = Hash64.mix(Hash64.mix(i << 42 | j << 21 | k) + surface * 0x9e3779b97f4a7c15L + octave);
+        return hash & -PLACES * PLACES | place(i, j, k);
+    }
+
+    /**
+     * Returns the place of a cell among its neighbors, 0…15. All 4×4 neighbors in a plane along two axes have different places, because
+     * the coefficients of any two axes have an odd determinant.
+     */
+    private static long place(long i, long j, long k) {
+        return (i + 2 * j + k & PLACES - 1) * PLACES + (i + j + 2 * k & PLACES - 1);
     }
 }

@@ -3,7 +3,8 @@ package lightning.render.gather;
 import java.util.Arrays;
 
 /**
- * Set of cells that many threads add to, with the lowest index that was added to each. The result does not depend on the order.
+ * Set of cells that many threads add to, with the index that was added to each and comes first. The result does not depend on the order
+ * in which they are added.
  */
 final class CellTable {
     private static final int SEGMENTS = 64;
@@ -14,12 +15,21 @@ final class CellTable {
         Arrays.setAll(segments, i -> new Segment());
     }
 
-    /** Adds an index to a cell. */
+    /** Adds an index to a cell; the lowest comes first. */
     void add(long key, int index) {
-        segments[(int) (key >>> 58)].add(key, index);
+        add(key, index, index);
     }
 
-    /** Returns the lowest index of each cell, ascending. */
+    /**
+     * Adds an index to a cell.
+     *
+     * @param rank that of the lowest rank comes first, and of several the lowest
+     */
+    void add(long key, int index, int rank) {
+        segments[(int) (key >>> 58)].add(key, index, rank);
+    }
+
+    /** Returns the first index of each cell, ascending. */
     int[] firsts() {
         int count = 0;
         for (Segment segment : segments) {
@@ -58,6 +68,7 @@ final class CellTable {
         /** −1 in an empty slot. */
         private int[] first = new int[256];
         private int[] number = new int[256];
+        private int[] rank = new int[256];
         private int count;
 
         Segment() {
@@ -74,20 +85,24 @@ final class CellTable {
             return slot;
         }
 
-        synchronized void add(long key, int index) {
+        synchronized void add(long key, int index, int itsRank) {
             int slot = slot(key);
             if (first[slot] >= 0) {
-                first[slot] = Math.min(first[slot], index);
+                if (itsRank < rank[slot] || itsRank == rank[slot] && index < first[slot]) {
+                    first[slot] = index;
+                    rank[slot] = itsRank;
+                }
                 return;
             }
-            put(slot, key, index, -1);
+            put(slot, key, index, itsRank, -1);
             if (2 * ++count > keys.length) {
                 grow();
             }
         }
 
-        private void put(int slot, long key, int index, int itsNumber) {
+        private void put(int slot, long key, int index, int itsRank, int itsNumber) {
             keys[slot] = key;
+            rank[slot] = itsRank;
             first[slot] = index;
             number[slot] = itsNumber;
         }
@@ -95,14 +110,16 @@ final class CellTable {
         private void grow() {
             long[] oldKeys = keys;
             int[] oldFirst = first;
+            int[] oldRank = rank;
             int[] oldNumber = number;
             keys = new long[2 * oldKeys.length];
             first = new int[keys.length];
+            rank = new int[keys.length];
             number = new int[keys.length];
             Arrays.fill(first, -1);
             for (int i = 0; i < oldKeys.length; i++) {
                 if (oldFirst[i] >= 0) {
-                    put(slot(oldKeys[i]), oldKeys[i], oldFirst[i], oldNumber[i]);
+                    put(slot(oldKeys[i]), oldKeys[i], oldFirst[i], oldRank[i], oldNumber[i]);
                 }
             }
         }

@@ -1,15 +1,19 @@
 package lightning.render.gather;
 
 /**
- * Cosine-distributed directions around a normal, one in each cell of a square grid, at a random place of the cell. 64 patterns in 256
- * rotations are tabulated, so no trigonometric function is evaluated per ray.
+ * Cosine-distributed directions around a normal, one in each cell of a square grid. Each cell of the grid is divided into 4×4 parts, and
+ * a point has all its directions in the same part. Neighboring points have different parts ({@link CellKeys}), so together they have the
+ * directions of a grid of four times the side. Within its part a direction is at a random place: there are four patterns for each part.
  *
  * <p>The grid is mapped to the disc by concentric rings (P. Shirley and K. Chiu, A low distortion map between disk and square, 1997), and
  * the disc is projected onto the hemisphere (Malley's method).
  */
 public final class DirectionTable {
-    private static final int PATTERNS = 64;
-    private static final int ROTATIONS = 256;
+    /** Parts of a cell along each axis. */
+    private static final int PARTS = 4;
+    /** Patterns of each part. */
+    private static final int VARIANTS = 4;
+    private static final int PATTERNS = PARTS * PARTS * VARIANTS;
     /** Smallest cosine to the normal. */
     private static final double MIN_COSINE = 1e-3;
 
@@ -18,8 +22,6 @@ public final class DirectionTable {
     private final double[] x;
     private final double[] y;
     private final double[] z;
-    private final double[] cosine = new double[ROTATIONS];
-    private final double[] sine = new double[ROTATIONS];
 
     /** @param side directions along each side of the grid */
     public DirectionTable(int side) {
@@ -30,12 +32,14 @@ public final class DirectionTable {
         for (int i = 0; i < PATTERNS * rays; i++) {
             long h = Hash64.mix(i + 1);
             int k = i % rays;
-            map(i, 2 * (k % side + (h & 0xffffff) * 0x1p-24) / side - 1, 2 * (k / side + (h >>> 24 & 0xffffff) * 0x1p-24) / side - 1);
+            int part = i / rays / VARIANTS;
+            map(i, coordinate(k % side, part % PARTS, h & 0xffffff, side), coordinate(k / side, part / PARTS, h >>> 24 & 0xffffff, side));
         }
-        for (int r = 0; r < ROTATIONS; r++) {
-            cosine[r] = StrictMath.cos(2 * Math.PI * r / ROTATIONS);
-            sine[r] = StrictMath.sin(2 * Math.PI * r / ROTATIONS);
-        }
+    }
+
+    /** Returns a coordinate in the square −1…1: in a part of a cell at a random place, in units of 2⁻²⁴ of a part. */
+    private static double coordinate(int cell, int part, long random, int side) {
+        return 2 * (cell + (part + random * 0x1p-24) / PARTS) / side - 1;
     }
 
     /** Maps a point of the square −1…1 to a direction. */
@@ -56,13 +60,12 @@ public final class DirectionTable {
      * Writes the directions around a normal to elements {@code at … at + rays() − 1}. The tangents follow T. Duff and others, Building an
      * orthonormal basis, revisited, 2017.
      *
-     * @param seed selects the pattern and the rotation
+     * @param seed its lowest four bits are the part, the others select one of its patterns
      * @param toX  receives the components x, as {@code toY} and {@code toZ}
      */
     public void write(long seed, float nx, float ny, float nz, double[] toX, double[] toY, double[] toZ, int at) {
-        long h = Hash64.mix(seed);
-        int from = (int) (h & PATTERNS - 1) * rays;
-        int rotation = (int) (h >>> 32 & ROTATIONS - 1);
+        int part = (int) (seed & PARTS * PARTS - 1);
+        int from = (int) (part * VARIANTS + (Hash64.mix(seed) & VARIANTS - 1)) * rays;
         double sign = Math.copySign(1.0, nz);
         double a = -1 / (sign + nz);
         double b = (double) nx * ny * a;
@@ -72,8 +75,8 @@ public final class DirectionTable {
         double by = sign + (double) ny * ny * a;
         double bz = -ny;
         for (int k = 0; k < rays; k++) {
-            double u = x[from + k] * cosine[rotation] - y[from + k] * sine[rotation];
-            double v = x[from + k] * sine[rotation] + y[from + k] * cosine[rotation];
+            double u = x[from + k];
+            double v = y[from + k];
             double w = z[from + k];
             toX[at + k] = u * tx + v * b + w * nx;
             toY[at + k] = u * ty + v * by + w * ny;

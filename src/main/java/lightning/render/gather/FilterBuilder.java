@@ -12,7 +12,9 @@ final class FilterBuilder {
     /** Reach of the filter in cells of gather points. */
     private static final float CELLS = 4;
     /** Reach of the filter relative to the harmonic mean distance: contacts stay sharp. */
-    private static final float SHARE = 0.4f;
+    private static final float SHARE = 0.25f;
+    /** Least reach of the filter in radii of points: the few rays of points in corners are too noisy alone. */
+    private static final float RADII = 2;
 
     private final SurfaceColumns points;
     private final float[] radius;
@@ -28,7 +30,7 @@ final class FilterBuilder {
         this.radius = radius;
         reach = new float[points.count];
         for (int p = 0; p < points.count; p++) {
-            reach[p] = Math.max(radius[p], Math.min(CELLS * side[p], SHARE * harmonic[p]));
+            reach[p] = Math.max(RADII * radius[p], Math.min(CELLS * side[p], SHARE * harmonic[p]));
         }
         groups = new PointGroups(points, reach);
     }
@@ -87,7 +89,8 @@ final class FilterBuilder {
     /** Returns the weight of a neighbor: a point near a contact takes nothing from afar. It stands for its share of the surface. */
     private float weight(int p, SurfaceColumns columns, int column, int neighbor) {
         float share = radius[neighbor] / radius[p];
-        return PointWeight.at(columns, column, Math.min(reach[p], reach[neighbor]), points.px[p], points.py[p], points.pz[p], points.nx[p],
+        return PointWeight.flat(columns, column, Math.min(reach[p], reach[neighbor]), points.px[p], points.py[p], points.pz[p],
+                points.nx[p],
                 points.ny[p], points.nz[p]) * (share * share);
     }
 }

@@ -6,8 +6,8 @@ package lightning.render.gather;
  * plane, and the largest of the three counts.
  */
 public final class PointWeight {
-    /** Smallest cosine between the normals: 45°. */
-    private static final float MIN_COSINE = 0.7f;
+    /** Smallest cosine between the normals: 32°. */
+    private static final float MIN_COSINE = 0.85f;
     private static final float COSINE_SCALE = 1 / (1 - MIN_COSINE);
     /** Distance from the tangent plane at which a point is not valid, relative to its radius. */
     private static final float PLANE = 0.3f;
@@ -17,12 +17,18 @@ public final class PointWeight {
     private PointWeight() {}
 
     /**
-     * Returns the weight, 0…1.
+     * Returns the weight of a point in the mean that a surface takes, 0…1: smooth where a point begins to count.
      *
      * @param p      gather point
      * @param radius distance at which it is 0, scene units
      */
     public static float at(SurfaceColumns points, int p, float radius, float x, float y, float z, float nx, float ny, float nz) {
+        float weight = flat(points, p, radius, x, y, z, nx, ny, nz);
+        return weight * weight;
+    }
+
+    /** Returns the weight of a point in the mean that removes noise, 0…1: more equal weights leave less noise. Parameters as above. */
+    public static float flat(SurfaceColumns points, int p, float radius, float x, float y, float z, float nx, float ny, float nz) {
         float dx = x - points.px[p];
         float dy = y - points.py[p];
         float dz = z - points.pz[p];
@@ -37,7 +43,7 @@ public final class PointWeight {
         float plane = Math.abs(dx * (points.nx[p] + nx) + dy * (points.ny[p] + ny) + dz * (points.nz[p] + nz)) * 0.5f;
         float angle = Math.max(0, (1 - cosine) * COSINE_SCALE);
         float worst = Math.max(Math.max((float) Math.sqrt(square) / radius, (float) Math.sqrt(angle)), plane / (PLANE * radius));
-        return worst < 1 ? (1 - worst) * (1 - worst) : 0;
+        return worst < 1 ? 1 - worst : 0;
     }
 
     /** Returns a measure by which the nearest point is chosen where none is valid: the square of the distance, more for other normals. */

@@ -37,6 +37,15 @@ final class RaySources {
                 : keys.pointSeed(x, y, z, surface.nx[p], surface.ny[p], surface.nz[p], level(p));
     }
 
+    /**
+     * Returns the rank of ray {@code k} of a point, as {@link CellKeys#rank}.
+     *
+     * @param seed of the point
+     */
+    int rank(int p, long seed, int k) {
+        return CellKeys.rank(seed, surface.px[p], surface.py[p], surface.pz[p], k);
+    }
+
     private int level(int p) {
         int level = 0;
         while (level + 1 < levelStart.length && p >= levelStart[level + 1]) {

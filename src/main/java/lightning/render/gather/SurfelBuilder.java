@@ -95,9 +95,9 @@ final class SurfelBuilder {
         number(links);
     }
 
-    /** Adds a surfel for each new cell that some rays hit, in the order of the first rays. */
+    /** Adds a surfel for each new cell that some rays hit, in the order of the rays that come first. */
     private void addSurfels(RaySources from, RayLinks rays, int firstRay, PathCaster itsCaster) {
-        int[] firsts = newCells(rays, firstRay);
+        int[] firsts = newCells(from, rays, firstRay);
         int before = surfels.count;
         surfels.reserve(before + firsts.length);
         for (int i = 0; i < firsts.length; i++) {
@@ -126,15 +126,21 @@ final class SurfelBuilder {
         }
     }
 
-    /** Returns the first ray in each cell that has no surfel. */
-    private int[] newCells(RayLinks rays, int firstRay) {
+    /** Returns the ray of the lowest rank in each cell that has no surfel. */
+    private int[] newCells(RaySources sourcesOf, RayLinks rays, int firstRay) {
         CellTable added = new CellTable();
-        int end = rays.rayCount();
-        workers.run(Math.ceilDiv(end - firstRay, BATCH), (_, job) -> {
-            int from = firstRay + job * BATCH;
-            for (int ray = from; ray < Math.min(end, from + BATCH); ray++) {
-                if (rays.isHit(ray) && cells.number(rays.key(ray)) < 0) {
-                    added.add(rays.key(ray), ray);
+        int perPoint = rays.raysPerPoint();
+        int pointsPerBatch = Math.ceilDiv(BATCH, perPoint);
+        int firstPoint = firstRay / perPoint;
+        workers.run(Math.ceilDiv(rays.points() - firstPoint, pointsPerBatch), (_, job) -> {
+            int from = firstPoint + job * pointsPerBatch;
+            for (int p = from; p < Math.min(rays.points(), from + pointsPerBatch); p++) {
+                long seed = sourcesOf.seed(p);
+                for (int k = 0; k < perPoint; k++) {
+                    int ray = p * perPoint + k;
+                    if (rays.isHit(ray) && cells.number(rays.key(ray)) < 0) {
+                        added.add(rays.key(ray), ray, sourcesOf.rank(p, seed, k));
+                    }
                 }
             }
         }, progress.cancellationOnly());

@@ -18,10 +18,11 @@ import lightning.scene.Transmission;
  * @param hit    first surface that is not transparent; null for none
  * @param length distance to it, in lengths of the direction
  * @param cell   cell of surfels that the ray hits; undefined for none
+ * @param rank   order among the rays that hit the cell
  * @param tint   product of the tints of the transparent surfaces in between: red, green, blue
  * @param texel  mean texture color of the cell: red, green, blue; null for none
  */
-record ReferenceGatherRay(SurfacePoint hit, double length, long cell, float[] tint, float[] texel) {
+record ReferenceGatherRay(SurfacePoint hit, double length, long cell, int rank, float[] tint, float[] texel) {
     // Arrays in a record: written once by their creator, never after.
 
     /** A ray that passes more surfaces than this counts as a miss. */
@@ -37,7 +38,8 @@ record ReferenceGatherRay(SurfacePoint hit, double length, long cell, float[] ti
         Vec3 surface = surfaceNormal(geometry, start, from);
         List<ReferenceGatherRay> rays = new ArrayList<>();
         for (int k = 0; k < directions.rays(); k++) {
-            rays.add(cast(geometry, keys, new Ray(start, aboveSurface(surface, new Vec3(x[k], y[k], z[k])))));
+            rays.add(cast(geometry, keys, CellKeys.rank(seed, from.px(), from.py(), from.pz(), k),
+                    new Ray(start, aboveSurface(surface, new Vec3(x[k], y[k], z[k])))));
         }
         return rays;
     }
@@ -65,7 +67,7 @@ record ReferenceGatherRay(SurfacePoint hit, double length, long cell, float[] ti
         return new Vec3(direction.x() - twice * normal.x(), direction.y() - twice * normal.y(), direction.z() - twice * normal.z());
     }
 
-    private static ReferenceGatherRay cast(Geometry geometry, CellKeys keys, Ray first) {
+    private static ReferenceGatherRay cast(Geometry geometry, CellKeys keys, int rank, Ray first) {
         float[] tint = {1, 1, 1};
         double passed = 0;
         Ray ray = first;
@@ -79,14 +81,14 @@ record ReferenceGatherRay(SurfacePoint hit, double length, long cell, float[] ti
             if (hit.backSide() == null) {
                 double length = passed + distance;
                 return new ReferenceGatherRay(hit, length,
-                        keys.surfelKey(hit.px(), hit.py(), hit.pz(), hit.nx(), hit.ny(), hit.nz(), primitive, length), tint,
+                        keys.surfelKey(hit.px(), hit.py(), hit.pz(), hit.nx(), hit.ny(), hit.nz(), primitive, length), rank, tint,
                         geometry.meanTexelBruteForce(primitive, ray, keys.surfelSide(hit.px(), hit.py(), hit.pz(), length)));
             }
             multiply(tint, hit.backSide());
             passed += distance;
             ray = new Ray(new Vec3(hit.backSide().x(), hit.backSide().y(), hit.backSide().z()), ray.direction());
         }
-        return new ReferenceGatherRay(null, Double.POSITIVE_INFINITY, 0, tint, null);
+        return new ReferenceGatherRay(null, Double.POSITIVE_INFINITY, 0, rank, tint, null);
     }
 
     private static void multiply(float[] tint, SurfacePoint.BackSide surface) {

@@ -2,6 +2,7 @@ package lightning.render.shading;
 
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Function;
@@ -47,9 +48,7 @@ final class ReferenceIndirect {
         this.directLight = directLight;
         keys = new CellKeys(scene, settings);
         List<ReferenceGatherPoints.GatherPoint> points = new ReferenceGatherPoints(scene, geometry, keys, settings).place();
-        for (ReferenceGatherPoints.GatherPoint point : points) {
-            addSurfels(point.rays());
-        }
+        addSurfels(points.stream().flatMap(point -> point.rays().stream()).toList());
         for (int bounce = 2; bounce <= settings.bounces(); bounce++) {
             castSurfelRays();
         }
@@ -61,20 +60,27 @@ final class ReferenceIndirect {
         return light.at(hit);
     }
 
-    /** Adds a surfel for each new cell that some rays hit. */
+    /** Adds a surfel for each new cell that some rays hit: the hit of the ray with the lowest rank. */
     private void addSurfels(List<ReferenceGatherRay> rays) {
-        MaterialTable materials = geometry.materials();
-        for (ReferenceGatherRay ray : rays) {
+        Map<Long, Integer> chosen = new LinkedHashMap<>();
+        for (int i = 0; i < rays.size(); i++) {
+            ReferenceGatherRay ray = rays.get(i);
             if (ray.hit() != null && !surfelByCell.containsKey(ray.cell())) {
-                float[] glow = new float[3];
-                for (int c = 0; c < 3; c++) {
-                    int material = ray.hit().material();
-                    glow[c] = (1 - materials.reflective(material, c)) * materials.glow(material, c);
-                }
-                surfelByCell.put(ray.cell(), surfels.size());
-                surfels.add(new Surfel(ray.hit(), ray.texel(), directLight.apply(ray.hit()), glow));
+                chosen.merge(ray.cell(), i, (a, b) -> rays.get(b).rank() < rays.get(a).rank() ? b : a);
             }
         }
+        chosen.values().stream().sorted().forEach(i -> addSurfel(rays.get(i)));
+    }
+
+    private void addSurfel(ReferenceGatherRay ray) {
+        MaterialTable materials = geometry.materials();
+        int material = ray.hit().material();
+        float[] glow = new float[3];
+        for (int c = 0; c < 3; c++) {
+            glow[c] = (1 - materials.reflective(material, c)) * materials.glow(material, c);
+        }
+        surfelByCell.put(ray.cell(), surfels.size());
+        surfels.add(new Surfel(ray.hit(), ray.texel(), directLight.apply(ray.hit()), glow));
     }
 
     /** Returns one channel of the share that a surfel sends back. */
@@ -87,13 +93,13 @@ final class ReferenceIndirect {
     /** Casts the rays of all surfels that have none, then adds a surfel for each new cell that they hit. */
     private void castSurfelRays() {
         DirectionTable directions = new DirectionTable(settings.raysPerSide() / 2);
-        int known = surfels.size();
-        for (int s = surfelRays.size(); s < known; s++) {
-            SurfacePoint at = surfels.get(s).at();
+        int known = surfelRays.size();
+        for (Surfel surfel : surfels.subList(known, surfels.size())) {
+            SurfacePoint at = surfel.at();
             surfelRays.add(ReferenceGatherRay.cast(geometry, keys, directions,
                     keys.surfelSeed(at.px(), at.py(), at.pz(), at.nx(), at.ny(), at.nz()), at));
-            addSurfels(surfelRays.getLast());
         }
+        addSurfels(surfelRays.subList(known, surfelRays.size()).stream().flatMap(List::stream).toList());
     }
 
     /** Returns the light at each point: red, green, blue. */

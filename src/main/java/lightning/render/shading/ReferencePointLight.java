@@ -10,7 +10,8 @@ import lightning.render.trace.SurfacePoint;
 /** Spreads the light of gather points over the surfaces between them, for {@link ReferenceTracer}. */
 final class ReferencePointLight {
     private static final float FILTER_CELLS = 4;
-    private static final float FILTER_SHARE = 0.4f;
+    private static final float FILTER_SHARE = 0.25f;
+    private static final float FILTER_RADII = 2;
     private static final int BEST = 8;
     private static final int MAX_WEIGHT = 255;
     private static final float NO_OVERFLOW = 0x1p-24f;
@@ -51,7 +52,7 @@ final class ReferencePointLight {
 
     private float reach(int p) {
         ReferenceGatherPoints.GatherPoint point = points.get(p);
-        return Math.max(point.radius(), Math.min(FILTER_CELLS * point.side(), FILTER_SHARE * point.harmonic()));
+        return Math.max(FILTER_RADII * point.radius(), Math.min(FILTER_CELLS * point.side(), FILTER_SHARE * point.harmonic()));
     }
 
     /** Returns the points whose mean is a point's light, with whole weights up to 255. */
@@ -60,7 +61,9 @@ final class ReferencePointLight {
         float sum = 0;
         for (int n = 0; n < points.size(); n++) {
             float share = points.get(n).radius() / points.get(p).radius();
-            float weight = weight(n, Math.min(reach(p), reach(n)), points.get(p).at()) * (share * share);
+            SurfacePoint at = points.get(p).at();
+            float weight = PointWeight.flat(surfaces, n, Math.min(reach(p), reach(n)), at.px(), at.py(), at.pz(), at.nx(), at.ny(), at.nz())
+                    * (share * share);
             if (weight > 0) {
                 found.add(new Weighted(n, weight));
                 sum += weight;
