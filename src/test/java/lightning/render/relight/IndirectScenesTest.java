@@ -2,12 +2,15 @@ package lightning.render.relight;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.nio.file.Path;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Stream;
 import lightning.base.math.Rgb;
 import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
+import lightning.format.jen.JenException;
+import lightning.format.jen.JenReader;
 import lightning.render.engine.EngineChoice;
 import lightning.render.engine.choice.Engines;
 import lightning.render.fulltrace.TraditionalTracer;
@@ -19,6 +22,7 @@ import lightning.render.relight.tile.MirrorStorage;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.render.shading.ReferenceTracer;
 import lightning.sample.IndirectScenes;
+import lightning.scene.IndirectSettings;
 import lightning.scene.Scene;
 import lightning.scene.effects.RenderEffect;
 import lightning.scene.effects.ViewEffects;
@@ -69,6 +73,32 @@ class IndirectScenesTest {
             renderer.render(scene, Progress.NONE);
             renderer.render(reversed, Progress.NONE);
             FilmAssert.assertSameBits(renderer.film(), new ReferenceTracer(reversed).trace(), "indirect reordered");
+        }
+    }
+
+    /** A wall without thickness separates two floors, and the lamp lights one of them. */
+    @Test
+    void dimmedLamp_recomposesOnlyWhereLightChanges() throws JenException {
+        Scene direct = JenReader.read("""
+                jen 1
+                picture { size 128 32  depth 1 }
+                camera { from 0 2 6  to 0 0 0 }
+                material white { diffuse 0.8 0.8 0.8 }
+                plane wall { material white  rotate 0 0 90  scale 50 1 50 }
+                plane left_floor { material white  at -1.7 -1 0  scale 1.5 1 1 }
+                sphere left_ball { material white  at -1.5 -0.4 0  scale 0.4 0.4 0.4 }
+                plane right_floor { material white  at 1.7 -1 0  scale 1.5 1 1 }
+                sphere right_ball { material white  at 1.5 -0.4 0  scale 0.4 0.4 0.4 }
+                light left_lamp point { at -1.5 1 1 }
+                light right_lamp point { at 1.5 1 1 }
+                """, "floors.jen", Path.of("")).scene();
+        Scene scene = direct.withPicture(direct.picture().withIndirect(Optional.of(new IndirectSettings(2, 16, 4, false))));
+        Scene dimmed = scene.withLight(scene.light("right_lamp").orElseThrow().withIntensity(0.5));
+        try (WorkerPool workers = new WorkerPool(1); Renderer renderer = new Renderer(RenderOptions.DEFAULT.withThreads(1))) {
+            long rows = renderer.render(scene, Progress.NONE).rowsComposed();
+            assertThat(renderer.render(dimmed, Progress.NONE).rowsComposed()).isPositive().isLessThan(3 * rows / 4);
+            FilmAssert.assertSameBits(renderer.film(), new TraditionalTracer(dimmed).trace(workers, Progress.NONE).film(),
+                    "indirect dimmed");
         }
     }
 
