@@ -18,7 +18,7 @@ public record IndirectGrowth(String along, String scene, List<Point> points) {
     /**
      * Costs at one point.
      *
-     * @param at            number of lights, surfels, triangles or pixels
+     * @param at            number of lights, gather points, rays, objects, triangles or pixels
      * @param gatherPoints  number of gather points
      * @param surfels       number of surfels
      * @param bytesPerPixel additional bytes of the cache per pixel

@@ -11,7 +11,8 @@ import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.IndirectSettings;
 import lightning.scene.Scene;
 
-/** Benchmark of the costs of indirect light as a function of lights, surfels, triangles and pixels, on generated rooms. */
+/** Benchmark of the costs of indirect light as a function of lights, gather points, rays, objects, triangles and pixels, on
+ * generated rooms. */
 final class IndirectGrowthBench {
     private static final PictureSize SIZE = new PictureSize(960, 540);
     private static final PictureSize QUICK_SIZE = new PictureSize(64, 36);
@@ -45,12 +46,15 @@ final class IndirectGrowthBench {
             add("lights", "room of 12 balls", lights, fixedSize, _ -> lights, () -> room(fixedSize).withBalls(BALLS, lights));
         }
         for (int spacing : quick ? List.of(16, 4) : List.of(32, 16, 8, 4)) {
-            add("surfels, by spacing", "room of 12 balls, one light", spacing, fixedSize, EditTurns::surfels, () -> new GeneratedRooms(
-                    settings.seed(), fixedSize, IndirectSettings.DEFAULT.withSpacing(spacing)).withBalls(BALLS, 1));
+            add("gather points", "room of 12 balls, one light, spacing 32 to 4", spacing, fixedSize, EditTurns::points,
+                    () -> room(IndirectSettings.DEFAULT.withSpacing(spacing)).withBalls(BALLS, 1));
+        }
+        for (int rays : quick ? List.of(16, 64) : List.of(16, 64, 256)) {
+            add("rays", "room of 12 balls, one light", rays, fixedSize, _ -> rays,
+                    () -> room(IndirectSettings.DEFAULT.withRays(rays)).withBalls(BALLS, 1));
         }
         for (int balls : quick ? List.of(1, 8) : List.of(1, 10, 100, 1000)) {
-            add("surfels, by objects", "room of balls, one light", balls, fixedSize, EditTurns::surfels,
-                    () -> room(fixedSize).withBalls(balls, 1));
+            add("objects", "room of balls, one light", balls, fixedSize, _ -> balls, () -> room(fixedSize).withBalls(balls, 1));
         }
         for (int triangles : quick ? List.of(1000, 10_000) : List.of(1000, 10_000, 100_000, 1_000_000)) {
             add("triangles", "room with a mesh, one light", triangles, fixedSize, _ -> triangles,
@@ -64,6 +68,10 @@ final class IndirectGrowthBench {
 
     private GeneratedRooms room(PictureSize size) {
         return new GeneratedRooms(settings.seed(), size, IndirectSettings.DEFAULT);
+    }
+
+    private GeneratedRooms room(IndirectSettings indirect) {
+        return new GeneratedRooms(settings.seed(), fixedSize, indirect);
     }
 
     private void add(String along, String text, long value, PictureSize size, ToLongFunction<EditTurns> at, SceneSource scene) {

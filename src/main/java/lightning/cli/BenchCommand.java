@@ -95,8 +95,8 @@ final class BenchCommand implements Callable<Integer> {
                     + "night, arbor).")
     private boolean modern;
     @Option(names = "--indirect",
-            description = "Measure only indirect light: time against error, first pass, edits, and growth with lights, surfels, triangles "
-                    + "and pixels (default scenes: hall, window, night). Without this option, indirect light is left out.")
+            description = "Measure only indirect light: time against error, first pass, edits, and growth with lights, gather points, rays, "
+                    + "objects, triangles and pixels (default scenes: hall, window, night). Without this option, indirect light is left out.")
     private boolean indirect;
     @Option(names = "--size", paramLabel = "WxH", converter = PictureDimensions.Converter.class,
             description = "Image size in pixels; repeat for several sizes (default: 300x300 and 1920x1080).")

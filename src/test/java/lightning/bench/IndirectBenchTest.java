@@ -43,8 +43,8 @@ class IndirectBenchTest {
             assertThat(absence.rays()).isZero();
             assertThat(absence.equal()).isTrue();
         });
-        assertThat(results.indirect().growth()).extracting(IndirectGrowth::along).containsExactly("lights", "surfels, by spacing",
-                "surfels, by objects", "triangles", "pixels");
+        assertThat(results.indirect().growth()).extracting(IndirectGrowth::along).containsExactly("lights", "gather points", "rays",
+                "objects", "triangles", "pixels");
         assertThat(results.indirect().growth()).allSatisfy(growth -> {
             assertThat(growth.points()).hasSize(2).extracting(IndirectGrowth.Point::at).doesNotHaveDuplicates();
             assertThat(growth.points()).extracting(IndirectGrowth.Point::surfels).allMatch(surfels -> surfels > 0);

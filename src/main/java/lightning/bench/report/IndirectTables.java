@@ -6,6 +6,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.function.Supplier;
 import java.util.function.ToDoubleFunction;
+import java.util.function.ToIntFunction;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import lightning.bench.BenchResults;
@@ -108,10 +109,12 @@ public final class IndirectTables {
 
     private String growth() {
         return MarkdownTables.table(
-                List.of("along", "scene", "from", "to", "first pass, added ms", "slope", "moved light ms", "slope", "intensity ms", "slope",
+                List.of("along", "scene", "from", "to", "gather points", "surfels", "first pass, added ms", "slope", "moved light ms",
+                        "slope", "intensity ms", "slope",
                         "added bytes a pixel"),
                 results.growth().stream().filter(g -> !g.points().isEmpty()).map(g -> List.of(g.along(), g.scene(),
                         Long.toString(g.points().getFirst().at()), Long.toString(g.points().getLast().at()),
+                        counts(g, IndirectGrowth.Point::gatherPoints), counts(g, IndirectGrowth.Point::surfels),
                         ends(g, IndirectGrowth.Point::extraMs), slope(g, IndirectGrowth.Point::extraMs),
                         ends(g, p -> p.position().median()), slope(g, p -> p.position().median()),
                         ends(g, p -> p.intensity().median()), slope(g, p -> p.intensity().median()),
@@ -121,6 +124,10 @@ public final class IndirectTables {
     private static String ends(IndirectGrowth growth, ToDoubleFunction<IndirectGrowth.Point> value) {
         return MarkdownTables.number(value.applyAsDouble(growth.points().getFirst())) + " to "
                 + MarkdownTables.number(value.applyAsDouble(growth.points().getLast()));
+    }
+
+    private static String counts(IndirectGrowth growth, ToIntFunction<IndirectGrowth.Point> value) {
+        return value.applyAsInt(growth.points().getFirst()) + " to " + value.applyAsInt(growth.points().getLast());
     }
 
     private static String slope(IndirectGrowth growth, ToDoubleFunction<IndirectGrowth.Point> value) {

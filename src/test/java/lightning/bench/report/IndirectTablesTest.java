@@ -81,7 +81,8 @@ class IndirectTablesTest {
 
     @Test
     void growth_showsSlopes() {
-        assertThat(table("growth")).contains("| pixels | room | 2073600 | 8294400 | 900 to 3000 | 0.87 | 20.0 to 20.0 | 0.00 |");
+        assertThat(table("growth"))
+                .contains("| pixels | room | 2073600 | 8294400 | 10 to 10 | 100 to 100 | 900 to 3000 | 0.87 | 20.0 to 20.0 | 0.00 |");
     }
 
     @Test
