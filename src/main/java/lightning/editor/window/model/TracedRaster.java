@@ -75,7 +75,8 @@ public final class TracedRaster implements RenderListener {
     /** Returns whether a frame shows the remote scene, or its direct light. */
     private boolean isOfRemoteScene(Frame frame) {
         return remoteScene != null
-                && (frame.scene() == remoteScene || frame.scene() != null && frame.scene().equals(remoteScene.withoutIndirect()));
+                && (frame.scene() == remoteScene
+                        || remoteScene.picture().indirect().isPresent() && remoteScene.withoutIndirect().equals(frame.scene()));
     }
 
     @Override
