@@ -31,8 +31,6 @@ final class IndirectBuilder {
     private final PixelCache oldCache;
     private final List<EngineWorkers<LevelWorker>> surfelWorkers;
     private long gatherRays;
-    /** Repetition of the paths; null before. */
-    private GatherBuilder repeated;
     private PointChanges pointChanges;
 
     /** @param old cache of the last picture, or null */
@@ -61,7 +59,9 @@ final class IndirectBuilder {
             structure = before.structure();
             surfels = updateSurfels(before.surfels());
         } else {
-            structure = trace(settings.get(), before);
+            GatherBuilder builder = prepare(settings.get(), before);
+            structure = builder.build();
+            gatherRays += structure.rays();
             surfels = lightSurfels(structure);
             if (structure.kept() != null) {
                 SurfelUpdate update = new SurfelUpdate(before, structure);
@@ -70,7 +70,7 @@ final class IndirectBuilder {
                         job.progress().cancellationOnly());
                 update.add(surfels);
                 structure = update.structure();
-                pointChanges = repeated.changes(structure);
+                pointChanges = builder.changes(structure);
                 surfels = update.surfels();
             }
         }
@@ -128,7 +128,7 @@ final class IndirectBuilder {
     }
 
     /** @param before paths of which those that cannot differ are kept, or null */
-    private GatherStructure trace(IndirectSettings settings, IndirectCache before) {
+    private GatherBuilder prepare(IndirectSettings settings, IndirectCache before) {
         GatherBuilder builder = new GatherBuilder(job.target().geometry(), job.scene(), settings, workers,
                 _ -> job.options().engines().forTile(0).tracer(job.target().geometry()), job.progress());
         if (before != null && SurfelUpdate.isCompact(before)) {
@@ -137,10 +137,7 @@ final class IndirectBuilder {
             builder.remember(before.structure(), rows, geometry, job.shapeChange(),
                     _ -> job.options().engines().forTile(0).tracer(geometry));
         }
-        repeated = builder;
-        GatherStructure structure = builder.build();
-        gatherRays += structure.rays();
-        return structure;
+        return builder;
     }
 
     private TileLevel[] lightSurfels(GatherStructure structure) {
