@@ -39,8 +39,6 @@ final class IndirectBuilder {
     private final PixelCache oldCache;
     private final List<EngineWorkers<LevelWorker>> surfelWorkers;
     private long gatherRays;
-    /** Repetition of the paths; null before. */
-    private GatherBuilder repeated;
     private PointChanges pointChanges;
 
     /** @param old cache of the last picture, or null */
@@ -70,7 +68,10 @@ final class IndirectBuilder {
             structure = before.structure();
             surfels = updateSurfels(before.surfels());
         } else {
-            structure = trace(settings.get(), before);
+            GatherBuilder builder = prepare(settings.get(), before);
+            structure = builder.build();
+            gatherRays += structure.rays();
+            job.progress().raysCast(structure.rays());
             surfels = lightSurfels(structure);
             if (structure.kept() != null) {
                 SurfelUpdate update = new SurfelUpdate(before, structure);
@@ -79,7 +80,7 @@ final class IndirectBuilder {
                         job.progress().cancellationOnly());
                 update.add(surfels);
                 structure = update.structure();
-                pointChanges = repeated.changes(structure);
+                pointChanges = builder.changes(structure);
                 surfels = update.surfels();
             }
         }
@@ -155,7 +156,7 @@ final class IndirectBuilder {
     }
 
     /** @param before paths of which those that cannot differ are kept, or null */
-    private GatherStructure trace(IndirectSettings settings, IndirectCache before) {
+    private GatherBuilder prepare(IndirectSettings settings, IndirectCache before) {
         GatherBuilder builder = new GatherBuilder(job.target().geometry(), job.scene(), settings, workers,
                 _ -> job.options().engines().forTile(0).tracer(job.target().geometry()),
                 Math.min(job.options().memory(), HeapBudget.availableBytes()), new ProgressPart(job.progress(), 0, PATHS_SHARE));
@@ -165,11 +166,7 @@ final class IndirectBuilder {
             builder.remember(before.structure(), rows, geometry, job.shapeChange(),
                     _ -> job.options().engines().forTile(0).tracer(geometry));
         }
-        repeated = builder;
-        GatherStructure structure = builder.build();
-        gatherRays += structure.rays();
-        job.progress().raysCast(structure.rays());
-        return structure;
+        return builder;
     }
 
     private TileLevel[] lightSurfels(GatherStructure structure) {
