@@ -10,7 +10,7 @@ final class FilterBuilder {
     /** Points whose neighbors are selected together. */
     private static final int CHUNK = 8;
     /** Reach of the filter in cells of gather points. */
-    private static final float CELLS = 4;
+    private static final float CELLS = 6;
     /** Reach of the filter relative to the harmonic mean distance: contacts stay sharp. */
     private static final float SHARE = 0.4f;
 

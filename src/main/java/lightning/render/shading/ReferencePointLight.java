@@ -9,7 +9,7 @@ import lightning.render.trace.SurfacePoint;
 
 /** Spreads the light of gather points over the surfaces between them, for {@link ReferenceTracer}. */
 final class ReferencePointLight {
-    private static final float FILTER_CELLS = 4;
+    private static final float FILTER_CELLS = 6;
     private static final float FILTER_SHARE = 0.4f;
     private static final int BEST = 8;
     private static final int MAX_WEIGHT = 255;
