@@ -13,9 +13,7 @@ import lightning.scene.Scene;
  */
 public final class CellKeys {
     /** Sizes of the cells of gather points; each is half of the previous. */
-    public static final int LEVELS = 4;
-    /** Side of the largest cell of gather points in spacings: {@code LEVELS − 1} divisions leave a quarter of the spacing. */
-    private static final double LARGEST = 2;
+    public static final int LEVELS = 3;
     /** Cells of surfels along the height of the picture. */
     private static final double SURFELS_PER_HEIGHT = 30;
     /** A surfel nearer to the ray's start than this many sides gets a smaller cell. */
@@ -49,7 +47,7 @@ public final class CellKeys {
         eyeY = eye.y();
         eyeZ = eye.z();
         double height = 2 * StrictMath.tan(StrictMath.toRadians(camera.fov() / 2));
-        pointSide = LARGEST * settings.spacing() * height / picture.height();
+        pointSide = settings.spacing() * height / picture.height();
         surfelSide = height / SURFELS_PER_HEIGHT;
     }
 
