@@ -44,18 +44,41 @@ public final class PathMemo {
         surfels = new KnownRays(before.surfelSources(cells, places), before.surfelLinks());
         firstRay = new int[count];
         Arrays.fill(firstRay, Integer.MAX_VALUE);
-        setFirstRays(before.surfelLinks(), -1);
-        setFirstRays(before.pointLinks(), 0);
+        int found = setFirstRays(before.points().sources(), before.pointLinks(), 0, before.pointCount(), 0, 0);
+        RaySources surfelSources = before.surfelSources(cells, places);
+        for (int from = 0, to = found; from < before.surfelLinks().points();) {
+            found = setFirstRays(surfelSources, before.surfelLinks(), from, to, to, -1);
+            from = to;
+            to = found;
+        }
     }
 
-    /** @param flip −1 for the rays of surfels, 0 for those of gather points */
-    private void setFirstRays(RayLinks links, int flip) {
-        for (int ray = links.rayCount() - 1; ray >= 0; ray--) {
-            int surfel = links.surfel(ray);
-            if (surfel != RayLinks.MISS) {
-                firstRay[surfel] = ray ^ flip;
+    /**
+     * Finds the first ray of each surfel that the rays of some points found.
+     *
+     * @param first  first of these surfels; the others were found before or after
+     * @param flip   −1 for the rays of surfels, 0 for those of gather points
+     * @return number of surfels found so far
+     */
+    private int setFirstRays(RaySources sources, RayLinks links, int from, int to, int first, int flip) {
+        int found = first;
+        int[] lowest = new int[firstRay.length - first];
+        for (int p = from; p < to; p++) {
+            long seed = sources.seed(p);
+            for (int k = 0; k < links.raysPerPoint(); k++) {
+                int ray = p * links.raysPerPoint() + k;
+                int surfel = links.surfel(ray);
+                if (surfel >= first) {
+                    int rank = sources.rank(p, seed, k);
+                    if (firstRay[surfel] == Integer.MAX_VALUE || rank < lowest[surfel - first]) {
+                        firstRay[surfel] = ray ^ flip;
+                        lowest[surfel - first] = rank;
+                    }
+                    found = Math.max(found, surfel + 1);
+                }
             }
         }
+        return found;
     }
 
     private void addPlaces(HitRows rows, int[] numbers, GatherStructure before, ShapeChange shapes, CellKeys cells) {

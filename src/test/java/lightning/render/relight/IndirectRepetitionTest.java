@@ -52,8 +52,8 @@ class IndirectRepetitionTest {
     /** Returns the rays of an edit that find surfaces relative to those of a first pass. */
     private static double share(Scene scene, Scene edited) {
         try (Renderer renderer = new Renderer(RenderOptions.DEFAULT.withThreads(2)); WorkerPool workers = new WorkerPool(2)) {
-            long all = renderer.render(scene, Progress.NONE).rays().mirrored();
-            long again = renderer.render(edited, Progress.NONE).rays().mirrored();
+            long all = renderer.render(scene, Progress.NONE).rays().gather();
+            long again = renderer.render(edited, Progress.NONE).rays().gather();
             FilmAssert.assertSameBits(renderer.film(), new TraditionalTracer(edited).trace(workers, Progress.NONE).film(), "repetition");
             // A second edit starts from repeated paths.
             renderer.render(scene, Progress.NONE);
