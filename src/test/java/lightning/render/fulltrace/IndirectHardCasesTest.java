@@ -62,9 +62,9 @@ class IndirectHardCasesTest {
     void touchingBoxes_showNoSeam() throws JenException {
         StringBuilder boxes = new StringBuilder("material white { diffuse 0.5 0.5 0.5 }\n");
         for (int i = -2; i <= 2; i++) {
-            boxes.append("plane front%d { material white  at %d 0 0.5  rotate 90 0 0  scale 1 1 2 }%n".formatted(i + 2, i));
-            boxes.append("plane right%d { material white  at %s 0 0  rotate 0 0 90  scale 2 1 1 }%n".formatted(i + 2, i + 0.5));
-            boxes.append("plane left%d { material white  at %s 0 0  rotate 0 0 90  scale 2 1 1 }%n".formatted(i + 2, i - 0.5));
+            boxes.append("plane front" + (i + 2) + " { material white  at " + i + " 0 0.5  rotate 90 0 0  scale 1 1 2 }\n");
+            boxes.append("plane right" + (i + 2) + " { material white  at " + (i + 0.5) + " 0 0  rotate 0 0 90  scale 2 1 1 }\n");
+            boxes.append("plane left" + (i + 2) + " { material white  at " + (i - 0.5) + " 0 0  rotate 0 0 90  scale 2 1 1 }\n");
         }
         Film film = trace(scene("size 48 16", "camera { from 0.3 0 6  to 0 0 0  fov 14 }\n" + SKY + boxes, 2));
         for (int i = 0; i < 48 * 16; i++) {
