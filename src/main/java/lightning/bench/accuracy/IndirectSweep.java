@@ -7,6 +7,7 @@ import java.util.Optional;
 import lightning.base.work.Progress;
 import lightning.base.work.ProgressPart;
 import lightning.render.cache.PixelCache;
+import lightning.render.gather.PathsTooLargeException;
 import lightning.render.image.Film;
 import lightning.render.relight.PictureTooLargeException;
 import lightning.render.relight.Renderer;
@@ -86,7 +87,7 @@ public record IndirectSweep(double directMilliseconds, List<Point> points) {
             renderer.requireMemory(scene, 0, progress.cancellationOnly(), _ -> {});
             UpdateResult update = renderer.render(scene, progress);
             return new Trial(settings, update.milliseconds(), luminance(renderer.film()));
-        } catch (PictureTooLargeException | OutOfMemoryError e) {
+        } catch (PictureTooLargeException | PathsTooLargeException | OutOfMemoryError e) {
             return new Trial(settings, Double.NaN, null);
         }
     }
