@@ -20,6 +20,8 @@ record StoredRuns(Map<String, BenchResults> parts) {
     private static final List<String> PARTS = List.of("figures", "grades", "effects", "surfaces", "cold", "editing", "meshes");
     /** Parts whose tables are empty while no run of them is stored. */
     private static final List<String> OPTIONAL_PARTS = List.of("modern", "indirect");
+    /** Part with a document of its own, which names its build. It may be of another build than the rest. */
+    static final String INDEPENDENT_PART = "indirect";
     private static final String EXTENSION = ".json";
     private static final Pattern CLEAN = Pattern.compile("[0-9a-f]{40}");
     private static final int MIN_REPETITIONS = 3;
@@ -52,6 +54,13 @@ record StoredRuns(Map<String, BenchResults> parts) {
         return runs;
     }
 
+    /** Returns the runs that must be of one build. */
+    Map<String, BenchRun> commonRuns() {
+        Map<String, BenchRun> runs = runs();
+        runs.remove(INDEPENDENT_PART);
+        return runs;
+    }
+
     /** Returns the reasons against publishing them; empty if none. */
     List<String> findFaults() {
         List<String> faults = new ArrayList<>();
@@ -69,8 +78,8 @@ record StoredRuns(Map<String, BenchResults> parts) {
             results.problems().forEach(problem -> faults.add(name + ": " + problem.where() + ": " + problem.what()));
             faults.addAll(differingPictures(name, results));
         });
-        addIfDifferent(faults, "builds", BenchRun::commit);
-        addIfDifferent(faults, "machines",
+        addIfDifferent(faults, commonRuns(), "builds", BenchRun::commit);
+        addIfDifferent(faults, runs(), "machines",
                 run -> run.machine().processors() + " × " + run.machine().processor() + ", " + run.machine().java());
         return faults;
     }
@@ -100,9 +109,10 @@ record StoredRuns(Map<String, BenchResults> parts) {
                 .map(value -> part + ": " + scene.scene() + ", " + edit.edit() + ", " + value.value() + ": not equal to the full trace")));
     }
 
-    private void addIfDifferent(List<String> faults, String name, java.util.function.Function<BenchRun, String> value) {
+    private static void addIfDifferent(List<String> faults, Map<String, BenchRun> runs, String name,
+            java.util.function.Function<BenchRun, String> value) {
         Map<String, String> named =
-                runs().entrySet().stream().collect(Collectors.groupingBy(e -> value.apply(e.getValue()), LinkedHashMap::new,
+                runs.entrySet().stream().collect(Collectors.groupingBy(e -> value.apply(e.getValue()), LinkedHashMap::new,
                         Collectors.mapping(Map.Entry::getKey, Collectors.joining(", "))));
         if (named.size() > 1) {
             faults.add("several " + name + ": " + named);

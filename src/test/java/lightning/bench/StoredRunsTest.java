@@ -63,6 +63,15 @@ class StoredRunsTest {
                 .contains(BUILD + "=figures", other + "=cold");
     }
 
+    /** Its document names its own build. */
+    @Test
+    void indirectLightOfAnotherBuild_isNoFault() {
+        Map<String, BenchResults> parts = new LinkedHashMap<>();
+        parts.put("figures", validResults());
+        parts.put("indirect", runAt(BUILD.replace('0', 'a'), true, 5, List.of()));
+        assertThat(new StoredRuns(parts).findFaults()).isEmpty();
+    }
+
     @Test
     void dirtyBuild_isAFault() {
         assertThat(faultsOf(runAt(BUILD + "-dirty", true, 5, List.of()), runAt(BUILD + "-dirty", true, 5, List.of()))).hasSize(2);
