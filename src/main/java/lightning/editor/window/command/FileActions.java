@@ -189,7 +189,7 @@ public final class FileActions {
         } else if (!editor.document().isDirty()) {
             next.run();
         } else {
-            ButtonType answer = notices.askUnsaved(editor.document().name()).orElse(ButtonType.CANCEL);
+            ButtonType answer = notices.askUnsaved(editor.document().title()).orElse(ButtonType.CANCEL);
             if (answer == EditorDialogs.DISCARD) {
                 next.run();
             } else if (answer == EditorDialogs.SAVE) {
