@@ -83,7 +83,8 @@ public final class NewScene {
             double angle = (i + 0.5) * step;
             double y = COVE_RADIUS * (1 - Math.cos(Math.toRadians(angle)));
             double z = COVE_Z - COVE_RADIUS * Math.sin(Math.toRadians(angle));
-            return String.format(Locale.ROOT, "  plane cove_%d { material paper  at 0 %.4f %.4f  rotate %.4f 0 0  scale 40 1 %.4f }", i + 1, y, z,
+            return String.format(Locale.ROOT, "  plane cove_%d { material paper  at 0 %.4f %.4f  rotate %.4f 0 0  scale 40 1 %.4f }", i + 1,
+                    y, z,
                     angle, length);
         }).collect(Collectors.joining("\n"));
     }

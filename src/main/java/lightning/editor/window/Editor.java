@@ -119,7 +119,8 @@ public final class Editor implements AutoCloseable {
     /** Saves each choice immediately, so that a crash does not lose it. */
     private void savePreferencesOnChange() {
         PreviewSettings settings = model.previewSettings();
-        for (Observable choice : List.of(model.accuracyModeProperty(), model.editor().liveProperty(), model.picture().viewProperty().map(ViewTransform::curve),
+        for (Observable choice : List.of(model.accuracyModeProperty(), model.editor().liveProperty(),
+                model.picture().viewProperty().map(ViewTransform::curve),
                 settings.glowingTexturesProperty(),
                 settings.gizmoSizeProperty(), model.commands().keyBindings().changesProperty(), model.layout().canvasLayoutProperty(),
                 model.languageProperty(),
