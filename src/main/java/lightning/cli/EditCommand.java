@@ -20,7 +20,8 @@ import picocli.CommandLine.Spec;
 final class EditCommand implements Callable<Integer> {
     @Spec
     private CommandSpec command;
-    @Parameters(index = "0", arity = "0..1", paramLabel = "file", description = "Scene or model file (default: scenes/bird.jen).")
+    @Parameters(index = "0", arity = "0..1", paramLabel = "file",
+            description = "Scene or model file (default: a copy of scenes/stage.jen).")
     private Path file;
 
     @Override

@@ -1,5 +1,6 @@
 package lightning.base.file;
 
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 
@@ -21,5 +22,22 @@ public final class ShippedFile {
         }
         Path shipped = Path.of(home).resolve(name);
         return Files.exists(shipped) ? shipped : name;
+    }
+
+    /** Tests if a file is in the scene folder of the installation. Such files are never overwritten. */
+    public static boolean isShipped(Path file) {
+        String home = System.getProperty("lightning.home");
+        return home != null && normalized(file).startsWith(normalized(Path.of(home).resolve(SCENES)));
+    }
+
+    /** Returns the absolute path; links are resolved in the part that exists. */
+    private static Path normalized(Path path) {
+        Path absolute = path.toAbsolutePath().normalize();
+        try {
+            return absolute.toRealPath();
+        } catch (IOException e) {
+            Path parent = absolute.getParent();
+            return parent == null ? absolute : normalized(parent).resolve(absolute.getFileName());
+        }
     }
 }

@@ -10,7 +10,7 @@ import lightning.base.text.Messages;
  * use them; the actions are implemented elsewhere.
  */
 public enum Command {
-    NEW_SCENE(Messages.key("New Scene…"), Messages.key("New scene with a ball, a floor and three lights"),
+    NEW_SCENE(Messages.key("New Scene"), Messages.key("New studio with a cyclorama, soft key, fill and rim lights, and a sky"),
             "mdi2f-file-plus-outline",
             "Shortcut+N", DisabledReasons.unlessAnimating()),
     LOAD_FILE(Messages.key("Open…"), Messages.key("Open a scene, or import a glTF, OBJ, PLY or NFF file"),

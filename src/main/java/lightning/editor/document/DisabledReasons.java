@@ -44,7 +44,7 @@ final class DisabledReasons {
     }
 
     static Optional<String> nothingToSave(EditorState s) {
-        return reasonUnless(s.dirty(), Messages.tr("nothing to save"));
+        return reasonUnless(s.dirty() || s.untitled(), Messages.tr("nothing to save"));
     }
 
     static Optional<String> nothingToUndo(EditorState s) {

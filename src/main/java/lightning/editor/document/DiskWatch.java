@@ -47,6 +47,11 @@ public final class DiskWatch implements AutoCloseable {
         }
     }
 
+    /** Stops until another file is watched. */
+    public void pause() {
+        watched = null;
+    }
+
     /** Checks immediately, for example when the window regains focus. */
     public void checkNow() {
         thread.execute(this::check);

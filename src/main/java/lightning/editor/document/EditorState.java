@@ -31,6 +31,7 @@ import lightning.scene.shot.TrackTarget;
  * @param shotFrame        displayed frame; empty if the scene has no shot
  * @param selectedKeyCount number of selected keyframes
  * @param motionRecorded   whether the open animation has a path
+ * @param untitled         whether the document has no file of its own yet
  */
 @RecordBuilder
 public record EditorState(Scene scene, Optional<Frame> frame, Optional<Scene> sceneInProgress,
@@ -38,7 +39,7 @@ public record EditorState(Scene scene, Optional<Frame> frame, Optional<Scene> sc
         Optional<String> redoLabel,
         Optional<String> undoLightLabel, Optional<String> redoLightLabel, boolean dirty, boolean changedOnDisk,
         Optional<Light> copiedLight, boolean animating, boolean reading, Optional<ShotFrame> shotFrame, int selectedKeyCount,
-        boolean motionRecorded)
+        boolean motionRecorded, boolean untitled)
         implements EditorStateBuilder.With {
 
     /** Returns the state of a document and its image, with nothing running, copied or animated. */
@@ -49,7 +50,8 @@ public record EditorState(Scene scene, Optional<Frame> frame, Optional<Scene> sc
         return new EditorState(document.scene(), frame, Optional.empty(), false,
                 selected, document.selection().node(document.scene()), history.undoLabel(), history.redoLabel(), history.undoLabel(id),
                 history.redoLabel(id),
-                document.isDirty(), document.isChangedOnDisk(), Optional.empty(), false, false, document.shotFrame(), 0, false);
+                document.isDirty(), document.isChangedOnDisk(), Optional.empty(), false, false, document.shotFrame(), 0, false,
+                document.isUntitled());
     }
 
     /** Tests if Set Keyframe applies to a track: of the selected light or its group, of the selected shape or group, or of the camera. */

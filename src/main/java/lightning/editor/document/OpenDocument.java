@@ -6,6 +6,8 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.Supplier;
 import lightning.base.file.FileState;
+import lightning.base.file.ShippedFile;
+import lightning.base.text.Messages;
 import lightning.base.text.Quote;
 import lightning.format.jen.JenDocument;
 import lightning.format.jen.JenException;
@@ -20,6 +22,7 @@ public final class OpenDocument {
     /** Content of the file when this editor last read or wrote it; its state is empty if the file never had this content. */
     private SavedScene saved;
     private DiskStatus diskStatus;
+    private boolean untitled;
     private boolean ignoresDiskChange;
     private Selection selection = Selection.NONE;
     private int frame;
@@ -29,20 +32,47 @@ public final class OpenDocument {
     private int shownFrame;
     private String frameProblem = "";
 
-    private OpenDocument(SavedScene saved) {
+    private OpenDocument(SavedScene saved, boolean untitled) {
         setSaved(saved);
+        this.untitled = untitled;
         history = new EditHistory(saved.document().animatedScene());
         goToFirstFrame();
     }
 
     /**
-     * Opens a scene file.
+     * Opens a scene file; one that is shipped with the program as a copy.
      *
      * @throws IOException  if the file cannot be read
      * @throws JenException if its content is invalid; holds all problems
      */
     public static OpenDocument open(Path file) throws IOException, JenException {
-        return new OpenDocument(SavedScene.read(file));
+        return new OpenDocument(SavedScene.read(file), ShippedFile.isShipped(file));
+    }
+
+    /**
+     * Opens a copy of a scene file, which has no file of its own until it is saved. Saving copies the files that the scene references.
+     *
+     * @throws IOException  if the file cannot be read
+     * @throws JenException if its content is invalid; holds all problems
+     */
+    public static OpenDocument openCopy(Path file) throws IOException, JenException {
+        return new OpenDocument(SavedScene.read(file), true);
+    }
+
+    /**
+     * Creates a document without a file.
+     *
+     * @param file proposed file, which does not exist
+     */
+    static OpenDocument untitled(Path file, JenDocument content) {
+        return new OpenDocument(new SavedScene(file, FileState.MISSING, content), true);
+    }
+
+    /** Returns this document, as opened, with an image that fits an area. */
+    public OpenDocument fittedTo(PictureArea area) {
+        Scene scene = savedScene();
+        Scene fitted = scene.withPicture(area.fit(scene.picture()));
+        return new OpenDocument(new SavedScene(file(), saved.state(), savedDocument().withScene(fitted)), untitled);
     }
 
     private void setSaved(SavedScene newSaved) {
@@ -60,18 +90,35 @@ public final class OpenDocument {
     public static OpenDocument recover(RecoveryFolder.RecoverableScene recoverable) throws JenException {
         JenDocument edits =
                 JenReader.read(recoverable.text(), recoverable.file().toString(), recoverable.file().toAbsolutePath().getParent());
+        Path file = recoverable.file();
         try {
-            OpenDocument document = open(recoverable.file());
+            OpenDocument document = NewScene.isPlaceholder(file) ? NewScene.create(PictureArea.DEFAULT) : open(file);
             document.history.edit(edits.animatedScene(), null);
             document.clampFrame();
             return document;
         } catch (IOException | JenException e) {
-            return new OpenDocument(new SavedScene(recoverable.file(), FileState.MISSING, edits));
+            return new OpenDocument(new SavedScene(file, FileState.MISSING, edits), false);
         }
     }
 
+    /** Returns the document's file. If the document is untitled, returns the file that it is a copy of, or a proposal. */
     public Path file() {
         return saved.file();
+    }
+
+    /** Tests if the document has no file of its own until it is saved: a new scene, or a copy of a shipped one. */
+    public boolean isUntitled() {
+        return untitled;
+    }
+
+    /** Returns the file to propose for the document or for a file that belongs to it. */
+    public Path proposedFile(String name) {
+        return untitled ? NewScene.folder().resolve(name) : file().resolveSibling(name);
+    }
+
+    /** Returns the name for the window's title. */
+    public String title() {
+        return untitled && !knownState().equals(FileState.MISSING) ? Messages.tr("Copy of {0}", name()) : name();
     }
 
     /** Returns the file's name without its folder. */
@@ -145,8 +192,8 @@ public final class OpenDocument {
 
     /** Tests if there are unsaved edits. */
     public boolean isDirty() {
-        return knownState().equals(FileState.MISSING) || diskStatus.isDeleted() || ignoresDiskChange
-                || !content().equals(savedDocument().animatedScene());
+        boolean differsFromDisk = knownState().equals(FileState.MISSING) || diskStatus.isDeleted() || ignoresDiskChange;
+        return differsFromDisk && !untitled || !content().equals(savedDocument().animatedScene());
     }
 
     /** Returns the file's content state when this editor last read or wrote it. */
@@ -156,7 +203,7 @@ public final class OpenDocument {
 
     /** Sets the observed state of the file, unless it predates the last read or write. */
     public void setDiskStatus(DiskStatus status) {
-        if (status.file().equals(file()) && status.known().equals(knownState())) {
+        if (!untitled && status.file().equals(file()) && status.known().equals(knownState())) {
             diskStatus = status;
         }
     }
@@ -253,12 +300,19 @@ public final class OpenDocument {
 
     /** Prepares a save of the current scene, to be written on any thread. */
     SaveRequest prepareSave(Path target, Set<OverwriteConfirmation> allowed) {
-        return new SaveRequest(saved, content(), target, allowed);
+        return new SaveRequest(saved, content(), target, untitled, allowed);
     }
 
     /** Marks a scene as saved. Later edits are unsaved. */
     void onSaved(SavedScene newSaved) {
         setSaved(newSaved);
+        untitled = false;
+    }
+
+    /** Returns a task that reads the saved content, on any thread. An untitled document has only what it was opened with. */
+    FileThread.FileTask<SavedScene> readSaved() {
+        SavedScene opened = saved;
+        return untitled ? () -> opened : () -> SavedScene.read(opened.file());
     }
 
     /** Replaces the content with the reloaded file (paper §3.4), as one undo step. */

@@ -8,7 +8,10 @@ import lightning.base.file.AtomicFile;
 import lightning.base.file.ChangedFileException;
 import lightning.base.file.FileState;
 import lightning.base.file.ReadOnlyFileException;
+import lightning.base.file.ShippedFile;
 import lightning.base.text.Messages;
+import lightning.base.text.Quote;
+import lightning.format.jen.AssetCopies;
 import lightning.format.jen.JenDocument;
 import lightning.format.jen.JenException;
 import lightning.format.jen.JenReader;
@@ -18,9 +21,10 @@ import lightning.scene.shot.AnimatedScene;
  * Snapshot of a document to be saved, independent of later edits.
  *
  * @param source  content of the document's file
+ * @param untitled whether the source is not the document's own file: it is not overwritten, and files that the scene references are copied
  * @param allowed confirmed overwrites of the target
  */
-record SaveRequest(SavedScene source, AnimatedScene content, Path target, Set<OverwriteConfirmation> allowed) {
+record SaveRequest(SavedScene source, AnimatedScene content, Path target, boolean untitled, Set<OverwriteConfirmation> allowed) {
     SaveRequest {
         allowed = Set.copyOf(allowed);
     }
@@ -34,8 +38,16 @@ record SaveRequest(SavedScene source, AnimatedScene content, Path target, Set<Ov
      */
     SavedScene write() throws IOException {
         JenDocument text = source.document().withAnimatedScene(content);
-        boolean isOwnFile = target.toAbsolutePath().equals(source.file().toAbsolutePath());
+        boolean isSource = target.toAbsolutePath().equals(source.file().toAbsolutePath());
+        if (isSource && untitled && !source.state().equals(FileState.MISSING) || ShippedFile.isShipped(target)) {
+            throw new IOException(Messages.tr("{0} comes with Lightning and stays as it is; choose another file",
+                    Quote.path(target.getFileName())));
+        }
+        boolean isOwnFile = isSource && !untitled;
         Path file = isOwnFile ? source.file() : target;
+        if (untitled) {
+            AssetCopies.copy(content.base(), source.file().toAbsolutePath().getParent(), target.toAbsolutePath().getParent());
+        }
         return new SavedScene(file,
                 text.save(isOwnFile ? OverwriteConfirmation.safeFile(file, source.state(), allowed) : checkedTarget(text)), text);
     }

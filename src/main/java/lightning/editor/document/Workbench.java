@@ -318,7 +318,7 @@ public final class Workbench implements AutoCloseable {
      */
     public void reload(Consumer<Optional<Throwable>> completion) {
         OpenDocument reloadedDocument = document;
-        files.runInOrder(() -> SavedScene.read(reloadedDocument.file()), newSaved -> {
+        files.runInOrder(reloadedDocument.readSaved(), newSaved -> {
             if (reloadedDocument == document) {
                 reloadedDocument.onReloaded(newSaved);
                 contentChanged();

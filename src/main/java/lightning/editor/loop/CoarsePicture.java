@@ -86,6 +86,13 @@ public record CoarsePicture(Scene scene, Geometry geometry, Film film, double pi
         return small;
     }
 
+    /** Tests if this is a coarse image of a scene, whose size and samples may be others. */
+    boolean shows(Scene other) {
+        PictureSettings picture = other.picture();
+        return scene == other || scene.withPicture(scene.picture().withSize(picture.width(), picture.height())
+                .withSampling(picture.sampling())).equals(other);
+    }
+
     /** Returns the number of pixels. */
     int pixels() {
         return pixels(film);

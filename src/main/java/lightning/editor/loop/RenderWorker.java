@@ -173,7 +173,7 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
     private ProgressiveDisplay startFirstPass(Scene requested, Scene scene, RenderQueue.CancelSignal signal) {
         CoarsePass coarse = new CoarsePass(RenderedScenes.of(scene), renderer::prepare, renderer.options(),
                 film -> listener.coarseRendered(film, requested), signal);
-        takeStartupPreview().filter(preview -> preview.scene() == requested).ifPresent(preview -> {
+        takeStartupPreview().filter(preview -> preview.shows(requested)).ifPresent(preview -> {
             renderer.setSharedGeometry(preview.geometry());
             coarse.show(preview);
         });

@@ -54,7 +54,7 @@ public final class Editor implements AutoCloseable {
         changeBar = new ExternalChangeBar(model.workbench(), model.commands(), thread.windowExecutor(), files::compareWithDisk);
         window.addBar(changeBar);
         model.editor().editorStateProperty()
-                .subscribe(now -> stage.setTitle((now.dirty() ? "• " : "") + model.editor().document().name() + " – Lightning"));
+                .subscribe(now -> stage.setTitle((now.dirty() ? "• " : "") + model.editor().document().title() + " – Lightning"));
         stage.focusedProperty().subscribe(_ -> changeBar.checkFile());
         stage.setOnCloseRequest(e -> {
             e.consume();
@@ -64,7 +64,9 @@ public final class Editor implements AutoCloseable {
                 stage.hide();
             });
         });
-        preferences.addRecent(model.editor().document().file());
+        if (!model.editor().document().isUntitled()) {
+            preferences.addRecent(model.editor().document().file());
+        }
         savePreferencesOnChange();
         EditorStage.show(stage, startup.frame(), preferences, maxWidth, maxHeight);
         window.focus();
@@ -117,7 +119,8 @@ public final class Editor implements AutoCloseable {
     /** Saves each choice immediately, so that a crash does not lose it. */
     private void savePreferencesOnChange() {
         PreviewSettings settings = model.previewSettings();
-        for (Observable choice : List.of(model.accuracyModeProperty(), model.picture().viewProperty().map(ViewTransform::curve),
+        for (Observable choice : List.of(model.accuracyModeProperty(), model.editor().liveProperty(),
+                model.picture().viewProperty().map(ViewTransform::curve),
                 settings.glowingTexturesProperty(),
                 settings.gizmoSizeProperty(), model.commands().keyBindings().changesProperty(), model.layout().canvasLayoutProperty(),
                 model.languageProperty(),
@@ -137,6 +140,7 @@ public final class Editor implements AutoCloseable {
         model.commands().keyBindings().save(preferences);
         model.layout().save(preferences);
         model.renderMachines().save(preferences);
+        preferences.set("live", model.editor().liveProperty().get());
         preferences.set("precision", model.accuracyModeProperty().get().name());
         preferences.save();
     }

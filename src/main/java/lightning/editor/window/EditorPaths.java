@@ -18,6 +18,6 @@ final class EditorPaths {
 
     /** Returns the scene that opens when none is named. */
     static Path defaultScene() {
-        return ShippedFile.resolve(ShippedFile.SCENES.resolve("bird.jen"));
+        return ShippedFile.resolve(ShippedFile.SCENES.resolve("stage.jen"));
     }
 }

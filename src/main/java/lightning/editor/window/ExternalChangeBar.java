@@ -88,7 +88,11 @@ final class ExternalChangeBar extends HBox implements AutoCloseable {
     private void update() {
         commands.editorState().get();
         OpenDocument document = workbench.document();
-        watch.watch(document.file(), document.knownState());
+        if (document.isUntitled()) {
+            watch.pause();
+        } else {
+            watch.watch(document.file(), document.knownState());
+        }
         DiskStatus status = document.diskStatus();
         boolean isShown = (status.isChanged() || status.isDeleted() || status.isOpenElsewhere()) && !status.equals(dismissed);
         setVisible(isShown);

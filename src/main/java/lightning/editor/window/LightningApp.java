@@ -14,6 +14,7 @@ import javafx.stage.Screen;
 import javafx.stage.Stage;
 import lightning.base.file.ShippedFile;
 import lightning.editor.document.FileThread;
+import lightning.editor.document.OpenDocument;
 import lightning.editor.document.RecoveryFolder;
 import lightning.editor.window.command.FilePrompt;
 import lightning.editor.window.model.ErrorMessage;
@@ -75,13 +76,13 @@ public class LightningApp extends Application {
         return StartupFiles.canOpen(file);
     }
 
-    /** Returns the file to open. */
+    /** Returns the file to open; null for the default scene. */
     Path file() {
         return file(getParameters() == null ? List.of() : getParameters().getUnnamed());
     }
 
     private static Path file(List<String> arguments) {
-        return arguments.isEmpty() ? EditorPaths.defaultScene() : ShippedFile.resolve(Path.of(arguments.getFirst()));
+        return arguments.isEmpty() ? null : ShippedFile.resolve(Path.of(arguments.getFirst()));
     }
 
     private static RecoveryFolder recovery() {
@@ -121,7 +122,7 @@ public class LightningApp extends Application {
 
     /** Shows the layout with its loading notes. */
     private void showLayout(Stage stage, Path file, PictureView picture) {
-        var newLayout = new EditorLayout(file, picture);
+        var newLayout = new EditorLayout(file == null ? EditorPaths.defaultScene() : file, picture);
         stage.getScene().setRoot(newLayout);
         PaintCallbacks.afterNextPaint(() -> runIfOpen(stage, () -> {
             layout = newLayout;
@@ -174,7 +175,8 @@ public class LightningApp extends Application {
         StartupFiles files = startupFiles;
         if (files != null && layout != null) {
             startupFiles = null;
-            startupSession = new StartupSession(layout, files.document(), files.preview(), preferences, recovery, thread);
+            OpenDocument document = files.isStartScene() ? files.document().fittedTo(layout.picture().area()) : files.document();
+            startupSession = new StartupSession(layout, document, files.preview(), preferences, recovery, thread);
             startupSession.whenPainted(() -> runIfOpen(stage, () -> showEditor(stage, files)));
         }
     }

@@ -3,7 +3,9 @@ package lightning.editor.window;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
+import lightning.editor.document.NewScene;
 import lightning.editor.document.OpenDocument;
+import lightning.editor.document.PictureArea;
 import lightning.editor.document.RecoveryFolder;
 import lightning.editor.window.model.Preferences;
 import lightning.editor.window.model.StartupPreview;
@@ -14,12 +16,13 @@ import lightning.format.jen.JenFile;
 /**
  * Everything that the editor reads from files at its start.
  *
+ * @param isStartScene true if no file was named, so that the picture gets the size of its pane
  * @param preview preview of the document's scene
  * @param failedFile file that could not be opened because of {@code failure}; null if there is none
  * @param findRecoveries finds unsaved scenes of earlier crashes
  * @param fileToImport file of another program, to import as soon as a window can show the import dialog; null if there is none
  */
-record StartupFiles(OpenDocument document, StartupPreview preview, Path failedFile, Exception failure,
+record StartupFiles(OpenDocument document, boolean isStartScene, StartupPreview preview, Path failedFile, Exception failure,
         List<RecoveryFolder.RecoverableScene> findRecoveries, Path fileToImport) {
 
     /** Returns true if a file's name is that of a scene or of a format that can be imported. */
@@ -28,33 +31,34 @@ record StartupFiles(OpenDocument document, StartupPreview preview, Path failedFi
     }
 
     /**
-     * Reads a scene and starts its preview. Reads the default scene if the file cannot be opened or has to be imported first.
+     * Reads a scene and starts its preview: a copy of the default scene if no file is named. A file that has to be imported first opens
+     * behind an empty scene, not behind another picture; one that cannot be opened is replaced by a new scene.
      *
+     * @param file named file; null if there is none
      * @param preferences stored view settings
-     * @throws IOException if neither file can be read
+     * @throws IOException if the default scene cannot be read
      * @throws JenException if the default scene does not parse
      */
     static StartupFiles read(Path file, Preferences preferences, RecoveryFolder recovery) throws IOException, JenException {
         List<RecoveryFolder.RecoverableScene> recoveries = findRecoveries(recovery);
+        if (file == null) {
+            OpenDocument document = OpenDocument.openCopy(EditorPaths.defaultScene());
+            return new StartupFiles(document, true, StartupSession.startPreview(document, preferences), null, null, recoveries, null);
+        }
         if (MeshFormat.isMeshFileName(file.toString())) {
-            return of(OpenDocument.open(EditorPaths.defaultScene()), preferences, null, null, recoveries, file);
+            return of(NewScene.createEmpty(), preferences, null, null, recoveries, file);
         }
         try {
             return of(OpenDocument.open(file), preferences, null, null, recoveries, null);
         } catch (IOException | JenException | RuntimeException e) {
-            try {
-                return of(OpenDocument.open(EditorPaths.defaultScene()), preferences, file, e, recoveries, null);
-            } catch (IOException | JenException fallbackFailure) {
-                fallbackFailure.addSuppressed(e);
-                throw e;
-            }
+            return of(NewScene.create(PictureArea.DEFAULT), preferences, file, e, recoveries, null);
         }
     }
 
     private static StartupFiles of(OpenDocument document, Preferences preferences, Path failedFile, Exception failure,
             List<RecoveryFolder.RecoverableScene> recoveries,
             Path fileToImport) {
-        return new StartupFiles(document, StartupSession.startPreview(document, preferences), failedFile, failure, recoveries,
+        return new StartupFiles(document, false, StartupSession.startPreview(document, preferences), failedFile, failure, recoveries,
                 fileToImport);
     }
 

@@ -34,6 +34,7 @@ final class StartupSession implements AutoCloseable {
             FileThread thread) {
         model = new EditorModel(document, preview, recovery, thread);
         model.accuracyModeProperty().set(preferences.enumValue("precision", AccuracyMode.EXACT));
+        model.editor().liveProperty().set(!preferences.hasValue("live", "false"));
         ColorTableActions.restore(model, preferences);
         model.previewSettings().restore(preferences);
         model.commands().keyBindings().restore(preferences);

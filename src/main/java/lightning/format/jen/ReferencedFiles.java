@@ -56,7 +56,8 @@ public final class ReferencedFiles {
     }
 
     private static Stream<String> texturesAndProfiles(Material material) {
-        return Stream.of(material.texture(), material.bumpMapping().bump(), material.bumpMapping().normalMap()).flatMap(map -> map.stream())
+        return Stream.of(material.texture(), material.bumpMapping().bump(), material.bumpMapping().normalMap(), material.cutout().map())
+                .flatMap(map -> map.stream())
                 .map(map -> map.file());
     }
 

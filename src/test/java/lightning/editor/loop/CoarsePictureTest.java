@@ -2,6 +2,7 @@ package lightning.editor.loop;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.List;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
@@ -16,6 +17,7 @@ import lightning.scene.Scene;
 import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.Assume;
+import net.jqwik.api.Example;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
@@ -51,6 +53,16 @@ class CoarsePictureTest {
         public void rendered(Frame frame) {
             films.add(frame.film());
         }
+    }
+
+    @Example
+    void preview_showsSceneOfOtherSizeOnly() {
+        Scene scene = DeskScene.scene().withPicture(new PictureSettings(400, 300, 1));
+        CoarsePicture preview = CoarsePicture.first(scene, RenderOptions.DEFAULT, _ -> {}).orElseThrow();
+        Scene larger = scene.withPicture(scene.picture().withSize(800, 600).withSampling(new SamplingSettings(AntialiasMode.EDGES, 4)));
+        assertThat(preview.shows(larger)).isTrue();
+        assertThat(preview.shows(larger.withPicture(larger.picture().withDepth(2)))).isFalse();
+        assertThat(preview.shows(larger.withLights(List.of()))).isFalse();
     }
 
     @Provide

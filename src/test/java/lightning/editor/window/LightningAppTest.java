@@ -15,6 +15,7 @@ import javafx.stage.Stage;
 import lightning.base.work.Await;
 import lightning.editor.window.widget.PictureView;
 import lightning.sample.Slow;
+import lightning.scene.AntialiasMode;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.testfx.api.FxRobot;
@@ -30,7 +31,13 @@ class LightningAppTest {
         long previewTimeoutMs() {
             return TimeUnit.SECONDS.toMillis(Await.TIMEOUT_SECONDS);
         }
+
+        @Override
+        void editorOpened(Editor opened) {
+            editor = opened;
+        }
     };
+    private volatile Editor editor;
     private Stage stage;
     private String first;
     /** True if the picture was in a window when it was first drawn; empty before that. */
@@ -96,6 +103,19 @@ class LightningAppTest {
         for (String pane : new String[] {"#traced", "#preview", "#lights", "#properties"}) {
             assertThat(robot.lookup(pane).tryQuery()).as(pane).isPresent();
         }
+    }
+
+    @Test
+    void withoutFile_opensCopyAtSizeOfPaneWithLive(FxRobot robot) throws Exception {
+        TestEditors.await(() -> editor != null);
+        FastRobot.settle();
+        var model = editor.model();
+        var picture = (PictureView) robot.lookup("#traced-picture").query();
+        assertThat(stage.getTitle()).isEqualTo("Copy of stage.jen – Lightning");
+        assertThat(model.editor().document().isDirty()).isFalse();
+        assertThat(model.editor().liveProperty().get()).isTrue();
+        assertThat(model.editor().scene().picture()).isEqualTo(picture.area().fit(model.editor().scene().picture()));
+        assertThat(model.editor().scene().picture().sampling().antialias()).isEqualTo(AntialiasMode.EDGES);
     }
 
     @Test

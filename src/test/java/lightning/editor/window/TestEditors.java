@@ -54,9 +54,10 @@ public final class TestEditors {
                 thread);
     }
 
-    /** Starts a session of an open document with shared preferences. */
+    /** Starts a session of an open document with shared preferences; with Live off, unless they have a choice. */
     static StartupSession startupSession(OpenDocument document, EditorLayout frame, Preferences preferences, RecoveryFolder recovery,
             FileThread thread) {
+        preferences.set("live", preferences.text("live", "false"));
         return new StartupSession(frame, document, StartupSession.startPreview(document, preferences), preferences, recovery, thread);
     }
 

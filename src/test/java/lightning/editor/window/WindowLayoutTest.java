@@ -3,7 +3,6 @@ package lightning.editor.window;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Files;
-import java.util.List;
 import javafx.scene.control.SplitPane;
 import javafx.scene.control.TextField;
 import javafx.scene.input.KeyCode;
@@ -116,15 +115,20 @@ class WindowLayoutTest extends EditorFixture {
     }
 
     @Test
-    void newScene_isWrittenAndOpenedAtScreenSize() throws Exception {
-        answer = folder.resolve("fresh");
+    void newScene_isUntitledFitsPaneAndSavePromptsForFile() throws Exception {
         robot.interact(() -> model().commands().run(Command.NEW_SCENE));
-        waitFor("the scene is open", () -> model().editor().document().name().equals("fresh.jen"));
+        waitFor("the scene is open", () -> model().editor().document().isUntitled());
         robot.interact(() -> model().commands().run(Command.CANCEL));
-        var read = JenReader.read(folder.resolve("fresh.jen")).scene();
-        assertThat(read).isEqualTo(model().editor().scene());
-        assertThat(List.of(read.picture().width(), read.picture().height())).containsExactly(1280, 720);
-        assertThat(read.picture().sampling().antialias()).isEqualTo(AntialiasMode.EDGES);
-        assertThat(read.lights()).hasSize(3);
+        var opened = model().editor().scene();
+        double scale = stage.getOutputScaleX();
+        assertThat((double) opened.picture().width()).isBetween(picture().getWidth() * scale - 2, picture().getWidth() * scale);
+        assertThat(opened.picture().sampling().antialias()).isEqualTo(AntialiasMode.EDGES);
+        assertThat(model().editor().document().isDirty()).isFalse();
+        assertThat(new Preferences(folder.resolve("own"), Runnable::run).recent()).doesNotContain(model().editor().document().file());
+        answer = folder.resolve("fresh");
+        robot.interact(() -> model().commands().run(Command.SAVE_SCENE));
+        waitFor("the scene is saved", () -> model().editor().document().name().equals("fresh.jen"));
+        assertThat(model().editor().document().isUntitled()).isFalse();
+        assertThat(JenReader.read(folder.resolve("fresh.jen")).scene()).isEqualTo(opened);
     }
 }

@@ -14,6 +14,7 @@ import lightning.editor.document.Command;
 import lightning.editor.document.FileThread;
 import lightning.editor.document.NewScene;
 import lightning.editor.document.OpenDocument;
+import lightning.editor.document.PictureArea;
 import lightning.editor.document.RecoveryFolder;
 import lightning.editor.loop.Frame;
 import lightning.editor.window.model.EditorModel;
@@ -77,17 +78,10 @@ public final class FileActions {
         confirmClose(() -> openOrImport(file));
     }
 
-    /** Prompts for a file and creates a scene there. The system's dialog confirms overwriting. */
+    /** Opens a new scene without a file, at the size of its pane. */
     private void newScene() {
-        prompt.sceneToWrite(editor.document().file().resolveSibling("untitled" + JenFile.EXTENSION))
-                .ifPresent(chosen -> notices.withExtension(model.files(), chosen, JenFile.EXTENSION, this::newScene));
-    }
-
-    private void newScene(Path file) {
-        confirmClose(() -> read(file, () -> {
-            NewScene.write(file);
-            return OpenDocument.open(file);
-        }));
+        PictureArea area = model.layout().pictureArea();
+        confirmClose(() -> read(NewScene.placeholder(), () -> NewScene.create(area)));
     }
 
     private void openOrImport(Path file) {
@@ -176,7 +170,9 @@ public final class FileActions {
 
     private void showDocument(OpenDocument opened) {
         model.open(opened);
-        preferences.addRecent(opened.file());
+        if (!opened.isUntitled()) {
+            preferences.addRecent(opened.file());
+        }
         refreshRecent();
     }
 
@@ -193,7 +189,7 @@ public final class FileActions {
         } else if (!editor.document().isDirty()) {
             next.run();
         } else {
-            ButtonType answer = notices.askUnsaved(editor.document().name()).orElse(ButtonType.CANCEL);
+            ButtonType answer = notices.askUnsaved(editor.document().title()).orElse(ButtonType.CANCEL);
             if (answer == EditorDialogs.DISCARD) {
                 next.run();
             } else if (answer == EditorDialogs.SAVE) {
@@ -232,10 +228,9 @@ public final class FileActions {
                 return;
             }
         }
-        Path scene = editor.document().file();
         String name = JenFile.stem(editor.document().name()) + ImageFormat.PNG.extension();
         Frame frame = model.picture().frame();
-        prompt.pictureToWrite(scene.resolveSibling(name)).ifPresent(chosen -> {
+        prompt.pictureToWrite(editor.document().proposedFile(name)).ifPresent(chosen -> {
             if (chosen.getFileName().toString().contains(".")) {
                 write(chosen, frame);
             } else {

@@ -47,7 +47,7 @@ final class PictureExport {
 
     private void promptAndExport(ExportFormat kind) {
         String ending = kind.format().extension();
-        prompt.pictureToWrite(model.editor().document().file().resolveSibling(JenFile.stem(model.editor().document().name()) + ending))
+        prompt.pictureToWrite(model.editor().document().proposedFile(JenFile.stem(model.editor().document().name()) + ending))
                 .ifPresent(chosen -> notices.withExtension(model.files(), chosen, ending, file -> export(kind, file)));
     }
 

@@ -42,14 +42,18 @@ final class SceneSaver {
         this.saveListener = saveListener;
     }
 
-    /** Saves to the document's file. {@code onSaved} runs after the scene was written, there or to another file that the user chose. */
+    /** Saves to the document's file; prompts for one if the document is untitled. {@code onSaved} runs after the scene was written, there or to another file that the user chose. */
     void save(Runnable onSaved) {
-        write(editor.document().file(), Set.of(), onSaved);
+        if (editor.document().isUntitled()) {
+            saveAs(onSaved);
+        } else {
+            write(editor.document().file(), Set.of(), onSaved);
+        }
     }
 
     /** Prompts for a file and saves to it. {@code onSaved} runs after the scene was written. */
     void saveAs(Runnable onSaved) {
-        prompt.sceneToWrite(editor.document().file()).ifPresent(
+        prompt.sceneToWrite(editor.document().proposedFile(editor.document().file().getFileName().toString())).ifPresent(
                 chosen -> notices.withExtension(model.files(), chosen, JenFile.EXTENSION, file -> write(file, Set.of(), onSaved)));
     }
 

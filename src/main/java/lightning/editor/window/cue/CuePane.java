@@ -130,6 +130,7 @@ public final class CuePane extends VBox {
 
     private static Optional<String> saveDisabledReason(EditorState state) {
         return state.animating() ? Optional.of(Messages.tr("close the open animation first"))
+                : state.untitled() ? Optional.of(Messages.tr("save the scene first"))
                 : state.frame().isEmpty() ? Optional.of(Messages.tr("nothing is rendered yet")) : state.pendingMessage();
     }
 

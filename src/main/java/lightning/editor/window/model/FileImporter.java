@@ -50,6 +50,10 @@ public final class FileImporter {
     }
 
     private void importFile(FileKind kind, Path file, Consumer<String> onImported, Consumer<String> onRefused) {
+        if (editor.document().isUntitled()) {
+            onRefused.accept(Messages.tr("Save the scene first: the file is copied to its folder"));
+            return;
+        }
         Path folder = folder();
         boolean overwrite = file.equals(rejectedFile);
         files.runConcurrently(() -> FileCopy.copyToScene(kind, file, folder, overwrite), outcome -> {

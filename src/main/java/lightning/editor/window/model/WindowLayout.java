@@ -1,16 +1,19 @@
 package lightning.editor.window.model;
 
+import java.util.function.Supplier;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.ObjectProperty;
 import javafx.beans.property.SimpleBooleanProperty;
 import javafx.beans.property.SimpleObjectProperty;
 import lightning.base.text.Messages;
+import lightning.editor.document.PictureArea;
 
 /** Layout of the window: sizes and visibility of pictures, panels and timeline. */
 public final class WindowLayout {
     private final ObjectProperty<CanvasLayout> canvasLayout = new SimpleObjectProperty<>(CanvasLayout.SIDE_BY_SIDE);
     private final BooleanProperty panelsHidden = new SimpleBooleanProperty();
 
+    private Supplier<PictureArea> pictureArea = () -> PictureArea.DEFAULT;
     private final BooleanProperty timelineShown = new SimpleBooleanProperty();
     private final BooleanProperty filmStripShown = new SimpleBooleanProperty();
 
@@ -56,6 +59,16 @@ public final class WindowLayout {
     /** True if the timeline shows its filmstrip. */
     public BooleanProperty filmStripShownProperty() {
         return filmStripShown;
+    }
+
+    /** Returns the area in which the traced picture is shown. */
+    public PictureArea pictureArea() {
+        return pictureArea.get();
+    }
+
+    /** Sets the source of {@link #pictureArea}. */
+    public void setPictureArea(Supplier<PictureArea> source) {
+        pictureArea = source;
     }
 
     /** Restores the arrangement. Panels are always shown at startup. */

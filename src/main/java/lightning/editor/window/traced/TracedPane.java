@@ -99,6 +99,7 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         pendingBadge = new Badge("pending", scheduler);
         mirrorsBadge = new Badge("mirrors", scheduler);
         lookBadge = new Badge("look", scheduler);
+        model.layout().setPictureArea(picture::area);
         setId("traced");
         getStyleClass().add("canvas-pane");
         mouse = new TracedMouse(model, picture, this::showPixel);

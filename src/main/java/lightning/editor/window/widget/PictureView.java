@@ -13,6 +13,7 @@ import javafx.scene.image.PixelFormat;
 import javafx.scene.image.WritableImage;
 import javafx.scene.layout.Region;
 import javafx.scene.shape.Rectangle;
+import lightning.editor.document.PictureArea;
 
 /** View of a pixel buffer that changes in place, fitted to the view or zoomed and panned. */
 public final class PictureView extends Region {
@@ -176,6 +177,11 @@ public final class PictureView extends Region {
     public void wipeTo(double x) {
         wipe.setShare((x - image.getLayoutX()) / Math.max(1, image.getFitWidth()));
         requestLayout();
+    }
+
+    /** Returns the area of the view, physical pixels. */
+    public PictureArea area() {
+        return PictureArea.of(getWidth() * screenScale(), getHeight() * screenScale());
     }
 
     private double screenScale() {
