@@ -55,32 +55,6 @@ abstract sealed class PictureOutput permits SinglePictureOutput, FrameSequenceOu
         view = newView.withExposure(view.exposure());
     }
 
-    /** Parses names of display curves and paths of .cube files. */
-    private static final class ViewConverter implements ITypeConverter<ViewTransform> {
-        @Override
-        public ViewTransform convert(String text) {
-            int plus = text.indexOf('+');
-            Optional<DisplayCurve> curve = curve(plus < 0 ? text : text.substring(0, plus));
-            String file = curve.isEmpty() ? text : plus < 0 ? "" : text.substring(plus + 1);
-            ViewTransform shown = ViewTransform.DEFAULT.withCurve(curve.orElse(DisplayCurve.SRGB));
-            if (file.isEmpty()) {
-                return shown;
-            }
-            if (!file.endsWith(CubeLutReader.EXTENSION)) {
-                throw new TypeConversionException("expected srgb, 1998, filmic, aces, false or a .cube file, found " + Quote.of(file));
-            }
-            try {
-                return shown.withLut(Optional.of(CubeLutReader.read(Path.of(file))));
-            } catch (InvalidPathException | IOException e) {
-                throw new TypeConversionException("expected a .cube LUT: " + e.getMessage());
-            }
-        }
-
-        private static Optional<DisplayCurve> curve(String word) {
-            return Arrays.stream(DisplayCurve.values()).filter(curve -> curve.word().equals(word)).findFirst();
-        }
-    }
-
     /** Returns the view transform. */
     ViewTransform view() {
         return view;

@@ -217,7 +217,7 @@ class RenderCommandTest {
         "--depth | -1 | --depth must be from 0 to 10, was -1",
         "--depth | x | --depth",
         "--threads | 0 | --threads must be from 1 to 1024, was 0",
-        "--view | rec709 | expected srgb, 1998, filmic, aces, false or a .cube file, found 'rec709'",
+        "--view | rec709 | expected srgb, 1998, filmic, aces, agx, false or a .cube file, found 'rec709'",
         "--exposure | 65 | --exposure must be from -64 to 64 stops, was 65"})
     void invalidOption_isRejected(String option, String value, String sentence) {
         CliResult.run("render", scene, "-o", folder.resolve("a.png"), option, value).assertRejected(sentence);
