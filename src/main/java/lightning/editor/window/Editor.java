@@ -19,7 +19,6 @@ import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.model.Preferences;
 import lightning.editor.window.model.PreviewSettings;
 import lightning.editor.window.widget.ColorTheme;
-import lightning.render.image.ViewTransform;
 
 /** Editor of one document in one window, from opening to closing. */
 public final class Editor implements AutoCloseable {
@@ -117,7 +116,7 @@ public final class Editor implements AutoCloseable {
     /** Saves each choice immediately, so that a crash does not lose it. */
     private void savePreferencesOnChange() {
         PreviewSettings settings = model.previewSettings();
-        for (Observable choice : List.of(model.accuracyModeProperty(), model.picture().viewProperty().map(ViewTransform::curve),
+        for (Observable choice : List.of(model.accuracyModeProperty(),
                 settings.glowingTexturesProperty(),
                 settings.gizmoSizeProperty(), model.commands().keyBindings().changesProperty(), model.layout().canvasLayoutProperty(),
                 model.languageProperty(),
@@ -132,7 +131,6 @@ public final class Editor implements AutoCloseable {
         preferences.set("height", stage.getScene().getHeight());
         preferences.set("theme", ColorTheme.current().name());
         model.languageProperty().get().save(preferences);
-        preferences.set("curve", model.picture().viewProperty().get().curve().name());
         model.previewSettings().save(preferences);
         model.commands().keyBindings().save(preferences);
         model.layout().save(preferences);
