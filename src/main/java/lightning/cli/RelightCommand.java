@@ -11,12 +11,12 @@ import lightning.bench.accuracy.Verification;
 import lightning.bench.accuracy.WarmSaving;
 import lightning.format.jen.JenDocument;
 import lightning.render.cache.PixelCache;
+import lightning.render.image.ViewTransform;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.UpdateResult;
 import lightning.render.relight.plan.Accuracy;
 import lightning.render.relight.tile.MirrorStorage;
 import lightning.render.relight.tile.RenderOptions;
-import lightning.render.image.ViewTransform;
 import lightning.scene.Scene;
 import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Command;
@@ -128,7 +128,8 @@ final class RelightCommand implements Callable<Integer> {
     }
 
     /** Runs an update, prints its summary and verifies it if requested; returns false if it is less accurate than promised. */
-    private boolean relight(ViewTransform view, String title, WarmSaving.UpdateStep step, Renderer renderer, WorkerPool workers, ProgressBar bar) {
+    private boolean relight(ViewTransform view, String title, WarmSaving.UpdateStep step, Renderer renderer, WorkerPool workers,
+            ProgressBar bar) {
         PixelCache start = renderer.cache();
         WarmSaving.UpdateStep stepWithView = (r, progress) -> {
             r.setView(view.exposure(), view.steepestCurve());

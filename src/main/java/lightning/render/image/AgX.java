@@ -72,7 +72,8 @@ final class AgX {
 
     /** Returns the curve: 0 at 0, 1 at 1, with {@link #SLOPE} at the pivot. */
     private static double sigmoid(double x) {
-        return x < PIVOT_X ? PIVOT_Y - rise(PIVOT_X - x, TOE_SCALE, TOE_POWER) : PIVOT_Y + rise(x - PIVOT_X, SHOULDER_SCALE, SHOULDER_POWER);
+        return x < PIVOT_X ? PIVOT_Y - rise(PIVOT_X - x, TOE_SCALE, TOE_POWER)
+                : PIVOT_Y + rise(x - PIVOT_X, SHOULDER_SCALE, SHOULDER_POWER);
     }
 
     /** Returns the distance from the pivot's value at a distance from the pivot; straight at first, then less and less steep. */

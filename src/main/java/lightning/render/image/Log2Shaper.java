@@ -22,7 +22,8 @@ public record Log2Shaper(double min, double max) {
     /** @throws IllegalArgumentException if the stops do not rise, or are outside −64…64 */
     public Log2Shaper {
         if (!(min < max && min >= -MAX_STOPS && max <= MAX_STOPS)) {
-            throw new IllegalArgumentException("log2: expected two rising numbers of stops from -64 to 64, found " + text(min) + "," + text(max));
+            throw new IllegalArgumentException(
+                    "log2: expected two rising numbers of stops from -64 to 64, found " + text(min) + "," + text(max));
         }
     }
 

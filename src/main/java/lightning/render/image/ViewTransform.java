@@ -247,7 +247,8 @@ public record ViewTransform(double exposure, DisplayCurve curve, Optional<CubeLu
 
     /** Returns a description, for example {@code Filmic (Hable), look.cube, +0.5 stops}. */
     public String description() {
-        return (hasLut() && shaper.isPresent() ? shaper.get().text() : curve.title()) + lut.map(table -> ", " + Quote.path(table.file().getFileName())).orElse("") + (exposure == 0 ? ""
-                : ", " + (exposure > 0 ? "+" : "") + BigDecimal.valueOf(exposure).stripTrailingZeros().toPlainString() + " stops");
+        return (hasLut() && shaper.isPresent() ? shaper.get().text() : curve.title())
+                + lut.map(table -> ", " + Quote.path(table.file().getFileName())).orElse("") + (exposure == 0 ? ""
+                        : ", " + (exposure > 0 ? "+" : "") + BigDecimal.valueOf(exposure).stripTrailingZeros().toPlainString() + " stops");
     }
 }

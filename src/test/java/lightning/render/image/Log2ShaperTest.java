@@ -47,7 +47,8 @@ class Log2ShaperTest {
     @ParameterizedTest
     @CsvSource({"1, 1", "2, 1", "NaN, 1", "0, Infinity", "-65, 0", "0, 65"})
     void invalidStops_areRejected(double min, double max) {
-        assertThatThrownBy(() -> new Log2Shaper(min, max)).hasMessageContaining("log2: expected two rising numbers of stops from -64 to 64");
+        assertThatThrownBy(() -> new Log2Shaper(min, max))
+                .hasMessageContaining("log2: expected two rising numbers of stops from -64 to 64");
     }
 
     /** A table that inverts its channels, after the logarithm of −10 to 6.5 stops. Middle gray becomes 1 − 10 / 16.5. */

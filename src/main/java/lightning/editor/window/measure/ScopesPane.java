@@ -55,7 +55,8 @@ public final class ScopesPane extends VBox {
 
     /** Subscribes to changes of the picture and the view. */
     private Subscription subscribe() {
-        return Subscription.combine(picture.renderStateProperty().subscribe(_ -> update()), picture.outputViewProperty().subscribe(_ -> update()),
+        return Subscription.combine(picture.renderStateProperty().subscribe(_ -> update()),
+                picture.outputViewProperty().subscribe(_ -> update()),
                 () -> frame = null, feed::close);
     }
 

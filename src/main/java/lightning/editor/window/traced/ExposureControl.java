@@ -59,7 +59,8 @@ final class ExposureControl extends HBox {
         var stops =
                 new NumberField(Messages.tr("Exposure in stops"), NumberSetting.of("exposure", STEPS, NumberUnit.STOPS, this::set));
         stops.setId("exposure-stops");
-        Tooltip.install(this, new Tooltip(Messages.tr("Exposure of the view in stops (double-click to reset).\nSaved in the scene; the lights do not change.")));
+        Tooltip.install(this, new Tooltip(
+                Messages.tr("Exposure of the view in stops (double-click to reset).\nSaved in the scene; the lights do not change.")));
         setAlignment(Pos.CENTER);
         setSpacing(4);
         getChildren().setAll(List.<Node>of(new FontIcon(MaterialDesignB.BRIGHTNESS_6), slider, stops));

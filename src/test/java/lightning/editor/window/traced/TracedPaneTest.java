@@ -22,11 +22,11 @@ import lightning.editor.document.DeskScene;
 import lightning.editor.document.LightEdits;
 import lightning.editor.document.NumericParameter;
 import lightning.editor.window.EditorFixture;
+import lightning.editor.window.model.AccuracyMode;
 import lightning.editor.window.widget.PictureView;
 import lightning.editor.window.widget.TextTyping;
 import lightning.format.image.CubeLutReader;
 import lightning.format.image.ImageFile;
-import lightning.editor.window.model.AccuracyMode;
 import lightning.render.image.DisplayCurve;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
@@ -34,11 +34,11 @@ import lightning.render.relight.LightImage;
 import lightning.render.shading.LightReport;
 import lightning.render.shading.PixelExplainer;
 import lightning.render.shading.ReferenceTracer;
-import lightning.scene.effects.RenderEffect;
-import lightning.scene.effects.ViewEffects;
 import lightning.scene.Scene;
 import lightning.scene.ViewCurve;
 import lightning.scene.ViewSettings;
+import lightning.scene.effects.RenderEffect;
+import lightning.scene.effects.ViewEffects;
 import org.junit.jupiter.api.Test;
 
 class TracedPaneTest extends EditorFixture {
