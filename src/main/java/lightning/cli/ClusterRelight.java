@@ -12,6 +12,7 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
 import lightning.base.work.DedicatedThread;
 import lightning.render.image.Film;
+import lightning.scene.Scene;
 import lightning.shot.FrameState;
 import lightning.shot.FrameUpdate;
 import lightning.shot.HostLostException;
@@ -83,7 +84,7 @@ record ClusterRelight(Console console, PictureOutput output, NodeConfig config, 
                 long start = System.nanoTime();
                 double relighting = relightAll(shot, edited.get(group), counts, "relighting");
                 int traced = counts.traced.get();
-                write(shot, groups.get(group), range, counts);
+                write(shot, edited.get(group).scene(), groups.get(group), range, counts);
                 console.print("%d. %s relit by %s in %.1f ms, %d of them retraced; %.1f ms including images", group + 1,
                         Console.count(range.count(), "frame"), nodes(shot), relighting, traced, (System.nanoTime() - start) / 1e6);
             }
@@ -124,14 +125,14 @@ record ClusterRelight(Console console, PictureOutput output, NodeConfig config, 
         }
     }
 
-    private void write(DistributedShot shot, FrameFiles files, FrameRange range, FrameCounts counts) throws Exception {
+    private void write(DistributedShot shot, Scene scene, FrameFiles files, FrameRange range, FrameCounts counts) throws Exception {
         List<Future<?>> pictures = new ArrayList<>();
         ExecutorService writers = Executors.newFixedThreadPool(threads, DedicatedThread.factory("lightning-pictures"));
         try (ProgressBar bar = new ProgressBar(console, "writing")) {
             for (int frame = range.first(); frame <= range.last(); frame++) {
                 int next = frame;
                 pictures.add(writers.submit(() -> {
-                    output.write(film(shot, next, counts, bar), files.file(next));
+                    output.write(scene, film(shot, next, counts, bar), files.file(next));
                     return null;
                 }));
             }

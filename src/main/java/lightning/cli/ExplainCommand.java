@@ -9,8 +9,8 @@ import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
 import lightning.render.fulltrace.TraditionalTracer;
 import lightning.render.image.Film;
-import lightning.render.image.ViewTransform;
 import lightning.render.relight.MemoryEstimate;
+import lightning.render.relight.SceneView;
 import lightning.render.shading.LightReport;
 import lightning.render.shading.PixelExplainer;
 import lightning.render.shading.PointReport;
@@ -99,9 +99,9 @@ final class ExplainCommand implements Callable<Integer> {
                         Console.count(scene.picture().sampling().samplesPerPixel(), "ray"));
             }
         }
-        ViewTransform view = ViewTransform.DEFAULT;
-        console.print("pixel: linear %s %s %s, displayed %d %d %d", c[0], c[1], c[2], view.encode(c[0]), view.encode(c[1]),
-                view.encode(c[2]));
+        int displayed = SceneView.of(scene).pack(c[0], c[1], c[2]);
+        console.print("pixel: linear %s %s %s, displayed %d %d %d", c[0], c[1], c[2], displayed >> 16 & 0xFF, displayed >> 8 & 0xFF,
+                displayed & 0xFF);
     }
 
     /** Returns the pixel's color in the film. */

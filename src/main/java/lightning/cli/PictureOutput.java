@@ -1,28 +1,21 @@
 package lightning.cli;
 
 import java.io.IOException;
-import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
-import java.util.Arrays;
-import java.util.Optional;
 import lightning.base.file.AtomicFile;
-import lightning.base.text.Quote;
 import lightning.base.work.HeapBudget;
 import lightning.base.work.WorkerPool;
-import lightning.format.image.CubeLutReader;
 import lightning.format.image.ImageFile;
 import lightning.format.image.ImageFormat;
 import lightning.render.image.Clipping;
-import lightning.render.image.DisplayCurve;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
+import lightning.render.relight.SceneView;
 import lightning.scene.Scene;
-import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
-import picocli.CommandLine.TypeConversionException;
 
 /** Options for the format and display transform of written images; subclasses add the output path. */
 abstract sealed class PictureOutput permits SinglePictureOutput, FrameSequenceOutput {
@@ -33,13 +26,13 @@ abstract sealed class PictureOutput permits SinglePictureOutput, FrameSequenceOu
             description = "Bits per channel: PNG 8 or 16, EXR 16 (half) or 32 (float) (default: the smaller number).")
     private Integer bits;
 
-    private ViewTransform view = ViewTransform.DEFAULT;
+    private Double exposure;
 
     @Option(names = "--exposure", paramLabel = "STOPS",
-            description = "Exposure in stops, for PNG and XPM (default: 0).")
+            description = "Exposure in stops, for PNG and XPM (default: the scene's).")
     private void setExposure(double stops) {
         try {
-            view = view.withExposure(stops);
+            exposure = ViewTransform.DEFAULT.withExposure(stops).exposure();
         } catch (IllegalArgumentException e) {
             throw new ParameterException(command.commandLine(), "--" + e.getMessage());
         }
@@ -49,41 +42,15 @@ abstract sealed class PictureOutput permits SinglePictureOutput, FrameSequenceOu
     abstract Path file();
 
     @Option(names = "--view", paramLabel = "VIEW", converter = ViewConverter.class,
-            description = "View transform, for PNG and XPM: srgb, 1998 (linear, no curve), filmic or aces (highlight roll-off), false "
-                    + "(false color, one color per stop), a .cube LUT, or a transform with a LUT: filmic+look.cube (default: srgb).")
-    private void setView(ViewTransform newView) {
-        view = newView.withExposure(view.exposure());
-    }
+            description = "View transform, for PNG and XPM: srgb, 1998 (linear, no curve), filmic, aces or agx (highlight roll-off), false "
+                    + "(false color, one color per stop), a .cube LUT, a transform with a LUT: filmic+look.cube, or a logarithm with a "
+                    + "LUT: log2:-10,6.5+look.cube (default: the scene's).")
+    private ViewTransform view;
 
-    /** Parses names of display curves and paths of .cube files. */
-    private static final class ViewConverter implements ITypeConverter<ViewTransform> {
-        @Override
-        public ViewTransform convert(String text) {
-            int plus = text.indexOf('+');
-            Optional<DisplayCurve> curve = curve(plus < 0 ? text : text.substring(0, plus));
-            String file = curve.isEmpty() ? text : plus < 0 ? "" : text.substring(plus + 1);
-            ViewTransform shown = ViewTransform.DEFAULT.withCurve(curve.orElse(DisplayCurve.SRGB));
-            if (file.isEmpty()) {
-                return shown;
-            }
-            if (!file.endsWith(CubeLutReader.EXTENSION)) {
-                throw new TypeConversionException("expected srgb, 1998, filmic, aces, false or a .cube file, found " + Quote.of(file));
-            }
-            try {
-                return shown.withLut(Optional.of(CubeLutReader.read(Path.of(file))));
-            } catch (InvalidPathException | IOException e) {
-                throw new TypeConversionException("expected a .cube LUT: " + e.getMessage());
-            }
-        }
-
-        private static Optional<DisplayCurve> curve(String word) {
-            return Arrays.stream(DisplayCurve.values()).filter(curve -> curve.word().equals(word)).findFirst();
-        }
-    }
-
-    /** Returns the view transform. */
-    ViewTransform view() {
-        return view;
+    /** Returns the view transform of a scene's image: the options', else the scene's. */
+    ViewTransform view(Scene scene) {
+        ViewTransform ofScene = SceneView.of(scene);
+        return (view == null ? ofScene : view).withExposure(exposure == null ? ofScene.exposure() : exposure);
     }
 
     /** Checks that the output can be written, before a long computation. */
@@ -121,8 +88,8 @@ abstract sealed class PictureOutput permits SinglePictureOutput, FrameSequenceOu
     }
 
     /** Writes the image to another file than {@link #file}. */
-    void write(Film film, Path picture) throws IOException {
-        ImageFile.write(picture, film, view, bits(picture));
+    void write(Scene scene, Film film, Path picture) throws IOException {
+        ImageFile.write(picture, film, view(scene), bits(picture));
     }
 
     /**
@@ -130,11 +97,12 @@ abstract sealed class PictureOutput permits SinglePictureOutput, FrameSequenceOu
      *
      * @param threads number of threads that encode it
      */
-    void write(Film film, int threads, Console console) throws IOException {
+    void write(Scene scene, Film film, int threads, Console console) throws IOException {
+        ViewTransform shown = view(scene);
         try (WorkerPool workers = new WorkerPool(threads)) {
-            ImageFile.write(file(), film, view, bits(), workers);
+            ImageFile.write(file(), film, shown, bits(), workers);
         }
-        Clipping clipping = Clipping.of(film, view);
+        Clipping clipping = Clipping.of(film, shown);
         if (clipping.clippedPixels() > 0 && ImageFormat.of(file()).isDisplayReferred()) {
             console.print("%s: %d of %d pixels (%.1f %%) are clipped, the peak is %.3g times white", file(),
                     clipping.clippedPixels(), clipping.totalPixels(), 100.0 * clipping.clippedPixels() / clipping.totalPixels(),

@@ -11,6 +11,7 @@ import lightning.bench.accuracy.Verification;
 import lightning.bench.accuracy.WarmSaving;
 import lightning.format.jen.JenDocument;
 import lightning.render.cache.PixelCache;
+import lightning.render.image.ViewTransform;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.UpdateResult;
 import lightning.render.relight.plan.Accuracy;
@@ -113,12 +114,12 @@ final class RelightCommand implements Callable<Integer> {
             console.print("first pass: %.1f ms, %s", first.milliseconds(), Console.count(first.rays().total(), "ray"));
             for (int group = 0; group < edited.size(); group++) {
                 Scene scene = picture.apply(edited.get(group));
-                allKept &= relight(group + 1 + ".", (r, progress) -> r.render(scene, progress), renderer, workers, bar);
+                allKept &= relight(output.view(scene), group + 1 + ".", (r, progress) -> r.render(scene, progress), renderer, workers, bar);
             }
             if (updateReflections) {
-                allKept &= relight("mirrors:", Renderer::updateReflections, renderer, workers, bar);
+                allKept &= relight(output.view(edited.getLast()), "mirrors:", Renderer::updateReflections, renderer, workers, bar);
             }
-            output.write(renderer.film(), threads.count(), console);
+            output.write(edited.getLast(), renderer.film(), threads.count(), console);
         }
         if (saveFile != null) {
             document.withScene(edited.getLast()).save(saveFile);
@@ -127,10 +128,11 @@ final class RelightCommand implements Callable<Integer> {
     }
 
     /** Runs an update, prints its summary and verifies it if requested; returns false if it is less accurate than promised. */
-    private boolean relight(String title, WarmSaving.UpdateStep step, Renderer renderer, WorkerPool workers, ProgressBar bar) {
+    private boolean relight(ViewTransform view, String title, WarmSaving.UpdateStep step, Renderer renderer, WorkerPool workers,
+            ProgressBar bar) {
         PixelCache start = renderer.cache();
         WarmSaving.UpdateStep stepWithView = (r, progress) -> {
-            r.setView(output.view().exposure(), output.view().steepestCurve());
+            r.setView(view.exposure(), view.steepestCurve());
             return step.run(r, progress);
         };
         UpdateResult update = stepWithView.run(renderer, bar);

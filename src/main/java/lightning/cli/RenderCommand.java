@@ -110,7 +110,7 @@ final class RenderCommand implements Callable<Integer> {
     }
 
     private void write(Scene scene, Film film, String title, double milliseconds, RayCounts rays) throws Exception {
-        output.write(film, threads.count(), console);
+        output.write(scene, film, threads.count(), console);
         printSummary(scene, film, title, milliseconds, rays);
     }
 

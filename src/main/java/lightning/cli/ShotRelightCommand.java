@@ -189,13 +189,14 @@ final class ShotRelightCommand implements Callable<Integer> {
                     Console.count(range.count() - usage.memoryFrames() - usage.diskFrames(), "frame"), problem));
             for (int group = 0; group < revisions.size(); group++) {
                 FrameFiles files = groups.get(group);
+                Scene scene = revisions.get(group).scene();
                 double totalMilliseconds;
                 try (var writing = new PictureWriteQueue(threads.count())) {
                     totalMilliseconds = progress.run(shot, revisions.get(group), console, "relighting", update -> {
                         if (writing.hasFailed()) {
                             throw new CancellationException();
                         }
-                        writing.write(() -> output.write(update.film(), files.file(update.frame())));
+                        writing.write(() -> output.write(scene, update.film(), files.file(update.frame())));
                     });
                     writing.finish();
                 }

@@ -104,7 +104,7 @@ final class ShotRenderCommand implements Callable<Integer> {
     private void render(ShotFrames shot, Scene scene, List<Integer> frames, FrameFiles files) throws Exception {
         Path firstFile = files.file(0);
         renderFrames(shot, scene, frames, PictureOutput.availableMemory(scene, firstFile), (frame, film) -> {
-            output.write(film, files.file(frame));
+            output.write(scene, film, files.file(frame));
             return files.file(frame).toString();
         });
     }
@@ -115,7 +115,7 @@ final class ShotRenderCommand implements Callable<Integer> {
         PictureOutput.checkFile(output.file());
         List<Integer> frames = IntStream.rangeClosed(range.first(), range.last()).boxed().toList();
         AtomicFile.of(output.file()).writeToPath(temporary -> {
-            try (var movie = new MovieWriter(ffmpeg, kind, shot.shot().rate(), output.view(), temporary)) {
+            try (var movie = new MovieWriter(ffmpeg, kind, shot.shot().rate(), output.view(scene), temporary)) {
                 renderFrames(shot, scene, frames, HeapBudget.availableBytes() - MovieWriter.requiredBytes(scene.picture()),
                         (frame, film) -> {
                             movie.add(film);

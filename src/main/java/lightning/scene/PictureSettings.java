@@ -10,8 +10,10 @@ import java.util.Optional;
  * @param depth    maximum reflection bounces, 0 to 10
  * @param sampling samples per pixel
  * @param indirect diffuse indirect light; empty for none
+ * @param view     view transform, which does not affect the linear image
  */
-public record PictureSettings(int width, int height, int depth, SamplingSettings sampling, Optional<IndirectSettings> indirect) {
+public record PictureSettings(int width, int height, int depth, SamplingSettings sampling, Optional<IndirectSettings> indirect,
+        ViewSettings view) {
     public static final SceneAttribute<PictureSettings, Integer> DEPTH = new SceneAttribute<>("depth", "depth", "reflection bounces",
             NumericKind.integer(0, SceneLimits.MAX_DEPTH), 3, "reflection bounces", PictureSettings::depth, PictureSettings::withDepth);
 
@@ -27,6 +29,11 @@ public record PictureSettings(int width, int height, int depth, SamplingSettings
         this(width, height, depth, sampling, Optional.empty());
     }
 
+    /** Creates settings with the default view. */
+    public PictureSettings(int width, int height, int depth, SamplingSettings sampling, Optional<IndirectSettings> indirect) {
+        this(width, height, depth, sampling, indirect, ViewSettings.DEFAULT);
+    }
+
     public PictureSettings {
         SceneLimits.checkRange("size: width", width, 1, SceneLimits.MAX_SIZE);
         SceneLimits.checkRange("size: height", height, 1, SceneLimits.MAX_SIZE);
@@ -34,18 +41,27 @@ public record PictureSettings(int width, int height, int depth, SamplingSettings
     }
 
     public PictureSettings withSize(int newWidth, int newHeight) {
-        return new PictureSettings(newWidth, newHeight, depth, sampling, indirect);
+        return new PictureSettings(newWidth, newHeight, depth, sampling, indirect, view);
     }
 
     public PictureSettings withDepth(int newDepth) {
-        return new PictureSettings(width, height, newDepth, sampling, indirect);
+        return new PictureSettings(width, height, newDepth, sampling, indirect, view);
     }
 
     public PictureSettings withSampling(SamplingSettings newSampling) {
-        return new PictureSettings(width, height, depth, newSampling, indirect);
+        return new PictureSettings(width, height, depth, newSampling, indirect, view);
     }
 
     public PictureSettings withIndirect(Optional<IndirectSettings> newIndirect) {
-        return new PictureSettings(width, height, depth, sampling, newIndirect);
+        return new PictureSettings(width, height, depth, sampling, newIndirect, view);
+    }
+
+    public PictureSettings withView(ViewSettings newView) {
+        return new PictureSettings(width, height, depth, sampling, indirect, newView);
+    }
+
+    /** Returns whether both give the same linear image: they differ in the view at most. */
+    public boolean hasSameImage(PictureSettings o) {
+        return equals(o.withView(view));
     }
 }

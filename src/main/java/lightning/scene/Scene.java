@@ -81,6 +81,12 @@ public record Scene(PictureSettings picture, Camera camera, World world, Stage s
         return picture.width() == o.picture.width() && picture.height() == o.picture.height() && camera.equals(o.camera);
     }
 
+    /** Returns whether both differ in the view transform at most, so that they have the same linear image. */
+    public boolean hasSameImage(Scene o) {
+        return picture.hasSameImage(o.picture) && camera.equals(o.camera) && world.equals(o.world) && stage.equals(o.stage)
+                && rig.equals(o.rig);
+    }
+
     /**
      * Returns this scene with the light of the same name replaced.
      *

@@ -68,6 +68,7 @@ public final class SceneDiff {
             addPart(new Change(Messages.key("anti-aliasing"), sampling(before), sampling(after)));
             addIndirect(before.picture().indirect(), after.picture().indirect());
             addPart(new Change(Messages.key("size"), size(before), size(after)));
+            addView(before.picture().view(), after.picture().view());
         }
         boolean describable = addMaterials(before, after) & addNodes(before, after);
         boolean hasOtherChanges = !describable || !before.withPicture(after.picture()).hasSameView(after)
@@ -277,6 +278,12 @@ public final class SceneDiff {
         } else {
             addPart(new Change(Messages.key("indirect light"), indirect(before), indirect(after)));
         }
+    }
+
+    private void addView(ViewSettings before, ViewSettings after) {
+        addPart(new Change(Messages.key("view transform"), before.curve().word(), after.curve().word()));
+        addPart(new Change(Messages.key("view exposure"), NumericKind.formatShort(before.exposure()),
+                NumericKind.formatShort(after.exposure())));
     }
 
     private static String indirect(Optional<IndirectSettings> settings) {

@@ -16,9 +16,9 @@ public final class VisibleState {
         return scene.withRig(LightRig.EMPTY).withNodes(List.of()).withLights(lights(scene));
     }
 
-    /** Returns whether two scenes certainly give the same image. */
+    /** Returns whether two scenes certainly give the same linear image; their views may differ. */
     public static boolean isSame(Scene a, Scene b) {
-        return a.stage().equals(b.stage()) && a.picture().equals(b.picture()) && a.camera().equals(b.camera())
+        return a.stage().equals(b.stage()) && a.picture().hasSameImage(b.picture()) && a.camera().equals(b.camera())
                 && a.world().equals(b.world()) && sameLights(a, b);
     }
 

@@ -17,6 +17,8 @@ import lightning.format.image.ImageFile;
 import lightning.format.jen.JenReader;
 import lightning.render.image.DisplayCurve;
 import lightning.render.image.Film;
+import lightning.render.image.FilmAssert;
+import lightning.render.image.Log2Shaper;
 import lightning.render.image.ViewTransform;
 import lightning.render.shading.ReferenceTracer;
 import lightning.scene.Scene;
@@ -154,6 +156,46 @@ class RenderCommandTest {
     }
 
     @Test
+    void log2View_bringsLogarithmsToTable() throws Exception {
+        Path linear = folder.resolve("linear.pfm");
+        Path table = Files.writeString(folder.resolve("inverse.cube"), "LUT_1D_SIZE 2\n1 1 1\n0 0 0\n");
+        CliResult.run("render", scene, "-o", linear).assertSuccess();
+        Path shown = folder.resolve("shown.png");
+        for (String word : List.of("log2", "log2:-10,6.5")) {
+            CliResult.run("render", scene, "-o", shown, "--view", word + "+" + table).assertSuccess();
+            ViewTransform expected = ViewTransform.DEFAULT.withLut(Optional.of(CubeLutReader.read(table)))
+                    .withShaper(Optional.of(word.length() == 4 ? new Log2Shaper(-6.5, 6.5) : new Log2Shaper(-10, 6.5)));
+            assertThat(ViewTransform.DEFAULT.toPixels(ImageFile.read(shown))).isEqualTo(expected.toPixels(ImageFile.read(linear)));
+        }
+    }
+
+    @Test
+    void viewOfScene_isUsedUnlessOptionsReplaceIt() throws Exception {
+        Path viewed = folder.resolve("viewed.jen");
+        Files.writeString(viewed, Files.readString(Path.of(scene.toString())).replace("picture {", "picture { view agx  exposure 1.5 "));
+        assertThat(Files.readString(viewed)).contains("agx");
+        Path linear = folder.resolve("linear.pfm");
+        Path shown = folder.resolve("shown.png");
+        CliResult.run("render", scene, "-o", linear).assertSuccess();
+        Film film = ImageFile.read(linear);
+        CliResult.run("render", viewed, "-o", linear).assertSuccess();
+        assertThat(Files.readAllBytes(linear)).isNotEmpty();
+        FilmAssert.assertSameBits(ImageFile.read(linear), film, "linear");
+        CliResult.run("render", viewed, "-o", shown).assertSuccess();
+        assertShows(shown, film, new ViewTransform(1.5, DisplayCurve.AGX));
+        CliResult.run("render", viewed, "-o", shown, "--view", "filmic").assertSuccess();
+        assertShows(shown, film, new ViewTransform(1.5, DisplayCurve.FILMIC));
+        CliResult.run("render", viewed, "-o", shown, "--exposure", "0").assertSuccess();
+        assertShows(shown, film, new ViewTransform(0, DisplayCurve.AGX));
+        CliResult.run("render", viewed, "-o", shown, "--view", "srgb", "--exposure", "0").assertSuccess();
+        assertShows(shown, film, ViewTransform.DEFAULT);
+    }
+
+    private static void assertShows(Path shown, Film linear, ViewTransform view) throws Exception {
+        assertThat(ViewTransform.DEFAULT.toPixels(ImageFile.read(shown))).isEqualTo(view.toPixels(linear));
+    }
+
+    @Test
     void xpm_isWrittenAsText() throws Exception {
         Path picture = folder.resolve("a.xpm");
         CliResult.run("render", scene, "-o", picture).assertSuccess();
@@ -217,7 +259,10 @@ class RenderCommandTest {
         "--depth | -1 | --depth must be from 0 to 10, was -1",
         "--depth | x | --depth",
         "--threads | 0 | --threads must be from 1 to 1024, was 0",
-        "--view | rec709 | expected srgb, 1998, filmic, aces, false or a .cube file, found 'rec709'",
+        "--view | rec709 | expected srgb, 1998, filmic, aces, agx, false or a .cube file, found 'rec709'",
+        "--view | log2 | expected a .cube file after log2, such as log2+look.cube",
+        "--view | log2:1+a.cube | expected two numbers of stops such as log2:-6.5,6.5, found 'log2:1'",
+        "--view | log2:2,x+a.cube | log2: expected two rising numbers of stops from -64 to 64, found 2,NaN",
         "--exposure | 65 | --exposure must be from -64 to 64 stops, was 65"})
     void invalidOption_isRejected(String option, String value, String sentence) {
         CliResult.run("render", scene, "-o", folder.resolve("a.png"), option, value).assertRejected(sentence);

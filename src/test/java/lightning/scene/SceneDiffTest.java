@@ -33,6 +33,8 @@ class SceneDiffTest {
         assertThat(SceneDiff.describe(indirect, scene.withPicture(
                 scene.picture().withIndirect(Optional.of(new IndirectSettings(3, 64, 8, true))))))
                 .isEqualTo("indirect bounces 2 → 3, indirect background off → on");
+        assertThat(diffTo(scene.withPicture(scene.picture().withView(new ViewSettings(ViewCurve.AGX, 0.5)))))
+                .isEqualTo("view transform srgb → agx, view exposure 0 → 0.5");
         assertThat(diffTo(scene.withWorld(scene.world().withBackground(Rgb.WHITE)))).isEqualTo("the scene");
     }
 

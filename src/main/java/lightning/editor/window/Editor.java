@@ -19,7 +19,6 @@ import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.model.Preferences;
 import lightning.editor.window.model.PreviewSettings;
 import lightning.editor.window.widget.ColorTheme;
-import lightning.render.image.ViewTransform;
 
 /** Editor of one document in one window, from opening to closing. */
 public final class Editor implements AutoCloseable {
@@ -120,7 +119,6 @@ public final class Editor implements AutoCloseable {
     private void savePreferencesOnChange() {
         PreviewSettings settings = model.previewSettings();
         for (Observable choice : List.of(model.accuracyModeProperty(), model.editor().liveProperty(),
-                model.picture().viewProperty().map(ViewTransform::curve),
                 settings.glowingTexturesProperty(),
                 settings.gizmoSizeProperty(), model.commands().keyBindings().changesProperty(), model.layout().canvasLayoutProperty(),
                 model.languageProperty(),
@@ -135,7 +133,6 @@ public final class Editor implements AutoCloseable {
         preferences.set("height", stage.getScene().getHeight());
         preferences.set("theme", ColorTheme.current().name());
         model.languageProperty().get().save(preferences);
-        preferences.set("curve", model.picture().viewProperty().get().curve().name());
         model.previewSettings().save(preferences);
         model.commands().keyBindings().save(preferences);
         model.layout().save(preferences);

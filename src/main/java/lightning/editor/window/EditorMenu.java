@@ -138,7 +138,7 @@ final class EditorMenu extends MenuBar {
         Menu view = menu(Messages.tr("View"), Command.ONLY_SELECTED, Command.SCOPES);
         view.getItems().add(
                 new Menu(Messages.tr("View Options"), null,
-                        ViewMenuItems.of(model.picture().viewProperty(), items).toArray(MenuItem[]::new)));
+                        ViewMenuItems.of(model.viewActions(), items).toArray(MenuItem[]::new)));
         add(view, SEPARATOR, Command.TRACED_FIT, Command.TRACED_ONE_TO_ONE, Command.TRACED_ZOOM_IN, Command.TRACED_ZOOM_OUT, Command.REGION,
                 SEPARATOR, Command.VIEW_X, Command.VIEW_Y, Command.VIEW_Z, Command.VIEW_ALL, SEPARATOR);
         view.getItems().addAll(PreviewMenuItems.of(model.previewSettings(), items));

@@ -10,8 +10,8 @@ import lightning.editor.window.model.Preferences;
 import lightning.editor.window.model.StartupPreview;
 import lightning.editor.window.model.UiLanguage;
 import lightning.editor.window.traced.TracedPane;
-import lightning.render.image.DisplayCurve;
 import lightning.render.image.ViewTransform;
+import lightning.render.relight.SceneView;
 
 /**
  * Document that is being traced with the stored view settings, and the pane of its picture. Shows the picture while the rest of the editor
@@ -46,9 +46,9 @@ final class StartupSession implements AutoCloseable {
         layout.showTraced(traced);
     }
 
-    /** Starts the preview of a document's scene with the stored view settings. */
+    /** Starts the preview of a document's scene with its view. */
     static StartupPreview startPreview(OpenDocument document, Preferences preferences) {
-        ViewTransform view = ViewTransform.DEFAULT.withCurve(preferences.enumValue("curve", DisplayCurve.SRGB));
+        ViewTransform view = SceneView.of(document.scene());
         // Without its color table the preview would show wrong colors for a moment.
         return ColorTableActions.hasStoredTable(preferences) ? StartupPreview.none(view) : StartupPreview.start(document.scene(), view);
     }

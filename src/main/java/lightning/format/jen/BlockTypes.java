@@ -24,6 +24,8 @@ import lightning.scene.SceneLimits;
 import lightning.scene.SceneNode;
 import lightning.scene.Shape;
 import lightning.scene.Solid;
+import lightning.scene.ViewCurve;
+import lightning.scene.ViewSettings;
 import lightning.scene.World;
 import lightning.scene.shot.Shot;
 
@@ -48,10 +50,14 @@ final class BlockTypes {
                     p -> word(p.sampling().antialias())),
             Property.<PictureSettings>number("samples", SamplingSettings.DEFAULT.grid(), SceneLimits.MIN_SAMPLES, SceneLimits.MAX_SAMPLES,
                     "along each side of a pixel", p -> (double) p.sampling().grid()).asIntegers(),
+            Property.choice("view", new Value.Word(ViewSettings.DEFAULT.curve().word()), ViewCurve.WORDS,
+                    p -> new Value.Word(p.view().curve().word())),
+            Property.number("exposure", ViewSettings.DEFAULT.exposure(), -ViewSettings.MAX_EXPOSURE, ViewSettings.MAX_EXPOSURE, "stops",
+                    p -> p.view().exposure()),
             Property.block(INDIRECT, "diffuse indirect light", PictureSettings::indirect)),
             (name, v, children) -> new PictureSettings(v.integer("size", 0), v.integer("size", 1), v.integer("depth", 0),
                     new SamplingSettings(AntialiasMode.valueOf(v.word("antialias").toUpperCase(Locale.ROOT)), v.integer("samples", 0)),
-                    v.nested(INDIRECT)));
+                    v.nested(INDIRECT), new ViewSettings(ViewCurve.of(v.word("view")), v.number("exposure"))));
 
     static final BlockType<Camera> CAMERA = new BlockType<>("camera", false, Optional.empty(), Property.of(Camera.ATTRIBUTES),
             (name, v, children) -> new Camera(v.vector("from"), v.vector("to"), v.vector("up"), v.number("fov")));

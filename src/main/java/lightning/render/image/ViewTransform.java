@@ -9,15 +9,18 @@ import lightning.base.text.Quote;
  * View transform from a linear film to clamped display pixels. The film itself is never clamped.
  *
  * <p>Each channel becomes {@code curve(linear · 2^exposure)} clamped to 0…1, in 8 bits, correctly rounded. The gain {@code
- * 2^exposure} is rounded to float and so is the product; NaN counts as 0.
+ * 2^exposure} is rounded to float and so is the product; NaN counts as 0. {@link DisplayCurve#AGX} mixes the channels; its values are
+ * within 10⁻⁵ of the formula.
  *
  * @param exposure      stops, −64 to 64; one more doubles the brightness
  * @param lut           lookup table applied after the curve, if any; {@link DisplayCurve#LINEAR} is not clamped before it; ignored
  *                      for false colors
+ * @param shaper        logarithm that replaces the curve before the lookup table, if any; ignored without a table
  * @param marksClipping true if clipped pixels are shown in {@link #CLIPPED_MARK} and {@link #BLACK_MARK}; ignored for false colors
  */
 @RecordBuilder
-public record ViewTransform(double exposure, DisplayCurve curve, Optional<CubeLut> lut, boolean marksClipping)
+public record ViewTransform(double exposure, DisplayCurve curve, Optional<CubeLut> lut, Optional<Log2Shaper> shaper,
+        boolean marksClipping)
         implements ViewTransformBuilder.With {
     /** 0xRRGGBB: marks a pixel with a channel clipped at white. */
     public static final int CLIPPED_MARK = 0xFF00C8;
@@ -55,7 +58,7 @@ public record ViewTransform(double exposure, DisplayCurve curve, Optional<CubeLu
      * @throws IllegalArgumentException if {@code exposure} is NaN or outside −64…64
      */
     public ViewTransform(double exposure, DisplayCurve curve) {
-        this(exposure, curve, Optional.empty(), false);
+        this(exposure, curve, Optional.empty(), Optional.empty(), false);
     }
 
     /** Returns the factor of linear values, {@code 2^exposure}. */
@@ -75,8 +78,8 @@ public record ViewTransform(double exposure, DisplayCurve curve, Optional<CubeLu
      */
     public void pack16(float red, float green, float blue, short[] to, int at) {
         float gain = gain();
-        if (hasLut()) {
-            double[] color = applyLut(red * gain, green * gain, blue * gain);
+        if (mixesChannels()) {
+            double[] color = values(red * gain, green * gain, blue * gain);
             for (int c = 0; c < 3; c++) {
                 to[at + c] = (short) code(color[c], CODES_16);
             }
@@ -91,9 +94,42 @@ public record ViewTransform(double exposure, DisplayCurve curve, Optional<CubeLu
         return lut.isPresent() && curve != DisplayCurve.FALSE;
     }
 
-    /** Applies the lookup table to the curve's values. */
-    private double[] applyLut(float red, float green, float blue) {
-        double[] color = {curve.value(red), curve.value(green), curve.value(blue)};
+    private boolean mixesChannels() {
+        return hasLut() || curve == DisplayCurve.AGX;
+    }
+
+    /** Returns the display values of linear values after exposure. */
+    private double[] values(float red, float green, float blue) {
+        if (hasLut() && shaper.isPresent()) {
+            Log2Shaper log = shaper.get();
+            return applyLut(log.encode(red), log.encode(green), log.encode(blue));
+        }
+        if (curve == DisplayCurve.AGX) {
+            double[] color = agx(finite(red), finite(green), finite(blue));
+            return hasLut() ? applyLut(color[0], color[1], color[2]) : color;
+        }
+        return applyLut(curve.value(red), curve.value(green), curve.value(blue));
+    }
+
+    private static double finite(float v) {
+        return v > 0 ? Math.min(v, Float.MAX_VALUE) : 0;
+    }
+
+    private static double[] agx(double red, double green, double blue) {
+        double gray = AgX.center(red, green, blue);
+        double r = DisplayCurve.AGX.value((float) AgX.inset(red, gray));
+        double g = DisplayCurve.AGX.value((float) AgX.inset(green, gray));
+        double b = DisplayCurve.AGX.value((float) AgX.inset(blue, gray));
+        double encodedGray = AgX.center(r, g, b);
+        return new double[] {clamped(AgX.outset(r, encodedGray)), clamped(AgX.outset(g, encodedGray)), clamped(AgX.outset(b, encodedGray))};
+    }
+
+    private static double clamped(double v) {
+        return Math.clamp(v, 0, 1);
+    }
+
+    private double[] applyLut(double red, double green, double blue) {
+        double[] color = {red, green, blue};
         lut.orElseThrow().apply(color);
         return color;
     }
@@ -138,7 +174,7 @@ public record ViewTransform(double exposure, DisplayCurve curve, Optional<CubeLu
      * @param pixels {@code int[width * height]}, as {@link #toPixels} returns it
      */
     public void packTile(float[] red, float[] green, float[] blue, int left, int top, int width, int[] pixels) {
-        if (curve == DisplayCurve.FALSE || hasLut() || marksClipping) {
+        if (curve == DisplayCurve.FALSE || mixesChannels() || marksClipping) {
             packPixels(red, green, blue, left, top, width, pixels);
             return;
         }
@@ -181,7 +217,7 @@ public record ViewTransform(double exposure, DisplayCurve curve, Optional<CubeLu
         if (curve == DisplayCurve.FALSE) {
             return 0xFF000000 | FalseColor.rgb(r, g, b);
         }
-        int codes = hasLut() ? lutCodes(r, g, b) : codes(r, g, b);
+        int codes = mixesChannels() ? mixedCodes(r, g, b) : codes(r, g, b);
         if (marksClipping) {
             boolean over = r > curve.white() || g > curve.white() || b > curve.white();
             return 0xFF000000 | (over ? CLIPPED_MARK : codes == 0 ? BLACK_MARK : codes);
@@ -194,14 +230,14 @@ public record ViewTransform(double exposure, DisplayCurve curve, Optional<CubeLu
         return table.encode(red) << 16 | table.encode(green) << 8 | table.encode(blue);
     }
 
-    private int lutCodes(float red, float green, float blue) {
-        double[] color = applyLut(red, green, blue);
+    private int mixedCodes(float red, float green, float blue) {
+        double[] color = values(red, green, blue);
         return code(color[0], CODES) << 16 | code(color[1], CODES) << 8 | code(color[2], CODES);
     }
 
     /** Returns the transform for a saved image by default: without false colors and marks, which are for viewing only. */
     public ViewTransform forOutput() {
-        return new ViewTransform(exposure, curve == DisplayCurve.FALSE ? DisplayCurve.SRGB : curve, lut, false);
+        return new ViewTransform(exposure, curve == DisplayCurve.FALSE ? DisplayCurve.SRGB : curve, lut, shaper, false);
     }
 
     /** Returns a curve that shows every error that this view shows. The slope of a lookup table is unknown. */
@@ -211,7 +247,8 @@ public record ViewTransform(double exposure, DisplayCurve curve, Optional<CubeLu
 
     /** Returns a description, for example {@code Filmic (Hable), look.cube, +0.5 stops}. */
     public String description() {
-        return curve.title() + lut.map(table -> ", " + Quote.path(table.file().getFileName())).orElse("") + (exposure == 0 ? ""
-                : ", " + (exposure > 0 ? "+" : "") + BigDecimal.valueOf(exposure).stripTrailingZeros().toPlainString() + " stops");
+        return (hasLut() && shaper.isPresent() ? shaper.get().text() : curve.title())
+                + lut.map(table -> ", " + Quote.path(table.file().getFileName())).orElse("") + (exposure == 0 ? ""
+                        : ", " + (exposure > 0 ? "+" : "") + BigDecimal.valueOf(exposure).stripTrailingZeros().toPlainString() + " stops");
     }
 }

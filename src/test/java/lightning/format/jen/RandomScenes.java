@@ -30,6 +30,8 @@ import lightning.scene.Solid;
 import lightning.scene.Texture;
 import lightning.scene.TextureMap;
 import lightning.scene.Transmission;
+import lightning.scene.ViewCurve;
+import lightning.scene.ViewSettings;
 import lightning.scene.World;
 
 /** Random scenes and random edits, over the full range of every number. */
@@ -276,7 +278,13 @@ final class RandomScenes {
 
     private PictureSettings picture() {
         return chance() ? PictureSettings.DEFAULT
-                : new PictureSettings(1 + random.nextInt(16384), 1 + random.nextInt(16384), random.nextInt(11)).withIndirect(indirect());
+                : new PictureSettings(1 + random.nextInt(16384), 1 + random.nextInt(16384), random.nextInt(11)).withIndirect(indirect())
+                        .withView(view());
+    }
+
+    private ViewSettings view() {
+        return chance() ? ViewSettings.DEFAULT
+                : new ViewSettings(ViewCurve.values()[random.nextInt(ViewCurve.values().length)], 128 * random.nextDouble() - 64);
     }
 
     private Optional<IndirectSettings> indirect() {

@@ -240,7 +240,7 @@ public final class FileActions {
     }
 
     private void write(Path file, Frame frame) {
-        ViewTransform view = model.picture().viewProperty().get().forOutput();
+        ViewTransform view = model.picture().outputView();
         boolean isDisplayed = ImageFormat.find(file).filter(ImageFormat::isDisplayReferred).isPresent();
         message.show(Messages.tr("Saving {0} …", Quote.path(file.getFileName())));
         model.files().runInOrder(() -> {

@@ -58,7 +58,7 @@ final class PictureExport {
             message.show(Messages.tr("Wait until the file is loaded and rendering has started"));
             return;
         }
-        ViewTransform view = model.picture().viewProperty().get().forOutput();
+        ViewTransform view = model.picture().outputView();
         String name = Quote.path(file.getFileName());
         model.fileActivity().beginWriting(file);
         model.files().runConcurrently(() -> {

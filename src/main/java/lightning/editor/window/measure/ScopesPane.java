@@ -55,13 +55,14 @@ public final class ScopesPane extends VBox {
 
     /** Subscribes to changes of the picture and the view. */
     private Subscription subscribe() {
-        return Subscription.combine(picture.renderStateProperty().subscribe(_ -> update()), picture.viewProperty().subscribe(_ -> update()),
+        return Subscription.combine(picture.renderStateProperty().subscribe(_ -> update()),
+                picture.outputViewProperty().subscribe(_ -> update()),
                 () -> frame = null, feed::close);
     }
 
     private void update() {
         Frame newFrame = picture.frame();
-        ViewTransform view = picture.viewProperty().get();
+        ViewTransform view = picture.outputView();
         if (newFrame == null || newFrame == frame && view.equals(shownView)) {
             return;
         }

@@ -30,6 +30,7 @@ public final class EditorModel implements AutoCloseable {
     private final SceneEditor editor;
     private final TracedPicture picture;
     private final CommandRegistry commands;
+    private final ViewActions viewActions;
     private final PictureDisplay pictureDisplay;
     private final MaterialSelection materials;
     private final FileImporter fileImporter;
@@ -57,6 +58,12 @@ public final class EditorModel implements AutoCloseable {
                         failure -> files.windowExecutor().execute(() -> reportAutosaveFailure(failure)));
         editor = new SceneEditor(workbench, previewSettings.cameraProperty(), fileActivity, keySelection);
         picture = new TracedPicture(workbench, preview.raster());
+        editor.sceneProperty().subscribe(scene -> {
+            if (scene != null) {
+                picture.followScene(scene);
+            }
+        });
+        viewActions = new ViewActions(editor, picture);
         updates = new UpdateLog(picture.renderStateProperty());
         commands = new CommandRegistry(editor.editorStateProperty(), editor.message());
         pictureDisplay = new PictureDisplay(editor, workbench, commands);
@@ -146,6 +153,11 @@ public final class EditorModel implements AutoCloseable {
     /** Returns the traced picture and its render progress. */
     public TracedPicture picture() {
         return picture;
+    }
+
+    /** Returns the edits of the scene's view transform. */
+    public ViewActions viewActions() {
+        return viewActions;
     }
 
     /** Returns the display settings of the traced picture. */

@@ -57,7 +57,7 @@ public final class FramePlayer {
     private void pulse(long now) {
         if (stopCondition.getAsBoolean() || picture.renderStateProperty().get().problem() != null) {
             stop();
-        } else if (picture.frame() != null && picture.frame().scene().equals(awaitedScene) && showNextFrame.test(now)) {
+        } else if (picture.frame() != null && picture.frame().scene().hasSameImage(awaitedScene) && showNextFrame.test(now)) {
             awaitedScene = editor.scene();
         }
     }

@@ -1,17 +1,22 @@
 package lightning.editor.window.model;
 
+import javafx.beans.binding.Bindings;
 import javafx.beans.property.LongProperty;
 import javafx.beans.property.ObjectProperty;
 import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.ReadOnlyObjectWrapper;
 import javafx.beans.property.SimpleLongProperty;
 import javafx.beans.property.SimpleObjectProperty;
+import javafx.beans.value.ObservableValue;
 import lightning.editor.document.Workbench;
 import lightning.editor.loop.Frame;
 import lightning.editor.loop.RenderState;
+import lightning.render.image.DisplayCurve;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
+import lightning.render.relight.SceneView;
 import lightning.scene.Scene;
+import lightning.scene.ViewSettings;
 
 /** Traced picture: pixels, render progress and view transform. */
 public final class TracedPicture {
@@ -20,6 +25,8 @@ public final class TracedPicture {
     private final ObjectProperty<ViewTransform> view = new SimpleObjectProperty<>();
     private final Workbench workbench;
     private final TracedRaster raster;
+    private final ObjectProperty<ViewSettings> sceneView = new SimpleObjectProperty<>(ViewSettings.DEFAULT);
+    private final ObservableValue<ViewTransform> outputView = Bindings.createObjectBinding(this::outputView, view, sceneView);
 
     /** @param raster  raster that the workbench renders into */
     TracedPicture(Workbench workbench, TracedRaster raster) {
@@ -44,9 +51,33 @@ public final class TracedPicture {
         return renderState.get().frame();
     }
 
-    /** Conversion from linear light to display pixels. */
+    /**
+     * Conversion from linear light to display pixels: the scene's view, or false colors until another curve is chosen; with the window's
+     * color table and clipping marks.
+     */
     public ObjectProperty<ViewTransform> viewProperty() {
         return view;
+    }
+
+    /** Returns the conversion for saved images: with the scene's curve, without false colors and marks. */
+    public ViewTransform outputView() {
+        return view.get().forOutput().withCurve(SceneView.of(sceneView.get().curve()));
+    }
+
+    /** See {@link #outputView}. */
+    public ObservableValue<ViewTransform> outputViewProperty() {
+        return outputView;
+    }
+
+    /** Shows the scene's view if it changed. False colors stay. */
+    void followScene(Scene scene) {
+        ViewSettings settings = scene.picture().view();
+        if (!settings.equals(sceneView.get())) {
+            sceneView.set(settings);
+            DisplayCurve shown = view.get().curve();
+            view.set(view.get().withExposure(settings.exposure())
+                    .withCurve(shown == DisplayCurve.FALSE ? shown : SceneView.of(settings.curve())));
+        }
     }
 
     public TracedRaster raster() {

@@ -118,9 +118,9 @@ final class FilmStripPane extends StackPane implements AutoCloseable {
         });
         subscription = Subscription.combine(timeline.scaleProperty().subscribe(_ -> draw()),
                 editor.editorStateProperty().subscribe(this::update),
-                model.picture().viewProperty().subscribe(v -> {
+                model.picture().outputViewProperty().subscribe(v -> {
                     if (strip != null) {
-                        strip.setView(v.forOutput());
+                        strip.setView(v);
                     }
                 }));
     }
@@ -136,7 +136,7 @@ final class FilmStripPane extends StackPane implements AutoCloseable {
     }
 
     private void openStrip(FilmStripFrames frames, FilmStripStatus status) {
-        strip = new FilmStrip(frames, status, model.picture().viewProperty().get().forOutput(), model.files().windowExecutor(),
+        strip = new FilmStrip(frames, status, model.picture().outputView(), model.files().windowExecutor(),
                 this::stripChanged,
                 editor.message()::show);
     }

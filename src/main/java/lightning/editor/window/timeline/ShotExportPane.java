@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
-import javafx.beans.property.ObjectProperty;
+import javafx.beans.value.ObservableValue;
 import javafx.concurrent.Worker;
 import javafx.scene.Node;
 import javafx.scene.control.Button;
@@ -35,7 +35,7 @@ import lightning.shot.movie.Ffmpeg;
 final class ShotExportPane extends VBox {
     private final SceneEditor editor;
     private final FileThread files;
-    private final ObjectProperty<ViewTransform> viewProperty;
+    private final ObservableValue<ViewTransform> viewProperty;
     private final PathPrompt pathPrompt;
     private final ChoiceBox<ShotFormat> format = new ChoiceBox<>();
     private final NumberField first;
@@ -52,7 +52,7 @@ final class ShotExportPane extends VBox {
     private boolean hasFfmpeg;
     private ShotExportTask task;
 
-    ShotExportPane(SceneEditor editor, FileThread files, ObjectProperty<ViewTransform> viewProperty, PathPrompt pathPrompt) {
+    ShotExportPane(SceneEditor editor, FileThread files, ObservableValue<ViewTransform> viewProperty, PathPrompt pathPrompt) {
         this.editor = editor;
         this.files = files;
         this.viewProperty = viewProperty;
@@ -128,7 +128,7 @@ final class ShotExportPane extends VBox {
     }
 
     private void update() {
-        ViewTransform view = viewProperty.get().forOutput();
+        ViewTransform view = viewProperty.getValue().forOutput();
         boolean film = format.getValue().movie().isPresent();
         String viewText = format.getValue() == ShotFormat.EXR ? Messages.tr("Saves linear values without a view transform.")
                 : Messages.tr("Uses the view transform: {0}.", view.description());
@@ -170,7 +170,7 @@ final class ShotExportPane extends VBox {
 
     private void startExport(Path target, String name) {
         task = new ShotExportTask(new ShotExport(editor.document().content(), firstFrame, lastFrame, format.getValue(),
-                viewProperty.get().forOutput(), target, name));
+                viewProperty.getValue().forOutput(), target, name));
         bar.progressProperty().bind(task.progressProperty());
         bar.setVisible(true);
         cancel.setDisable(false);

@@ -15,7 +15,7 @@ public final class ShotExportWindow extends PanelWindow {
 
     /** Creates the window. The scene must have a shot. */
     public ShotExportWindow(EditorModel model, Window owner) {
-        this(model.commands(), owner, new ShotExportPane(model.editor(), model.files(), model.picture().viewProperty(),
+        this(model.commands(), owner, new ShotExportPane(model.editor(), model.files(), model.picture().outputViewProperty(),
                 PathPrompt.ofSystem(owner, model.fileImporter().folder())));
     }
 

@@ -2,25 +2,25 @@ package lightning.editor.window.traced;
 
 import java.util.List;
 import java.util.Optional;
-import javafx.beans.property.ObjectProperty;
 import javafx.geometry.Pos;
 import javafx.scene.Node;
 import javafx.scene.control.Slider;
 import javafx.scene.control.Tooltip;
+import javafx.scene.input.MouseEvent;
 import javafx.scene.layout.HBox;
 import lightning.base.text.Messages;
 import lightning.base.text.NumberUnit;
 import lightning.editor.document.StepRange;
 import lightning.editor.window.model.ErrorMessage;
 import lightning.editor.window.model.StatusMessage;
+import lightning.editor.window.model.ViewActions;
 import lightning.editor.window.widget.NumberField;
 import lightning.editor.window.widget.NumberSetting;
-import lightning.render.image.ViewTransform;
 import lightning.scene.SceneLimits;
 import org.kordamp.ikonli.javafx.FontIcon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignB;
 
-/** Exposure of the view in stops, as a slider and a number field. Not part of the scene. */
+/** Exposure of the scene's view in stops, as a slider and a number field. */
 final class ExposureControl extends HBox {
     private static final double MAX_STOPS = 8;
     private static final StepRange STEPS = new StepRange(0.1, -MAX_STOPS, MAX_STOPS);
@@ -28,13 +28,15 @@ final class ExposureControl extends HBox {
     /** Width of the slider's track, pixels: one pixel is about a tenth of a stop. */
     private static final double TRACK_WIDTH = 136;
 
-    private final ObjectProperty<ViewTransform> view;
+    private final ViewActions views;
     private final StatusMessage message;
     private final Slider slider = new Slider(-MAX_STOPS, MAX_STOPS, 0);
     private boolean isUpdating;
+    /** Identifies the drag of the slider; null while it is not dragged. */
+    private Object drag;
 
-    ExposureControl(ObjectProperty<ViewTransform> view, StatusMessage message) {
-        this.view = view;
+    ExposureControl(ViewActions views, StatusMessage message) {
+        this.views = views;
         this.message = message;
         slider.setId("exposure");
         slider.setAccessibleText(Messages.tr("Exposure"));
@@ -46,20 +48,23 @@ final class ExposureControl extends HBox {
                 slider.setValue(0);
             }
         });
+        slider.addEventFilter(MouseEvent.MOUSE_PRESSED, _ -> drag = new Object());
+        slider.addEventHandler(MouseEvent.MOUSE_RELEASED, _ -> drag = null);
         // Dragging sets tenths of a stop; typed values keep all digits.
         slider.valueProperty().subscribe(v -> {
             if (!isUpdating) {
-                set(Math.rint(v.doubleValue() / STEPS.step()) / Math.rint(1 / STEPS.step()));
+                set(Math.rint(v.doubleValue() / STEPS.step()) / Math.rint(1 / STEPS.step()), drag);
             }
         });
         var stops =
-                new NumberField(Messages.tr("Exposure in stops"), NumberSetting.of("exposure", STEPS, NumberUnit.STOPS, (v, _) -> set(v)));
+                new NumberField(Messages.tr("Exposure in stops"), NumberSetting.of("exposure", STEPS, NumberUnit.STOPS, this::set));
         stops.setId("exposure-stops");
-        Tooltip.install(this, new Tooltip(Messages.tr("Exposure of the view in stops (double-click to reset).\nNot saved in the scene.")));
+        Tooltip.install(this, new Tooltip(
+                Messages.tr("Exposure of the view in stops (double-click to reset).\nSaved in the scene; the lights do not change.")));
         setAlignment(Pos.CENTER);
         setSpacing(4);
         getChildren().setAll(List.<Node>of(new FontIcon(MaterialDesignB.BRIGHTNESS_6), slider, stops));
-        view.subscribe(now -> {
+        views.viewProperty().subscribe(now -> {
             isUpdating = true;
             slider.setValue(now.exposure());
             isUpdating = false;
@@ -67,14 +72,13 @@ final class ExposureControl extends HBox {
         });
     }
 
-    private Optional<String> set(double stops) {
+    private Optional<String> set(double stops, Object gesture) {
         try {
             SceneLimits.checkRange("exposure", stops, -MAX_STOPS, MAX_STOPS);
         } catch (IllegalArgumentException e) {
             message.show(ErrorMessage.of(e));
             return Optional.of(e.getMessage());
         }
-        view.set(view.get().withExposure(stops));
-        return Optional.empty();
+        return views.setExposure(stops, gesture);
     }
 }

@@ -30,6 +30,7 @@ import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.model.StatusText;
 import lightning.editor.window.model.TracedPicture;
 import lightning.editor.window.model.TracedRaster;
+import lightning.editor.window.model.ViewActions;
 import lightning.editor.window.widget.DelayedMessage;
 import lightning.editor.window.widget.DisabledReason;
 import lightning.editor.window.widget.PaneHeader;
@@ -68,6 +69,7 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
             new DisabledReason(compareBox, compare,
                     Messages.tr("Compare (A/B): snapshot on the left, image on the right; drag to wipe"));
     private final TracedMouse mouse;
+    private final ViewActions views;
     private TracedRaster.Pixels shownPixels;
     /** True once a picture was finished, canceled or failed. Before that, the window's thread is busy. */
     private boolean hasFinalPicture;
@@ -95,6 +97,7 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         editor = model.editor();
         traced = model.picture();
         commands = model.commands();
+        views = model.viewActions();
         this.picture = picture;
         pendingBadge = new Badge("pending", scheduler);
         mirrorsBadge = new Badge("mirrors", scheduler);
@@ -187,7 +190,7 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         zoom.setAlignment(Pos.CENTER);
         return new PaneHeader(Messages.tr("Ray traced"), difference, CommandButton.iconButton(commands, Command.ONLY_SELECTED), snapshot(),
                 compareBox,
-                new ExposureControl(traced.viewProperty(), editor.message()), viewMenu(),
+                new ExposureControl(views, editor.message()), viewMenu(),
                 CommandButton.iconButton(commands, Command.REGION),
                 zoom);
     }
@@ -197,9 +200,9 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         menu.setId("view-options");
         menu.setAccessibleText(Messages.tr("View Options"));
         menu.setTooltip(
-                new Tooltip(Messages.tr("View transform and visible effects (not saved in the scene)")));
+                new Tooltip(Messages.tr("View transform of the scene, analysis views and visible effects")));
         menu.getStyleClass().addAll("button-icon", "flat");
-        menu.getItems().setAll(ViewMenuItems.of(traced.viewProperty(), CommandMenuItems.forMenu(commands, "view-")));
+        menu.getItems().setAll(ViewMenuItems.of(views, CommandMenuItems.forMenu(commands, "view-")));
         return menu;
     }
 

@@ -2,16 +2,15 @@ package lightning.editor.window.traced;
 
 import java.util.ArrayList;
 import java.util.List;
-import javafx.beans.property.ObjectProperty;
 import javafx.scene.control.MenuItem;
 import javafx.scene.control.SeparatorMenuItem;
 import lightning.base.text.Messages;
 import lightning.editor.document.Command;
 import lightning.editor.window.command.CommandMenuItems;
+import lightning.editor.window.model.ViewActions;
 import lightning.render.image.DisplayCurve;
-import lightning.render.image.ViewTransform;
 
-/** Menu items of the view transform and the visible effects, which are not part of the scene. */
+/** Menu items of the scene's view transform, and of the window's analysis views and visible effects. */
 public final class ViewMenuItems {
     private ViewMenuItems() {}
 
@@ -20,10 +19,10 @@ public final class ViewMenuItems {
      *
      * @param items creates the single items
      */
-    public static List<MenuItem> of(ObjectProperty<ViewTransform> view, CommandMenuItems items) {
+    public static List<MenuItem> of(ViewActions actions, CommandMenuItems items) {
         List<MenuItem> menuItems = new ArrayList<>();
         for (DisplayCurve curve : DisplayCurve.values()) {
-            menuItems.add(curve(view, items, curve));
+            menuItems.add(curve(actions, items, curve));
         }
         menuItems.addAll(List.of(new SeparatorMenuItem(), items.item(Command.COLOR_TABLE), items.item(Command.MARK_CLIPPING),
                 new SeparatorMenuItem(),
@@ -31,8 +30,8 @@ public final class ViewMenuItems {
         return menuItems;
     }
 
-    private static MenuItem curve(ObjectProperty<ViewTransform> view, CommandMenuItems items, DisplayCurve curve) {
-        return items.choice(Command.CURVE, curve.word(), Messages.tr(curve.title()), view.map(v -> v.curve() == curve),
-                () -> view.set(view.get().withCurve(curve)));
+    private static MenuItem curve(ViewActions actions, CommandMenuItems items, DisplayCurve curve) {
+        return items.choice(Command.CURVE, curve.word(), Messages.tr(curve.title()), actions.viewProperty().map(v -> v.curve() == curve),
+                () -> actions.setCurve(curve));
     }
 }

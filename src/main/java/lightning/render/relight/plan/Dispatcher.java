@@ -64,8 +64,8 @@ public final class Dispatcher {
         }
         int oldDepth = known.picture().depth();
         int newDepth = target.picture().depth();
-        boolean refresh = resampled || reshaped || oldDepth != newDepth || mirrors && !cache.mirroredScene().equals(target);
-        if (known.equals(target) && !refresh) {
+        boolean refresh = resampled || reshaped || oldDepth != newDepth || mirrors && !cache.mirroredScene().hasSameImage(target);
+        if (known.hasSameImage(target) && !refresh) {
             return new UpdatePlan.Nothing();
         }
         MaterialTable materials = shapes.after(cache.geometry()).withMaterialsOf(target).materials();

@@ -22,6 +22,7 @@ import lightning.editor.document.DeskScene;
 import lightning.editor.document.LightEdits;
 import lightning.editor.document.NumericParameter;
 import lightning.editor.window.EditorFixture;
+import lightning.editor.window.model.AccuracyMode;
 import lightning.editor.window.widget.PictureView;
 import lightning.editor.window.widget.TextTyping;
 import lightning.format.image.CubeLutReader;
@@ -33,6 +34,9 @@ import lightning.render.relight.LightImage;
 import lightning.render.shading.LightReport;
 import lightning.render.shading.PixelExplainer;
 import lightning.render.shading.ReferenceTracer;
+import lightning.scene.Scene;
+import lightning.scene.ViewCurve;
+import lightning.scene.ViewSettings;
 import lightning.scene.effects.RenderEffect;
 import lightning.scene.effects.ViewEffects;
 import org.junit.jupiter.api.Test;
@@ -198,7 +202,53 @@ class TracedPaneTest extends EditorFixture {
         robot.interact(() -> robot.lookup("#exposure").<Slider>query().setValue(1));
         assertThat(model().picture().raster().pixels().pixels()).isNotEqualTo(before)
                 .isEqualTo(new ViewTransform(1).toPixels(model().picture().frame().film()));
+        assertThat(model().editor().scene().picture().view()).isEqualTo(new ViewSettings(ViewCurve.SRGB, 1));
+        assertThat(model().editor().document().isDirty()).isTrue();
+        assertThat(model().editor().editorStateProperty().get().hasPendingEdits()).isFalse();
+        click("undo");
+        assertThat(model().picture().raster().pixels().pixels()).isEqualTo(before);
         assertThat(model().editor().document().isDirty()).isFalse();
+    }
+
+    @Test
+    void exposureDrag_isOneUndoStep() {
+        robot.drag(robot.lookup("#exposure").<Slider>query(), MouseButton.PRIMARY).moveBy(10, 0).moveBy(10, 0).dropBy(10, 0);
+        assertThat(model().editor().scene().picture().view().exposure()).isGreaterThan(0.5);
+        click("undo");
+        assertThat(model().editor().scene().picture().view().exposure()).isZero();
+        assertThat(robot.lookup("#exposure").<Slider>query().getValue()).isZero();
+    }
+
+    @Test
+    void curve_isEditOfScene() {
+        choose("view-agx");
+        assertThat(model().editor().scene().picture().view()).isEqualTo(new ViewSettings(ViewCurve.AGX, 0));
+        assertThat(model().picture().viewProperty().get().curve()).isEqualTo(DisplayCurve.AGX);
+        assertThat(model().editor().editorStateProperty().get().undoLabel()).contains("view transform srgb → agx");
+        assertThat(model().editor().editorStateProperty().get().hasPendingEdits()).isFalse();
+        click("undo");
+        assertThat(model().picture().viewProperty().get()).isEqualTo(ViewTransform.DEFAULT);
+        assertThat(model().editor().document().isDirty()).isFalse();
+    }
+
+    /** Analysis views belong to the window: not to the scene, the undo history, saved images or the preferences. */
+    @Test
+    void analysisViews_areNotStored() throws IOException {
+        choose("view-agx");
+        Scene scene = model().editor().scene();
+        choose("view-false");
+        robot.push(KeyCode.CONTROL, KeyCode.SHIFT, KeyCode.K);
+        assertThat(model().picture().viewProperty().get().curve()).isEqualTo(DisplayCurve.FALSE);
+        assertThat(model().picture().viewProperty().get().marksClipping()).isTrue();
+        assertThat(model().editor().scene()).isSameAs(scene);
+        assertThat(model().picture().outputView()).isEqualTo(ViewTransform.DEFAULT.withCurve(DisplayCurve.AGX));
+        choose("view-reflections");
+        robot.interact(() -> model().accuracyModeProperty().set(AccuracyMode.values()[1]));
+        waitFor("the preferences are saved", () -> Files.readString(folder.resolve("own/preferences.properties")).contains("precision"));
+        assertThat(Files.readString(folder.resolve("own/preferences.properties"))).doesNotContain("curve", "FALSE", "lipping");
+        choose("view-agx");
+        assertThat(model().picture().viewProperty().get().curve()).isEqualTo(DisplayCurve.AGX);
+        assertThat(model().editor().scene()).isSameAs(scene);
     }
 
     private void choose(String id) {

@@ -1,0 +1,45 @@
+package lightning.render.image;
+
+import java.math.BigDecimal;
+
+/**
+ * Logarithmic encoding of linear light before a lookup table, as OpenColorIO's configurations use it: stops around middle gray, scaled to
+ * 0…1.
+ *
+ * @param min stops below middle gray that become 0; values below are clamped
+ * @param max stops above middle gray that become 1; values above are clamped
+ */
+public record Log2Shaper(double min, double max) {
+    /** Linear reflectance of a gray card. */
+    public static final double MIDDLE_GRAY = 0.18;
+    /** Keyword of the shaper in options. */
+    public static final String WORD = "log2";
+    /** Largest absolute value of both ends, stops. */
+    public static final double MAX_STOPS = 64;
+    /** Shaper of the ACES configurations for displays of 48 nits: 6.5 stops on each side (log2 48 nits shaper). */
+    public static final Log2Shaper DEFAULT = new Log2Shaper(-6.5, 6.5);
+
+    /** @throws IllegalArgumentException if the stops do not rise, or are outside −64…64 */
+    public Log2Shaper {
+        if (!(min < max && min >= -MAX_STOPS && max <= MAX_STOPS)) {
+            throw new IllegalArgumentException(
+                    "log2: expected two rising numbers of stops from -64 to 64, found " + text(min) + "," + text(max));
+        }
+    }
+
+    /** Returns the encoded value, 0 to 1; NaN and values up to 0 give 0. */
+    public double encode(double linear) {
+        // NaN is not above 0.
+        double stops = linear > 0 ? StrictMath.log(linear / MIDDLE_GRAY) / StrictMath.log(2) : Double.NEGATIVE_INFINITY;
+        return Math.clamp((stops - min) / (max - min), 0, 1);
+    }
+
+    /** Returns the shaper in the syntax of options: {@code log2:-6.5,6.5}. */
+    public String text() {
+        return WORD + ":" + text(min) + "," + text(max);
+    }
+
+    private static String text(double v) {
+        return Double.isFinite(v) ? BigDecimal.valueOf(v).stripTrailingZeros().toPlainString() : Double.toString(v);
+    }
+}
