@@ -65,6 +65,15 @@ public final class EditHistory {
      * @param gesture object that identifies one drag, compared by identity; null for a separate step
      */
     public void edit(AnimatedScene edited, Object gesture) {
+        edit(edited, gesture, "");
+    }
+
+    /**
+     * Sets the current scene and its shot, as {@link #edit(AnimatedScene, Object)} does.
+     *
+     * @param label name of the step; empty to describe the difference
+     */
+    void edit(AnimatedScene edited, Object gesture, String label) {
         Step last = doneSteps.peek();
         boolean isSameGesture = gesture != null && last != null && last.gesture() == gesture && undoneSteps.isEmpty();
         if (edited.equals(state.content()) && !isSameGesture) {
@@ -77,7 +86,8 @@ public final class EditHistory {
         undoneSteps.clear();
         state = base;
         if (!edited.equals(base.content())) {
-            push(base.afterEdit(edited, this::nextId), gesture, ShotDiff.summarize(base.content(), edited));
+            push(base.afterEdit(edited, this::nextId), gesture,
+                    label.isEmpty() ? ShotDiff.summarize(base.content(), edited) : label);
         }
     }
 

@@ -6,8 +6,16 @@ import lightning.scene.Scene;
 
 /** Result of an edit: a new scene or a refusal. */
 public sealed interface EditOutcome {
-    /** Edited scene, which may equal the previous one. */
-    record Applied(Scene scene) implements EditOutcome {}
+    /**
+     * Edited scene, which may equal the previous one.
+     *
+     * @param label name of the undo step; empty to describe the difference
+     */
+    record Applied(Scene scene, String label) implements EditOutcome {
+        public Applied(Scene scene) {
+            this(scene, "");
+        }
+    }
 
     /** Refusal of an edit, which changes nothing; the reason is a clause without a period. */
     record Refused(String reason) implements EditOutcome {}
@@ -19,6 +27,14 @@ public sealed interface EditOutcome {
         } catch (IllegalArgumentException e) {
             return new Refused(e.getMessage());
         }
+    }
+
+    /** Returns this outcome with a name for its undo step. */
+    default EditOutcome named(String label) {
+        return switch (this) {
+            case Applied to -> new Applied(to.scene(), label);
+            case Refused refused -> refused;
+        };
     }
 
     /** Returns the reason for the refusal; empty if applied. */

@@ -238,7 +238,7 @@ public final class OpenDocument {
             } catch (IllegalArgumentException e) {
                 return Optional.of(e.getMessage());
             }
-            history.edit(edited, gesture);
+            history.edit(edited, gesture, to.label());
             if (frameProblem.isEmpty() && history.content() == edited) {
                 // Bit-identical to a newly built scene, and shares data with the previous one.
                 show(edited, to.scene(), "");

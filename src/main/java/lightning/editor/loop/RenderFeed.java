@@ -29,6 +29,8 @@ public final class RenderFeed implements RenderListener {
     private final Object canvasLock = new Object();
     private final RayCounter rays = new RayCounter(System::nanoTime);
     private RenderState state = RenderState.NONE;
+    /** True from the start of the step that adds indirect light until the next update. */
+    private volatile boolean isAddingIndirect;
     /** Number of the open document, and of the document for which the loop has dropped all earlier ones. */
     private long openDocument;
     private long currentDocument;
@@ -103,6 +105,7 @@ public final class RenderFeed implements RenderListener {
     @Override
     public void started(UpdatePlan plan) {
         lastReportNs.set(System.nanoTime());
+        isAddingIndirect = false;
         rays.start(RenderActivity.Stage.CENTERS);
         canvas.started(plan);
         publish(s -> s.withPlan(plan).withActivity(rays.activity()));
@@ -111,6 +114,7 @@ public final class RenderFeed implements RenderListener {
     @Override
     public void indirectStarted() {
         canvas.indirectStarted();
+        isAddingIndirect = true;
         startStage(RenderActivity.Stage.INDIRECT);
     }
 
@@ -164,7 +168,7 @@ public final class RenderFeed implements RenderListener {
     @Override
     public void rendered(Frame frame) {
         updateCanvas(() -> canvas.rendered(frame));
-        changeState(s -> s.withFrame(frame));
+        changeState(s -> s.withFrame(frame, isAddingIndirect));
     }
 
     @Override

@@ -18,11 +18,12 @@ import lightning.render.relight.plan.UpdatePlan;
  * @param problem        failure of the last job; null if it succeeded
  * @param canceled       whether the last job was canceled
  * @param activity       work since the current stage of the image started
+ * @param addedIndirect  whether the update of the last image added indirect light to a picture of direct light
  */
 public record RenderState(UpdatePlan plan, int done, int total, int verifiedTiles, int tilesToVerify, Frame frame,
         WarmSaving measuredSaving,
-        Verification verification, Throwable problem, boolean canceled, RenderActivity activity) {
-    public static final RenderState NONE = new RenderState(null, 0, 0, 0, 0, null, null, null, null, false, RenderActivity.NONE);
+        Verification verification, Throwable problem, boolean canceled, RenderActivity activity, boolean addedIndirect) {
+    public static final RenderState NONE = new RenderState(null, 0, 0, 0, 0, null, null, null, null, false, RenderActivity.NONE, false);
 
     /** Returns the progress, 0…1. */
     public double progress() {
@@ -35,39 +36,52 @@ public record RenderState(UpdatePlan plan, int done, int total, int verifiedTile
     }
 
     public RenderState withPlan(UpdatePlan next) {
-        return new RenderState(next, 0, 0, verifiedTiles, tilesToVerify, frame, measuredSaving, verification, null, false, activity);
+        return new RenderState(next, 0, 0, verifiedTiles, tilesToVerify, frame, measuredSaving, verification, null, false, activity,
+                addedIndirect);
     }
 
     public RenderState withSaving(WarmSaving saving) {
-        return new RenderState(plan, done, total, verifiedTiles, tilesToVerify, frame, saving, verification, problem, canceled, activity);
+        return new RenderState(plan, done, total, verifiedTiles, tilesToVerify, frame, saving, verification, problem, canceled, activity,
+                addedIndirect);
     }
 
     public RenderState withActivity(RenderActivity now) {
         return new RenderState(plan, done, total, verifiedTiles, tilesToVerify, frame, measuredSaving, verification, problem, canceled,
-                now);
+                now, addedIndirect);
     }
 
     public RenderState withProgress(int tiles, int tileCount) {
         return new RenderState(plan, tiles, tileCount, verifiedTiles, tilesToVerify, frame, measuredSaving, verification, problem,
-                canceled, activity);
+                canceled, activity, addedIndirect);
     }
 
     public RenderState withVerificationProgress(int tiles, int tileCount) {
-        return new RenderState(plan, done, total, tiles, tileCount, frame, measuredSaving, verification, null, false, activity);
+        return new RenderState(plan, done, total, tiles, tileCount, frame, measuredSaving, verification, null, false, activity,
+                addedIndirect);
     }
 
     /** Sets the image and drops a verification of another one. */
     public RenderState withFrame(Frame newFrame) {
+        return withFrame(newFrame, false);
+    }
+
+    /**
+     * Sets the image as {@link #withFrame(Frame)} does.
+     *
+     * @param wasIndirectAdded whether its update added indirect light to a picture of direct light
+     */
+    public RenderState withFrame(Frame newFrame, boolean wasIndirectAdded) {
         Verification validVerification = verification != null && verification.appliesTo(newFrame.guarantee()) ? verification : null;
         return new RenderState(plan, done, total, verifiedTiles, tilesToVerify, newFrame, measuredSaving, validVerification, problem,
-                canceled, activity);
+                canceled, activity, wasIndirectAdded);
     }
 
     public RenderState withVerification(Verification result) {
-        return new RenderState(plan, done, total, 0, 0, frame, measuredSaving, result, problem, canceled, activity);
+        return new RenderState(plan, done, total, 0, 0, frame, measuredSaving, result, problem, canceled, activity, addedIndirect);
     }
 
     public RenderState withStop(Throwable failure) {
-        return new RenderState(plan, done, total, 0, 0, frame, measuredSaving, verification, failure, failure == null, activity);
+        return new RenderState(plan, done, total, 0, 0, frame, measuredSaving, verification, failure, failure == null, activity,
+                addedIndirect);
     }
 }

@@ -10,6 +10,7 @@ import javafx.scene.Node;
 import javafx.scene.control.Control;
 import javafx.scene.control.Label;
 import javafx.scene.control.SplitPane;
+import javafx.scene.control.TextInputControl;
 import javafx.scene.layout.BorderPane;
 import javafx.scene.layout.Region;
 import javafx.scene.layout.StackPane;
@@ -220,6 +221,11 @@ final class EditorLayout extends BorderPane {
 
     /** Returns true if the mouse is over a picture and the focused control uses neither Tab nor the space bar. */
     boolean isOverPictures() {
-        return canvases.isHover() && (getScene() == null || !(getScene().getFocusOwner() instanceof Control));
+        return canvases.isHover() && (getScene() == null || !needsTab(getScene().getFocusOwner()));
+    }
+
+    /** Returns true if Tab should move the focus: from a text field, or from a control that was reached by the keyboard, not by a click. */
+    private static boolean needsTab(Node focusOwner) {
+        return focusOwner instanceof TextInputControl || focusOwner instanceof Control && focusOwner.isFocusVisible();
     }
 }

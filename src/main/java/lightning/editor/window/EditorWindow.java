@@ -74,6 +74,8 @@ public final class EditorWindow implements AutoCloseable {
         });
         layout.addEventFilter(KeyEvent.KEY_PRESSED, e -> {
             if (e.getCode() == KeyCode.TAB && !e.isShiftDown() && !e.isControlDown() && !e.isAltDown() && layout.isOverPictures()) {
+                // A focused button of a hidden panel would pass its focus on to another control, to which Tab would belong.
+                focus();
                 model.commands().run(Command.HIDE_PANELS);
                 e.consume();
             }
@@ -100,7 +102,7 @@ public final class EditorWindow implements AutoCloseable {
         bars.getChildren().add(bar);
     }
 
-    /** Gives the list of lights the keyboard focus. */
+    /** Gives the preview the keyboard focus. */
     void focus() {
         // Split panes add their content to the scene only when they are styled.
         layout.applyCss();

@@ -33,7 +33,7 @@ final class StartupSession implements AutoCloseable {
     StartupSession(EditorLayout layout, OpenDocument document, StartupPreview preview, Preferences preferences, RecoveryFolder recovery,
             FileThread thread) {
         model = new EditorModel(document, preview, recovery, thread);
-        model.accuracyModeProperty().set(preferences.enumValue("precision", AccuracyMode.EXACT));
+        model.accuracyModeProperty().set(preferences.enumValue("precision", AccuracyMode.EXACT).forOtherFile());
         model.editor().liveProperty().set(!preferences.hasValue("live", "false"));
         ColorTableActions.restore(model, preferences);
         model.previewSettings().restore(preferences);

@@ -77,6 +77,6 @@ final class StatusBar extends HBox {
         if (state.verification() != null) {
             return StatusText.of(state.verification(), state.frame());
         }
-        return state.frame() == null ? "" : StatusText.shortText(state.frame());
+        return state.frame() == null ? "" : StatusText.shortText(state);
     }
 }

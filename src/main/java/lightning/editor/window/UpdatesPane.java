@@ -4,6 +4,7 @@ import java.time.format.DateTimeFormatter;
 import java.util.Locale;
 import java.util.function.Function;
 import javafx.beans.property.ReadOnlyStringWrapper;
+import javafx.collections.ListChangeListener;
 import javafx.scene.control.Label;
 import javafx.scene.control.TableColumn;
 import javafx.scene.control.TableView;
@@ -49,8 +50,21 @@ final class UpdatesPane extends VBox {
         details.setMaxWidth(Double.MAX_VALUE);
         table.getSelectionModel().selectedItemProperty().subscribe(e -> details.setText(e == null ? "" : e.text()));
         table.getSelectionModel().selectFirst();
+        table.getItems().addListener(this::followNewest);
         setVgrow(table, Priority.ALWAYS);
         getChildren().addAll(table, details);
+    }
+
+    /** Selects a new entry if the newest one was selected, so that the details are of the current image. */
+    private void followNewest(ListChangeListener.Change<? extends Entry> change) {
+        while (change.next()) {
+            // The selection keeps its entry, so it is already shifted by those added.
+            int previousNewest = change.wasReplaced() ? 0 : change.getAddedSize();
+            boolean wasEmpty = change.getList().size() == change.getAddedSize();
+            if (change.wasAdded() && (wasEmpty || table.getSelectionModel().getSelectedIndex() == previousNewest)) {
+                table.getSelectionModel().clearAndSelect(0);
+            }
+        }
     }
 
     private void addTextColumn(String title, double width, Function<Entry, String> value) {

@@ -15,6 +15,7 @@ import javafx.scene.control.Label;
 import javafx.scene.control.ListView;
 import javafx.scene.control.Menu;
 import javafx.scene.control.MenuBar;
+import javafx.stage.Stage;
 import javafx.stage.Window;
 import javafx.stage.WindowEvent;
 import lightning.editor.document.Command;
@@ -407,6 +408,47 @@ class FilesTest extends EditorFixture {
         waitFor("the preference is saved",
                 () -> new Preferences(folder.resolve("own"), Runnable::run).enumValue("precision", AccuracyMode.EXACT)
                         == AccuracyMode.RATIO);
+    }
+
+    @Test
+    void approximateAccuracy_endsWithTheOpenFile() throws IOException {
+        Path other = Files.writeString(folder.resolve("other.jen"), Files.readString(folder.resolve("desk.jen")));
+        robot.interact(() -> {
+            model().accuracyModeProperty().set(AccuracyMode.RATIO);
+            model().commands().run(Command.RELOAD);
+        });
+        waitForPicture();
+        assertThat(model().accuracyModeProperty().get()).isEqualTo(AccuracyMode.RATIO);
+        robot.interact(() -> editor.files().load(other));
+        waitFor("the other scene is open", () -> model().editor().document().name().equals("other.jen"));
+        assertThat(model().accuracyModeProperty().get()).isEqualTo(AccuracyMode.EXACT);
+        Path third = Files.writeString(folder.resolve("third.jen"), Files.readString(folder.resolve("desk.jen")));
+        robot.interact(() -> {
+            model().accuracyModeProperty().set(AccuracyMode.ON_DEMAND);
+            editor.files().load(third);
+        });
+        waitFor("the third scene is open", () -> model().editor().document().name().equals("third.jen"));
+        assertThat(model().accuracyModeProperty().get()).isEqualTo(AccuracyMode.ON_DEMAND);
+    }
+
+    @Test
+    void message_isOwnedByTheWindowThatAsked() {
+        robot.interact(() -> model().commands().run(Command.HISTORY_PANEL));
+        Stage panel =
+                Window.getWindows().stream().filter(w -> w != stage && w.isShowing()).map(Stage.class::cast).findFirst().orElseThrow();
+        robot.interact(panel::requestFocus);
+        robot.interact(() -> model().commands().run(Command.ABOUT));
+        assertThat(messageWindow(panel).getOwner()).isSameAs(panel);
+        robot.interact(messageWindow(panel)::close);
+        robot.interact(panel::close);
+        robot.interact(() -> model().commands().run(Command.ABOUT));
+        assertThat(messageWindow(panel).getOwner()).isSameAs(stage);
+        robot.interact(messageWindow(panel)::close);
+    }
+
+    private Stage messageWindow(Stage panel) {
+        return Window.getWindows().stream().filter(w -> w != stage && w != panel && w.isShowing()).map(Stage.class::cast).findFirst()
+                .orElseThrow();
     }
 
     @Test

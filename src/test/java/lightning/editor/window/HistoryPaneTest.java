@@ -2,10 +2,14 @@ package lightning.editor.window;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.List;
 import javafx.css.PseudoClass;
 import javafx.scene.control.ListCell;
 import javafx.scene.control.TableCell;
+import javafx.scene.control.TableView;
 import javafx.scene.control.TextField;
 import javafx.scene.input.KeyCode;
 import javafx.stage.Window;
@@ -79,5 +83,32 @@ class HistoryPaneTest extends EditorFixture {
         assertThat(details).contains(model().picture().frame().update().plan().description(), "full render: no image yet");
         assertThat(model().updates().entries()).hasSize(2);
         assertThat(model().updates().entries().getFirst().update()).isSameAs(model().picture().frame().update());
+    }
+
+    @Test
+    void updates_detailsFollowTheNewestImage() throws IOException {
+        click("status");
+        type("intensity", "2");
+        click("go");
+        waitForPicture();
+        assertThat(text("updates-whole")).isEqualTo(model().updates().entries().getFirst().text());
+        TableView<?> table = robot.lookup("#updates-table").query();
+        robot.interact(() -> table.getSelectionModel().select(1));
+        String older = text("updates-whole");
+        type("intensity", "3");
+        click("go");
+        waitForPicture();
+        assertThat(text("updates-whole")).as("details of the row that the user chose").isEqualTo(older);
+    }
+
+    @Test
+    void openingAnotherFile_clearsUpdates() throws IOException {
+        click("status");
+        Path other = Files.writeString(folder.resolve("other.jen"), Files.readString(folder.resolve("desk.jen")));
+        robot.interact(() -> editor.files().load(other));
+        waitFor("the other scene is open", () -> model().editor().document().name().equals("other.jen"));
+        waitForPicture();
+        assertThat(model().updates().entries()).hasSize(1);
+        assertThat(text("updates-whole")).isEqualTo(model().updates().entries().getFirst().text());
     }
 }

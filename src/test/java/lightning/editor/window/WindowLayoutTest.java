@@ -71,6 +71,18 @@ class WindowLayoutTest extends EditorFixture {
         assertThat(isShown("toolbar")).isTrue();
     }
 
+    @Test
+    void tabOverPicture_afterClickInToolBarOrList_togglesPanels() {
+        for (String clicked : new String[] {"live", "lights"}) {
+            click(clicked);
+            robot.moveTo("#traced-picture");
+            robot.push(KeyCode.TAB);
+            assertThat(isVisible("#lights")).as(clicked).isFalse();
+            robot.push(KeyCode.TAB);
+            assertThat(isVisible("#lights")).as(clicked).isTrue();
+        }
+    }
+
     private void showTimeline(boolean shown) {
         robot.interact(() -> model().layout().timelineShownProperty().set(shown));
         FastRobot.settle();

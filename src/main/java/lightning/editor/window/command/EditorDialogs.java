@@ -20,6 +20,7 @@ import lightning.base.text.Quote;
 import lightning.editor.document.FileThread;
 import lightning.editor.document.RecoveryFolder;
 import lightning.editor.window.model.ErrorMessage;
+import lightning.editor.window.widget.PanelWindow;
 import lightning.editor.window.widget.WindowPlacement;
 import lightning.format.exchange.LightUnits;
 import lightning.format.jen.JenException;
@@ -165,9 +166,15 @@ public final class EditorDialogs {
         alert(Alert.AlertType.INFORMATION, title, text, ButtonType.CLOSE).show();
     }
 
+    /** Returns the focused panel window, else the editor's window. A dialog is certain to appear above its owner only. */
+    private Window askingWindow() {
+        return Window.getWindows().stream().filter(PanelWindow.class::isInstance).map(PanelWindow.class::cast)
+                .filter(w -> w.isFocused() && w.getOwner() == owner).findFirst().<Window>map(w -> w).orElse(owner);
+    }
+
     private Alert alert(Alert.AlertType type, String header, String text, ButtonType... buttons) {
         var alert = new Alert(type, "", buttons);
-        alert.initOwner(owner);
+        alert.initOwner(askingWindow());
         alert.setTitle("Lightning");
         alert.setHeaderText(header);
         Ikon icon = switch (type) {

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.Function;
 import javafx.geometry.Orientation;
 import javafx.scene.control.Button;
 import javafx.scene.control.Label;
@@ -23,6 +24,7 @@ import javafx.scene.layout.VBox;
 import javafx.util.Subscription;
 import lightning.base.text.Messages;
 import lightning.base.text.Quote;
+import lightning.editor.document.EditOutcome;
 import lightning.editor.document.EditorState;
 import lightning.editor.document.FileThread;
 import lightning.editor.document.cue.Cue;
@@ -38,6 +40,7 @@ import lightning.editor.window.widget.DisabledReason;
 import lightning.editor.window.widget.VisibilityListener;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
+import lightning.scene.Scene;
 import lightning.scene.Stage;
 
 /** Gallery of the open scene's saved looks (cues): saves, applies, compares and blends them. */
@@ -238,8 +241,12 @@ public final class CuePane extends VBox {
     }
 
     /** Applies a lighting to the document and renders it immediately. */
-    private void applyLighting(Lighting lighting, Object gesture) {
-        editor.edit(lighting::applyTo, gesture).ifPresentOrElse(this::showMessage, () -> {
+    private void applyLighting(Lighting lighting) {
+        applyEdit(lighting::applyTo, null);
+    }
+
+    private void applyEdit(Function<Scene, EditOutcome> edit, Object gesture) {
+        editor.edit(edit, gesture).ifPresentOrElse(this::showMessage, () -> {
             showMessage("");
             ForcedLiveUpdate.render(editor);
         });
@@ -252,7 +259,8 @@ public final class CuePane extends VBox {
         percent.setText(Math.round(t * PERCENT) + " %");
         lighting(a).ifPresent(from -> lighting(b).ifPresent(to -> {
             try {
-                applyLighting(LightingBlend.blend(from, to, t), gesture);
+                Lighting blended = LightingBlend.blend(from, to, t);
+                applyEdit(scene -> blended.applyTo(scene).named(Messages.tr("Blend A/B {0}", percent.getText())), gesture);
             } catch (IllegalArgumentException e) {
                 showMessage(e.getMessage());
             }
@@ -263,7 +271,7 @@ public final class CuePane extends VBox {
     private final class CardCallbacks implements CueCard.Callbacks {
         @Override
         public void restore(Cue cue) {
-            cue.lighting().ifPresent(lighting -> applyLighting(lighting, null));
+            cue.lighting().ifPresent(CuePane.this::applyLighting);
         }
 
         @Override

@@ -36,6 +36,11 @@ public enum AccuracyMode {
         return RenderOptions.DEFAULT.withAccuracy(accuracy).withReflections(reflections);
     }
 
+    /** Returns the mode for another file. An approximation is a choice for one file. */
+    public AccuracyMode forOtherFile() {
+        return accuracy == Accuracy.EXACT ? this : EXACT;
+    }
+
     @Override
     public String toString() {
         return Messages.tr(title);

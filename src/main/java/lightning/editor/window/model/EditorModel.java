@@ -106,17 +106,28 @@ public final class EditorModel implements AutoCloseable {
     /** Replaces the open document and traces the new one. Discards unsaved edits; the caller confirms first. */
     public void open(OpenDocument other) {
         editor.dropAnimation();
+        startFile(other);
         workbench.open(other);
         picture.repaint();
         documentOpened();
+        updates.clear();
     }
 
     /** Replaces the open document with edits recovered after a crash, and traces them. */
     public void recover(RecoveryFolder.RecoverableScene recoverable, OpenDocument recovered) {
         editor.dropAnimation();
+        startFile(recovered);
         workbench.recover(recoverable, recovered);
         picture.repaint();
         documentOpened();
+        updates.clear();
+    }
+
+    /** Resets what applies to the open file only, unless it is opened again. */
+    private void startFile(OpenDocument other) {
+        if (!other.file().equals(workbench.document().file())) {
+            accuracyMode.set(accuracyMode.get().forOtherFile());
+        }
     }
 
     private void documentOpened() {

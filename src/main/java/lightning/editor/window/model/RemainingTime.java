@@ -21,7 +21,8 @@ public final class RemainingTime {
      * @param now  time in nanoseconds of any monotonic clock
      */
     public String describe(String currentTask, double share, long now) {
-        if (!currentTask.equals(task)) {
+        // Work before the first progress, for example tracing coarse images, has another rate.
+        if (!currentTask.equals(task) || !(share > 0)) {
             task = currentTask;
             startNs = now;
         }

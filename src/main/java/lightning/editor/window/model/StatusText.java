@@ -46,12 +46,13 @@ public final class StatusText {
         return text + " · " + accuracyText;
     }
 
-    /** Formats an update briefly: {@code Updated in 0.8 ms, exact}. */
-    public static String shortText(Frame frame) {
+    /** Formats the update of an image briefly: {@code Updated in 0.8 ms, exact}. */
+    public static String shortText(RenderState state) {
+        Frame frame = state.frame();
         UpdateResult update = frame.update();
         String time = time(update.milliseconds());
-        String prefix =
-                update.plan() instanceof UpdatePlan.Relight ? Messages.tr("Updated in {0}", time) : Messages.tr("Traced in {0}", time);
+        String prefix = state.addedIndirect() ? Messages.tr("Indirect light in {0}", time)
+                : update.plan() instanceof UpdatePlan.Relight ? Messages.tr("Updated in {0}", time) : Messages.tr("Traced in {0}", time);
         return prefix + ", " + (frame.isFinished() ? frame.guarantee().text(update) : Messages.tr("not anti-aliased yet"));
     }
 

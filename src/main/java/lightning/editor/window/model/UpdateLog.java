@@ -42,6 +42,11 @@ public final class UpdateLog {
         return FXCollections.unmodifiableObservableList(entries);
     }
 
+    /** Removes all entries: they are of a scene that is no longer open. */
+    void clear() {
+        entries.clear();
+    }
+
     private void add(RenderState state) {
         Frame frame = state.frame();
         if (frame == null) {

@@ -5,6 +5,7 @@ import javafx.beans.property.ObjectProperty;
 import javafx.scene.input.KeyEvent;
 import lightning.editor.document.CameraDrag;
 import lightning.editor.document.Command;
+import lightning.editor.document.DragRounding;
 import lightning.editor.document.LightEdits;
 import lightning.editor.document.LightManipulation;
 import lightning.editor.document.PreviewCamera;
@@ -79,7 +80,7 @@ final class PreviewKeys {
             return setView(drag.apply(view, canvas, right, -up));
         }
         Light light = editor.selection().light();
-        return light != null && edit(e.isControlDown()
+        return light != null && edit(light, e.isControlDown()
                 ? LightManipulation.translate(light, view, canvas, right, up)
                 : LightManipulation.rotate(light, view, canvas, right, up));
     }
@@ -87,10 +88,11 @@ final class PreviewKeys {
     private boolean dolly(double away) {
         Light light = editor.selection().light();
         return light != null
-                && edit(LightManipulation.dolly(light, camera.get(), mouse.canvas(), away));
+                && edit(light, LightManipulation.dolly(light, camera.get(), mouse.canvas(), away));
     }
 
-    private boolean edit(Light newLight) {
+    private boolean edit(Light light, Light moved) {
+        Light newLight = DragRounding.round(light, moved, camera.get(), mouse.canvas());
         editor.editOrReport(scene -> LightEdits.edit(scene, newLight.name(), _ -> newLight), gesture);
         return true;
     }

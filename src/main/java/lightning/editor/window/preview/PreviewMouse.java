@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import javafx.beans.property.ObjectProperty;
 import lightning.editor.document.CameraDrag;
+import lightning.editor.document.DragRounding;
 import lightning.editor.document.LightDrag;
 import lightning.editor.document.LightEdits;
 import lightning.editor.document.LightGizmo;
@@ -147,11 +148,11 @@ final class PreviewMouse {
             NodeGizmo.Handle draggedHandle = handle;
             editor.editOrReport(
                     scene -> NodeEdits.setPlacement(scene, draggedGizmo.node().name(),
-                            _ -> draggedGizmo.drag(draggedHandle, view, canvas, from, to)),
+                            _ -> DragRounding.round(draggedGizmo, draggedGizmo.drag(draggedHandle, view, canvas, from, to), view, canvas)),
                     gesture);
         } else if (startLight != null) {
             PreviewCamera view = camera.get();
-            Light moved = lightDrag.apply(startLight, view, canvas, right, -down);
+            Light moved = DragRounding.round(startLight, lightDrag.apply(startLight, view, canvas, right, -down), view, canvas);
             editor.editOrReport(scene -> LightEdits.edit(scene, startLight.name(), _ -> moved), gesture);
         }
     }

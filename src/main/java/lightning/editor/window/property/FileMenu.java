@@ -3,9 +3,13 @@ package lightning.editor.window.property;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import javafx.scene.control.Menu;
 import javafx.scene.control.MenuButton;
 import javafx.scene.control.MenuItem;
 import javafx.scene.control.SeparatorMenuItem;
@@ -17,14 +21,15 @@ import lightning.editor.window.model.FileImporter;
 import lightning.format.jen.FileKind;
 
 /**
- * Menu of the files of a kind next to the scene, with thumbnails, None and Browse. Scans the folder in the background each time it opens.
+ * Menu of the files of a kind next to the scene, with thumbnails, None and Browse. Shows gobos before other textures. Scans the folder in
+ * the background each time it opens.
  */
 final class FileMenu extends MenuButton {
     /** Maximum number of files with a thumbnail. */
     private static final int MAX_THUMBNAILS = 60;
 
     private final CommandRegistry commands;
-    private final FileImporter files;
+    private final FileImporter importer;
     private final Command command;
     private final FileKind kind;
     private final Consumer<String> onChosen;
@@ -41,7 +46,7 @@ final class FileMenu extends MenuButton {
         // File names may contain underscores.
         setMnemonicParsing(false);
         this.commands = commands;
-        this.files = files;
+        importer = files;
         this.command = command;
         this.kind = kind;
         this.onChosen = onChosen;
@@ -51,8 +56,8 @@ final class FileMenu extends MenuButton {
     }
 
     private void loadFiles() {
-        Path folder = files.folder();
-        files.files().runConcurrently(() -> findFiles(folder), this::showFiles, _ -> showFiles(List.of()));
+        Path folder = importer.folder();
+        importer.files().runConcurrently(() -> findFiles(folder), this::showFiles, _ -> showFiles(List.of()));
     }
 
     /** Menu entry of a file. */
@@ -71,12 +76,27 @@ final class FileMenu extends MenuButton {
         items.add(item(Messages.tr("None"), ""));
         items.add(CommandMenuItems.forMenu(commands).value(command, Messages.tr("Browse…"), browse));
         items.add(new SeparatorMenuItem());
-        fileItems.forEach(found -> {
-            MenuItem item = item(found.name(), found.name());
-            found.thumbnail().ifPresent(p -> item.setGraphic(p.view()));
-            items.add(item);
-        });
+        Map<Boolean, List<MenuItem>> files = fileItems.stream().collect(Collectors.partitioningBy(found -> isSuggested(found.name()),
+                Collectors.mapping(this::item, Collectors.toList())));
+        items.addAll(files.get(true));
+        List<MenuItem> others = files.get(false);
+        if (files.get(true).isEmpty()) {
+            items.addAll(others);
+        } else if (!others.isEmpty()) {
+            items.add(new Menu(Messages.tr("Other Textures"), null, others.toArray(MenuItem[]::new)));
+        }
         getItems().setAll(items);
+    }
+
+    /** Returns true unless a file is probably for another purpose: images whose names do not say that they are gobos. */
+    private boolean isSuggested(String name) {
+        return command != Command.CHOOSE_GOBO || name.toLowerCase(Locale.ROOT).contains("gobo");
+    }
+
+    private MenuItem item(FileItem found) {
+        MenuItem item = item(found.name(), found.name());
+        found.thumbnail().ifPresent(p -> item.setGraphic(p.view()));
+        return item;
     }
 
     private MenuItem item(String title, String name) {

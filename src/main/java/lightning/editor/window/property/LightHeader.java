@@ -139,6 +139,7 @@ final class LightHeader extends VBox {
         type.setValue(light.map(Light::type).orElse(null));
         isUpdating = false;
         onToggle.setSelected(light.map(Light::on).orElse(false));
+        onToggle.setText(light.map(Light::on).orElse(true) ? Messages.tr("On") : Messages.tr("Off"));
         solo.setSelected(light.map(Light::solo).orElse(false));
         if (!shownName.equals(selection.lightName())) {
             revert();

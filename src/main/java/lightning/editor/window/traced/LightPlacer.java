@@ -6,6 +6,7 @@ import javafx.beans.property.ReadOnlyStringWrapper;
 import lightning.base.math.Vec3;
 import lightning.base.text.Messages;
 import lightning.editor.document.Command;
+import lightning.editor.document.DragRounding;
 import lightning.editor.document.LightEdits;
 import lightning.editor.document.LightPlacement;
 import lightning.editor.document.LightPlacement.Goal;
@@ -181,7 +182,7 @@ final class LightPlacer {
                     case Tool.PlacementTool(Goal act) -> {
                         var placing = LightPlacement.start(startLight, act, hit.point());
                         drag = new Drag.PlacementDrag(placing, picker);
-                        place(placing, hit, false);
+                        place(placing, hit, pointer.canvas(), false);
                     }
                     case Tool.ShadowTool() -> drag = new Drag.ShadowDrag(startLight, hit, picker);
                 }
@@ -198,7 +199,7 @@ final class LightPlacer {
     void drag(Pointer pointer, boolean isSnapping) {
         switch (drag) {
             case Drag.PlacementDrag(LightPlacement placing, ScenePicker picker) ->
-                    pointer.pick(picker).ifPresent(hit -> place(placing, hit, isSnapping));
+                    pointer.pick(picker).ifPresent(hit -> place(placing, hit, pointer.canvas(), isSnapping));
             case Drag.ShadowDrag(Light lightAtStart, ScenePicker.SurfaceHit pressHit, ScenePicker picker) -> {
                 // If the point is in shadow, the occluder is the caster; otherwise the point itself is on the caster.
                 Goal newGoal = new Goal.Shadow(picker.findOccluder(pressHit, lightAtStart).orElse(pressHit).point());
@@ -213,24 +214,25 @@ final class LightPlacer {
                 show(startRing.placing(), startRing.hit(),
                         startRing.placing().moveToDistance(startRing.light(), point,
                                 isSnapping ? Snapping.snapDistance(distance) : distance),
-                        Optional.empty());
+                        pointer.canvas(), Optional.empty());
             }
         }
     }
 
-    private void place(LightPlacement placing, ScenePicker.SurfaceHit hit, boolean isSnapping) {
+    private void place(LightPlacement placing, ScenePicker.SurfaceHit hit, Viewport canvas, boolean isSnapping) {
         boolean isPool = placing.goal() instanceof Goal.Pool;
         LightPlacement rounded = isSnapping && !isPool ? placing.withDistance(Snapping.snapDistance(placing.distance())) : placing;
         try {
             Light light = rounded.place(hit);
             Optional<Snapping> snap = isSnapping && isPool ? Optional.of(Snapping.ofDirection(light)) : Optional.empty();
-            show(rounded, hit, snap.map(Snapping::light).orElse(light), snap.map(Snapping::message));
+            show(rounded, hit, snap.map(Snapping::light).orElse(light), canvas, snap.map(Snapping::message));
         } catch (IllegalArgumentException e) {
             editor.message().show(ErrorMessage.of(e));
         }
     }
 
-    private void show(LightPlacement placing, ScenePicker.SurfaceHit hit, Light light, Optional<String> snapText) {
+    private void show(LightPlacement placing, ScenePicker.SurfaceHit hit, Light placed, Viewport canvas, Optional<String> snapText) {
+        Light light = snapText.isPresent() ? placed : DragRounding.round(startLight, placed, PreviewCamera.of(editor.scene()), canvas);
         if (editor.editOrReport(scene -> LightEdits.edit(scene, light.name(), _ -> light), gesture).isEmpty()) {
             ring = new Ring(placing, hit, light);
             double distance = light.position().minus(hit.point()).length();

@@ -11,6 +11,7 @@ import javafx.scene.input.MouseEvent;
 import javafx.scene.layout.Pane;
 import javafx.scene.shape.Rectangle;
 import lightning.base.text.Messages;
+import lightning.editor.document.DragRounding;
 import lightning.editor.document.LightDrag;
 import lightning.editor.document.LightEdits;
 import lightning.editor.document.LightGizmo;
@@ -131,7 +132,8 @@ final class TracedGizmo extends Pane {
                 Viewport viewport = viewport();
                 Viewport.Pixel from = drag.start();
                 editor.editOrReport(scene -> NodeEdits.setPlacement(scene, gizmo.node().name(),
-                        _ -> gizmo.drag(handle, view, viewport, from, point, e.isShiftDown())), drag);
+                        _ -> DragRounding.round(gizmo, gizmo.drag(handle, view, viewport, from, point, e.isShiftDown()), view, viewport)),
+                        drag);
             }
             case LightTarget(Light lightAtStart, LightDrag dragKind) -> {
                 Light moved = dragKind.apply(lightAtStart, view(), viewport(), point.x() - drag.start().x(),
@@ -139,7 +141,7 @@ final class TracedGizmo extends Pane {
                 Optional<Snapping> snap =
                         e.isShiftDown() && !moved.equals(lightAtStart) ? Optional.of(Snapping.of(lightAtStart, moved, view(), viewport()))
                                 : Optional.empty();
-                Light snapped = snap.map(Snapping::light).orElse(moved);
+                Light snapped = snap.map(Snapping::light).orElseGet(() -> DragRounding.round(lightAtStart, moved, view(), viewport()));
                 if (editor.editOrReport(scene -> LightEdits.edit(scene, lightAtStart.name(), _ -> snapped), drag).isEmpty()) {
                     snap.ifPresent(s -> editor.message().show(Messages.tr("Snapped: {0}", s.message())));
                 }

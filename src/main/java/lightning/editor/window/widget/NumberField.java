@@ -10,6 +10,7 @@ import javafx.geometry.Pos;
 import javafx.scene.control.TextField;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyEvent;
+import javafx.scene.input.MouseEvent;
 import javafx.scene.input.ScrollEvent;
 import lightning.base.text.Language;
 import lightning.base.text.Messages;
@@ -34,6 +35,8 @@ public final class NumberField extends TextField {
     private double value;
     /** Gesture that groups wheel events into one undo step. */
     private Object wheelGesture = new Object();
+    /** True from a press that focused the field to its release. */
+    private boolean isFocusedByPress;
     private long lastWheelNs = Long.MIN_VALUE;
 
     /** @param title  name for the user and for screen readers */
@@ -46,8 +49,7 @@ public final class NumberField extends TextField {
         setText(displayText());
         setOnAction(_ -> {
             commit();
-            // Moves the caret to the start, so that a long number shows its leading digits.
-            selectRange(getLength(), 0);
+            selectFromEnd();
         });
         focusedProperty().addListener((_, wasFocused, _) -> {
             if (wasFocused) {
@@ -56,12 +58,24 @@ public final class NumberField extends TextField {
                 revert();
             }
         });
+        addEventFilter(MouseEvent.MOUSE_PRESSED, _ -> isFocusedByPress = !isFocused());
+        addEventHandler(MouseEvent.MOUSE_RELEASED, _ -> {
+            if (isFocusedByPress && getSelection().getLength() == 0) {
+                selectFromEnd();
+            }
+            isFocusedByPress = false;
+        });
         addEventFilter(KeyEvent.KEY_PRESSED, this::handleKey);
         addEventFilter(ScrollEvent.SCROLL, this::handleWheel);
         refusal.addListener((_, _, now) -> {
             pseudoClassStateChanged(REFUSED, !now.isEmpty());
             setAccessibleHelp(now);
         });
+    }
+
+    /** Selects the text with the caret at its start, so that a long number shows its leading digits. */
+    private void selectFromEnd() {
+        selectRange(getLength(), 0);
     }
 
     /** Reason why the text was refused, as a clause; empty if it was not. */

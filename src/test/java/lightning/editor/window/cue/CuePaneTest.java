@@ -85,6 +85,7 @@ class CuePaneTest extends EditorFixture {
         robot.interact(() -> slider.setValue(30));
         Lighting expected = LightingBlend.blend(Lighting.of(day), Lighting.of(night), 0.3);
         assertThat(Lighting.of(model().editor().scene())).isEqualTo(expected);
+        assertThat(model().editor().editorStateProperty().get().undoLabel()).contains("Blend A/B 30 %");
         waitForPicture();
         assertFilmIs(new ReferenceTracer(model().editor().scene()).trace());
         robot.interact(() -> slider.setValue(100));

@@ -31,6 +31,13 @@ class RemainingTimeTest {
     }
 
     @Test
+    void timeBeforeFirstProgress_isNotExtrapolated() {
+        describe("Tracing", 0, 0);
+        describe("Tracing", 0, 10);
+        assertThat(describe("Tracing", 0.25, 12)).isEqualTo("Tracing · 6 s left");
+    }
+
+    @Test
     void otherTask_restartsEstimate() {
         describe("Tracing", 0, 0);
         assertThat(describe("Verifying", 0.5, 10)).isEqualTo("Verifying");

@@ -8,6 +8,8 @@ import lightning.bench.accuracy.Timing;
 import lightning.bench.accuracy.WarmSaving;
 import lightning.editor.loop.DisplayMode;
 import lightning.editor.loop.Frame;
+import lightning.editor.loop.RenderFeed;
+import lightning.editor.loop.RenderListener;
 import lightning.editor.loop.RenderState;
 import lightning.render.image.Film;
 import lightning.render.relight.UpdateResult;
@@ -69,6 +71,24 @@ class RenderStateTest {
         assertThat(text(behind)).doesNotContain("%", "slower");
         RenderState late = RenderState.NONE.withFrame(newer).withSaving(saving(older));
         assertThat(late.saving()).as("saving of an earlier edit").isEmpty();
+    }
+
+    @Test
+    void stepOfIndirectLight_isNamedUntilTheNextUpdate() {
+        var feed = new RenderFeed(Runnable::run, new RenderListener() {}, () -> {});
+        feed.started(SAMPLES);
+        feed.rendered(frame(SAMPLES));
+        assertThat(StatusText.shortText(feed.state())).startsWith("Updated in 60 ms");
+        feed.indirectStarted();
+        assertThat(StatusText.shortText(feed.state())).startsWith("Updated in 60 ms");
+        feed.rendered(frame(SAMPLES));
+        assertThat(StatusText.shortText(feed.state())).startsWith("Indirect light in 60 ms");
+        feed.samplesStarted();
+        feed.rendered(frame(SAMPLES));
+        assertThat(StatusText.shortText(feed.state())).startsWith("Indirect light in 60 ms");
+        feed.started(SAMPLES);
+        feed.rendered(frame(SAMPLES));
+        assertThat(StatusText.shortText(feed.state())).startsWith("Updated in 60 ms");
     }
 
     @Test

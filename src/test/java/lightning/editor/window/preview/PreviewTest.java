@@ -13,6 +13,7 @@ import javafx.scene.input.MouseButton;
 import javafx.scene.input.MouseEvent;
 import lightning.base.math.Vec3;
 import lightning.editor.document.Command;
+import lightning.editor.document.DragRounding;
 import lightning.editor.document.LightEdits;
 import lightning.editor.document.LightManipulation;
 import lightning.editor.document.NodeGizmo;
@@ -89,11 +90,16 @@ class PreviewTest extends EditorFixture {
         assertThat(light("stage")).isEqualTo(other);
     }
 
+    private Light rounded(Light before, Light dragged) {
+        return DragRounding.round(before, dragged, model().previewSettings().cameraProperty().get(), preview().viewport());
+    }
+
     @Test
     void leftDrag_rotatesLightInOneUndoStep() {
         Light before = light("stage");
         drag(before, MouseButton.PRIMARY, 40, 10);
-        Light expected = LightManipulation.rotate(before, model().previewSettings().cameraProperty().get(), preview().viewport(), 40, -10);
+        Light expected = rounded(before,
+                LightManipulation.rotate(before, model().previewSettings().cameraProperty().get(), preview().viewport(), 40, -10));
         assertThat(light("stage")).isEqualTo(expected).isNotEqualTo(before);
         click("undo");
         assertThat(light("stage")).isEqualTo(before);
@@ -127,7 +133,8 @@ class PreviewTest extends EditorFixture {
     void altAndLeftDrag_isAMiddleDrag() {
         Light before = light("stage");
         dragHolding(KeyCode.ALT, toScreen(before.position()), 0, -40);
-        Light expected = LightManipulation.dolly(before, model().previewSettings().cameraProperty().get(), preview().viewport(), 40);
+        Light expected = rounded(before,
+                LightManipulation.dolly(before, model().previewSettings().cameraProperty().get(), preview().viewport(), 40));
         assertThat(light("stage")).isEqualTo(expected).isNotEqualTo(before);
     }
 

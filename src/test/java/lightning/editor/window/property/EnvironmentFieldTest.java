@@ -10,6 +10,7 @@ import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 import javafx.scene.Node;
+import javafx.scene.control.Label;
 import javafx.scene.control.MenuButton;
 import javafx.scene.control.MenuItem;
 import javafx.scene.control.TextField;
@@ -110,5 +111,16 @@ class EnvironmentFieldTest extends EditorFixture {
         waitFor("the file is refused", () -> model().editor().message().textProperty().get().contains("fake.hdr"));
         assertThat(choiceText()).isEmpty();
         assertThat(isEnabled(Command.UNDO)).isFalse();
+    }
+
+    @Test
+    void environmentInMixer_isNamedOnOneLine() throws IOException {
+        writeEnvironmentMap("red_dusk.hdr");
+        choose("red_dusk.hdr");
+        waitFor("the file is read", () -> choiceText().equals("red_dusk.hdr"));
+        robot.push(KeyCode.F4);
+        Label name = robot.from(robot.lookup("#strip-head-environment").<Node>query()).lookup((Node n) -> n instanceof Label).query();
+        waitFor("the strip is laid out", () -> name.getWidth() > 0);
+        assertThat(name.getWidth()).isGreaterThanOrEqualTo(name.prefWidth(-1));
     }
 }

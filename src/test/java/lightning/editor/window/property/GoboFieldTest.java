@@ -7,7 +7,9 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
+import javafx.scene.control.Menu;
 import javafx.scene.control.MenuButton;
 import javafx.scene.control.MenuItem;
 import javax.imageio.ImageIO;
@@ -38,6 +40,22 @@ class GoboFieldTest extends EditorFixture {
         waitFor("the menu lists the file", () -> choice().getItems().stream().anyMatch(i -> name.equals(i.getText())));
         MenuItem item = choice().getItems().stream().filter(i -> name.equals(i.getText())).findFirst().orElseThrow();
         robot.interact(item::fire);
+    }
+
+    @Test
+    void otherTextures_areInSubmenuBelowGobos() throws IOException {
+        picture("brick.png");
+        picture("gobo_leaves.png");
+        picture("window_gobo.png");
+        select("stage");
+        robot.interact(() -> choice().getOnShowing().handle(null));
+        waitFor("the menu lists the files", () -> choice().getItems().stream().anyMatch(i -> "gobo_leaves.png".equals(i.getText())));
+        assertThat(choice().getItems().stream().map(MenuItem::getText).filter(Objects::nonNull))
+                .containsExactly("None", "Browse…", "gobo_leaves.png", "window_gobo.png", "Other Textures");
+        MenuItem brick = ((Menu) choice().getItems().getLast()).getItems().getFirst();
+        assertThat(brick.getText()).isEqualTo("brick.png");
+        robot.interact(brick::fire);
+        waitFor("the file is read", () -> light("stage").gobo().map(Gobo::file).orElse("").equals("brick.png"));
     }
 
     @Test

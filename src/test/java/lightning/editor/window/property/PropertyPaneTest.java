@@ -17,6 +17,7 @@ import javafx.scene.control.Labeled;
 import javafx.scene.control.MenuItem;
 import javafx.scene.control.ScrollPane;
 import javafx.scene.control.TextField;
+import javafx.scene.control.ToggleButton;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.MouseButton;
 import javafx.scene.layout.VBox;
@@ -375,6 +376,16 @@ class PropertyPaneTest {
         robot.push(KeyCode.ESCAPE);
         assertThat(RefusalTexts.shown(robot)).isEmpty();
         assertThat(robot.lookup("#light-name").queryAs(TextField.class).getText()).isEqualTo(TestEditors.SPOT);
+    }
+
+    @Test
+    void onToggle_saysOffWhenOff(FxRobot robot) {
+        ToggleButton toggle = robot.lookup("#light-on").query();
+        assertThat(toggle.getText()).isEqualTo("On");
+        robot.clickOn(toggle);
+        assertThat(toggle.getText()).isEqualTo("Off");
+        robot.clickOn(toggle);
+        assertThat(toggle.getText()).isEqualTo("On");
     }
 
     @Test
