@@ -131,7 +131,6 @@ final class IndirectPlot extends LineChart<Number, Number> {
     private Region symbol(IndirectSweep.Point point) {
         IndirectSettings settings = point.settings();
         var dot = new StackPane();
-        dot.getStyleClass().add("indirect-symbol");
         dot.setId("indirect-point-" + settings.spacing() + "-" + settings.rays());
         var label = new Label(settings.spacing() + ", " + settings.rays());
         // Takes no place, so that the point stays where it is measured.

@@ -33,7 +33,8 @@ class IndirectAccuracyPaneTest extends EditorFixture {
         assertThat(robot.lookup("#indirect-chart").<Node>query().isVisible()).isFalse();
         click("measure-indirect");
         waitFor("the measurement is finished", () -> table().getItems().size() == 9);
-        assertThat(robot.lookup(".indirect-symbol").queryAll()).hasSize(9);
+        assertThat(table().getItems()).allSatisfy(point -> assertThat(robot.lookup("#indirect-point-" + point.settings().spacing() + "-"
+                + point.settings().rays()).queryAll()).hasSize(1));
         assertThat(isMarked("indirect-point-8-64", "selected")).isTrue();
         // Nothing is nearer to the densest setting than itself.
         assertThat(isMarked("indirect-point-4-256", "optimal")).isTrue();
