@@ -29,7 +29,7 @@ class TraceMemoryTest {
 
     @Test
     void pathsThatDoNotFit_areRejectedWithFittingSize() {
-        Scene scene = room(800, 600);
+        Scene scene = room(400, 300);
         long memory = MemoryEstimate.filmBytes(scene.picture()) + pathBytes(scene) / 2;
         assertThatCode(() -> MemoryEstimate.checkFilm(scene.picture(), memory)).doesNotThrowAnyException();
         assertThatThrownBy(() -> TraceMemory.check(scene, memory)).isInstanceOf(PictureTooLargeException.class).message()
