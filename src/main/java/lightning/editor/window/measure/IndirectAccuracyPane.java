@@ -30,6 +30,8 @@ import lightning.scene.Scene;
  */
 public final class IndirectAccuracyPane extends BorderPane {
     private static final double ROW_HEIGHT = 30;
+    /** Width of the table at which no title is cut off, pixels. */
+    private static final double TABLE_WIDTH = 582;
 
     private final SceneEditor editor;
     private final Label note = new Label();
@@ -88,11 +90,12 @@ public final class IndirectAccuracyPane extends BorderPane {
         table.setPlaceholder(new Label(Messages.tr("Not measured yet")));
         table.setColumnResizePolicy(TableView.CONSTRAINED_RESIZE_POLICY_FLEX_LAST_COLUMN);
         table.setFixedCellSize(ROW_HEIGHT);
-        addColumn(Messages.tr("Spacing"), 90, p -> Messages.tr("{0} Pixels", p.settings().spacing()));
-        addColumn(Messages.tr("Rays"), 65, p -> Integer.toString(p.settings().rays()));
-        addColumn(Messages.tr("Time"), 85, p -> p.fits() ? StatusText.time(p.milliseconds()) : Messages.tr("too large for memory"));
-        addColumn(Messages.tr("Mean difference"), 150, p -> p.fits() ? percent(p.meanDifference()) : "");
-        addColumn(Messages.tr("95 % of pixels below"), 145, p -> p.fits() ? percent(p.difference95()) : "");
+        table.setMinWidth(TABLE_WIDTH);
+        addColumn(Messages.tr("Spacing"), 108, p -> Messages.tr("{0} Pixels", p.settings().spacing()));
+        addColumn(Messages.tr("Rays"), 72, p -> Integer.toString(p.settings().rays()));
+        addColumn(Messages.tr("Time"), 76, p -> p.fits() ? StatusText.time(p.milliseconds()) : Messages.tr("too large for memory"));
+        addColumn(Messages.tr("Mean difference"), 164, p -> p.fits() ? percent(p.meanDifference()) : "");
+        addColumn(Messages.tr("95 % of pixels below"), 158, p -> p.fits() ? percent(p.difference95()) : "");
         return table;
     }
 

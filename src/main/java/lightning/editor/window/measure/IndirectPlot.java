@@ -29,6 +29,7 @@ final class IndirectPlot extends LineChart<Number, Number> {
     private static final PseudoClass OPTIMAL = PseudoClass.getPseudoClass("optimal");
     /** Factor from the shortest and longest time to the ends of the axis. */
     private static final double TIME_MARGIN = 1.7;
+    private static final double LABEL_MARGIN = 1.08;
     private static final double MIN_MILLISECONDS = 0.01;
     /** Place of a label relative to the upper left of its point, pixels. */
     private static final double LABEL_X = 9;
@@ -90,6 +91,9 @@ final class IndirectPlot extends LineChart<Number, Number> {
             symbols.put(point, symbol);
             settings.getData().add(data(time(point), point.meanDifference(), symbol));
         }
+        // Keeps the uppermost label below the edge, where the chart clips.
+        double largest = fitting.stream().mapToDouble(IndirectSweep.Point::meanDifference).max().orElseThrow();
+        settings.getData().add(data(time(fitting.getFirst()), LABEL_MARGIN * largest, hidden()));
         getData().setAll(List.of(steps(front), settings));
     }
 
