@@ -51,7 +51,7 @@ final class ArchitectureRules {
             row("base.file", "base.text"),
             row("scene", "base.text base.math"),
             row("scene.shot", "base.text base.math scene"),
-            row("scene.effects", "base.math scene"),
+            row("scene.effects", "base.text base.math scene"),
             row("render.column", ""),
             row("render.image", "base.text base.math"),
             row("render.trace.solid", "scene"),

@@ -11,6 +11,7 @@ import lightning.render.fulltrace.TraditionalTracer;
 import lightning.render.image.Film;
 import lightning.render.relight.MemoryEstimate;
 import lightning.render.relight.SceneView;
+import lightning.render.relight.TraceMemory;
 import lightning.render.shading.LightReport;
 import lightning.render.shading.PixelExplainer;
 import lightning.render.shading.PointReport;
@@ -81,6 +82,7 @@ final class ExplainCommand implements Callable<Integer> {
         if (scene.picture().indirect().isEmpty()) {
             return explainer;
         }
+        TraceMemory.check(scene, HeapBudget.availableBytes());
         try (WorkerPool workers = new WorkerPool(WorkerPool.processorCount())) {
             return explainer.withIndirect(new TraditionalTracer(scene, explainer.geometry()).traceIndirect(workers, Progress.NONE));
         }

@@ -8,8 +8,8 @@ import lightning.format.layer.LayeredExrWriter;
 import lightning.render.engine.choice.Engines;
 import lightning.render.fulltrace.TraditionalTracer;
 import lightning.render.image.Film;
-import lightning.render.relight.MemoryEstimate;
 import lightning.render.relight.Renderer;
+import lightning.render.relight.TraceMemory;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.render.shading.RayCounts;
 import lightning.render.warmup.DelayedWarmUp;
@@ -77,7 +77,7 @@ final class RenderCommand implements Callable<Integer> {
     }
 
     private void traceTraditionally(Scene scene) throws Exception {
-        MemoryEstimate.checkFilm(scene.picture(), output.availableMemory(scene));
+        TraceMemory.check(scene, output.availableMemory(scene));
         try (var _ = new DelayedWarmUp(scene); WorkerPool workers = new WorkerPool(threads.count());
                 ProgressBar bar = new ProgressBar(console, "tracing")) {
             long start = System.nanoTime();

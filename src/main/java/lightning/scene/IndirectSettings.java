@@ -1,6 +1,7 @@
 package lightning.scene;
 
 import java.util.List;
+import lightning.base.text.Messages;
 
 /**
  * Diffuse indirect light of an image: light that surfaces pass on to other surfaces.
@@ -67,7 +68,7 @@ public record IndirectSettings(int bounces, int rays, int spacing, boolean backg
 
     /** Returns all settings in a line: {@code 2 bounces, 64 rays, every 8 pixels}. */
     public String label() {
-        return bounces + (bounces == 1 ? " bounce, " : " bounces, ") + rays + " rays, every " + spacing + " pixels"
-                + (background ? ", background" : "");
+        return Messages.count(bounces, "{0} bounce, {1} rays, every {2} pixels", "{0} bounces, {1} rays, every {2} pixels", bounces, rays,
+                spacing) + (background ? Messages.tr(", background") : "");
     }
 }

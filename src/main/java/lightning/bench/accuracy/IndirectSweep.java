@@ -76,6 +76,11 @@ public record IndirectSweep(double directMilliseconds, List<Point> points) {
         }
     }
 
+    /** Returns the points that no other beats in both time and mean difference, fastest first. */
+    public List<Point> front() {
+        return ParetoFront.of(points.stream().filter(Point::fits).toList(), Point::milliseconds, Point::meanDifference);
+    }
+
     /** Returns the expected work of a setting: the rays of its gather points, and a part that does not depend on them. */
     private static double expectedWork(IndirectSettings s) {
         return (s.rays() + 64.0) / (s.spacing() * s.spacing());

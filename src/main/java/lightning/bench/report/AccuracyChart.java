@@ -2,6 +2,7 @@ package lightning.bench.report;
 
 import java.util.List;
 import lightning.bench.accuracy.AccuracySetting;
+import lightning.bench.accuracy.ParetoFront;
 
 /** Chart of error against time with a point per accuracy setting. */
 final class AccuracyChart {
@@ -22,6 +23,6 @@ final class AccuracyChart {
 
     /** Returns the Pareto-optimal settings, fastest first. */
     static List<Point> paretoFront(List<Point> points) {
-        return ParetoChart.front(points, Point::median, Point::error);
+        return ParetoFront.of(points, Point::median, Point::error);
     }
 }

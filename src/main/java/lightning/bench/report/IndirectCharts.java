@@ -9,6 +9,7 @@ import lightning.bench.BenchResults;
 import lightning.bench.IndirectAccuracy;
 import lightning.bench.IndirectGrowth;
 import lightning.bench.IndirectResults;
+import lightning.bench.accuracy.ParetoFront;
 
 /** Charts of indirect light: error against time with the Pareto front, missing light against time, and growth. */
 public final class IndirectCharts {
@@ -45,7 +46,7 @@ public final class IndirectCharts {
 
     /** Returns the settings on the Pareto front, fastest first. */
     static List<IndirectAccuracy.Point> front(IndirectAccuracy scene) {
-        return ParetoChart.front(scene.grid(), point -> point.time().median(), point -> point.error().mean());
+        return ParetoFront.of(scene.grid(), point -> point.time().median(), point -> point.error().mean());
     }
 
     /** Returns the chart of a scene: mean error against the milliseconds of the first pass; a color per number of rays. */

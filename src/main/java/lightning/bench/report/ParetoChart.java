@@ -1,11 +1,9 @@
 package lightning.bench.report;
 
 import java.awt.Shape;
-import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.List;
 import java.util.function.DoubleFunction;
-import java.util.function.ToDoubleFunction;
+import lightning.bench.accuracy.ParetoFront;
 import org.jfree.chart.plot.XYPlot;
 import org.jfree.chart.renderer.xy.XYErrorRenderer;
 import org.jfree.chart.renderer.xy.XYStepRenderer;
@@ -59,24 +57,13 @@ final class ParetoChart {
         return ChartSvg.of(PlotStyle.chart(plot), width, height, label);
     }
 
-    /** Returns the Pareto-optimal points, fastest first. */
-    static <P> List<P> front(List<P> points, ToDoubleFunction<P> time, ToDoubleFunction<P> error) {
-        List<P> front = new ArrayList<>();
-        for (P p : points.stream().sorted(Comparator.comparingDouble(time).thenComparingDouble(error)).toList()) {
-            if (front.isEmpty() || error.applyAsDouble(p) < error.applyAsDouble(front.getLast())) {
-                front.add(p);
-            }
-        }
-        return front;
-    }
-
     private static double chartError(double error, double zero, double top) {
         return error == 0 ? zero : Math.min(error, top);
     }
 
     private static XYSeriesCollection front(List<Point> points, double zero, double top) {
         XYSeries front = new XYSeries("front");
-        front(points, Point::median, Point::error).forEach(p -> front.add(p.median, chartError(p.error, zero, top)));
+        ParetoFront.of(points, Point::median, Point::error).forEach(p -> front.add(p.median, chartError(p.error, zero, top)));
         return new XYSeriesCollection(front);
     }
 

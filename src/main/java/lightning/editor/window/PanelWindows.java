@@ -30,7 +30,7 @@ final class PanelWindows implements AutoCloseable {
             Command.EFFECTS_PANEL,
             new PanelSpec(760, 680,
                     m -> new EffectsPane(m.editor(), m.workbench(), m.accuracyModeProperty(), m.pictureDisplay().effectsProperty())),
-            Command.INDIRECT_ACCURACY, new PanelSpec(760, 460, m -> new IndirectAccuracyPane(m.editor(), m.accuracyModeProperty())),
+            Command.INDIRECT_ACCURACY, new PanelSpec(920, 470, m -> new IndirectAccuracyPane(m.editor(), m.accuracyModeProperty())),
             Command.KEYS, new PanelSpec(880, 720, m -> new ShortcutsPane(m.commands())),
             Command.SCOPES, new PanelSpec(540, 540, m -> new ScopesPane(m.picture(), m.files().windowExecutor())),
             Command.HISTORY_PANEL, new PanelSpec(380, 560, m -> new HistoryPane(m.editor(), m.workbench())),

@@ -2,6 +2,7 @@ package lightning.render.relight;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.ToLongFunction;
 import lightning.render.cache.PixelCache;
 import lightning.render.gather.RowWeights;
 import lightning.render.image.Film;
@@ -90,6 +91,11 @@ public final class MemoryEstimate {
         return (side + Film.TILE_SIZE - 1L) / Film.TILE_SIZE * Film.TILE_SIZE;
     }
 
+    /** Returns the bytes of the film and of the colors by which a trace detects edges. */
+    static long filmBytes(PictureSettings picture) {
+        return pixels(picture) * (BYTES_PER_COLOR + edgeColorBytes(picture.sampling()));
+    }
+
     /** Returns the bytes of the colors of a pixel's center and of its first samples by which edges are detected. */
     private static long edgeColorBytes(SamplingSettings sampling) {
         return sampling.antialias() == AntialiasMode.EDGES ? (1L + SampleCells.first(sampling.grid()).count()) * Integer.BYTES : 0;
@@ -115,7 +121,7 @@ public final class MemoryEstimate {
      */
     static List<PictureTooLargeException.Suggestion> suggestions(Scene scene, MemoryForecast forecast, long required, long memory) {
         List<PictureTooLargeException.Suggestion> suggestions = new ArrayList<>();
-        suggestSize(scene, forecast, required, memory, suggestions);
+        suggestSize(scene.picture(), forecast::bytes, required, memory, suggestions);
         if (forecast.parts() == PictureParts.ALL) {
             suggestSamples(scene.picture(), forecast, memory, suggestions);
         }
@@ -123,14 +129,13 @@ public final class MemoryEstimate {
     }
 
     /**
-     * Rejects a picture whose film alone does not fit, for a trace without a cache.
+     * Rejects a picture whose film alone does not fit.
      *
      * @param memory available bytes
      * @throws PictureTooLargeException if the film needs more
      */
     public static void checkFilm(PictureSettings picture, long memory) {
-        long each = BYTES_PER_COLOR + edgeColorBytes(picture.sampling());
-        long required = pixels(picture) * each;
+        long required = filmBytes(picture);
         if (required > memory) {
             double shrink = Math.sqrt((double) Math.max(memory, 0) / required);
             // Whole tiles, as in the estimate.
@@ -141,14 +146,14 @@ public final class MemoryEstimate {
         }
     }
 
-    private static void suggestSize(Scene scene, MemoryForecast forecast, long required, long available,
+    /** Adds the largest size that would fit, in steps. */
+    static void suggestSize(PictureSettings picture, ToLongFunction<PictureSettings> bytes, long required, long available,
             List<PictureTooLargeException.Suggestion> suggestions) {
-        PictureSettings picture = scene.picture();
         for (double shrink = Math.sqrt((double) Math.max(available, 0) / required);
                 shrink * Math.min(picture.width(), picture.height()) >= 1;
                 shrink *= SHRINK_STEP) {
             PictureSettings smaller = picture.withSize((int) (picture.width() * shrink), (int) (picture.height() * shrink));
-            if (forecast.bytes(smaller) <= available) {
+            if (bytes.applyAsLong(smaller) <= available) {
                 suggestions.add(new PictureTooLargeException.Suggestion.Size(smaller.width(), smaller.height()));
                 return;
             }

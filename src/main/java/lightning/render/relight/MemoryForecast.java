@@ -98,6 +98,20 @@ final class MemoryForecast {
                 false, IndirectEstimate.upperOf(small.indirect, 1));
     }
 
+    /** Forecasts the paths of indirect light alone. */
+    static IndirectEstimate indirectOf(Scene scene) {
+        return IndirectEstimate.of(smallPaths(scene, SMALL_SIDE), smallPaths(scene, 2 * SMALL_SIDE));
+    }
+
+    /** Forecasts the paths of indirect light from one tiny picture; rather too large. */
+    static IndirectEstimate upperIndirectOf(Scene scene) {
+        return IndirectEstimate.upperOf(smallPaths(scene, SMALL_SIDE / 2), TINY_MARGIN);
+    }
+
+    private static IndirectEstimate.Sample smallPaths(Scene scene, int side) {
+        return SmallRender.of(scene, RenderOptions.DEFAULT, side, false, false, SmallPictures.UNSEEN).indirect;
+    }
+
     private static double edgeExponent(Scene scene, RenderOptions options, SmallRender small, SmallPictures pictures) {
         if (small.fine == 0) {
             return 2;

@@ -2,6 +2,7 @@ package lightning.render.relight;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Predicate;
 import lightning.render.gather.PathsTooLargeException;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.IndirectSettings;
@@ -18,9 +19,18 @@ final class SparserPaths {
      */
     static List<PictureTooLargeException.Suggestion> suggest(Scene scene, RenderOptions options, PictureParts parts, long memory,
             SmallPictures pictures) {
+        return suggest(scene, sparser -> MemoryForecast.upperOf(sparser, options, parts, pictures).bytes(sparser.picture()) <= memory);
+    }
+
+    /**
+     * Returns the first settings that fit, as a suggestion.
+     *
+     * @param fits tests the scene with sparser settings; it may throw {@link PathsTooLargeException}
+     */
+    static List<PictureTooLargeException.Suggestion> suggest(Scene scene, Predicate<Scene> fits) {
         Optional<IndirectSettings> settings = scene.picture().indirect().map(SparserPaths::next);
         while (settings.isPresent()) {
-            if (fits(scene.withPicture(scene.picture().withIndirect(settings)), options, parts, memory, pictures)) {
+            if (isFitting(scene.withPicture(scene.picture().withIndirect(settings)), fits)) {
                 return List.of(new PictureTooLargeException.Suggestion.Paths(settings.get()));
             }
             settings = settings.map(SparserPaths::next);
@@ -37,9 +47,9 @@ final class SparserPaths {
                 : null;
     }
 
-    private static boolean fits(Scene scene, RenderOptions options, PictureParts parts, long memory, SmallPictures pictures) {
+    private static boolean isFitting(Scene sparser, Predicate<Scene> fits) {
         try {
-            return MemoryForecast.upperOf(scene, options, parts, pictures).bytes(scene.picture()) <= memory;
+            return fits.test(sparser);
         } catch (PathsTooLargeException e) {
             return false;
         }

@@ -6,6 +6,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import lightning.base.text.Messages;
 import lightning.scene.Scene;
 
 /**
@@ -55,8 +56,9 @@ public record SceneEffects(Map<RenderEffect, List<String>> users, int maxBounces
     public String reason(RenderEffect effect) {
         List<String> names = users(effect);
         String shown = String.join(", ", names.subList(0, Math.min(names.size(), MAX_NAMES)));
-        String more = names.size() > MAX_NAMES ? " and " + (names.size() - MAX_NAMES) + " more" : "";
-        return (effect == RenderEffect.REFLECTION && has(effect) ? "up to " + maxBounces + " bounces: " : "") + shown + more;
+        String more = names.size() > MAX_NAMES ? Messages.tr(" and {0} more", names.size() - MAX_NAMES) : "";
+        return effect == RenderEffect.REFLECTION && has(effect)
+                ? Messages.count(maxBounces, "up to {0} bounce: {1}", "up to {0} bounces: {1}", maxBounces, shown + more) : shown + more;
     }
 
     /** Returns the unused effects. */

@@ -24,15 +24,21 @@ import lightning.editor.window.widget.DisabledReason;
 import lightning.scene.IndirectSettings;
 import lightning.scene.Scene;
 
-/** Pane that compares settings of indirect light on the current scene: time and difference of each, measured on request. */
+/**
+ * Pane that compares settings of indirect light on the current scene: time and difference of each, measured on request. A setting is
+ * chosen in the table or in the plot beside it.
+ */
 public final class IndirectAccuracyPane extends BorderPane {
     private static final double ROW_HEIGHT = 30;
+    /** Width of the table at which no title is cut off, pixels. */
+    private static final double TABLE_WIDTH = 582;
 
     private final SceneEditor editor;
     private final Label note = new Label();
     private final MeasureBar bar = new MeasureBar("-indirect",
             Messages.tr("Render the scene with each setting in the background"));
     private final TableView<IndirectSweep.Point> table = new TableView<>();
+    private final IndirectPlot chart = new IndirectPlot(table.getSelectionModel());
     private final Button use = new Button(Messages.tr("Use These Settings"));
     private final StackPane useBox = new StackPane(use);
     private final DisabledReason useReason =
@@ -53,7 +59,12 @@ public final class IndirectAccuracyPane extends BorderPane {
         head.setAlignment(Pos.CENTER_LEFT);
         head.getStyleClass().add("accuracy-head");
         setTop(head);
-        setCenter(table());
+        HBox.setHgrow(chart, Priority.ALWAYS);
+        HBox.setHgrow(table(), Priority.ALWAYS);
+        chart.setVisible(false);
+        chart.managedProperty().bind(chart.visibleProperty());
+        // Side by side: a low window shows all rows and the chart.
+        setCenter(new HBox(chart, table));
         use.setId("use-indirect-settings");
         use.setMinWidth(Region.USE_PREF_SIZE);
         use.setOnAction(_ -> useSelected());
@@ -79,11 +90,12 @@ public final class IndirectAccuracyPane extends BorderPane {
         table.setPlaceholder(new Label(Messages.tr("Not measured yet")));
         table.setColumnResizePolicy(TableView.CONSTRAINED_RESIZE_POLICY_FLEX_LAST_COLUMN);
         table.setFixedCellSize(ROW_HEIGHT);
-        addColumn(Messages.tr("Spacing"), p -> Messages.tr("{0} Pixels", p.settings().spacing()));
-        addColumn(Messages.tr("Rays"), p -> Integer.toString(p.settings().rays()));
-        addColumn(Messages.tr("Time"), p -> p.fits() ? StatusText.time(p.milliseconds()) : Messages.tr("too large for memory"));
-        addColumn(Messages.tr("Mean difference"), p -> p.fits() ? percent(p.meanDifference()) : "");
-        addColumn(Messages.tr("95 % of pixels below"), p -> p.fits() ? percent(p.difference95()) : "");
+        table.setMinWidth(TABLE_WIDTH);
+        addColumn(Messages.tr("Spacing"), 108, p -> Messages.tr("{0} Pixels", p.settings().spacing()));
+        addColumn(Messages.tr("Rays"), 72, p -> Integer.toString(p.settings().rays()));
+        addColumn(Messages.tr("Time"), 76, p -> p.fits() ? StatusText.time(p.milliseconds()) : Messages.tr("too large for memory"));
+        addColumn(Messages.tr("Mean difference"), 164, p -> p.fits() ? percent(p.meanDifference()) : "");
+        addColumn(Messages.tr("95 % of pixels below"), 158, p -> p.fits() ? percent(p.difference95()) : "");
         return table;
     }
 
@@ -91,8 +103,10 @@ public final class IndirectAccuracyPane extends BorderPane {
         return String.format(Messages.locale(), "%.1f %%", 100 * share);
     }
 
-    private void addColumn(String title, Function<IndirectSweep.Point, String> text) {
+    /** @param minWidth pixels */
+    private void addColumn(String title, double minWidth, Function<IndirectSweep.Point, String> text) {
         var column = new TableColumn<IndirectSweep.Point, String>(title);
+        column.setMinWidth(minWidth);
         column.setSortable(false);
         column.setReorderable(false);
         column.setCellValueFactory(cell -> new ReadOnlyStringWrapper(text.apply(cell.getValue())));
@@ -104,6 +118,8 @@ public final class IndirectAccuracyPane extends BorderPane {
         note.setText(Messages.tr("Measuring …"));
         bar.start("lightning-indirect-accuracy", progress -> IndirectSweep.measure(scene, mode.options(), progress), sweep -> {
             table.getItems().setAll(sweep.points());
+            chart.show(sweep);
+            chart.setVisible(true);
             IndirectSettings used = scene.picture().indirect().orElse(IndirectSettings.DEFAULT);
             sweep.points().stream().filter(p -> p.settings().equals(used)).findFirst().ifPresent(table.getSelectionModel()::select);
             note.setText(Messages.tr("{0} × {1} pixels · first pass without indirect light {2}", scene.picture().width(),

@@ -2,6 +2,8 @@ package lightning.editor.window.measure;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import javafx.css.PseudoClass;
+import javafx.scene.Node;
 import javafx.scene.control.TableView;
 import lightning.bench.accuracy.IndirectSweep;
 import lightning.editor.document.Command;
@@ -23,5 +25,29 @@ class IndirectAccuracyPaneTest extends EditorFixture {
         robot.interact(() -> table().getSelectionModel().selectFirst());
         click("use-indirect-settings");
         assertThat(model().editor().scene().picture().indirect()).contains(IndirectSettings.DEFAULT.withSpacing(16).withRays(16));
+    }
+
+    @Test
+    void pointOfTheChart_selectsItsSettings() {
+        robot.interact(() -> model().commands().run(Command.INDIRECT_ACCURACY));
+        assertThat(robot.lookup("#indirect-chart").<Node>query().isVisible()).isFalse();
+        click("measure-indirect");
+        waitFor("the measurement is finished", () -> table().getItems().size() == 9);
+        assertThat(table().getItems()).allSatisfy(point -> assertThat(robot.lookup("#indirect-point-" + point.settings().spacing() + "-"
+                + point.settings().rays()).queryAll()).hasSize(1));
+        assertThat(isMarked("indirect-point-8-64", "selected")).isTrue();
+        // Nothing is nearer to the densest setting than itself.
+        assertThat(isMarked("indirect-point-4-256", "optimal")).isTrue();
+        click("indirect-point-4-16");
+        assertThat(table().getSelectionModel().getSelectedItem().settings())
+                .isEqualTo(IndirectSettings.DEFAULT.withSpacing(4).withRays(16));
+        assertThat(isMarked("indirect-point-4-16", "selected")).isTrue();
+        assertThat(isMarked("indirect-point-8-64", "selected")).isFalse();
+        click("use-indirect-settings");
+        assertThat(model().editor().scene().picture().indirect()).contains(IndirectSettings.DEFAULT.withSpacing(4).withRays(16));
+    }
+
+    private boolean isMarked(String id, String state) {
+        return robot.lookup("#" + id).<Node>query().getPseudoClassStates().contains(PseudoClass.getPseudoClass(state));
     }
 }
