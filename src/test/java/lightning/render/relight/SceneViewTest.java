@@ -3,8 +3,8 @@ package lightning.render.relight;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import lightning.base.work.Progress;
+import lightning.render.cache.PixelCache;
 import lightning.render.image.DisplayCurve;
-import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
 import lightning.render.relight.plan.Accuracy;
 import lightning.render.relight.plan.ReflectionMode;
@@ -47,13 +47,13 @@ class SceneViewTest {
         RenderOptions options = RenderOptions.DEFAULT.withThreads(1);
         try (Renderer renderer = new Renderer(new RenderOptions(Accuracy.EXACT, reflections, options.storage(), 1))) {
             renderer.render(scene, Progress.NONE);
-            Film film = renderer.film();
+            PixelCache cache = renderer.cache();
             UpdateResult update = renderer.render(withView(scene, ViewCurve.AGX, -3), Progress.NONE);
             assertThat(update.plan()).isEqualTo(new UpdatePlan.Nothing());
             assertThat(update.rays().total()).isZero();
             assertThat(update.rowsComposed()).isZero();
             assertThat(update.rowsTouched()).isZero();
-            assertThat(renderer.film()).isSameAs(film);
+            assertThat(renderer.cache()).isSameAs(cache);
         }
     }
 
