@@ -41,6 +41,7 @@ final class WarningBar extends Button {
         dismissed.retainAll(warnings);
         String text = String.join(" · ", warnings.stream().filter(w -> !dismissed.contains(w)).toList());
         setText(text);
+        setAccessibleText(text.isEmpty() ? Messages.tr("Warning") : text);
         setVisible(!text.isEmpty());
         details.setText(Messages.tr("{0}\nClick to hide this warning.", text));
     }

@@ -29,8 +29,13 @@ final class SceneFiles {
 
     /** Returns a scene without indirect light, as all benchmark parts but that of indirect light measure it. */
     static Scene read(String name) {
+        return IndirectScenes.without(readAll(name));
+    }
+
+    /** Returns a scene as its file describes it. */
+    static Scene readAll(String name) {
         try {
-            return IndirectScenes.without(JenReader.read(FOLDER.resolve(name + ".jen")).scene());
+            return JenReader.read(FOLDER.resolve(name + ".jen")).scene();
         } catch (IOException | JenException e) {
             throw new AssertionError(name, e);
         }
