@@ -35,9 +35,19 @@ public final class IndirectSolver {
         this.structure = structure;
         this.workers = workers;
         this.progress = progress.cancellationOnly();
+        background = background(scene);
+    }
+
+    /** Returns the light of a ray that leaves the scene: red, green, blue. */
+    private static float[] background(Scene scene) {
         boolean lit = scene.picture().indirect().orElse(IndirectSettings.DEFAULT).background() && scene.world().environment().isEmpty();
-        background = lit ? new float[] {(float) scene.world().background().r(), (float) scene.world().background().g(),
+        return lit ? new float[] {(float) scene.world().background().r(), (float) scene.world().background().g(),
             (float) scene.world().background().b()} : new float[3];
+    }
+
+    /** Returns whether rays that leave two scenes meet the same light. */
+    public static boolean haveSameBackground(Scene a, Scene b) {
+        return Arrays.equals(background(a), background(b));
     }
 
     /**

@@ -102,6 +102,29 @@ class IndirectScenesTest {
         }
     }
 
+    /** No light and no surfel changes, only what rays meet that leave the scene. */
+    @Test
+    void otherBackground_changesIndirectLight() throws JenException {
+        Scene direct = JenReader.read("""
+                jen 1
+                picture { size 32 24 }
+                camera { from 0 2 6  to 0 0 0 }
+                world { background 0.2 0.4 0.8 }
+                material white { diffuse 0.8 0.8 0.8 }
+                plane floor { material white  at 0 -1 0  scale 4 1 4 }
+                sphere ball { material white  at 0 -0.4 0  scale 0.6 0.6 0.6 }
+                light lamp point { at 1 2 1 }
+                """, "sky.jen", Path.of("")).scene();
+        Scene scene = direct.withPicture(direct.picture().withIndirect(Optional.of(new IndirectSettings(2, 16, 4, true))));
+        Scene red = scene.withWorld(scene.world().withBackground(new Rgb(0.9, 0.1, 0.1)));
+        try (WorkerPool workers = new WorkerPool(1); Renderer renderer = new Renderer(RenderOptions.DEFAULT.withThreads(1))) {
+            renderer.render(scene, Progress.NONE);
+            renderer.render(red, Progress.NONE);
+            FilmAssert.assertSameBits(renderer.film(), new TraditionalTracer(red).trace(workers, Progress.NONE).film(),
+                    "indirect background");
+        }
+    }
+
     /** Forced reflections are cast before and after the edit, but only rays of mirrors lead to gather points. */
     @Test
     void mirrorThatCeases_whileReflectionsAreForced_givesPictureOfFirstPass() {

@@ -18,6 +18,7 @@ import lightning.render.gather.GatherStructure;
 import lightning.render.gather.PointChanges;
 import lightning.render.relight.plan.UpdatePlan;
 import lightning.render.shading.IndirectLight;
+import lightning.render.shading.IndirectSolver;
 import lightning.render.shading.LightLayer;
 import lightning.render.shading.RayCounts;
 import lightning.render.trace.Geometry;
@@ -89,8 +90,9 @@ final class IndirectBuilder {
 
     /** @param before indirect light of the last picture along the same paths, or null */
     private IndirectLight light(GatherStructure structure, TileLevel[] surfels, IndirectCache before) {
-        boolean keepsColors = before != null && isUnchanged(before.surfels(), surfels, job.topPlan()::canChangeColors);
-        boolean keepsEdges = !job.detectsEdges() || before != null && before.light().edgeLight() != null
+        boolean sameBackground = before != null && IndirectSolver.haveSameBackground(oldCache.scene(), job.scene());
+        boolean keepsColors = sameBackground && isUnchanged(before.surfels(), surfels, job.topPlan()::canChangeColors);
+        boolean keepsEdges = !job.detectsEdges() || sameBackground && before.light().edgeLight() != null
                 && isUnchanged(before.surfels(), surfels, job.topPlan()::canChangeEdges);
         float[][] edgesBefore = before == null || !job.detectsEdges() ? null : before.light().edgeLight();
         if (keepsColors && keepsEdges) {
