@@ -1,6 +1,7 @@
 package lightning.render.gather;
 
 import lightning.base.math.Vec3;
+import lightning.render.trace.HitRows;
 import lightning.scene.Camera;
 import lightning.scene.IndirectSettings;
 import lightning.scene.PictureSettings;
@@ -75,10 +76,10 @@ public final class CellKeys {
 
     /** Returns the key of a gather point's cell. */
     public long pointKey(float x, float y, float z, float nx, float ny, float nz, int primitive, int level) {
-        return pointKey(x, y, z, nx, ny, nz, (long) primitive, octave(x, y, z) - level);
+        return pointCell(x, y, z, nx, ny, nz, primitive, octave(x, y, z) - level);
     }
 
-    private long pointKey(float x, float y, float z, float nx, float ny, float nz, long surface, int octave) {
+    private long pointCell(float x, float y, float z, float nx, float ny, float nz, long surface, int octave) {
         float ax = Math.abs(nx);
         float ay = Math.abs(ny);
         float az = Math.abs(nz);
@@ -94,7 +95,7 @@ public final class CellKeys {
      * @param level of the largest cell whose point it is
      */
     public long pointSeed(float x, float y, float z, float nx, float ny, float nz, int level) {
-        return pointKey(x, y, z, nx, ny, nz, ANY_SURFACE, octave(x, y, z) - level);
+        return pointCell(x, y, z, nx, ny, nz, ANY_SURFACE, octave(x, y, z) - level);
     }
 
     /** Returns the seed of the directions of a surfel's rays. */
@@ -124,6 +125,11 @@ public final class CellKeys {
      */
     public long surfelKey(float x, float y, float z, float nx, float ny, float nz, int primitive, double distance) {
         return surfelKey(x, y, z, nx, ny, nz, primitive, isNear(x, y, z, distance));
+    }
+
+    /** Returns the key of the cell of a row, as {@link #surfelKey(float, float, float, float, float, float, int, double)}. */
+    long surfelKey(HitRows rows, int row, int primitive, double distance) {
+        return surfelKey(rows.px[row], rows.py[row], rows.pz[row], rows.nx[row], rows.ny[row], rows.nz[row], primitive, distance);
     }
 
     /** @param isNear whether the cell is small because the ray that hit the surfel is short */

@@ -21,8 +21,6 @@ import lightning.scene.Scene;
 public final class GatherBuilder {
     /** Candidates along a side of the largest cell, seen straight on. */
     private static final int CANDIDATES_PER_CELL = 4;
-    /** Maximum number of gather points at a candidate: one in each size of cells. */
-    public static final int MAX_POINTS_PER_CANDIDATE = CellKeys.LEVELS;
     /** Usual shares of the time after the candidates and the rays of gather points. */
     private static final double CANDIDATES_SHARE = 0.1;
     private static final double POINTS_SHARE = 0.5;
@@ -102,12 +100,12 @@ public final class GatherBuilder {
         List<SurfaceColumns> candidates = traceCandidates(candidateTracers);
         PathCaster pointCaster = caster(new DirectionTable(settings.raysPerSide()), true);
         PathMemory memory = new PathMemory(settings, memoryBytes);
-        PointPlacer placer = new PointPlacer(workers, new ProgressPart(progress, CANDIDATES_SHARE, POINTS_SHARE), keys, pointCaster);
-        placer.links.setMemory(memory);
+        PointPlacer placer =
+                new PointPlacer(workers, new ProgressPart(progress, CANDIDATES_SHARE, POINTS_SHARE), keys, pointCaster, memory);
         placer.place(candidates);
         PathCaster surfelCaster = caster(new DirectionTable(settings.raysPerSide() / 2), false);
-        SurfelBuilder surfels = new SurfelBuilder(workers, new ProgressPart(progress, POINTS_SHARE, 1), keys, surfelCaster, memo);
-        surfels.setMemory(memory, surfelBytes());
+        SurfelBuilder surfels = new SurfelBuilder(workers, new ProgressPart(progress, POINTS_SHARE, 1), keys, surfelCaster, memo, memory,
+                surfelBytes());
         surfels.build(placer.sources, placer.links, pointCaster, settings.bounces());
         PointFilter filter = new FilterBuilder(placer.points, placer.radius, placer.harmonic, placer.side).build(workers, progress);
         long rays = Arrays.stream(candidateTracers).mapToLong(CandidateTracer::rayCount).sum() + pointCaster.rayCount()

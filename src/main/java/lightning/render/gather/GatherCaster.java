@@ -10,6 +10,7 @@ import lightning.scene.Scene;
 final class GatherCaster {
     private final DirectionTable directions;
     private final RayBatch batch;
+    private final SurfaceNormals normals;
     private final CellKeys keys;
     /** Side of the surfel's cell of each row. */
     private final double[] sides = new double[RayBatch.MAX_RAYS];
@@ -22,9 +23,15 @@ final class GatherCaster {
         this.directions = directions;
         this.keys = keys;
         batch = new RayBatch(geometry, scene, tracer);
+        normals = new SurfaceNormals(batch);
         x = new double[directions.rays()];
         y = new double[directions.rays()];
         z = new double[directions.rays()];
+    }
+
+    /** Writes the normals of the surfaces on which points {@code from … to − 1} lie. */
+    void findNormals(RaySources points, int from, int to) {
+        normals.find(points, from, to);
     }
 
     /** Points whose rays are cast together. */
@@ -49,8 +56,7 @@ final class GatherCaster {
         links.clear(from * rays, to * rays);
         for (int row = 0; row < rows.count; row++) {
             int ray = rows.parent[row];
-            long key = keys.surfelKey(rows.px[row], rows.py[row], rows.pz[row], rows.nx[row], rows.ny[row], rows.nz[row],
-                    batch.primitive(ray), batch.distance(ray));
+            long key = keys.surfelKey(rows, row, batch.primitive(ray), batch.distance(ray));
             links.setKey(from * rays + ray, key);
         }
         if (batch.isTinted()) {

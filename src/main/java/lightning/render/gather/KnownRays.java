@@ -28,7 +28,7 @@ final class KnownRays {
     /** Returns the slot of a point, or the empty one where it belongs. */
     private int slot(RaySources from, int p) {
         long seed = from.seed(p);
-        int slot = (int) Hash64.mix(seed + from.placeBits(p)) & slots.length - 1;
+        int slot = from.rank(p, seed, 0) & slots.length - 1;
         while (slots[slot] != UNKNOWN && !(RaySources.haveSameBits(from, p, sources, slots[slot])
                 && sources.seed(slots[slot]) == seed)) {
             slot = slot + 1 & slots.length - 1;

@@ -111,8 +111,7 @@ final class MemoCaster {
             HitRows rows = now.rows((hits, textured, transparent) -> new HitRows(hits, textured, transparent, false, false));
             for (int row = 0; row < rows.count; row++) {
                 int ray = rows.parent[row];
-                links.setKey(rayOf[ray], keys.surfelKey(rows.px[row], rows.py[row], rows.pz[row], rows.nx[row], rows.ny[row],
-                        rows.nz[row], now.primitive(ray), now.distance(ray)));
+                links.setKey(rayOf[ray], keys.surfelKey(rows, row, now.primitive(ray), now.distance(ray)));
             }
             for (int ray = 0; now.isTinted() && ray < count; ray++) {
                 links.setTint(rayOf[ray], now.tint, ray);

@@ -6,7 +6,6 @@ import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.HitRows;
-import lightning.render.trace.RayBatch;
 import lightning.render.trace.Tracer;
 import lightning.scene.Scene;
 
@@ -21,7 +20,6 @@ final class PathCaster {
     private final boolean ofPoints;
     private final int pointsPerBatch;
     final int raysPerPoint;
-    private final SurfaceNormals[] normals;
     private final GatherCaster[] casters;
     /** Null without a memo. */
     private final MemoCaster[] memoCasters;
@@ -38,8 +36,6 @@ final class PathCaster {
         this.workers = workers;
         this.memo = memo;
         this.ofPoints = ofPoints;
-        normals = new SurfaceNormals[tracers.length];
-        Arrays.setAll(normals, worker -> new SurfaceNormals(new RayBatch(geometry, scene, tracers[worker])));
         known = memo == null ? null : ofPoints ? memo.points() : memo.surfels();
         raysPerPoint = directions.rays();
         pointsPerBatch = memo == null ? GatherCaster.pointsPerBatch(directions) : MEMO_POINTS;
@@ -64,7 +60,7 @@ final class PathCaster {
         workers.run(Math.ceilDiv(to - from, pointsPerBatch), (worker, job) -> {
             int first = from + job * pointsPerBatch;
             int end = Math.min(to, first + pointsPerBatch);
-            normals[worker].find(points, first, end);
+            casters[worker].findNormals(points, first, end);
             if (memo == null) {
                 casters[worker].cast(points, first, end, links, inverseLengths);
             } else {

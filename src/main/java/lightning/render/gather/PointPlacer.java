@@ -31,13 +31,13 @@ final class PointPlacer {
     /** Side of the largest cell at each point. */
     float[] side = {};
 
-    PointPlacer(WorkerPool workers, ProgressPart progress, CellKeys keys, PathCaster caster) {
+    PointPlacer(WorkerPool workers, ProgressPart progress, CellKeys keys, PathCaster caster, PathMemory memory) {
         this.workers = workers;
         this.progress = progress;
         this.keys = keys;
         this.caster = caster;
         sources = new RaySources(keys, points, false);
-        links = new RayLinks(caster.raysPerPoint);
+        links = new RayLinks(caster.raysPerPoint, memory);
     }
 
     /** @param levels surfaces that the picture shows, in order */

@@ -1,7 +1,6 @@
 package lightning.render.gather;
 
 import java.util.Arrays;
-import lightning.scene.IndirectSettings;
 
 /** Surfels that the rays of points hit, by ray. First they are known by the keys of their cells, later by their numbers. */
 public final class RayLinks {
@@ -15,7 +14,7 @@ public final class RayLinks {
     private static final int MAX_RAYS = Integer.MAX_VALUE - 64;
 
     private final int raysPerPoint;
-    private PathMemory memory = new PathMemory(IndirectSettings.DEFAULT, Long.MAX_VALUE);
+    private final PathMemory memory;
     private int rays;
     private long[] keys = {};
     private boolean[] hit = {};
@@ -28,13 +27,9 @@ public final class RayLinks {
     /** Tinted rays; null if there are none. */
     private RayTints tints;
 
-    RayLinks(int raysPerPoint) {
+    RayLinks(int raysPerPoint, PathMemory memory) {
         this.raysPerPoint = raysPerPoint;
-    }
-
-    /** Sets the memory for rays from now on; initially it is unlimited. */
-    void setMemory(PathMemory v) {
-        memory = v;
+        this.memory = memory;
     }
 
     /**

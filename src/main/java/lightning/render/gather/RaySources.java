@@ -74,12 +74,6 @@ final class RaySources {
         }
     }
 
-    /** Returns a number that differs between most places. */
-    long placeBits(int p) {
-        return (long) Float.floatToRawIntBits(surface.px[p]) * 0x9e3779b97f4a7c15L + (long) Float.floatToRawIntBits(surface.py[p]) * 31
-                + ((long) Float.floatToRawIntBits(surface.pz[p]) << 32);
-    }
-
     /** Returns whether two points are at the same place with the same normals. */
     static boolean haveSameBits(RaySources a, int p, RaySources b, int q) {
         SurfaceColumns s = a.surface;
@@ -92,10 +86,5 @@ final class RaySources {
 
     private static boolean haveSameBits(float a, float b) {
         return Float.floatToIntBits(a) == Float.floatToIntBits(b);
-    }
-
-    /** Returns the bytes of all columns. */
-    long bytes() {
-        return 28L * surface.count + 12L * geometricX.length;
     }
 }

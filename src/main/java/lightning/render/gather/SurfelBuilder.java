@@ -7,7 +7,6 @@ import lightning.base.work.ProgressPart;
 import lightning.base.work.WorkerPool;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.RayBatch;
-import lightning.scene.IndirectSettings;
 
 /**
  * Divides what rays hit into surfels, and links surfels by rays of their own for further bounces. Surfels that only a later bounce meets
@@ -33,14 +32,19 @@ final class SurfelBuilder {
     /** For each surfel of the memo its number now, −1 for none; null without a memo. */
     final int[] kept;
     final RayLinks links;
-    private PathMemory memory = new PathMemory(IndirectSettings.DEFAULT, Long.MAX_VALUE);
-    private long bytesPerSurfel;
+    private final PathMemory memory;
+    private final long bytesPerSurfel;
 
     /**
      * @param caster of the surfels' rays
      * @param memo   paths before an edit, or null
+     * @param memory for surfels and their rays
+     * @param bytesPerSurfel bytes of a surfel without its rays
      */
-    SurfelBuilder(WorkerPool workers, ProgressPart progress, CellKeys cellKeys, PathCaster caster, PathMemo memo) {
+    SurfelBuilder(WorkerPool workers, ProgressPart progress, CellKeys cellKeys, PathCaster caster, PathMemo memo, PathMemory memory,
+            long bytesPerSurfel) {
+        this.memory = memory;
+        this.bytesPerSurfel = bytesPerSurfel;
         this.workers = workers;
         this.progress = progress;
         this.cellKeys = cellKeys;
@@ -51,19 +55,8 @@ final class SurfelBuilder {
         if (memo != null) {
             Arrays.fill(kept, -1);
         }
-        links = new RayLinks(caster.raysPerPoint);
+        links = new RayLinks(caster.raysPerPoint, memory);
         links.setPoints(0);
-    }
-
-    /**
-     * Sets the memory for surfels and their rays; initially it is unlimited.
-     *
-     * @param surfelBytes bytes of a surfel without its rays
-     */
-    void setMemory(PathMemory v, long surfelBytes) {
-        memory = v;
-        links.setMemory(v);
-        bytesPerSurfel = surfelBytes;
     }
 
     int count() {
