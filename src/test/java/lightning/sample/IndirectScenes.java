@@ -4,6 +4,8 @@ import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import lightning.base.math.Vec3;
 import lightning.format.jen.JenException;
 import lightning.format.jen.JenReader;
@@ -106,6 +108,21 @@ public final class IndirectScenes {
         scenes.put("dim", scene("size 16 12  depth 1", CAMERA + ROOM + """
                 light lamp point { at 0.2 0.8 0.3  color 1e-20 1e-20 1e-20  intensity 1e-20 }
                 """, new IndirectSettings(2, 16, 4, false)));
+        scenes.put("small glows", withMesh(scene("size 32 24  depth 2", CAMERA + ROOM + """
+                material flame { glow 40 20 5  diffuse 0 0 0 }
+                material neon { glow 3 1 6  diffuse 0.2 0.3 0.4  reflective 0.5 0.1 0 }
+                material cool { glow 0 2 9  diffuse 0.1 0.1 0.1 }
+                sphere candle { material flame  at -0.4 -0.7 0.1  scale 0.05 0.09 0.05 }
+                cylinder tube { material neon  at 0.6 0.2 -0.6  rotate 40 20 10  scale 0.03 0.5 0.03 }
+                plane panel { material cool  at 0 0.9 0  scale 0.1 1 0.2 }
+                sphere ball { material cool  at 0.7 -0.8 0.5  scale 0.1 0.1 0.1 }
+                plane pane { material glass  at -0.5 0 0.3  rotate 90 0 0  scale 0.4 1 0.8 }
+                sphere shade { material white  at 0.1 -0.8 0  scale 0.2 0.2 0.2 }
+                """, new IndirectSettings(3, 64, 4, false))));
+        scenes.put("many small glows", scene("size 24 16  depth 1", CAMERA + ROOM + LAMP + "material bulb { glow 9 7 5 }\n"
+                + IntStream.range(0, 70).mapToObj(i -> "sphere bulb_" + i + " { material bulb  at " + (i % 10 * 0.2 - 0.9) + " "
+                        + (i / 10 * 0.2 - 0.6) + " -0.8  scale 0.02 0.02 0.02 }\n").collect(Collectors.joining()),
+                new IndirectSettings(2, 16, 4, false)));
         scenes.put("far away", moved(new Vec3(1e6, -2e6, 1e6)));
         scenes.put("huge", scaled(1e6));
         scenes.put("tiny", scaled(1e-6));

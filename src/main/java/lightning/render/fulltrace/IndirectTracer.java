@@ -99,7 +99,9 @@ final class IndirectTracer {
         gatherRays = structure.rays();
         shadowRays = threads.stream().flatMap(thread -> thread.workers().stream()).mapToLong(tracer -> tracer.kernel.shadowRays()).sum();
         IndirectSolver solver = new IndirectSolver(structure, scene, workers, progress);
-        return new IndirectLight(structure, solver.solve(direct, albedo, glow), edges == null ? null : solver.solve(edges, albedo, glow));
+        float[][] objects = structure.glow().shapes().glow(geometry.materials());
+        return new IndirectLight(structure, solver.solve(direct, albedo, glow, objects),
+                edges == null ? null : solver.solve(edges, albedo, glow, objects));
     }
 
     /** Returns the rays cast so far. */

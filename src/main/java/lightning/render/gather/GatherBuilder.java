@@ -37,6 +37,7 @@ public final class GatherBuilder {
     private final Progress progress;
     private final Tracer[] tracers;
     private final CellKeys keys;
+    private final GlowShapes glows;
     /** Paths before an edit, or null. */
     private GatherStructure before;
     private PathMemo memo;
@@ -58,6 +59,7 @@ public final class GatherBuilder {
         this.tracers = new Tracer[workers.count()];
         Arrays.setAll(this.tracers, tracers);
         keys = new CellKeys(scene, settings);
+        glows = GlowShapes.of(geometry);
     }
 
     /**
@@ -98,14 +100,14 @@ public final class GatherBuilder {
         CandidateTracer[] candidateTracers = new CandidateTracer[workers.count()];
         Arrays.setAll(candidateTracers, worker -> new CandidateTracer(geometry, scene, tracers[worker], candidateStep(settings)));
         List<SurfaceColumns> candidates = traceCandidates(candidateTracers);
-        PathCaster pointCaster = caster(new DirectionTable(settings.raysPerSide()), true);
         PathMemory memory = new PathMemory(settings, memoryBytes);
+        PathCaster pointCaster = caster(new DirectionTable(settings.raysPerSide()), memory, true);
         PointPlacer placer =
                 new PointPlacer(workers, new ProgressPart(progress, CANDIDATES_SHARE, POINTS_SHARE), keys, pointCaster, memory);
         placer.place(candidates);
-        PathCaster surfelCaster = caster(new DirectionTable(settings.raysPerSide() / 2), false);
+        PathCaster surfelCaster = caster(new DirectionTable(settings.raysPerSide() / 2), memory, false);
         SurfelBuilder surfels = new SurfelBuilder(workers, new ProgressPart(progress, POINTS_SHARE, 1), keys, surfelCaster, memo, memory,
-                surfelBytes());
+                surfelBytes(), glows);
         surfels.build(placer.sources, placer.links, pointCaster, settings.bounces());
         PointFilter filter = new FilterBuilder(placer.points, placer.radius, placer.harmonic, placer.side).build(workers, progress);
         long rays = Arrays.stream(candidateTracers).mapToLong(CandidateTracer::rayCount).sum() + pointCaster.rayCount()
@@ -114,8 +116,8 @@ public final class GatherBuilder {
                 new GatherPoints(placer.sources, placer.inverseLengths, placer.radius, new PointGroups(placer.points, placer.radius),
                         filter),
                 placer.links, surfels.links, new SurfelRows(surfels.blocks, surfels.numbers, surfels.near, surfels.count()),
-                surfels.geometricNormals(), surfels.kept,
-                settings.bounces(), rays);
+                surfels.geometricNormals(), new GlowPaths(glows, pointCaster.glowLinks(), surfelCaster.glowLinks(), surfels.glowing),
+                surfels.kept, settings.bounces(), rays);
     }
 
     /**
@@ -127,8 +129,8 @@ public final class GatherBuilder {
         return memo == null ? null : PointChanges.between(before, after, memo.points());
     }
 
-    private PathCaster caster(DirectionTable directions, boolean ofPoints) {
-        return new PathCaster(geometry, scene, workers, tracers, memo, memoTracers, keys, directions, ofPoints);
+    private PathCaster caster(DirectionTable directions, PathMemory memory, boolean ofPoints) {
+        return new PathCaster(geometry, scene, workers, tracers, memo, memoTracers, keys, directions, glows, memory, ofPoints);
     }
 
     private List<SurfaceColumns> traceCandidates(CandidateTracer[] candidateTracers) {

@@ -9,6 +9,7 @@ import lightning.scene.Scene;
 /** Casts the rays by which points on surfaces gather light. Holds scratch memory: use one instance per thread. */
 final class GatherCaster {
     private final DirectionTable directions;
+    private final GlowShapes glows;
     private final RayBatch batch;
     private final SurfaceNormals normals;
     private final CellKeys keys;
@@ -19,7 +20,8 @@ final class GatherCaster {
     private final double[] y;
     private final double[] z;
 
-    GatherCaster(Geometry geometry, Scene scene, Tracer tracer, CellKeys keys, DirectionTable directions) {
+    GatherCaster(Geometry geometry, Scene scene, Tracer tracer, CellKeys keys, DirectionTable directions, GlowShapes glows) {
+        this.glows = glows;
         this.directions = directions;
         this.keys = keys;
         batch = new RayBatch(geometry, scene, tracer);
@@ -57,7 +59,7 @@ final class GatherCaster {
         for (int row = 0; row < rows.count; row++) {
             int ray = rows.parent[row];
             long key = keys.surfelKey(rows, row, batch.primitive(ray), batch.distance(ray));
-            links.setKey(from * rays + ray, key);
+            links.setKey(from * rays + ray, key, glows.isAimed(batch.primitive(ray), points.surface, from + ray / rays));
         }
         if (batch.isTinted()) {
             links.setTints(from * rays, count, batch.tint);

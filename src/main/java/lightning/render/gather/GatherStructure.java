@@ -1,5 +1,6 @@
 package lightning.render.gather;
 
+import lightning.render.trace.Geometry;
 import lightning.render.trace.HitRows;
 
 /**
@@ -15,14 +16,15 @@ public final class GatherStructure {
     private final SurfelRows surfels;
     /** Normals of the surfaces of surfels that cast rays: components x, y, z. */
     private final float[][] surfelNormals;
+    private final GlowPaths glow;
     private final int[] kept;
     private final int bounces;
     private final long rays;
 
     /** @param kept for each surfel before an edit its number now, −1 if its row is not the same; null after a first build */
     GatherStructure(GatherPoints points, RayLinks pointLinks, RayLinks surfelLinks, SurfelRows surfels, float[][] surfelNormals,
-            int[] kept, int bounces,
-            long rays) {
+            GlowPaths glow, int[] kept, int bounces, long rays) {
+        this.glow = glow;
         this.points = points;
         this.pointLinks = pointLinks;
         this.surfelLinks = surfelLinks;
@@ -41,8 +43,7 @@ public final class GatherStructure {
      */
     public GatherStructure withSurfels(HitRows[] rows, int[][] numbers) {
         return new GatherStructure(points, pointLinks, surfelLinks, new SurfelRows(rows, numbers, surfels.near(), surfels.count()),
-                surfelNormals, null,
-                bounces, rays);
+                surfelNormals, glow, null, bounces, rays);
     }
 
     /**
@@ -104,6 +105,25 @@ public final class GatherStructure {
         return surfelLinks;
     }
 
+    /** Returns the paths from small glowing objects. */
+    public GlowPaths glow() {
+        return glow;
+    }
+
+    /**
+     * Returns whether rays are aimed at all glowing objects of a scene with the same shapes, camera and settings, and as many at each as in
+     * paths built for it. An object that no longer glows adds nothing.
+     */
+    public boolean canServe(Geometry geometry) {
+        GlowShapes others = GlowShapes.of(geometry);
+        return glow.shapes().contain(others) && (others.count() == 0 || aim(pointLinks, glow.shapes()).isAsDense(aim(pointLinks, others))
+                && aim(surfelLinks, glow.shapes()).isAsDense(aim(surfelLinks, others)));
+    }
+
+    private static GlowAim aim(RayLinks links, GlowShapes shapes) {
+        return new GlowAim(shapes, links.raysPerPoint());
+    }
+
     /**
      * Writes the means over the neighbors of gather points {@code first … end − 1}.
      *
@@ -126,7 +146,7 @@ public final class GatherStructure {
 
     /** Returns the bytes of the gather points, their filter and their links. */
     public long pointBytes() {
-        return pointLinks.bytes() + points.filter().bytes() + 52L * points.count();
+        return pointLinks.bytes() + points.filter().bytes() + 52L * points.count() + glow.pointBytes();
     }
 
     /** Returns the bytes that it took at most while it was built. */
@@ -140,6 +160,6 @@ public final class GatherStructure {
     }
 
     private long surfelBytes() {
-        return surfelLinks.bytes() + surfels.bytes() + 12L * surfelNormals[0].length;
+        return surfelLinks.bytes() + surfels.bytes() + 12L * surfelNormals[0].length + glow.surfelBytes();
     }
 }

@@ -15,6 +15,7 @@ final class MemoCaster {
     private final PathMemo memo;
     private final CellKeys keys;
     private final DirectionTable directions;
+    private final GlowShapes glows;
     private final RayBatch now;
     private final RayBatch before;
     private final BoxRay boxRay = new BoxRay();
@@ -32,7 +33,8 @@ final class MemoCaster {
 
     /** @param beforeTracer tracer of the geometry before the edit */
     MemoCaster(PathMemo memo, Geometry geometry, Scene scene, Tracer tracer, Tracer beforeTracer, CellKeys keys,
-            DirectionTable directions) {
+            DirectionTable directions, GlowShapes glows) {
+        this.glows = glows;
         this.memo = memo;
         this.keys = keys;
         this.directions = directions;
@@ -67,7 +69,8 @@ final class MemoCaster {
                 if (old >= 0 && !mayChange(points.surface, p, k)) {
                     int surfel = known.surfel(old * directions.rays() + k);
                     if (surfel != RayLinks.MISS) {
-                        links.setKey(p * directions.rays() + k, memo.key(surfel));
+                        links.setKey(p * directions.rays() + k, memo.key(surfel),
+                                glows.isAimed(memo.places().primitive[surfel], points.surface, p));
                     }
                 } else {
                     add(points.surface, p, k, old >= 0 && inverseLengths != null);
@@ -111,7 +114,8 @@ final class MemoCaster {
             HitRows rows = now.rows((hits, textured, transparent) -> new HitRows(hits, textured, transparent, false, false));
             for (int row = 0; row < rows.count; row++) {
                 int ray = rows.parent[row];
-                links.setKey(rayOf[ray], keys.surfelKey(rows, row, now.primitive(ray), now.distance(ray)));
+                links.setKey(rayOf[ray], keys.surfelKey(rows, row, now.primitive(ray), now.distance(ray)),
+                        glows.isAimed(now.primitive(ray), points, pointOf[ray]));
             }
             for (int ray = 0; now.isTinted() && ray < count; ray++) {
                 links.setTint(rayOf[ray], now.tint, ray);

@@ -1,6 +1,8 @@
 package lightning.render.gather;
 
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 import java.util.function.IntFunction;
 import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
@@ -23,16 +25,23 @@ final class PathCaster {
     private final GatherCaster[] casters;
     /** Null without a memo. */
     private final MemoCaster[] memoCasters;
+    /** None without glowing objects. */
+    private final GlowCaster[] glowCasters;
+    private final List<GlowLinks.Part> glow = new ArrayList<>();
+    private final PathMemory memory;
     private long rays;
 
     /**
      * @param tracers       one for each thread
      * @param memo          paths before an edit, or null
      * @param memoTracers   one for each thread, of the geometry before the edit
+     * @param glows         glowing objects at which rays are aimed
      * @param ofPoints      whether gather points cast the rays
      */
     PathCaster(Geometry geometry, Scene scene, WorkerPool workers, Tracer[] tracers, PathMemo memo,
-            IntFunction<Tracer> memoTracers, CellKeys keys, DirectionTable directions, boolean ofPoints) {
+            IntFunction<Tracer> memoTracers, CellKeys keys, DirectionTable directions, GlowShapes glows, PathMemory memory,
+            boolean ofPoints) {
+        this.memory = memory;
         this.workers = workers;
         this.memo = memo;
         this.ofPoints = ofPoints;
@@ -40,12 +49,14 @@ final class PathCaster {
         raysPerPoint = directions.rays();
         pointsPerBatch = memo == null ? GatherCaster.pointsPerBatch(directions) : MEMO_POINTS;
         casters = new GatherCaster[tracers.length];
-        Arrays.setAll(casters, worker -> new GatherCaster(geometry, scene, tracers[worker], keys, directions));
+        Arrays.setAll(casters, worker -> new GatherCaster(geometry, scene, tracers[worker], keys, directions, glows));
         memoCasters = memo == null ? null : new MemoCaster[tracers.length];
         if (memo != null) {
             Arrays.setAll(memoCasters, worker -> new MemoCaster(memo, geometry, scene, tracers[worker], memoTracers.apply(worker), keys,
-                    directions));
+                    directions, glows));
         }
+        glowCasters = new GlowCaster[glows.count() == 0 ? 0 : tracers.length];
+        Arrays.setAll(glowCasters, worker -> new GlowCaster(glows, raysPerPoint, geometry, scene, tracers[worker]));
     }
 
     /**
@@ -66,8 +77,21 @@ final class PathCaster {
             } else {
                 memoCasters[worker].cast(points, first, end, known, links, inverseLengths);
             }
+            if (glowCasters.length > 0) {
+                add(glowCasters[worker].cast(points, first, end));
+            }
         }, progress);
         rays += memo == null ? (long) (to - from) * raysPerPoint : 0;
+    }
+
+    private synchronized void add(GlowLinks.Part part) {
+        memory.reserve(part.shape().length, GlowLinks.BUILD_BYTES);
+        glow.add(part);
+    }
+
+    /** Returns the shares of the light of small glowing objects that all points receive. */
+    GlowLinks glowLinks() {
+        return GlowLinks.of(glow);
     }
 
     /** Casts some rays again and returns what they hit, as {@link GatherCaster#hits}. */
@@ -82,6 +106,7 @@ final class PathCaster {
 
     /** Returns the number of rays cast so far. */
     long rayCount() {
-        return rays + (memo == null ? 0 : Arrays.stream(memoCasters).mapToLong(MemoCaster::rayCount).sum());
+        return rays + Arrays.stream(glowCasters).mapToLong(GlowCaster::rayCount).sum()
+                + (memo == null ? 0 : Arrays.stream(memoCasters).mapToLong(MemoCaster::rayCount).sum());
     }
 }

@@ -2,7 +2,7 @@ package lightning.render.gather;
 
 import lightning.scene.IndirectSettings;
 
-/** Memory of paths while they are built. The number of surfels is known only then, because each bounce may find more. */
+/** Memory of paths while they are built. Thread-safe. The number of surfels is known only then, because each bounce may find more. */
 final class PathMemory {
     private final IndirectSettings settings;
     private final long available;
@@ -20,7 +20,7 @@ final class PathMemory {
      * @param bytes bytes of each
      * @throws PathsTooLargeException if it does not fit
      */
-    void reserve(long count, long bytes) {
+    synchronized void reserve(long count, long bytes) {
         used += count * bytes;
         if (used > available) {
             throw new PathsTooLargeException(settings, used, available);

@@ -6,6 +6,10 @@ import java.util.Arrays;
 public final class RayLinks {
     /** Number of a ray that hits nothing. */
     static final int MISS = -1;
+    private static final byte NOTHING = 0;
+    private static final byte SURFEL = 1;
+    /** A surfel whose glow the ray does not count. */
+    private static final byte DARK_SURFEL = 2;
     /** Bytes of a ray only while links are built: a key and a flag, half as many in reserve, and a copy of the key while they grow. */
     public static final int BUILD_BYTES = 22;
     /** Additional bytes of a ray while links are built if any is tinted: three floats, and half as many in reserve. */
@@ -17,10 +21,13 @@ public final class RayLinks {
     private final PathMemory memory;
     private int rays;
     private long[] keys = {};
-    private boolean[] hit = {};
-    /** Surfel of each ray; the number of surfels if it hits nothing. */
+    /** What each ray hit while links are built. */
+    private byte[] hit = {};
+    /** Surfel of each ray; the number of surfels if it hits nothing; larger numbers for surfels without glow. */
     private RayNumbers surfel = new RayNumbers(0, 1);
     private int miss;
+    /** Surfels of the numbers after {@link #miss}: those without glow. */
+    private int[] dark = {};
     /** Tint of each ray while links are built: red, green, blue; null if none is tinted. */
     private float[][] tint;
     private boolean wasTinted;
@@ -56,12 +63,13 @@ public final class RayLinks {
     }
 
     void clear(int from, int to) {
-        Arrays.fill(hit, from, to, false);
+        Arrays.fill(hit, from, to, NOTHING);
     }
 
-    void setKey(int ray, long key) {
+    /** @param isAimed whether other rays are aimed at the object that the ray hit, so that this one does not count its glow */
+    void setKey(int ray, long key, boolean isAimed) {
         keys[ray] = key;
-        hit[ray] = true;
+        hit[ray] = isAimed ? DARK_SURFEL : SURFEL;
     }
 
     /** Sets the tints of rays {@code from … from + count − 1}. */
@@ -93,7 +101,7 @@ public final class RayLinks {
     }
 
     boolean isHit(int ray) {
-        return hit[ray];
+        return hit[ray] != NOTHING;
     }
 
     long key(int ray) {
@@ -103,20 +111,25 @@ public final class RayLinks {
     /** Replaces keys by the numbers of the cells. Threads may resolve parts that start at multiples of {@link RayNumbers#ALIGNMENT}. */
     void resolve(CellTable cells, int from, int to) {
         for (int ray = from; ray < to; ray++) {
-            surfel.set(ray, hit[ray] ? cells.number(keys[ray]) : miss);
+            int number = hit[ray] == NOTHING ? miss : cells.number(keys[ray]);
+            surfel.set(ray, hit[ray] == DARK_SURFEL ? miss + 1 + Arrays.binarySearch(dark, number) : number);
         }
     }
 
-    /** @param surfels number of surfels */
-    void allocateNumbers(int surfels) {
+    /**
+     * @param surfels number of surfels
+     * @param glowing surfels whose glow some rays do not count, ascending
+     */
+    void allocateNumbers(int surfels, int[] glowing) {
         miss = surfels;
-        surfel = new RayNumbers(rays, surfels + 1);
+        dark = glowing;
+        surfel = new RayNumbers(rays, surfels + 1 + dark.length);
     }
 
     /** Drops what only building needs. */
     void finish() {
         keys = new long[0];
-        hit = new boolean[0];
+        hit = new byte[0];
         wasTinted = tint != null;
         tints = tint == null ? null : RayTints.of(tint, rays);
         tint = null;
@@ -139,13 +152,14 @@ public final class RayLinks {
     /** Returns the surfel that a ray hit; {@link #MISS} for none. */
     int surfel(int ray) {
         int number = surfel.get(ray);
-        return number == miss ? MISS : number;
+        return number < miss ? number : number == miss ? MISS : dark[number - miss - 1];
     }
 
     /**
      * Adds up the light that the rays of a point meet, in the order of the rays.
      *
-     * @param light red, green and blue light of each surfel, and of the background after the last one, and one unused value each
+     * @param light red, green and blue light of each surfel, of the background, and of glowing surfels without their glow; and one unused
+     *              value each
      * @param to    receives red, green and blue
      */
     public void sum(int point, float[] light, float[] to) {

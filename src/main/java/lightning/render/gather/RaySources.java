@@ -74,6 +74,28 @@ final class RaySources {
         }
     }
 
+    /**
+     * Returns the density of a point's directions around one, in units of 1/π per steradian: the cosine to the normal, and that of the
+     * direction that was reflected to it.
+     *
+     * @param x unit direction, with {@code y} and {@code z}
+     */
+    double cosine(int p, double x, double y, double z) {
+        double nx = surface.nx[p];
+        double ny = surface.ny[p];
+        double nz = surface.nz[p];
+        double cosine = Math.max(0, x * nx + y * ny + z * nz);
+        double gx = geometricX[p];
+        double gy = geometricY[p];
+        double gz = geometricZ[p];
+        if (gx != gx) {
+            return cosine;
+        }
+        double height = x * gx + y * gy + z * gz;
+        double twice = 2 * height;
+        return height <= 0 ? 0 : cosine + Math.max(0, (x - twice * gx) * nx + (y - twice * gy) * ny + (z - twice * gz) * nz);
+    }
+
     /** Returns whether two points are at the same place with the same normals. */
     static boolean haveSameBits(RaySources a, int p, RaySources b, int q) {
         SurfaceColumns s = a.surface;

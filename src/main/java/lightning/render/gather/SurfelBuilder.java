@@ -32,6 +32,9 @@ final class SurfelBuilder {
     /** For each surfel of the memo its number now, −1 for none; null without a memo. */
     final int[] kept;
     final RayLinks links;
+    private final GlowShapes glows;
+    /** Surfels on glowing objects, ascending. */
+    int[] glowing = {};
     private final PathMemory memory;
     private final long bytesPerSurfel;
 
@@ -42,7 +45,8 @@ final class SurfelBuilder {
      * @param bytesPerSurfel bytes of a surfel without its rays
      */
     SurfelBuilder(WorkerPool workers, ProgressPart progress, CellKeys cellKeys, PathCaster caster, PathMemo memo, PathMemory memory,
-            long bytesPerSurfel) {
+            long bytesPerSurfel, GlowShapes glows) {
+        this.glows = glows;
         this.memory = memory;
         this.bytesPerSurfel = bytesPerSurfel;
         this.workers = workers;
@@ -84,6 +88,7 @@ final class SurfelBuilder {
             addSurfels(sources, links, from * links.raysPerPoint(), caster);
             linked = to;
         }
+        glowing = IntStream.range(0, surfels.count).filter(s -> glows.contains(surfels.primitive[s])).toArray();
         number(pointLinks);
         number(links);
     }
@@ -164,7 +169,7 @@ final class SurfelBuilder {
     }
 
     private void number(RayLinks rays) {
-        rays.allocateNumbers(surfels.count);
+        rays.allocateNumbers(surfels.count, glowing);
         workers.run(Math.ceilDiv(rays.rayCount(), BATCH),
                 (_, job) -> rays.resolve(cells, job * BATCH, Math.min(rays.rayCount(), job * BATCH + BATCH)), progress.cancellationOnly());
         rays.finish();

@@ -3,6 +3,7 @@ package lightning.render.relight;
 import lightning.render.cache.IndirectCache;
 import lightning.render.gather.GatherBuilder;
 import lightning.render.gather.GatherStructure;
+import lightning.render.gather.GlowLinks;
 import lightning.render.gather.RayLinks;
 import lightning.render.image.Film;
 import lightning.render.trace.HitRows.ColumnGroup;
@@ -90,8 +91,9 @@ record IndirectEstimate(double bytesPerPixel, double borderBytes, double surfelB
      *
      * @param levels         levels seen from the first
      * @param layerBytes     bytes of all layers per row
+     * @param glows          whether rays may be aimed at glowing objects, in addition to the others
      */
-    static long upperBound(PictureSettings picture, long levels, long layerBytes) {
+    static long upperBound(PictureSettings picture, long levels, long layerBytes, boolean glows) {
         if (picture.indirect().isEmpty()) {
             return 0;
         }
@@ -100,10 +102,11 @@ record IndirectEstimate(double bytesPerPixel, double borderBytes, double surfelB
         double candidates = (double) Film.tilesAlong(picture.width()) * Film.tilesAlong(picture.height()) * along * along * (1 + levels);
         double rays = candidates * settings.rays();
         int linkBytes = RayLinks.BUILD_BYTES + RayLinks.TINT_BUILD_BYTES + Integer.BYTES;
+        double glowBytes = glows ? GlowLinks.BUILD_BYTES : 0;
         double surfelBytes = ColumnGroup.HIT.bytesPerRow() + ColumnGroup.TEXEL.bytesPerRow() + ColumnGroup.OWNER.bytesPerRow()
                 + ColumnGroup.TRANSPARENT.bytesPerRow() + layerBytes + SURFEL_BYTES
-                + (settings.bounces() > 1 ? linkBytes * settings.rays() / 4.0 : 0);
+                + (settings.bounces() > 1 ? (linkBytes + glowBytes) * settings.rays() / 4.0 : 0);
         double rowBytes = ColumnGroup.HIT.bytesPerRow() + ColumnGroup.TEXEL.bytesPerRow() + ColumnGroup.OWNER.bytesPerRow();
-        return (long) Math.min(Long.MAX_VALUE / 4.0, candidates * (rowBytes + POINT_BYTES) + rays * (linkBytes + surfelBytes));
+        return (long) Math.min(Long.MAX_VALUE / 4.0, candidates * (rowBytes + POINT_BYTES) + rays * (linkBytes + glowBytes + surfelBytes));
     }
 }

@@ -43,6 +43,7 @@ public final class MemoryEstimate {
         boolean mirrors = picture.depth() > 0 && scene.materials().stream().anyMatch(Material::spawnsSecondaryRays);
         boolean clear = mirrors && scene.materials().stream().anyMatch(m -> m.transmission().isTransparent());
         boolean tinted = scene.materials().stream().anyMatch(m -> m.transmission().tintsShadows());
+        boolean glows = scene.materials().stream().anyMatch(m -> !m.glow().isBlack());
         boolean metallic = scene.materials().stream().anyMatch(Material::isMetallic);
         long lights =
                 scene.rig().effectiveLights().stream().mapToLong(light -> options.method().bytesPerRow(light, metallic, tinted)).sum();
@@ -62,7 +63,7 @@ public final class MemoryEstimate {
         };
         // Samples store their colors if errors are bounded.
         long colored = !options.accuracy().isExact() ? samples : sampling.antialias() == AntialiasMode.EVERY ? 0 : 1;
-        return IndirectEstimate.upperBound(picture, levels, lights) + pixels(picture)
+        return IndirectEstimate.upperBound(picture, levels, lights, glows) + pixels(picture)
                 * (samples * (row + mirrored) + colored * BYTES_PER_COLOR + edgeColorBytes(sampling)
                         + (sampling.isSupersampled() ? 3 * BYTES_PER_COLOR : 0));
     }

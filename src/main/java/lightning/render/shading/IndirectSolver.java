@@ -4,6 +4,8 @@ import java.util.Arrays;
 import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
 import lightning.render.gather.GatherStructure;
+import lightning.render.gather.GlowPaths;
+import lightning.render.gather.GlowShapes;
 import lightning.render.gather.RayLinks;
 import lightning.scene.IndirectSettings;
 import lightning.scene.Scene;
@@ -13,9 +15,12 @@ import lightning.scene.Scene;
  *
  * <pre>
  * B₁ = glow + albedo · D                     D = the lights' diffuse sum at a surfel
- * Bₙ = glow + albedo · (D + mean of Bₙ₋₁ over the surfel's rays)
- * E  = filter(mean of B over the gather point's rays)
+ * Bₙ = glow + albedo · (D + mean of Bₙ₋₁ over the surfel's rays + G)
+ * E  = filter(mean of B over the gather point's rays + G)
  * </pre>
+ *
+ * <p>G is the light of small glowing objects, at which rays of their own are aimed ({@link GlowPaths}). The other rays that meet these
+ * objects do not count their glow.
  *
  * <p>Rays are cosine-distributed, so the plain mean is the irradiance in units of the lights' diffuse sum. Floats are added in the order
  * of the rays. All lights are added before anything is gathered, so the cost does not grow with their number.
@@ -56,10 +61,12 @@ public final class IndirectSolver {
      * @param direct lights' diffuse sum at each surfel
      * @param albedo of each surfel
      * @param glow   light that each surfel emits itself
+     * @param objects light of each glowing object, as {@link GlowShapes#glow}
      * @throws java.util.concurrent.CancellationException if the progress requested cancellation
      */
-    public float[][] solve(float[][] direct, float[][] albedo, float[][] glow) {
-        float[] radiosity = radiosity(direct, albedo, glow);
+    public float[][] solve(float[][] direct, float[][] albedo, float[][] glow, float[][] objects) {
+        float[] radiosity = radiosity(direct, albedo, glow, objects);
+        GlowPaths glowPaths = structure.glow();
         RayLinks links = structure.pointLinks();
         int points = structure.pointCount();
         float[] gathered = new float[STRIDE * points];
@@ -68,6 +75,7 @@ public final class IndirectSolver {
             float[] mean = new float[3];
             for (int p = from; p < to; p++) {
                 links.sum(p, radiosity, mean);
+                glowPaths.ofPoints().add(p, objects, mean);
                 System.arraycopy(mean, 0, gathered, STRIDE * p, 3);
             }
         });
@@ -75,15 +83,19 @@ public final class IndirectSolver {
         return light;
     }
 
-    /** Returns what each ray of a point that hits a surfel adds to the mean, and after the last surfel the same for the background. */
-    private float[] radiosity(float[][] direct, float[][] albedo, float[][] glow) {
+    /**
+     * Returns what each ray of a point that hits a surfel adds to the mean; after the last surfel the same for the background, then for the
+     * surfels on glowing objects without their glow.
+     */
+    private float[] radiosity(float[][] direct, float[][] albedo, float[][] glow, float[][] objects) {
         int surfels = structure.surfelCount();
         RayLinks links = structure.surfelLinks();
         int linked = links.points();
+        int[] dark = structure.glow().surfels();
         float[] radiosity = null;
         for (int bounce = 1; bounce <= structure.bounces(); bounce++) {
             float[] before = radiosity;
-            float[] after = new float[STRIDE * (surfels + 1)];
+            float[] after = new float[STRIDE * (surfels + 1 + dark.length)];
             // Shares of the mean are added, because sums of the brightest light overflow.
             float share = 1f / (bounce < structure.bounces() ? links : structure.pointLinks()).raysPerPoint();
             for (int c = 0; c < 3; c++) {
@@ -94,11 +106,17 @@ public final class IndirectSolver {
                 for (int s = from; s < to; s++) {
                     if (before != null && s < linked) {
                         links.sum(s, before, gathered);
+                        structure.glow().ofSurfels().add(s, objects, gathered);
                     } else {
                         Arrays.fill(gathered, 0);
                     }
+                    int twin = Arrays.binarySearch(dark, s);
                     for (int c = 0; c < 3; c++) {
-                        after[STRIDE * s + c] = (glow[c][s] + albedo[c][s] * (direct[c][s] + gathered[c])) * share;
+                        float scattered = albedo[c][s] * (direct[c][s] + gathered[c]);
+                        after[STRIDE * s + c] = (glow[c][s] + scattered) * share;
+                        if (twin >= 0) {
+                            after[STRIDE * (surfels + 1 + twin) + c] = scattered * share;
+                        }
                     }
                 }
             });

@@ -11,6 +11,7 @@ import java.util.Set;
 import lightning.base.math.Ray;
 import lightning.render.gather.CellKeys;
 import lightning.render.gather.DirectionTable;
+import lightning.render.gather.GlowShapes;
 import lightning.render.image.Film;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.MaterialTable;
@@ -29,12 +30,15 @@ final class ReferenceGatherPoints {
     private final Scene scene;
     private final Geometry geometry;
     private final CellKeys keys;
+    private final GlowShapes glows;
     private final IndirectSettings settings;
     private final DirectionTable directions;
     private final List<SurfacePoint> candidates = new ArrayList<>();
     /** Candidates that become points, in order. */
     private final List<SurfacePoint> chosen = new ArrayList<>();
     private final Map<SurfacePoint, List<ReferenceGatherRay>> rays = new IdentityHashMap<>();
+    /** Level of the largest cell of each point. */
+    private final Map<SurfacePoint, Integer> firstLevel = new IdentityHashMap<>();
     /** Level of the smallest cell of each point. */
     private final Map<SurfacePoint, Integer> smallest = new IdentityHashMap<>();
 
@@ -43,13 +47,15 @@ final class ReferenceGatherPoints {
      *
      * @param at       its surface
      * @param rays     rays by which it gathers light
+     * @param glow     light of each small glowing object there: red, green, blue
      * @param harmonic harmonic mean length of the rays
      * @param radius   distance at which its weight is 0, scene units
      * @param side     side of the largest cell there, scene units
      */
-    record GatherPoint(SurfacePoint at, List<ReferenceGatherRay> rays, float harmonic, float radius, float side) {}
+    record GatherPoint(SurfacePoint at, List<ReferenceGatherRay> rays, List<float[]> glow, float harmonic, float radius, float side) {}
 
-    ReferenceGatherPoints(Scene scene, Geometry geometry, CellKeys keys, IndirectSettings settings) {
+    ReferenceGatherPoints(Scene scene, Geometry geometry, CellKeys keys, GlowShapes glows, IndirectSettings settings) {
+        this.glows = glows;
         this.scene = scene;
         this.geometry = geometry;
         this.keys = keys;
@@ -118,7 +124,8 @@ final class ReferenceGatherPoints {
             SurfacePoint first = members.getFirst();
             if (!rays.containsKey(first)) {
                 chosen.add(first);
-                rays.put(first, ReferenceGatherRay.cast(geometry, keys, directions, seed(first, level), first));
+                firstLevel.put(first, level);
+                rays.put(first, ReferenceGatherRay.cast(geometry, keys, glows, directions, seed(first, level), first));
             }
             smallest.put(first, level);
             if (ACCURACY * ReferenceGatherRay.harmonicMean(rays.get(first), keys.side(first.px(), first.py(), first.pz(), 0))
@@ -146,7 +153,9 @@ final class ReferenceGatherPoints {
     }
 
     private GatherPoint point(SurfacePoint at) {
-        return new GatherPoint(at, rays.get(at), ReferenceGatherRay.harmonicMean(rays.get(at), keys.side(at.px(), at.py(), at.pz(), 0)),
+        return new GatherPoint(at, rays.get(at),
+                new ReferenceGlow(geometry, keys, glows, settings.rays()).at(at, seed(at, firstLevel.get(at))),
+                ReferenceGatherRay.harmonicMean(rays.get(at), keys.side(at.px(), at.py(), at.pz(), 0)),
                 radius(at), side(at, 0));
     }
 }

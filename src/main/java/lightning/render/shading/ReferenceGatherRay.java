@@ -7,6 +7,7 @@ import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.render.gather.CellKeys;
 import lightning.render.gather.DirectionTable;
+import lightning.render.gather.GlowShapes;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.NormalSteps;
 import lightning.render.trace.SurfacePoint;
@@ -21,15 +22,17 @@ import lightning.scene.Transmission;
  * @param rank   order among the rays that hit the cell
  * @param tint   product of the tints of the transparent surfaces in between: red, green, blue
  * @param texel  mean texture color of the cell: red, green, blue; null for none
+ * @param dark   whether the ray does not count the glow of what it hits, because other rays are aimed at it
  */
-record ReferenceGatherRay(SurfacePoint hit, double length, long cell, int rank, float[] tint, float[] texel) {
+record ReferenceGatherRay(SurfacePoint hit, double length, long cell, int rank, float[] tint, float[] texel, boolean dark) {
     // Arrays in a record: written once by their creator, never after.
 
     /** A ray that passes more surfaces than this counts as a miss. */
     private static final int MAX_SURFACES = 16;
 
     /** Casts the rays of a point. */
-    static List<ReferenceGatherRay> cast(Geometry geometry, CellKeys keys, DirectionTable directions, long seed, SurfacePoint from) {
+    static List<ReferenceGatherRay> cast(Geometry geometry, CellKeys keys, GlowShapes glows, DirectionTable directions, long seed,
+            SurfacePoint from) {
         double[] x = new double[directions.rays()];
         double[] y = new double[directions.rays()];
         double[] z = new double[directions.rays()];
@@ -38,14 +41,19 @@ record ReferenceGatherRay(SurfacePoint hit, double length, long cell, int rank, 
         Vec3 surface = surfaceNormal(geometry, start, from);
         List<ReferenceGatherRay> rays = new ArrayList<>();
         for (int k = 0; k < directions.rays(); k++) {
-            rays.add(cast(geometry, keys, CellKeys.rank(seed, from.px(), from.py(), from.pz(), k),
-                    new Ray(start, aboveSurface(surface, new Vec3(x[k], y[k], z[k])))));
+            ReferenceGatherRay ray = cast(geometry, keys, CellKeys.rank(seed, from.px(), from.py(), from.pz(), k),
+                    new Ray(start, aboveSurface(surface, new Vec3(x[k], y[k], z[k]))));
+            rays.add(ray.hit != null && glows.isAimed(ray.hit.primitive(), from.px(), from.py(), from.pz()) ? ray.darkened() : ray);
         }
         return rays;
     }
 
+    private ReferenceGatherRay darkened() {
+        return new ReferenceGatherRay(hit, length, cell, rank, tint, texel, true);
+    }
+
     /** Returns the normal of the surface on which a point lies; null if the point is shaded by this normal. */
-    private static Vec3 surfaceNormal(Geometry geometry, Vec3 start, SurfacePoint from) {
+    static Vec3 surfaceNormal(Geometry geometry, Vec3 start, SurfacePoint from) {
         Ray down = new Ray(start, new Vec3(-from.nx(), -from.ny(), -from.nz()));
         if (geometry.nearestBruteForce(down) != from.primitive()) {
             return null;
@@ -67,7 +75,7 @@ record ReferenceGatherRay(SurfacePoint hit, double length, long cell, int rank, 
         return new Vec3(direction.x() - twice * normal.x(), direction.y() - twice * normal.y(), direction.z() - twice * normal.z());
     }
 
-    private static ReferenceGatherRay cast(Geometry geometry, CellKeys keys, int rank, Ray first) {
+    static ReferenceGatherRay cast(Geometry geometry, CellKeys keys, int rank, Ray first) {
         float[] tint = {1, 1, 1};
         double passed = 0;
         Ray ray = first;
@@ -82,13 +90,13 @@ record ReferenceGatherRay(SurfacePoint hit, double length, long cell, int rank, 
                 double length = passed + distance;
                 return new ReferenceGatherRay(hit, length,
                         keys.surfelKey(hit.px(), hit.py(), hit.pz(), hit.nx(), hit.ny(), hit.nz(), primitive, length), rank, tint,
-                        geometry.meanTexelBruteForce(primitive, ray, keys.surfelSide(hit.px(), hit.py(), hit.pz(), length)));
+                        geometry.meanTexelBruteForce(primitive, ray, keys.surfelSide(hit.px(), hit.py(), hit.pz(), length)), false);
             }
             multiply(tint, hit.backSide());
             passed += distance;
             ray = new Ray(new Vec3(hit.backSide().x(), hit.backSide().y(), hit.backSide().z()), ray.direction());
         }
-        return new ReferenceGatherRay(null, Double.POSITIVE_INFINITY, 0, rank, tint, null);
+        return new ReferenceGatherRay(null, Double.POSITIVE_INFINITY, 0, rank, tint, null, false);
     }
 
     private static void multiply(float[] tint, SurfacePoint.BackSide surface) {

@@ -9,6 +9,7 @@ import java.util.function.Function;
 import lightning.base.math.Rgb;
 import lightning.render.gather.CellKeys;
 import lightning.render.gather.DirectionTable;
+import lightning.render.gather.GlowShapes;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.MaterialTable;
 import lightning.render.trace.SurfacePoint;
@@ -24,10 +25,13 @@ final class ReferenceIndirect {
     private final Geometry geometry;
     private final IndirectSettings settings;
     private final CellKeys keys;
+    private final GlowShapes glows;
     private final Function<SurfacePoint, float[]> directLight;
     private final List<Surfel> surfels = new ArrayList<>();
     /** Rays of the first surfels; further ones cast none. */
     private final List<List<ReferenceGatherRay>> surfelRays = new ArrayList<>();
+    /** Light of each small glowing object at these surfels. */
+    private final List<List<float[]>> surfelGlow = new ArrayList<>();
     private final Map<Long, Integer> surfelByCell = new HashMap<>();
     private final ReferencePointLight light;
 
@@ -47,7 +51,8 @@ final class ReferenceIndirect {
         this.settings = settings;
         this.directLight = directLight;
         keys = new CellKeys(scene, settings);
-        List<ReferenceGatherPoints.GatherPoint> points = new ReferenceGatherPoints(scene, geometry, keys, settings).place();
+        glows = GlowShapes.of(geometry);
+        List<ReferenceGatherPoints.GatherPoint> points = new ReferenceGatherPoints(scene, geometry, keys, glows, settings).place();
         addSurfels(points.stream().flatMap(point -> point.rays().stream()).toList());
         for (int bounce = 2; bounce <= settings.bounces(); bounce++) {
             castSurfelRays();
@@ -96,8 +101,9 @@ final class ReferenceIndirect {
         int known = surfelRays.size();
         for (Surfel surfel : surfels.subList(known, surfels.size())) {
             SurfacePoint at = surfel.at();
-            surfelRays.add(ReferenceGatherRay.cast(geometry, keys, directions,
-                    keys.surfelSeed(at.px(), at.py(), at.pz(), at.nx(), at.ny(), at.nz()), at));
+            long seed = keys.surfelSeed(at.px(), at.py(), at.pz(), at.nx(), at.ny(), at.nz());
+            surfelRays.add(ReferenceGatherRay.cast(geometry, keys, glows, directions, seed, at));
+            surfelGlow.add(new ReferenceGlow(geometry, keys, glows, directions.rays()).at(at, seed));
         }
         addSurfels(surfelRays.subList(known, surfelRays.size()).stream().flatMap(List::stream).toList());
     }
@@ -106,37 +112,44 @@ final class ReferenceIndirect {
     private float[][] gather(List<ReferenceGatherPoints.GatherPoint> points) {
         float[][] gathered = new float[points.size()][3];
         for (int c = 0; c < 3; c++) {
-            float[] radiosity = radiosity(c);
+            float[] scattered = scattered(c);
             for (int p = 0; p < points.size(); p++) {
-                gathered[p][c] = mean(points.get(p).rays(), radiosity, c);
+                gathered[p][c] = light(points.get(p).rays(), points.get(p).glow(), scattered, c);
             }
         }
         return gathered;
     }
 
-    /** Returns one channel of the light that each surfel sends. */
-    private float[] radiosity(int c) {
+    /** Returns one channel of the light that each surfel scatters. */
+    private float[] scattered(int c) {
         float[] sent = new float[surfels.size()];
         for (int bounce = 1; bounce <= settings.bounces(); bounce++) {
             float[] before = sent;
             sent = new float[surfels.size()];
             for (int s = 0; s < sent.length; s++) {
-                float met = bounce > 1 && s < surfelRays.size() ? mean(surfelRays.get(s), before, c) : 0;
-                sent[s] = surfels.get(s).glow()[c] + albedo(surfels.get(s), c) * (surfels.get(s).direct()[c] + met);
+                float met = bounce > 1 && s < surfelRays.size() ? light(surfelRays.get(s), surfelGlow.get(s), before, c) : 0;
+                sent[s] = albedo(surfels.get(s), c) * (surfels.get(s).direct()[c] + met);
             }
         }
         return sent;
     }
 
-    /** Returns one channel of the mean light that rays meet. */
-    private float mean(List<ReferenceGatherRay> rays, float[] radiosity, int c) {
+    /** Returns one channel of the mean light that rays meet, plus that of small glowing objects. */
+    private float light(List<ReferenceGatherRay> rays, List<float[]> glow, float[] scattered, int c) {
         float share = 1f / rays.size();
         float sum = 0;
         for (ReferenceGatherRay ray : rays) {
-            float met = ray.hit() == null ? background(c) : radiosity[surfelByCell.get(ray.cell())];
-            sum += met * share * ray.tint()[c];
+            sum += (ray.hit() == null ? background(c) : sent(ray, scattered, c)) * share * ray.tint()[c];
+        }
+        for (float[] object : glow) {
+            sum += object[c];
         }
         return sum;
+    }
+
+    private float sent(ReferenceGatherRay ray, float[] scattered, int c) {
+        int surfel = surfelByCell.get(ray.cell());
+        return ray.dark() ? scattered[surfel] : surfels.get(surfel).glow()[c] + scattered[surfel];
     }
 
     private float background(int c) {

@@ -125,6 +125,32 @@ class IndirectScenesTest {
         }
     }
 
+    /** Rays stay aimed at an object that does not glow, and add nothing. */
+    @Test
+    void glowThatEndsAndReturns_castsNoRay() {
+        Scene scene = IndirectScenes.all().get("small glows");
+        Scene dark = scene.withMaterial(scene.material("flame").orElseThrow().withGlow(Rgb.BLACK));
+        try (WorkerPool workers = new WorkerPool(1); Renderer renderer = new Renderer(RenderOptions.DEFAULT.withThreads(1))) {
+            renderer.render(scene, Progress.NONE);
+            for (Scene edited : new Scene[] {dark, scene}) {
+                assertThat(renderer.render(edited, Progress.NONE).rays().total()).isZero();
+                FilmAssert.assertSameBits(renderer.film(), new TraditionalTracer(edited).trace(workers, Progress.NONE).film(),
+                        "indirect glow");
+            }
+        }
+    }
+
+    @Test
+    void glowThatBegins_lightsLikeFirstPass() {
+        Scene scene = IndirectScenes.all().get("small glows");
+        Scene dark = scene.withMaterial(scene.material("flame").orElseThrow().withGlow(Rgb.BLACK));
+        try (WorkerPool workers = new WorkerPool(1); Renderer renderer = new Renderer(RenderOptions.DEFAULT.withThreads(1))) {
+            renderer.render(dark, Progress.NONE);
+            renderer.render(scene, Progress.NONE);
+            FilmAssert.assertSameBits(renderer.film(), new TraditionalTracer(scene).trace(workers, Progress.NONE).film(), "indirect glow");
+        }
+    }
+
     /** Forced reflections are cast before and after the edit, but only rays of mirrors lead to gather points. */
     @Test
     void mirrorThatCeases_whileReflectionsAreForced_givesPictureOfFirstPass() {

@@ -64,7 +64,7 @@ final class IndirectBuilder {
         IndirectCache before = canRememberPaths(settings.get()) ? oldCache.indirect() : null;
         GatherStructure structure;
         TileLevel[] surfels;
-        boolean keepsPaths = before != null && haveSamePaths();
+        boolean keepsPaths = before != null && haveSamePaths() && before.structure().canServe(job.target().geometry());
         if (keepsPaths) {
             structure = before.structure();
             surfels = updateSurfels(before.surfels());

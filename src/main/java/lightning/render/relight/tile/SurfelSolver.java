@@ -23,6 +23,8 @@ public final class SurfelSolver {
     private final Progress progress;
     private final float[][] albedo;
     private final float[][] glow;
+    /** Light of each small glowing object. */
+    private final float[][] objects;
 
     /**
      * @param indirect  indirect light of a scene
@@ -43,6 +45,7 @@ public final class SurfelSolver {
         shaders = EngineWorkers.perThread(workers.count(), engines, engine -> new SurfelShader(materials, engine.sums()));
         albedo = new float[3][structure.surfelCount()];
         glow = new float[3][structure.surfelCount()];
+        objects = structure.glow().shapes().glow(materials);
         workers.run(surfels.length, (worker, block) -> shaders.get(worker).forTile(block).writeReflection(surfels[block].rows(),
                 structure.numbers(block), albedo, glow), this.progress);
     }
@@ -55,18 +58,18 @@ public final class SurfelSolver {
      * @throws java.util.concurrent.CancellationException if the progress requested cancellation
      */
     public float[][] solve(WeightedLight[] lights, Scene scene) {
-        return solve(lights, scene, glow);
+        return solve(lights, scene, glow, objects);
     }
 
     /** Returns the light at all gather points that comes from lights alone; parameters as above. */
     public float[][] solveWithoutGlow(WeightedLight[] lights, Scene scene) {
-        return solve(lights, scene, new float[3][structure.surfelCount()]);
+        return solve(lights, scene, new float[3][structure.surfelCount()], new float[3][objects[0].length]);
     }
 
-    private float[][] solve(WeightedLight[] lights, Scene scene, float[][] emitted) {
+    private float[][] solve(WeightedLight[] lights, Scene scene, float[][] emitted, float[][] emittedByObjects) {
         float[][] direct = new float[3][structure.surfelCount()];
         workers.run(surfels.length, (worker, block) -> shaders.get(worker).forTile(block).writeDirectLight(surfels[block].rows(), lights,
                 surfels[block].layers(), structure.numbers(block), direct), progress);
-        return new IndirectSolver(structure, scene, workers, progress).solve(direct, albedo, emitted);
+        return new IndirectSolver(structure, scene, workers, progress).solve(direct, albedo, emitted, emittedByObjects);
     }
 }
