@@ -3,6 +3,8 @@ package lightning.bench.accuracy;
 import java.util.Arrays;
 import java.util.SplittableRandom;
 import java.util.stream.IntStream;
+import lightning.base.math.Ray;
+import lightning.base.math.Vec3;
 import lightning.render.engine.Engine;
 import lightning.render.engine.choice.Engines;
 import lightning.render.gather.DirectionTable;
@@ -13,6 +15,7 @@ import lightning.render.shading.SurfelShader;
 import lightning.render.shading.WeightedLight;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.HitRows;
+import lightning.render.trace.NormalSteps;
 import lightning.render.trace.RayBatch;
 import lightning.render.trace.Tracer;
 import lightning.scene.IndirectSettings;
@@ -21,7 +24,8 @@ import lightning.scene.effects.ViewEffects;
 
 /**
  * Indirect light at single points by brute force: {@value #RAYS} cosine-distributed rays from the point, {@value #HIT_RAYS} from each hit,
- * and then one path onwards from one of these. Uses the tracer and the kernels of the picture, but no gather points, surfels or filters.
+ * and then one path onwards from one of these. Rays that bump maps or vertex normals send below a surface are reflected at it, as in
+ * {@code RaySources}. Uses the tracer and the kernels of the picture, but no gather points, surfels or filters.
  * Holds scratch memory: use one instance per thread.
  */
 final class BruteForceGather {
@@ -34,6 +38,7 @@ final class BruteForceGather {
     private static final double[] LUMINANCE = {0.2126, 0.7152, 0.0722};
     private static final int HITS_PER_BATCH = RayBatch.MAX_RAYS / HIT_RAYS;
 
+    private final Geometry geometry;
     private final RayBatch batch;
     private final LightKernel kernel;
     private final SurfelShader shader;
@@ -54,6 +59,7 @@ final class BruteForceGather {
 
     /** @param scene its indirect settings decide only whether the background counts */
     BruteForceGather(Scene scene, Geometry geometry) {
+        this.geometry = geometry;
         Engine engine = Engines.FASTEST.forTile(0);
         Tracer tracer = engine.tracer(geometry);
         batch = new RayBatch(geometry, scene, tracer);
@@ -66,13 +72,20 @@ final class BruteForceGather {
     }
 
     /**
-     * Returns the luminance of the indirect light at a point, for one bounce, two, … {@link #BOUNCES}.
+     * Returns the luminance of the indirect light where a ray hits first, for one bounce, two, … {@link #BOUNCES}; null if it hits
+     * nothing.
      *
+     * @param ray  camera ray
      * @param seed selects the directions
      */
-    double[] luminances(float x, float y, float z, float nx, float ny, float nz, long seed) {
+    double[] luminances(Ray ray, long seed) {
+        int shape = geometry.nearest(ray);
+        if (shape < 0) {
+            return null;
+        }
         random = new SplittableRandom(seed);
-        point.start(x, y, z, nx, ny, nz);
+        NormalSteps normals = geometry.normalSteps(shape, ray);
+        point.start(geometry.surface(shape, ray), normals == null ? null : normals.geometric());
         double[] light = new double[BOUNCES];
         to.count = 0;
         light[0] = cast(point, 0, 1, pointDirections, false) / RAYS;
@@ -110,6 +123,7 @@ final class BruteForceGather {
             int at = (p - first) * rays;
             directions.write(random.nextLong(), paths.nx[p], paths.ny[p], paths.nz[p], batch.directionX, batch.directionY,
                     batch.directionZ, at);
+            paths.reflect(p, batch.directionX, batch.directionY, batch.directionZ, at, at + rays);
             Arrays.fill(batch.startX, at, at + rays, paths.px[p]);
             Arrays.fill(batch.startY, at, at + rays, paths.py[p]);
             Arrays.fill(batch.startZ, at, at + rays, paths.pz[p]);
@@ -129,7 +143,8 @@ final class BruteForceGather {
                 share[c] *= albedo[c][ray];
             }
             if (!one || chosen[path] == ray) {
-                to.add(rows, row, share[0], share[1], share[2]);
+                Vec3 normal = batch.hasShadingNormals(batch.primitive(ray)) ? batch.geometricNormal(ray) : null;
+                to.add(rows, row, normal, share[0], share[1], share[2]);
             }
         }
         return sum + background(paths, first, rays, count);
