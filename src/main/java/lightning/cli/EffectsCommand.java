@@ -112,6 +112,7 @@ final class EffectsCommand implements Callable<Integer> {
         bytes.hitColumns().forEach((part, n) -> printColumn(title(part), n, bytes));
         printColumn("reflected images", bytes.mirrorBytes(), bytes);
         bytes.layerColumns().forEach((title, n) -> printColumn(title, n, bytes));
+        bytes.indirectBytes().forEach((title, n) -> printColumn(title, n, bytes));
         printColumn("total", bytes.total(), bytes);
     }
 

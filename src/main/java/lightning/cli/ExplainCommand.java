@@ -8,10 +8,12 @@ import lightning.base.work.HeapBudget;
 import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
 import lightning.render.fulltrace.TraditionalTracer;
+import lightning.render.gather.GatherStructure;
 import lightning.render.image.Film;
 import lightning.render.relight.MemoryEstimate;
 import lightning.render.relight.SceneView;
 import lightning.render.relight.TraceMemory;
+import lightning.render.shading.IndirectLight;
 import lightning.render.shading.LightReport;
 import lightning.render.shading.PixelExplainer;
 import lightning.render.shading.PointReport;
@@ -35,6 +37,8 @@ import picocli.CommandLine.Parameters;
             "If bump maps, normal maps or vertex normals change the normal, prints each step from the geometric normal, and which "
                     + "lights are below the horizon. Reflected and refracted rays follow, indented; rays through transparent surfaces only "
                     + "if they contribute more than 0.2 %% of the pixel.",
+            "",
+            "With indirect light, prints its gather points, surfels, rays and bytes in the whole picture, because every pixel needs them.",
             "",
             "Colors are linear red, green, blue. The last line is the pixel in the film and on the display, bit-identical to "
                     + "that of lightning render."},
@@ -69,22 +73,33 @@ final class ExplainCommand implements Callable<Integer> {
             throw new BadInputException(Console.text("pixel %d,%d is outside the image, expected 0,0 to %d,%d", pixel.x(), pixel.y(),
                     width - 1, height - 1));
         }
-        PixelExplainer explainer = explainer(scene);
+        PixelExplainer direct = new PixelExplainer(scene);
+        IndirectLight indirect = traceIndirect(scene, direct.geometry());
+        PixelExplainer explainer = direct.withIndirect(indirect);
         PointReport report = explainer.explainPixel(pixel.x(), pixel.y());
         console.print("pixel %d,%d of %d x %d", pixel.x(), pixel.y(), width, height);
         print(explainer, report, "", 1);
+        printPaths(indirect);
         printPixel(scene, explainer.geometry(), report.color());
         return ExitCode.OK;
     }
 
-    private static PixelExplainer explainer(Scene scene) {
-        var explainer = new PixelExplainer(scene);
+    /** Returns the indirect light of the whole picture, which each pixel needs; null if the scene has none. */
+    private static IndirectLight traceIndirect(Scene scene, Geometry geometry) {
         if (scene.picture().indirect().isEmpty()) {
-            return explainer;
+            return null;
         }
         TraceMemory.check(scene, HeapBudget.availableBytes());
         try (WorkerPool workers = new WorkerPool(WorkerPool.processorCount())) {
-            return explainer.withIndirect(new TraditionalTracer(scene, explainer.geometry()).traceIndirect(workers, Progress.NONE));
+            return new TraditionalTracer(scene, geometry).traceIndirect(workers, Progress.NONE);
+        }
+    }
+
+    private void printPaths(IndirectLight indirect) {
+        if (indirect != null) {
+            GatherStructure paths = indirect.structure();
+            console.print("indirect light of the picture: %s, %s, %s, %s", Console.count(paths.pointCount(), "gather point"),
+                    Console.count(paths.surfelCount(), "surfel"), Console.count(paths.rays(), "ray"), Console.count(paths.bytes(), "byte"));
         }
     }
 

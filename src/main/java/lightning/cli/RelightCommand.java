@@ -169,7 +169,9 @@ final class RelightCommand implements Callable<Integer> {
                 s.percent())).orElseGet(() -> Console.text("%.1f ms", update.milliseconds()));
         return Console.text("%s: %s, %s, %s, %s",
                 update.plan().description(), Console.count(update.rowsTouched(), "row"),
-                Console.count(update.rays().shadow(), "shadow ray"), time,
+                Console.count(update.rays().shadow(), "shadow ray")
+                        + (update.rays().gather() == 0 ? "" : ", " + Console.count(update.rays().gather(), "ray") + " of indirect light"),
+                time,
                 promise.text(update));
     }
 }

@@ -50,6 +50,25 @@ class OtherCommandsTest {
     }
 
     @Test
+    void explainEffectsRelight_nameTheCostOfIndirectLight() throws Exception {
+        Files.writeString(scene, """
+                jen 1
+                picture { size 24 24  depth 0  indirect { rays 16 } }
+                material m {}
+                sphere a { material m }
+                sphere b { material m  at 1 1 0  scale 0.5 0.5 0.5 }
+                light key point { at 0 3 3 }
+                """);
+        assertThat(CliResult.run("explain", scene, "12,12").assertSuccess().out())
+                .containsPattern("indirect light of the picture: \\d+ gather points, \\d+ surfels?, \\d+ rays, \\d+ bytes");
+        assertThat(CliResult.run("effects", scene, "--repetitions", "1").assertSuccess().out())
+                .containsPattern("paths of indirect light +[1-9]")
+                .containsPattern("weights of gather points +[1-9]").containsPattern("reflected images +0 bytes");
+        assertThat(CliResult.run("relight", scene, "-o", scene.resolveSibling("out.pfm"), "--set", "a.at=0 -1 0").assertSuccess().out())
+                .containsPattern("rays of indirect light");
+    }
+
+    @Test
     void check_everyProblem_hasLocation() throws Exception {
         Files.writeString(scene, "jen 1\nsphere a { scale 1 0 1 }\nlight b laser {}\n");
         CliResult refused = CliResult.run("check", scene);

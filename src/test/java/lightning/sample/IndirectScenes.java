@@ -153,7 +153,7 @@ public final class IndirectScenes {
                 : node).toList());
     }
 
-    private static Scene withBumps(Scene scene) {
+    public static Scene withBumps(Scene scene) {
         TextureMap steps = new TextureMap("steps.png", 3, 2, new Texture(3, 1, new float[] {0, 0, 0, 1, 1, 1, 0.2f, 0.2f, 0.2f}));
         BumpMapping bumps = BumpMapping.NONE.withBump(Optional.of(steps)).withHeight(1);
         return scene.withMaterials(scene.materials().stream().map(m -> m.withBumpMapping(bumps)).toList());

@@ -3,6 +3,8 @@ package lightning.bench.accuracy;
 import java.util.Arrays;
 import java.util.SplittableRandom;
 import java.util.stream.IntStream;
+import lightning.base.math.Ray;
+import lightning.base.math.Vec3;
 import lightning.render.engine.Engine;
 import lightning.render.engine.choice.Engines;
 import lightning.render.gather.DirectionTable;
@@ -13,6 +15,8 @@ import lightning.render.shading.SurfelShader;
 import lightning.render.shading.WeightedLight;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.HitRows;
+import lightning.render.trace.MaterialTable;
+import lightning.render.trace.NormalSteps;
 import lightning.render.trace.RayBatch;
 import lightning.render.trace.Tracer;
 import lightning.scene.IndirectSettings;
@@ -21,12 +25,15 @@ import lightning.scene.effects.ViewEffects;
 
 /**
  * Indirect light at single points by brute force: {@value #RAYS} cosine-distributed rays from the point, {@value #HIT_RAYS} from each hit,
- * and then one path onwards from one of these. Uses the tracer and the kernels of the picture, but no gather points, surfels or filters.
+ * and then one path onwards from one of these. Glow that the first rays meet is counted with {@value #GLOW_BATCHES} times as many
+ * rays, because few meet a small lamp. Rays that bump maps or vertex normals send below a surface are reflected at it, as in
+ * {@code RaySources}. Uses the tracer and the kernels of the picture, but no gather points, surfels or filters.
  * Holds scratch memory: use one instance per thread.
  */
 final class BruteForceGather {
     static final int RAYS = 1024;
     static final int HIT_RAYS = 16;
+    static final int GLOW_BATCHES = 64;
     /** Reference bounces: those of any setting. */
     static final int BOUNCES = IndirectSettings.MAX_BOUNCES;
     /** Luminance of red, green and blue (ITU-R BT.709). */
@@ -34,6 +41,9 @@ final class BruteForceGather {
     private static final double[] LUMINANCE = {0.2126, 0.7152, 0.0722};
     private static final int HITS_PER_BATCH = RayBatch.MAX_RAYS / HIT_RAYS;
 
+    private final Geometry geometry;
+    private final MaterialTable materials;
+    private final boolean glows;
     private final RayBatch batch;
     private final LightKernel kernel;
     private final SurfelShader shader;
@@ -54,6 +64,9 @@ final class BruteForceGather {
 
     /** @param scene its indirect settings decide only whether the background counts */
     BruteForceGather(Scene scene, Geometry geometry) {
+        this.geometry = geometry;
+        materials = geometry.materials();
+        glows = IntStream.range(0, materials.count()).anyMatch(m -> !materials.material(m).glow().isBlack());
         Engine engine = Engines.FASTEST.forTile(0);
         Tracer tracer = engine.tracer(geometry);
         batch = new RayBatch(geometry, scene, tracer);
@@ -66,16 +79,23 @@ final class BruteForceGather {
     }
 
     /**
-     * Returns the luminance of the indirect light at a point, for one bounce, two, … {@link #BOUNCES}.
+     * Returns the luminance of the indirect light where a ray hits first, for one bounce, two, … {@link #BOUNCES}; null if it hits
+     * nothing.
      *
+     * @param ray  camera ray
      * @param seed selects the directions
      */
-    double[] luminances(float x, float y, float z, float nx, float ny, float nz, long seed) {
+    double[] luminances(Ray ray, long seed) {
+        int shape = geometry.nearest(ray);
+        if (shape < 0) {
+            return null;
+        }
         random = new SplittableRandom(seed);
-        point.start(x, y, z, nx, ny, nz);
+        NormalSteps normals = geometry.normalSteps(shape, ray);
+        point.start(geometry.surface(shape, ray), normals == null ? null : normals.geometric());
         double[] light = new double[BOUNCES];
         to.count = 0;
-        light[0] = cast(point, 0, 1, pointDirections, false) / RAYS;
+        light[0] = (cast(point, 0, 1, pointDirections, false) + glow()) / RAYS;
         swap();
         double second = 0;
         for (int first = 0; first < from.count; first += HITS_PER_BATCH) {
@@ -100,7 +120,7 @@ final class BruteForceGather {
      * Casts rays from the ends of paths and adds the paths that go on.
      *
      * @param one whether one random ray of each path goes on; otherwise all do
-     * @return sum of the luminance that the rays collect from lights and glow
+     * @return sum of the luminance that the rays collect from lights, and from glow unless they come from {@link #point}
      */
     private double cast(GatherPaths paths, int first, int end, DirectionTable directions, boolean one) {
         int rays = directions.rays();
@@ -108,11 +128,7 @@ final class BruteForceGather {
         int[] chosen = new int[end - first];
         for (int p = first; p < end; p++) {
             int at = (p - first) * rays;
-            directions.write(random.nextLong(), paths.nx[p], paths.ny[p], paths.nz[p], batch.directionX, batch.directionY,
-                    batch.directionZ, at);
-            Arrays.fill(batch.startX, at, at + rays, paths.px[p]);
-            Arrays.fill(batch.startY, at, at + rays, paths.py[p]);
-            Arrays.fill(batch.startZ, at, at + rays, paths.pz[p]);
+            aim(paths, p, directions, at);
             chosen[p - first] = at + random.nextInt(rays);
         }
         batch.trace(count);
@@ -125,14 +141,43 @@ final class BruteForceGather {
             float[] share = new float[3];
             for (int c = 0; c < 3; c++) {
                 share[c] = paths.share[c][first + path] * tint(c, ray);
-                sum += LUMINANCE[c] * share[c] * (glow[c][ray] + albedo[c][ray] * direct[c][ray]);
+                float met = albedo[c][ray] * direct[c][ray] + (paths == point ? 0 : glow[c][ray]);
+                sum += LUMINANCE[c] * share[c] * met;
                 share[c] *= albedo[c][ray];
             }
             if (!one || chosen[path] == ray) {
-                to.add(rows, row, share[0], share[1], share[2]);
+                Vec3 normal = batch.hasShadingNormals(batch.primitive(ray)) ? batch.geometricNormal(ray) : null;
+                to.add(rows, row, normal, share[0], share[1], share[2]);
             }
         }
         return sum + background(paths, first, rays, count);
+    }
+
+    /** Prepares the rays of a path. */
+    private void aim(GatherPaths paths, int p, DirectionTable directions, int at) {
+        int end = at + directions.rays();
+        directions.write(random.nextLong(), paths.nx[p], paths.ny[p], paths.nz[p], batch.directionX, batch.directionY,
+                batch.directionZ, at);
+        paths.reflect(p, batch.directionX, batch.directionY, batch.directionZ, at, end);
+        Arrays.fill(batch.startX, at, end, paths.px[p]);
+        Arrays.fill(batch.startY, at, end, paths.py[p]);
+        Arrays.fill(batch.startZ, at, end, paths.pz[p]);
+    }
+
+    /** Returns the luminance of the glow that {@value #RAYS} rays from the point meet on average. */
+    private double glow() {
+        double sum = 0;
+        for (int i = 0; glows && i < GLOW_BATCHES; i++) {
+            aim(point, 0, pointDirections, 0);
+            batch.trace(RAYS);
+            for (int ray = 0; ray < RAYS; ray++) {
+                int material = batch.primitive(ray) < 0 ? -1 : geometry.materialIndex(batch.primitive(ray));
+                for (int c = 0; material >= 0 && c < 3; c++) {
+                    sum += LUMINANCE[c] * tint(c, ray) * (1 - materials.reflective(material, c)) * materials.glow(material, c);
+                }
+            }
+        }
+        return sum / GLOW_BATCHES;
     }
 
     private float tint(int channel, int ray) {

@@ -3,8 +3,7 @@ package lightning.bench.accuracy;
 import java.util.Arrays;
 
 /**
- * Errors of an image's indirect light at sampled pixels, against brute force. An error is relative to the larger of the reference and 5 % of
- * its mean, so that dark places count little.
+ * Errors of an image's indirect light at sampled pixels, against brute force ({@link RelativeErrors}).
  *
  * @param mean    mean error, 0…
  * @param median  median error
@@ -13,8 +12,9 @@ import java.util.Arrays;
  * @param missing share of the light of eight bounces that the setting's number of bounces does not contain, by brute force
  */
 public record IndirectError(double mean, double median, double high, double bias, double missing) {
-    private static final double DARK = 0.05;
-    private static final double HIGH = 0.95;
+    /** Share of the pixels below {@link #high}. */
+    static final double HIGH = 0.95;
+    private static final double MEDIAN = 0.5;
 
     /**
      * Compares luminances per pixel.
@@ -25,20 +25,11 @@ public record IndirectError(double mean, double median, double high, double bias
      * @throws IllegalArgumentException if there is no pixel
      */
     static IndirectError of(double[] light, double[] exact, double[] complete) {
-        if (light.length == 0) {
-            throw new IllegalArgumentException("expected at least one pixel that shows a surface, found none");
-        }
+        RelativeErrors errors = RelativeErrors.of(light, exact);
         double total = Arrays.stream(exact).sum();
-        double floor = DARK * total / exact.length;
-        double[] errors = new double[light.length];
-        for (int i = 0; i < light.length; i++) {
-            double scale = Math.max(exact[i], floor);
-            errors[i] = scale > 0 ? Math.abs(light[i] - exact[i]) / scale : light[i] > 0 ? 1 : 0;
-        }
-        Arrays.sort(errors);
         double all = Arrays.stream(complete).sum();
-        return new IndirectError(Arrays.stream(errors).average().orElseThrow(), errors[errors.length / 2],
-                errors[(int) (HIGH * errors.length)], ratio(Arrays.stream(light).sum() - total, total), ratio(all - total, all));
+        return new IndirectError(errors.mean(), errors.percentile(MEDIAN), errors.percentile(HIGH),
+                ratio(Arrays.stream(light).sum() - total, total), ratio(all - total, all));
     }
 
     private static double ratio(double part, double whole) {

@@ -14,6 +14,7 @@ import lightning.render.image.Film;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.render.trace.HitRows;
+import lightning.render.trace.PixelRays;
 import lightning.scene.IndirectSettings;
 import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
@@ -75,13 +76,14 @@ public final class IndirectErrorMeter implements AutoCloseable {
         for (int i = 0; i < workers.count(); i++) {
             gathers.add(new BruteForceGather(scene, cache.geometry()));
         }
+        PixelRays rays = new PixelRays(scene);
         pixels.clear();
         references.clear();
         long start = System.nanoTime();
         for (int done = 0; done < maxPixels && (done == 0 || (System.nanoTime() - start) / 1e6 < maxMs); done += CHUNK) {
             int[] chunk = random.ints(Math.min(CHUNK, maxPixels - done), 0, scene.picture().width() * scene.picture().height()).toArray();
             double[][] light = new double[chunk.length][];
-            workers.run(chunk.length, (worker, i) -> light[i] = reference(gathers.get(worker), cache, chunk[i]),
+            workers.run(chunk.length, (worker, i) -> light[i] = reference(gathers.get(worker), rays, chunk[i]),
                     progress.cancellationOnly());
             for (int i = 0; i < chunk.length; i++) {
                 if (light[i] != null) {
@@ -95,11 +97,9 @@ public final class IndirectErrorMeter implements AutoCloseable {
     }
 
     /** Returns the reference of a pixel for each number of bounces; null if it shows the background. */
-    private double[] reference(BruteForceGather gather, PixelCache cache, int pixel) {
-        HitRows rows = level(cache, pixel).rows();
-        int row = row(rows, pixel);
-        return row < 0 ? null
-                : gather.luminances(rows.px[row], rows.py[row], rows.pz[row], rows.nx[row], rows.ny[row], rows.nz[row], pixel);
+    private double[] reference(BruteForceGather gather, PixelRays rays, int pixel) {
+        int width = scene.picture().width();
+        return gather.luminances(rays.ray(pixel % width, pixel / width), pixel);
     }
 
     /**

@@ -27,9 +27,6 @@ import lightning.scene.Scene;
 public record IndirectSweep(double directMilliseconds, List<Point> points) {
     private static final int[] SPACINGS = {16, 8, 4};
     private static final int[] RAYS = {16, 64, 256};
-    /** Differences of darker pixels are relative to this share of the mean luminance. */
-    private static final double DARK_SHARE = 0.05;
-    private static final double PERCENTILE = 0.95;
 
     public IndirectSweep {
         points = List.copyOf(points);
@@ -39,13 +36,13 @@ public record IndirectSweep(double directMilliseconds, List<Point> points) {
      * Measurement of one setting.
      *
      * @param milliseconds   time that indirect light adds to a first pass
-     * @param meanDifference mean difference of the pixels' luminance, relative to the luminance
+     * @param meanDifference mean difference of the pixels' luminance ({@link RelativeErrors})
      * @param difference95   95th percentile of these differences
      */
     public record Point(IndirectSettings settings, boolean fits, double milliseconds, double meanDifference, double difference95) {}
 
     /** Settings, and their time and luminance if they fit into memory. */
-    private record Trial(IndirectSettings settings, double milliseconds, float[] luminance) {}
+    private record Trial(IndirectSettings settings, double milliseconds, double[] luminance) {}
 
     /**
      * Measures all settings.
@@ -97,34 +94,24 @@ public record IndirectSweep(double directMilliseconds, List<Point> points) {
         }
     }
 
-    private static float[] luminance(Film film) {
-        float[] values = new float[film.width() * film.height()];
+    private static double[] luminance(Film film) {
+        double[] values = new double[film.width() * film.height()];
         for (int y = 0; y < film.height(); y++) {
             for (int x = 0; x < film.width(); x++) {
-                values[y * film.width() + x] = 0.2126f * film.red(x, y) + 0.7152f * film.green(x, y) + 0.0722f * film.blue(x, y);
+                values[y * film.width() + x] = BruteForceGather.luminance(film.red(x, y), film.green(x, y), film.blue(x, y));
             }
         }
         return values;
     }
 
     private static List<Point> compare(List<Trial> trials) {
-        float[] densest = trials.stream().map(Trial::luminance).filter(l -> l != null).reduce(null, (_, last) -> last);
+        double[] densest = trials.stream().map(Trial::luminance).filter(l -> l != null).reduce(null, (_, last) -> last);
         return trials.stream().map(trial -> trial.luminance == null ? new Point(trial.settings, false, 0, 0, 0)
                 : compare(trial, densest)).toList();
     }
 
-    private static Point compare(Trial trial, float[] densest) {
-        double mean = 0;
-        for (float v : densest) {
-            mean += v;
-        }
-        double dark = Math.max(Float.MIN_NORMAL, DARK_SHARE * mean / densest.length);
-        double[] differences = new double[densest.length];
-        for (int i = 0; i < differences.length; i++) {
-            differences[i] = Math.abs(trial.luminance[i] - densest[i]) / Math.max(dark, densest[i]);
-        }
-        Arrays.sort(differences);
-        return new Point(trial.settings, true, trial.milliseconds, Arrays.stream(differences).average().orElse(0),
-                differences[(int) (PERCENTILE * (differences.length - 1))]);
+    private static Point compare(Trial trial, double[] densest) {
+        RelativeErrors differences = RelativeErrors.of(trial.luminance, densest);
+        return new Point(trial.settings, true, trial.milliseconds, differences.mean(), differences.percentile(IndirectError.HIGH));
     }
 }

@@ -2,6 +2,7 @@ package lightning.render.gather;
 
 import lightning.render.trace.Geometry;
 import lightning.render.trace.HitRows;
+import lightning.render.trace.MaterialTable;
 
 /**
  * Paths of diffuse indirect light: from surfels to surfels to gather points to rows. Determined by shapes, camera and settings alone.
@@ -113,9 +114,11 @@ public final class GatherStructure {
     /**
      * Returns whether rays are aimed at all glowing objects of a scene with the same shapes, camera and settings, and as many at each as in
      * paths built for it. An object that no longer glows adds nothing.
+     *
+     * @param materials materials of that scene
      */
-    public boolean canServe(Geometry geometry) {
-        GlowShapes others = GlowShapes.of(geometry);
+    public boolean canServe(Geometry geometry, MaterialTable materials) {
+        GlowShapes others = GlowShapes.of(geometry, materials);
         return glow.shapes().contain(others) && (others.count() == 0 || aim(pointLinks, glow.shapes()).isAsDense(aim(pointLinks, others))
                 && aim(surfelLinks, glow.shapes()).isAsDense(aim(surfelLinks, others)));
     }

@@ -47,7 +47,11 @@ public final class GlowShapes {
 
     /** Returns the opaque objects that glow, unless there are too many. */
     public static GlowShapes of(Geometry geometry) {
-        MaterialTable materials = geometry.materials();
+        return of(geometry, geometry.materials());
+    }
+
+    /** @param materials of the objects, instead of those of the geometry */
+    static GlowShapes of(Geometry geometry, MaterialTable materials) {
         boolean[] glows = new boolean[materials.count()];
         boolean any = false;
         for (int m = 0; m < glows.length; m++) {

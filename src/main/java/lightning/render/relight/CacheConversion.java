@@ -14,6 +14,7 @@ import lightning.render.engine.EngineWorkers;
 import lightning.render.image.Film;
 import lightning.render.relight.plan.LayerUpdater;
 import lightning.render.relight.plan.LevelPlan;
+import lightning.render.relight.plan.PathUpdate;
 import lightning.render.relight.plan.UpdatePlan;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.render.relight.tile.TileRecomposer;
@@ -48,7 +49,8 @@ record CacheConversion(PixelCache cache, RenderOptions options) {
         int depth = cache.scene().picture().depth();
         MaterialTable materials = cache.geometry().materials();
         return new UpdatePlan.Relight(LevelPlan.refresh(cache.scene(), cache.lights(), materials, light -> light.stamp() != null),
-                LevelPlan.refresh(cache.mirroredScene(), cache.mirroredLights(), materials, light -> light.stamp() != null), depth, depth);
+                LevelPlan.refresh(cache.mirroredScene(), cache.mirroredLights(), materials, light -> light.stamp() != null), depth, depth,
+                PathUpdate.unchanged(cache));
     }
 
     /** Converted cache and the work it took. */

@@ -33,13 +33,14 @@ final class MemoryCheck {
             return;
         }
         if (memory <= 0) {
-            throw new PictureTooLargeException(max, memory, List.of());
+            throw new PictureTooLargeException(max, memory, 0, List.of());
         }
         try {
             updateForecast(scene, options, parts, memory, pictures);
         } catch (PathsTooLargeException e) {
             // Not even the paths of a small picture fit.
-            throw new PictureTooLargeException(e.requiredBytes(), memory, SparserPaths.suggest(scene, options, parts, memory, pictures));
+            throw new PictureTooLargeException(e.requiredBytes(), memory, e.requiredBytes(),
+                    SparserPaths.suggest(scene, options, parts, memory, pictures));
         }
         long required = lastForecast.bytes(scene.picture());
         if (required > memory) {
@@ -52,7 +53,7 @@ final class MemoryCheck {
                 suggestions.add(new PictureTooLargeException.Suggestion.MirrorsAsShapes());
             }
             suggestions.addAll(SparserPaths.suggest(scene, options, parts, memory, pictures));
-            throw new PictureTooLargeException(required, memory, suggestions);
+            throw new PictureTooLargeException(required, memory, lastForecast.indirectBytes(scene.picture()), suggestions);
         }
     }
 
@@ -88,7 +89,8 @@ final class MemoryCheck {
         }
         long required = lastForecast.bytes(scene.picture());
         if (required > memory) {
-            throw new PictureTooLargeException(required, memory, MemoryEstimate.suggestions(scene, lastForecast, required, memory));
+            throw new PictureTooLargeException(required, memory, lastForecast.indirectBytes(scene.picture()),
+                    MemoryEstimate.suggestions(scene, lastForecast, required, memory));
         }
     }
 

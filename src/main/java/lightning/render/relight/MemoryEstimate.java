@@ -142,7 +142,7 @@ public final class MemoryEstimate {
             // Whole tiles, as in the estimate.
             int width = (int) (picture.width() * shrink) / Film.TILE_SIZE * Film.TILE_SIZE;
             int height = (int) (picture.height() * shrink) / Film.TILE_SIZE * Film.TILE_SIZE;
-            throw new PictureTooLargeException(required, memory,
+            throw new PictureTooLargeException(required, memory, 0,
                     Math.min(width, height) < 1 ? List.of() : List.of(new PictureTooLargeException.Suggestion.Size(width, height)));
         }
     }

@@ -163,6 +163,11 @@ final class MemoryForecast {
         return Math.min((long) peak, MemoryEstimate.upperBound(scene.withPicture(picture), options, parts));
     }
 
+    /** Returns the bytes in {@link #bytes} that indirect light needs besides the weights of rows. */
+    long indirectBytes(PictureSettings picture) {
+        return Math.min((long) Math.max(indirect.bytes(picture), indirect.buildBytes(picture)), bytes(picture));
+    }
+
     /** Returns the mean number of samples of a pixel that has several. */
     private static double samplesAtEdges(SamplingSettings sampling) {
         return SampleCells.first(sampling.grid()).count() + REFINED_SHARE * SampleCells.rest(sampling.grid()).count();

@@ -14,9 +14,12 @@ import lightning.scene.IndirectSettings;
 public final class PictureTooLargeException extends RuntimeException {
     private static final long serialVersionUID = 1;
     private static final double GB = 1e9;
+    /** Share of indirect light from which the message names it. */
+    private static final double MIN_SHOWN_SHARE = 0.1;
 
     private final long requiredBytes;
     private final long availableBytes;
+    private final long indirectBytes;
     private final transient List<Suggestion> suggestions;
 
     /** Change of the picture that would fit. */
@@ -49,13 +52,15 @@ public final class PictureTooLargeException extends RuntimeException {
     /**
      * @param required    bytes
      * @param available   bytes
+     * @param indirect    bytes of the paths of indirect light in those required, 0 if unknown
      * @param suggestions changes that would fit; empty if nothing fits
      */
-    PictureTooLargeException(long required, long available, List<Suggestion> suggestions) {
-        super(text(required, available, suggestions,
+    PictureTooLargeException(long required, long available, long indirect, List<Suggestion> suggestions) {
+        super(text(required, available, indirect, suggestions,
                 suggestion -> suggestion instanceof Suggestion.MirrorsAsShapes ? Optional.empty() : Optional.of(suggestion.description())));
         this.requiredBytes = required;
         this.availableBytes = available;
+        indirectBytes = indirect;
         this.suggestions = List.copyOf(suggestions);
     }
 
@@ -65,14 +70,16 @@ public final class PictureTooLargeException extends RuntimeException {
      * @param describer phrase of a suggestion; empty if the caller does not offer it
      */
     public String message(Function<Suggestion, Optional<String>> describer) {
-        return text(requiredBytes, availableBytes, suggestions, describer);
+        return text(requiredBytes, availableBytes, indirectBytes, suggestions, describer);
     }
 
-    private static String text(long required, long available, List<Suggestion> suggestions,
+    private static String text(long required, long available, long indirect, List<Suggestion> suggestions,
             Function<Suggestion, Optional<String>> describer) {
         String fitting =
                 suggestions.stream().flatMap(suggestion -> describer.apply(suggestion).stream()).collect(Collectors.joining(", or with "));
-        return String.format(Locale.ROOT, "the picture needs about %.1f GB of memory, and %.1f GB is available; %s", required / GB,
+        return String.format(Locale.ROOT, "the picture needs about %.1f GB of memory%s, and %.1f GB is available; %s", required / GB,
+                indirect < MIN_SHOWN_SHARE * required ? ""
+                        : String.format(Locale.ROOT, ", %.1f GB of it for indirect light", indirect / GB),
                 Math.max(available, 0) / GB, fitting.isEmpty() ? "it would not fit at any size" : "it would fit with " + fitting);
     }
 }

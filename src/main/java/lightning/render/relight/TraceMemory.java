@@ -32,7 +32,7 @@ public final class TraceMemory {
             }
         } catch (PathsTooLargeException e) {
             // Not even the paths of a small picture fit.
-            throw new PictureTooLargeException(e.requiredBytes(), available, sparserPaths(scene, available));
+            throw new PictureTooLargeException(e.requiredBytes(), available, e.requiredBytes(), sparserPaths(scene, available));
         }
     }
 
@@ -43,7 +43,7 @@ public final class TraceMemory {
             List<PictureTooLargeException.Suggestion> suggestions = new ArrayList<>();
             MemoryEstimate.suggestSize(scene.picture(), bytes, required, available, suggestions);
             suggestions.addAll(sparserPaths(scene, available));
-            throw new PictureTooLargeException(required, available, suggestions);
+            throw new PictureTooLargeException(required, available, required - MemoryEstimate.filmBytes(scene.picture()), suggestions);
         }
     }
 

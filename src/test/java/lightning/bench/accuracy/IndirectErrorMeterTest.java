@@ -6,6 +6,8 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.nio.file.Path;
 import java.util.Optional;
+import lightning.base.math.Ray;
+import lightning.base.math.Vec3;
 import lightning.base.work.Progress;
 import lightning.format.jen.JenReader;
 import lightning.render.relight.tile.RenderOptions;
@@ -19,17 +21,19 @@ class IndirectErrorMeterTest {
     private static final double EPSILON = 1e-5;
     private static final RenderOptions OPTIONS = RenderOptions.DEFAULT.withThreads(2);
 
+    private static final Ray DOWN = new Ray(new Vec3(0, 0, 0), new Vec3(0, -1, 0));
+
     private static Scene scene(String text) throws Exception {
         return JenReader.read("jen 1\npicture { size 24 16  depth 0 }\n" + text, "scene.jen", Path.of("")).scene();
     }
 
-    /** Points are relative to the camera, which is at the origin. In a closed glowing sphere, light of n bounces is the geometric series glow · (1 + ρ + … + ρⁿ⁻¹) everywhere. */
+    /** In a closed glowing sphere, light of n bounces is the geometric series glow · (1 + ρ + … + ρⁿ⁻¹) everywhere. */
     @Test
     void glowingSphere_givesTheGeometricSeries() throws Exception {
         Scene scene = scene("camera { from 0 0 0  to 0 0 -1 }\nmaterial shell { diffuse 0.5 0.5 0.5  glow 0.2 0.2 0.2 }\n"
                 + "sphere around { material shell }\n");
         BruteForceGather gather = new BruteForceGather(scene, new Geometry(scene));
-        double[] light = gather.luminances(0, -0.999f, 0, 0, 1, 0, 7);
+        double[] light = gather.luminances(DOWN, 7);
         double expected = 0;
         for (int bounce = 0; bounce < light.length; bounce++) {
             expected += 0.2 * Math.pow(0.5, bounce);
@@ -42,12 +46,28 @@ class IndirectErrorMeterTest {
         Scene scene = scene("camera { from 0 0 0  to 0 -1 -1 }\nworld { background 0.3 0.3 0.3 }\nmaterial white { diffuse 0.8 0.8 0.8 }\n"
                 + "plane floor { material white  at 0 -1 0 }\n");
         Geometry geometry = new Geometry(scene);
-        assertThat(new BruteForceGather(scene, geometry).luminances(0, -0.999f, 0, 0, 1, 0, 7)).containsOnly(0);
+        assertThat(new BruteForceGather(scene, geometry).luminances(DOWN, 7)).containsOnly(0);
         Scene lit = scene.withPicture(
                 scene.picture().withIndirect(Optional.of(IndirectSettings.DEFAULT.withBackground(true))));
-        for (double light : new BruteForceGather(lit, geometry).luminances(0, -0.999f, 0, 0, 1, 0, 7)) {
+        for (double light : new BruteForceGather(lit, geometry).luminances(DOWN, 7)) {
             assertThat(light).isEqualTo(0.3, within(EPSILON));
         }
+    }
+
+    /** Rays below a black floor would collect nothing. */
+    @Test
+    void bumpedFloor_collectsLightFromAboveOnly() throws Exception {
+        Scene scene = IndirectScenes.withBumps(scene("camera { from 0 0 0  to 0 -1 -1 }\nworld { background 0.3 0.3 0.3 }\n"
+                + "material black { diffuse 0 0 0 }\nplane floor { material black  at 0 -1 0 }\n"));
+        Scene lit = scene.withPicture(scene.picture().withIndirect(Optional.of(IndirectSettings.DEFAULT.withBackground(true))));
+        BruteForceGather gather = new BruteForceGather(lit, new Geometry(lit));
+        int tilted = 0;
+        for (int i = 0; i < 20; i++) {
+            Ray ray = new Ray(new Vec3(0, 0, 0), new Vec3(0.02 * i, -1, -0.015 * i).normalized());
+            tilted += new Geometry(lit).normalSteps(0, ray) == null ? 0 : 1;
+            assertThat(gather.luminances(ray, i)[0]).isEqualTo(0.3, within(EPSILON));
+        }
+        assertThat(tilted).isPositive();
     }
 
     @Test

@@ -10,6 +10,7 @@ import lightning.editor.loop.RenderActivity;
 import lightning.editor.loop.RenderState;
 import lightning.render.relight.UpdateResult;
 import lightning.render.relight.plan.UpdatePlan;
+import lightning.render.shading.RayCounts;
 
 /** Formats updates and verifications for the status line. */
 public final class StatusText {
@@ -35,8 +36,8 @@ public final class StatusText {
      */
     static String of(UpdateResult update, boolean isFinished, String accuracyText, Optional<WarmSaving> saving) {
         String text =
-                Messages.tr("{0} · {1} shading points updated · {2} shadow rays · {3}", update.plan().description(),
-                        number(update.rowsTouched()), number(update.rays().shadow()), milliseconds(update.milliseconds()));
+                Messages.tr("{0} · {1} shading points updated · {2} · {3}", update.plan().description(),
+                        number(update.rowsTouched()), rays(update.rays()), milliseconds(update.milliseconds()));
         if (!isFinished) {
             return Messages.tr("{0} · not anti-aliased yet", text);
         }
@@ -44,6 +45,12 @@ public final class StatusText {
             text += saving.map(StatusText::savingText).orElse(Messages.tr(" (measuring the saving…)"));
         }
         return text + " · " + accuracyText;
+    }
+
+    /** Formats the rays of an update: {@code 4,811 shadow rays · 310,000 rays of indirect light}. */
+    private static String rays(RayCounts rays) {
+        String shadow = Messages.tr("{0} shadow rays", number(rays.shadow()));
+        return rays.gather() == 0 ? shadow : shadow + " · " + Messages.tr("{0} rays of indirect light", number(rays.gather()));
     }
 
     /** Formats the update of an image briefly: {@code Updated in 0.8 ms, exact}. */

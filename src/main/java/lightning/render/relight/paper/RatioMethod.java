@@ -10,6 +10,7 @@ import lightning.render.relight.plan.LayerUpdater;
 import lightning.render.relight.plan.LevelPlan;
 import lightning.render.relight.plan.LightDifference;
 import lightning.render.relight.plan.LightUpdate;
+import lightning.render.relight.plan.PathUpdate;
 import lightning.render.relight.plan.UpdateMethod;
 import lightning.render.relight.plan.UpdatePlan;
 import lightning.render.shading.ConeChange;
@@ -73,7 +74,7 @@ public record RatioMethod() implements UpdateMethod {
         MaterialTable materials = cache.geometry().materials();
         return new UpdatePlan.Relight(refresh(cache.scene(), cache.lights(), materials),
                 cache.mirroredScene().equals(cache.scene()) ? refresh(cache.mirroredScene(), cache.mirroredLights(), materials) : null,
-                depth, depth);
+                depth, depth, PathUpdate.unchanged(cache));
     }
 
     private static LevelPlan refresh(Scene scene, List<CachedLight> lights, MaterialTable materials) {

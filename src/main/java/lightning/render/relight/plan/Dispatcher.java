@@ -75,7 +75,8 @@ public final class Dispatcher {
         if (resampled && !(top.materials().mirroringChanged().isEmpty() && mirrored.materials().mirroringChanged().isEmpty())) {
             return new UpdatePlan.FirstPass(Messages.key("anti-aliasing and reflections changed"));
         }
-        return new UpdatePlan.Relight(top, mirrored, oldDepth, newDepth, resampled, shapes);
+        return new UpdatePlan.Relight(top, mirrored, oldDepth, newDepth, resampled, shapes,
+                PathUpdate.between(cache, target, materials, shapes));
     }
 
     /** Returns whether all pixels have several samples, so that their centers are not traced. */

@@ -30,10 +30,25 @@ final class PlanDescription {
         if (plan.mirrors() != null && plan.newDepth() > 0 && plan.mirrors().materials().materials().reflectiveCount() > 0) {
             steps.add(Messages.tr("reflections"));
         }
+        addPathStep(plan, steps);
         if (steps.isEmpty()) {
             steps.add(Messages.tr("compose"));
         }
         return steps;
+    }
+
+    private static void addPathStep(UpdatePlan.Relight plan, List<String> steps) {
+        switch (plan.paths()) {
+            case NONE -> {}
+            case KEEP -> {
+                if (plan.top().layers().stream().anyMatch(LayerPlan::changesImage) || !plan.top().droppedLights().isEmpty()
+                        || !plan.top().materials().isEmpty()) {
+                    steps.add(Messages.tr("indirect light"));
+                }
+            }
+            case REPEAT -> steps.add(Messages.tr("indirect light: changed paths"));
+            case BUILD -> steps.add(Messages.tr("indirect light: all paths"));
+        }
     }
 
     /** Combines many consecutive lights with the same update, such as those of an environment, into one step. */

@@ -23,19 +23,21 @@ public sealed interface UpdatePlan {
      * @param newDepth  target recursion depth
      * @param resampled true if pixels get other finer samples, or none, regardless of the edges
      * @param shapes    change of the shapes; if there is one, {@code mirrors} is not null
+     * @param paths     update of the paths of indirect light
      */
-    record Relight(LevelPlan top, LevelPlan mirrors, int oldDepth, int newDepth, boolean resampled, ShapeChange shapes)
+    record Relight(LevelPlan top, LevelPlan mirrors, int oldDepth, int newDepth, boolean resampled, ShapeChange shapes,
+            PathUpdate paths)
             implements UpdatePlan {
 
         /** Creates an update with unchanged shapes, in which edges determine the finer samples. */
-        public Relight(LevelPlan top, LevelPlan mirrors, int oldDepth, int newDepth) {
-            this(top, mirrors, oldDepth, newDepth, false, ShapeChange.NONE);
+        public Relight(LevelPlan top, LevelPlan mirrors, int oldDepth, int newDepth, PathUpdate paths) {
+            this(top, mirrors, oldDepth, newDepth, false, ShapeChange.NONE, paths);
         }
 
         /** Returns this plan with keys of partial sums to cache, or null, for both levels. */
         public Relight withKeys(BranchSums.Key topKey, BranchSums.Key mirrorsKey) {
             return new Relight(top.withKey(topKey), mirrors == null ? null : mirrors.withKey(mirrorsKey), oldDepth, newDepth, resampled,
-                    shapes);
+                    shapes, paths);
         }
     }
 

@@ -16,15 +16,13 @@ import lightning.render.engine.EngineWorkers;
 import lightning.render.gather.GatherBuilder;
 import lightning.render.gather.GatherStructure;
 import lightning.render.gather.PointChanges;
-import lightning.render.relight.plan.UpdatePlan;
+import lightning.render.relight.plan.PathUpdate;
 import lightning.render.shading.IndirectLight;
 import lightning.render.shading.IndirectSolver;
 import lightning.render.shading.LightLayer;
 import lightning.render.shading.RayCounts;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.HitRows;
-import lightning.render.trace.MaterialTable;
-import lightning.render.trace.ShapeChange;
 import lightning.scene.IndirectSettings;
 
 /**
@@ -61,10 +59,11 @@ final class IndirectBuilder {
         if (settings.isEmpty()) {
             return null;
         }
-        IndirectCache before = canRememberPaths(settings.get()) ? oldCache.indirect() : null;
+        PathUpdate paths = job.plan() == null ? PathUpdate.BUILD : job.plan().paths();
+        IndirectCache before = paths == PathUpdate.BUILD ? null : oldCache.indirect();
         GatherStructure structure;
         TileLevel[] surfels;
-        boolean keepsPaths = before != null && haveSamePaths() && before.structure().canServe(job.target().geometry());
+        boolean keepsPaths = paths == PathUpdate.KEEP;
         if (keepsPaths) {
             structure = before.structure();
             surfels = updateSurfels(before.surfels());
@@ -129,32 +128,6 @@ final class IndirectBuilder {
 
     private LevelWorker surfelWorker(int worker, int block) {
         return surfelWorkers.get(worker).forTile(block);
-    }
-
-    /** Returns whether rays of the last picture's indirect light may be rays of the target scene: camera and settings are the same. */
-    private boolean canRememberPaths(IndirectSettings settings) {
-        return job.plan() != null && oldCache != null && oldCache.indirect() != null
-                && oldCache.indirect().settings().equals(settings);
-    }
-
-    /** Returns whether the paths of the last picture's indirect light are those of the target scene. */
-    private boolean haveSamePaths() {
-        UpdatePlan.Relight plan = job.plan();
-        if (plan.shapes() != ShapeChange.NONE || plan.oldDepth() != plan.newDepth()) {
-            return false;
-        }
-        MaterialTable before = oldCache.geometry().materials();
-        MaterialTable after = job.target().geometry().materials();
-        return before == after || before.count() == after.count()
-                && IntStream.range(0, after.count()).allMatch(m -> mirrors(before, m) == mirrors(after, m)
-                        && before.isTextured(m) == after.isTextured(m)
-                        && before.material(m).texture().equals(after.material(m).texture())
-                        && before.transmission(m).equals(after.transmission(m)));
-    }
-
-    /** Returns whether a material mirrors or transmits light, even if the view casts reflected rays from all materials. */
-    private static boolean mirrors(MaterialTable materials, int m) {
-        return MaterialTable.CASTS_REFLECTIONS.test(materials.material(m));
     }
 
     /** @param before paths of which those that cannot differ are kept, or null */

@@ -15,6 +15,7 @@ import lightning.render.image.Film;
 import lightning.render.relight.UpdateResult;
 import lightning.render.relight.plan.LevelPlan;
 import lightning.render.relight.plan.MaterialUpdate;
+import lightning.render.relight.plan.PathUpdate;
 import lightning.render.relight.plan.UpdatePlan;
 import lightning.render.shading.RayCounts;
 import lightning.render.trace.Geometry;
@@ -30,7 +31,7 @@ class RenderStateTest {
     private static final Film FILM = Film.black(2, 2);
     private static final UpdatePlan SAMPLES = new UpdatePlan.Relight(new LevelPlan(List.of(), List.of(), true,
             new MaterialUpdate(new Geometry(SCENE).materials(), MaterialSet.NONE, MaterialSet.NONE, MaterialSet.NONE, MaterialSet.NONE)),
-            null, 2, 2, true, ShapeChange.NONE);
+            null, 2, 2, true, ShapeChange.NONE, PathUpdate.NONE);
 
     /** Frame of an update that took 60 ms in a cold JVM. */
     private static Frame frame(UpdatePlan plan) {

@@ -1,0 +1,90 @@
+package lightning.render.relight.plan;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.function.UnaryOperator;
+import lightning.base.math.Rgb;
+import lightning.base.math.Vec3;
+import lightning.base.work.Progress;
+import lightning.render.relight.Renderer;
+import lightning.render.relight.UpdateResult;
+import lightning.render.relight.tile.RenderOptions;
+import lightning.sample.IndirectScenes;
+import lightning.scene.IndirectSettings;
+import lightning.scene.Scene;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+
+/** Tests which paths of indirect light an edit repeats, and that its plan says so. */
+class PathUpdateTest {
+    private final Scene scene = IndirectScenes.all().get("glass ball");
+    private final Renderer renderer = new Renderer(RenderOptions.DEFAULT.withThreads(1));
+
+    @BeforeEach
+    void renderScene() {
+        renderer.render(scene, Progress.NONE);
+    }
+
+    @AfterEach
+    void close() {
+        renderer.close();
+    }
+
+    private UpdateResult update(UnaryOperator<Scene> edit) {
+        return renderer.render(edit.apply(scene), Progress.NONE);
+    }
+
+    private static PathUpdate paths(UpdateResult update) {
+        return ((UpdatePlan.Relight) update.plan()).paths();
+    }
+
+    @Test
+    void editedLight_keepsPaths() {
+        UpdateResult moved = update(s -> s.withLights(List.of(s.lights().getFirst().withPosition(new Vec3(0, 0.5, 0)))));
+        assertThat(paths(moved)).isEqualTo(PathUpdate.KEEP);
+        assertThat(moved.plan().steps()).contains("indirect light");
+        assertThat(moved.rays().gather()).isZero();
+    }
+
+    @Test
+    void editedColor_keepsPaths() {
+        UpdateResult painted =
+                update(s -> s.withMaterials(s.materials().stream().map(m -> m.withDiffuse(new Rgb(0.3, 0.2, 0.1))).toList()));
+        assertThat(paths(painted)).isEqualTo(PathUpdate.KEEP);
+        assertThat(painted.plan().steps()).contains("indirect light");
+        assertThat(painted.rays().gather()).isZero();
+    }
+
+    @Test
+    void editedBackground_addsNoStep() {
+        UpdateResult changed = update(s -> s.withWorld(s.world().withAmbience(0.3)));
+        assertThat(changed.plan().steps()).doesNotContain("indirect light");
+    }
+
+    @Test
+    void deletedObject_repeatsSomePaths() {
+        UpdateResult deleted = update(s -> s.withNodes(s.nodes().subList(0, s.nodes().size() - 1)));
+        assertThat(paths(deleted)).isEqualTo(PathUpdate.REPEAT);
+        assertThat(deleted.plan().steps()).contains("indirect light: changed paths");
+        assertThat(deleted.rays().gather()).isPositive();
+    }
+
+    @Test
+    void otherSettings_buildPaths() {
+        UpdateResult sparser =
+                update(s -> s.withPicture(s.picture().withIndirect(Optional.of(IndirectSettings.DEFAULT.withSpacing(16)))));
+        assertThat(paths(sparser)).isEqualTo(PathUpdate.BUILD);
+        assertThat(sparser.plan().steps()).contains("indirect light: all paths");
+        assertThat(sparser.rays().gather()).isPositive();
+    }
+
+    @Test
+    void withoutIndirectLight_thereIsNoPath() {
+        UpdateResult direct = update(Scene::withoutIndirect);
+        assertThat(paths(direct)).isEqualTo(PathUpdate.NONE);
+        assertThat(direct.plan().description()).doesNotContain("indirect");
+    }
+}
