@@ -119,6 +119,7 @@ public final class PropertyPane extends VBox {
                     List.of(SectionLayout.caption(SectionLayout.title(attribute.title())), withMenu(choice(attribute, c), attribute));
             case ValueKind.LinksKind kind -> List.of(SectionLayout.caption(Messages.tr(kind.caption())),
                     withMenu(new LinksField(editor, commands, castAttribute(attribute, kind), kind, visibleState), attribute));
+            case ValueKind.GainsKind _ -> List.of();
             case ValueKind.NameKind kind -> List.of(SectionLayout.caption(SectionLayout.title(attribute.title())),
                     withMenu(new NameBox(editor, castAttribute(attribute, kind), kind, visibleState), attribute));
         };
