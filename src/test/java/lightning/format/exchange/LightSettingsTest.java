@@ -81,8 +81,7 @@ class LightSettingsTest {
         return Combinators.combine(AttributeArbitraries.lights(), Arbitraries.of(true, false), Arbitraries.of(true, false))
                 .as((changed, isGrouped, isOn) -> {
                     Light light = changed.after().withGobo(Optional.empty()).withProfile(Optional.empty())
-                            .withIlluminates(changed.after().illuminates().retain("floor"::equals))
-                            .withShadowedBy(changed.after().shadowedBy().retain("floor"::equals));
+                            .retainLinks("floor"::equals);
                     return LightRig.of(List.of(isGrouped ? light.withLightGroup(GROUP.name()) : light), List.of(GROUP.withOn(isOn)));
                 });
     }

@@ -110,13 +110,15 @@ class LightGainWorkTest {
     /** A shape that joins a group takes the group's gain. */
     @Test
     void regroupedShape_onlyComposes() {
-        try (StudioRenderer studio = current(StudioScene.of(LightType.POINT))) {
-            SceneNode ball = studio.scene().stage().node("ball").orElseThrow();
-            studio.render(studio.scene().replaceNode("ball", List.of(new NodeGroup("set", Placement.IDENTITY, List.of(ball), true))));
-            contribute(studio, Contribution.DEFAULT.withGains(ShapeGains.of("set", 0.5)));
+        Scene start = StudioScene.of(LightType.POINT);
+        SceneNode ball = start.stage().node("ball").orElseThrow();
+        NodeGroup empty = new NodeGroup("a", Placement.IDENTITY, List.of(), true);
+        NodeGroup full = new NodeGroup("b", Placement.IDENTITY, List.of(ball), true);
+        try (StudioRenderer studio = current(start.replaceNode("ball", List.of(empty, full)))) {
+            contribute(studio, Contribution.DEFAULT.withGains(ShapeGains.of("a", 0.5)));
             assertExact(studio);
-            UpdateResult update = studio.render(studio.scene().replaceNode("set",
-                    List.of(ball, new NodeGroup("set", Placement.IDENTITY, List.of(), true))));
+            Scene moved = studio.scene().replaceNode("b", List.of(full.withChildren(List.of())));
+            UpdateResult update = studio.render(moved.replaceNode("a", List.of(empty.withChildren(List.of(ball)))));
             assertThat(update.rays().shadow()).isZero();
             assertExact(studio);
         }

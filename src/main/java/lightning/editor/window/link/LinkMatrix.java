@@ -89,7 +89,8 @@ final class LinkMatrix extends Region {
 
     /** Moves the keyboard's cell by rows and columns, and scrolls to it. */
     void moveCurrent(int rows, int columns) {
-        setCurrent(Math.clamp(currentRow + rows, 0, table.rows().size() - 1), Math.clamp(currentColumn + columns, 0, table.lights().size() - 1));
+        setCurrent(Math.clamp(currentRow + rows, 0, table.rows().size() - 1),
+                Math.clamp(currentColumn + columns, 0, table.lights().size() - 1));
     }
 
     void setCurrent(int row, int column) {

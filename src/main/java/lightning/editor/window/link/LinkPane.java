@@ -68,7 +68,8 @@ public final class LinkPane extends VBox {
 
     private Subscription subscribe() {
         windowExecutor.execute(matrix::requestFocus);
-        return Subscription.combine(editor.sceneProperty().subscribe(_ -> show()), editor.selection().lightProperty().subscribe(_ -> show()),
+        return Subscription.combine(editor.sceneProperty().subscribe(_ -> show()),
+                editor.selection().lightProperty().subscribe(_ -> show()),
                 ForcedLiveUpdate.renderWhileFocused(this, editor, windowExecutor));
     }
 
