@@ -84,7 +84,7 @@ final class KernelReferenceRows {
         for (int l = 0; l < lights.length; l++) {
             LightRows layer = (LightRows) kernels.layers()[l];
             if (layer.litCount > 0) {
-                float weight = c == 0 ? lights[l].red() : c == 1 ? lights[l].green() : lights[l].blue();
+                float weight = lights[l].diffuse().channel(c);
                 float falloff = layer.falloff == null ? 1 : layer.falloff[i];
                 diffuse[l] = LightingEquation.contribution(weight, layer.cosine[i], falloff);
                 specular[l] = layer.specular == null ? 0 : LightingEquation.contribution(weight, layer.specular[i], falloff);

@@ -127,7 +127,7 @@ public class RowKernels {
     }
 
     float intensityRatio() {
-        return brighter.red() / spot.red();
+        return brighter.diffuse().red() / spot.diffuse().red();
     }
 
     double power(int i) {

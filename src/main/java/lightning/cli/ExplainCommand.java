@@ -20,6 +20,7 @@ import lightning.render.shading.PointReport;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.NormalSteps;
 import lightning.render.trace.SurfacePoint;
+import lightning.scene.Contribution;
 import lightning.scene.Material;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
@@ -229,7 +230,7 @@ final class ExplainCommand implements Callable<Integer> {
                     light.cosine()) + describeBelow(light);
             case LIT -> (light.samples() > 1 ? describeSamples(explainer, light)
                     : Console.text("lit, cosine %.6g, specular %.6g, falloff %.6g", light.cosine(), light.specular(), light.falloff()))
-                    + describeBelow(light) + describeTint(light.tint());
+                    + describeBelow(light) + describeTint(light.tint()) + describeGains(light);
         };
     }
 
@@ -242,6 +243,14 @@ final class ExplainCommand implements Callable<Integer> {
     /** Describes a light's attenuation by transparent shapes; empty if there are none. */
     private static String describeTint(float[] tint) {
         return tint[0] == 1 && tint[1] == 1 && tint[2] == 1 ? "" : ", filtered by transparent objects: " + formatRgb(tint);
+    }
+
+    /** Describes the gains of a light that differ from 1; empty if there are none. */
+    private static String describeGains(LightReport light) {
+        Contribution contribution = light.light().contribution();
+        return (contribution.diffuse() == 1 ? "" : Console.text(", diffuse gain %.6g", contribution.diffuse()))
+                + (contribution.specular() == 1 ? "" : Console.text(", specular gain %.6g", contribution.specular()))
+                + (light.gain() == 1 ? "" : Console.text(", gain on this object %.6g", light.gain()));
     }
 
     private static String describeSamples(PixelExplainer explainer, LightReport light) {

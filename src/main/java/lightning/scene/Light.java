@@ -2,6 +2,7 @@ package lightning.scene;
 
 import io.soabase.recordbuilder.core.RecordBuilder;
 import java.util.Optional;
+import java.util.function.Predicate;
 import java.util.function.UnaryOperator;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
@@ -19,13 +20,15 @@ import lightning.base.math.Vec3;
  * @param solo        true if soloed: if any light is solo, all others are dark
  * @param lightGroup  name of its light group; empty for none
  * @param illuminates shapes that it illuminates
- * @param shadowedBy  shapes that cast shadows in its light
+ * @param shadowedBy  shapes that cast shadows in its light, if it casts shadows
+ * @param contribution its shadows and gains
  */
 @RecordBuilder
 public record Light(String name, LightType type, Rgb color, double intensity, Vec3 position, Vec3 direction,
         Attenuation attenuation, double angle, double dropoff, BarnDoors doors, double feather, Optional<Gobo> gobo,
         Optional<IesProfile> profile, AreaShape area, boolean on,
-        boolean solo, String lightGroup, ShapeLinks illuminates, ShapeLinks shadowedBy) implements LightBuilder.With {
+        boolean solo, String lightGroup, ShapeLinks illuminates, ShapeLinks shadowedBy, Contribution contribution)
+        implements LightBuilder.With {
 
     public Light {
         SceneLimits.checkName(name);
@@ -45,6 +48,8 @@ public record Light(String name, LightType type, Rgb color, double intensity, Ve
         LightAttribute.LIGHT_GROUP.check(lightGroup);
         LightAttribute.ILLUMINATES.check(illuminates);
         LightAttribute.SHADOWED_BY.check(shadowedBy);
+        LightAttribute.DIFFUSE.check(contribution.diffuse());
+        LightAttribute.SPECULAR.check(contribution.specular());
     }
 
     /** Returns a light with initial values. */
@@ -55,12 +60,46 @@ public record Light(String name, LightType type, Rgb color, double intensity, Ve
                 LightAttribute.FEATHER.initial(), LightAttribute.GOBO.initial(), LightAttribute.PROFILE.initial(), AreaShape.DEFAULT,
                 LightAttribute.ON.initial(),
                 LightAttribute.SOLO.initial(), LightAttribute.LIGHT_GROUP.initial(), LightAttribute.ILLUMINATES.initial(),
-                LightAttribute.SHADOWED_BY.initial());
+                LightAttribute.SHADOWED_BY.initial(), Contribution.DEFAULT);
     }
 
-    /** Returns color times intensity, the factor of all its contributions. */
+    /** Returns color times intensity. */
     public Rgb weight() {
         return color.times(intensity);
+    }
+
+    /** Returns the factor of all its diffuse contributions: color times intensity and gain, limited as the intensity. */
+    public Rgb diffuseWeight() {
+        return color.times(limitedIntensity(contribution.diffuse()));
+    }
+
+    /** Returns the factor of all its specular contributions. */
+    public Rgb specularWeight() {
+        return color.times(limitedIntensity(contribution.specular()));
+    }
+
+    /** Returns the largest factor of a contribution to any shape. */
+    public double maxWeight() {
+        return color.max() * limitedIntensity(contribution.maxGain() * contribution.gains().max());
+    }
+
+    private double limitedIntensity(double gain) {
+        return Math.min(intensity * gain, SceneLimits.MAX_INTENSITY);
+    }
+
+    /** Returns the gain of one of its {@link Contribution#gains}, limited so that no contribution is larger than one without a gain may be. */
+    public double limitedGain(double gain) {
+        return Math.min(gain, SceneLimits.MAX_INTENSITY / Math.max(1, intensity * contribution.maxGain()));
+    }
+
+    /** Returns the shapes that cast shadows in its light. */
+    public ShapeLinks shadowCasters() {
+        return contribution.castsShadows() ? shadowedBy : ShapeLinks.NONE;
+    }
+
+    /** Returns this light with the shadows of another. */
+    public Light withShadowsOf(Light other) {
+        return withShadowedBy(other.shadowedBy).withContribution(contribution.withCastsShadows(other.contribution.castsShadows()));
     }
 
     /** Returns whether it is larger than a point, so that its shadows are soft. */
@@ -72,15 +111,26 @@ public record Light(String name, LightType type, Rgb color, double intensity, Ve
         };
     }
 
-    /** Returns whether it illuminates only some shapes, or only some cast shadows in its light. */
+    /** Returns whether it has a link or a gain to single shapes: illuminates some of them, is shadowed by some, or has a gain on some. */
     public boolean isLinked() {
-        return !illuminates.isAll() || !shadowedBy.isAll();
+        return !illuminates.isAll() || !shadowedBy.isAll() || !contribution.gains().isNone();
     }
 
-    /** Returns this light with both kinds of links mapped. */
-    Light mapLinks(UnaryOperator<ShapeLinks> links) {
+    /** Returns this light with a shape or a group renamed in its links and gains. */
+    Light renameLinks(String oldName, String newName) {
+        return mapLinks(links -> links.rename(oldName, newName), gains -> gains.rename(oldName, newName));
+    }
+
+    /** Returns this light with links and gains only of existing shapes and groups. */
+    public Light retainLinks(Predicate<String> exists) {
+        return mapLinks(links -> links.retain(exists), gains -> gains.retain(exists));
+    }
+
+    private Light mapLinks(UnaryOperator<ShapeLinks> links, UnaryOperator<ShapeGains> gains) {
         ShapeLinks illuminated = links.apply(illuminates);
         ShapeLinks shadowing = links.apply(shadowedBy);
-        return illuminated == illuminates && shadowing == shadowedBy ? this : withIlluminates(illuminated).withShadowedBy(shadowing);
+        ShapeGains gained = gains.apply(contribution.gains());
+        return illuminated == illuminates && shadowing == shadowedBy && gained == contribution.gains() ? this
+                : withIlluminates(illuminated).withShadowedBy(shadowing).withContribution(contribution.withGains(gained));
     }
 }

@@ -30,6 +30,7 @@ public final class LightAttribute<V> extends SceneAttribute<Light, V> {
         AREA(Messages.key("area")),
         ATTENUATION(Messages.key("attenuation")),
         PLACE(Messages.key("Position and Direction")),
+        CONTRIBUTION(Messages.key("Contribution")),
         LINKS(Messages.key("Light Linking"));
 
         private final String title;
@@ -115,6 +116,23 @@ public final class LightAttribute<V> extends SceneAttribute<Light, V> {
                     Messages.key("Objects and groups that cast shadows from this light")),
             ShapeLinks.ALL, "shapes and groups", Light::shadowedBy, Light::withShadowedBy, Section.LINKS,
             forAllTypes(LightTerm.SHADOW_LINKS));
+    public static final LightAttribute<Boolean> CASTS_SHADOWS =
+            new LightAttribute<>("casts_shadows", "casts shadows", "casts shadows", ChoiceKind.YES_OR_NO,
+                    Contribution.DEFAULT.castsShadows(), "", l -> l.contribution().castsShadows(),
+                    (l, v) -> l.withContribution(l.contribution().withCastsShadows(v)), Section.CONTRIBUTION,
+                    forAllTypes(LightTerm.SHADOW_LINKS));
+    public static final LightAttribute<Double> DIFFUSE =
+            of("diffuse", "diffuse gain", NumericKind.number(0, SceneLimits.MAX_GAIN, 0.1), Contribution.DEFAULT.diffuse(),
+                    "multiplies diffuse light", l -> l.contribution().diffuse(),
+                    (l, v) -> l.withContribution(l.contribution().withDiffuse(v)), Section.CONTRIBUTION, forAllTypes(LightTerm.WEIGHT));
+    public static final LightAttribute<Double> SPECULAR =
+            of("specular", "specular gain", NumericKind.number(0, SceneLimits.MAX_GAIN, 0.1), Contribution.DEFAULT.specular(),
+                    "multiplies highlights", l -> l.contribution().specular(),
+                    (l, v) -> l.withContribution(l.contribution().withSpecular(v)), Section.CONTRIBUTION, forAllTypes(LightTerm.WEIGHT));
+    public static final LightAttribute<ShapeGains> GAINS = of("gains", "gains on objects",
+            new ValueKind.GainsKind(Messages.key("Factors of this light on single objects and groups")),
+            ShapeGains.NONE, "shapes and groups, each with a factor", l -> l.contribution().gains(),
+            (l, v) -> l.withContribution(l.contribution().withGains(v)), Section.LINKS, forAllTypes(LightTerm.WEIGHT));
 
     /** All attributes, in declaration order. */
     public static final List<LightAttribute<?>> ALL = List.copyOf(REGISTRY);
@@ -183,7 +201,7 @@ public final class LightAttribute<V> extends SceneAttribute<Light, V> {
     /** Returns whether copying a light's settings includes it: all except its placement and switches. */
     public boolean isSetting() {
         return switch (section) {
-            case KIND, COLOR, CONE, AREA, ATTENUATION -> true;
+            case KIND, COLOR, CONE, AREA, ATTENUATION, CONTRIBUTION -> true;
             case PLACE, SWITCHES, LINKS -> false;
         };
     }

@@ -197,11 +197,11 @@ public final class LightRig {
         return of(reassign(group, ""), updated);
     }
 
-    /** Returns this rig with the links of all its lights mapped. */
-    LightRig mapLinks(UnaryOperator<ShapeLinks> links) {
+    /** Returns this rig with all its lights mapped that have links or gains. */
+    LightRig mapLinked(UnaryOperator<Light> change) {
         List<Light> updated = null;
         for (int i = 0; i < lights.size(); i++) {
-            Light light = lights.get(i).isLinked() ? lights.get(i).mapLinks(links) : lights.get(i);
+            Light light = lights.get(i).isLinked() ? change.apply(lights.get(i)) : lights.get(i);
             if (light != lights.get(i)) {
                 updated = updated == null ? new ArrayList<>(lights) : updated;
                 updated.set(i, light);

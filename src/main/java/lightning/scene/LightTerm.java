@@ -2,7 +2,7 @@ package lightning.scene;
 
 /** Term of the lighting equation that a light's attribute changes, from the cheapest change to the most expensive. */
 public enum LightTerm {
-    /** Color times intensity, the factor of all contributions. */
+    /** Color times intensity and gains, the factors of all contributions. */
     WEIGHT,
     /** Falloff with distance and direction. */
     FALLOFF,

@@ -18,6 +18,7 @@ final class NodeTree {
     final long hash;
     final NodePaths paths;
     private final LinkMasks linkMasks = new LinkMasks();
+    private final GainEntries gainEntries = new GainEntries();
     /** Computed on demand; a race between threads computes the same list twice. */
     private List<Shape> shapes;
 
@@ -67,6 +68,10 @@ final class NodeTree {
 
     boolean[] linkMask(ShapeLinks links) {
         return linkMasks.get(nodes, shapes().size(), links);
+    }
+
+    short[] gainEntries(List<String> names) {
+        return gainEntries.get(nodes, shapes().size(), names);
     }
 
     /** Returns all visible shapes in file order; the nodes themselves if none is a group or hidden. */

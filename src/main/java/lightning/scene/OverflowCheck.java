@@ -10,7 +10,7 @@ import lightning.base.text.Quote;
  * Check that the sum of contributions cannot overflow a float. Sharp highlights of a metallic material are brighter than the light itself.
  * The weights of all lights times the largest term of any material may sum to at most {@link SceneLimits#MAX_TOTAL_LIGHT}, which scenes
  * without such a material never exceed. Includes lights that are off, and counts each light with or without its group, whichever is
- * brighter, so that neither a switch nor the removal of a group can exceed the limit.
+ * brighter, so that neither a switch nor the removal of a group can exceed the limit. Gains count as intensity.
  *
  * @param light    the brightest light
  * @param material the material with the sharpest highlights
@@ -30,7 +30,7 @@ public record OverflowCheck(Light light, Material material, double limit, double
         double brightest = 0;
         Light light = null;
         for (Light candidate : rig.lights()) {
-            double weight = Math.max(candidate.weight().max(), rig.effectiveLight(candidate).weight().max());
+            double weight = Math.max(candidate.maxWeight(), rig.effectiveLight(candidate).maxWeight());
             sum += weight;
             light = weight > brightest ? candidate : light;
             brightest = Math.max(brightest, weight);

@@ -146,13 +146,13 @@ public record Scene(PictureSettings picture, Camera camera, World world, Stage s
      */
     public Scene replaceNode(String node, List<? extends SceneNode> replacement) {
         return replacement.size() != 1 ? withStage(stage.replaceNode(node, replacement))
-                : withRig(rig.mapLinks(links -> links.rename(node, replacement.getFirst().name())))
+                : withRig(rig.mapLinked(light -> light.renameLinks(node, replacement.getFirst().name())))
                         .withStage(stage.replaceNode(node, replacement));
     }
 
     /** Returns this scene with another stage; links of lights lose the names of removed shapes and groups. */
     public Scene withStage(Stage v) {
-        return new Scene(picture, camera, world, v, v.sharesNames(stage) ? rig : rig.mapLinks(links -> links.retain(v::hasNode)));
+        return new Scene(picture, camera, world, v, v.sharesNames(stage) ? rig : rig.mapLinked(light -> light.retainLinks(v::hasNode)));
     }
 
     public Scene withPicture(PictureSettings v) {

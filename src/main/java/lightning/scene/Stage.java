@@ -177,6 +177,14 @@ public final class Stage {
         return tree.linkMask(links);
     }
 
+    /**
+     * Returns for each of the {@link #shapes} which gain applies to it: the position after that of its own name or that of its innermost named
+     * group in {@code names}; 0 if none is named. Read-only.
+     */
+    public short[] gainEntries(List<String> names) {
+        return tree.gainEntries(names);
+    }
+
     private void forEachPlacedShape(List<SceneNode> nodes, Transform outer, Transform outerInverse, PlacementError outerError,
             Consumer<PlacedShape> consumer) {
         for (SceneNode node : nodes) {

@@ -13,7 +13,7 @@ import lightning.base.text.Messages;
 public sealed interface ValueKind<V> permits ValueKind.LightKind, ValueKind.MaterialKind {
 
     /** Kinds of a light's attributes; the editor has a control for each. */
-    sealed interface LightKind<V> extends ValueKind<V> permits NumericKind, ChoiceKind, AssetKind, LinksKind, NameKind {}
+    sealed interface LightKind<V> extends ValueKind<V> permits NumericKind, ChoiceKind, AssetKind, LinksKind, GainsKind, NameKind {}
 
     /** Kinds of a material's attributes; the editor has a control for each. */
     sealed interface MaterialKind<V> extends ValueKind<V> permits NumericKind, ChoiceKind, TextureKind {}
@@ -37,7 +37,7 @@ public sealed interface ValueKind<V> permits ValueKind.LightKind, ValueKind.Mate
         return switch (this) {
             case NumericKind<V> n -> n.integer() ? KeyframeSupport.STEPPED : KeyframeSupport.INTERPOLATED;
             case ChoiceKind<V> _ -> KeyframeSupport.STEPPED;
-            case AssetKind<?> _,LinksKind _,NameKind _,TextureKind _ -> KeyframeSupport.NONE;
+            case AssetKind<?> _,LinksKind _,GainsKind _,NameKind _,TextureKind _ -> KeyframeSupport.NONE;
         };
     }
 
@@ -85,6 +85,28 @@ public sealed interface ValueKind<V> permits ValueKind.LightKind, ValueKind.Mate
 
         @Override
         public String format(ShapeLinks value) {
+            return value.format();
+        }
+    }
+
+    /**
+     * Gains on shapes of the scene.
+     *
+     * @param help a key of {@link Messages}: a sentence without a full stop
+     */
+    record GainsKind(String help) implements LightKind<ShapeGains> {
+        @Override
+        public void check(String name, ShapeGains value) {
+            // The constructor of the gains checks them.
+        }
+
+        @Override
+        public boolean isEquivalent(ShapeGains a, ShapeGains b) {
+            return a.equals(b);
+        }
+
+        @Override
+        public String format(ShapeGains value) {
             return value.format();
         }
     }

@@ -8,7 +8,6 @@ import lightning.scene.Material;
 import lightning.scene.MaterialAttribute;
 import lightning.scene.NumericKind;
 import lightning.scene.SceneAttribute;
-import lightning.scene.ShapeLinks;
 import lightning.scene.ValueKind;
 import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
@@ -66,12 +65,13 @@ public final class AttributeArbitraries {
             case ChoiceKind<V> c -> Arbitraries.of(c.values());
             // Names of the studio's shapes and others; links to missing names have no effect.
             case ValueKind.LinksKind _ -> LightArbitraries.links().map(AttributeArbitraries::valueOf);
+            case ValueKind.GainsKind _ -> LightArbitraries.gains().map(AttributeArbitraries::valueOf);
             case ValueKind.AssetKind<?> _,ValueKind.NameKind _,ValueKind.TextureKind _ -> current;
         };
     }
 
     @SuppressWarnings("unchecked")
-    private static <V> V valueOf(ShapeLinks links) {
+    private static <V> V valueOf(Object links) {
         return (V) links;
     }
 
@@ -97,7 +97,8 @@ public final class AttributeArbitraries {
     private static <V> Arbitrary<V> extremes(SceneAttribute<?, V> attribute) {
         return switch (attribute.kind()) {
             case NumericKind<V> q -> combine(q, magnitudes(q));
-            case ChoiceKind<V> _,ValueKind.LinksKind _,ValueKind.AssetKind<?> _,ValueKind.NameKind _,ValueKind.TextureKind _ ->
+            case ChoiceKind<V> _,ValueKind.LinksKind _,ValueKind.GainsKind _,ValueKind.AssetKind<
+                    ?> _,ValueKind.NameKind _,ValueKind.TextureKind _ ->
                     values(attribute,
                             attribute.initial());
         };

@@ -8,12 +8,14 @@ import lightning.base.math.Vec3;
 import lightning.scene.AreaShape;
 import lightning.scene.Attenuation;
 import lightning.scene.BarnDoors;
+import lightning.scene.Contribution;
 import lightning.scene.Gobo;
 import lightning.scene.IesProfile;
 import lightning.scene.Light;
 import lightning.scene.LightGroup;
 import lightning.scene.LightType;
 import lightning.scene.Photometry;
+import lightning.scene.ShapeGains;
 import lightning.scene.ShapeLinks;
 import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
@@ -22,6 +24,9 @@ import net.jqwik.api.Tuple;
 
 /** Arbitrary lights of all types, including the values at which the equation changes its form. */
 final class LightArbitraries {
+    private static final Arbitrary<String> LINKED_NAMES =
+            Arbitraries.of("floor", "shell", "n0", "n1", "n1_0", "n2", "n2_1", "n3", "n4", "twin0", "wrap");
+
     private LightArbitraries() {}
 
     static Arbitrary<LightTemplate> lights() {
@@ -33,6 +38,7 @@ final class LightArbitraries {
                 .flatMap(light -> doors().map(light::withDoors)).flatMap(light -> feathers().map(light::withFeather))
                 .flatMap(light -> gobos().map(light::withGobo)).flatMap(light -> profiles().map(light::withProfile))
                 .flatMap(light -> rarelyTrue().map(light::withIlluminates)).flatMap(light -> rarelyTrue().map(light::withShadowedBy))
+                .flatMap(light -> contributions().map(light::withContribution))
                 .flatMap(light -> Combinators.combine(places(), aimPositions()).as((at, aim) -> new LightTemplate(light, at, aim)));
     }
 
@@ -113,9 +119,26 @@ final class LightArbitraries {
 
     /** Returns names of shapes and groups that scenes of {@link NodeArbitraries} may have. */
     static Arbitrary<ShapeLinks> links() {
-        Arbitrary<List<String>> names = Arbitraries.of("floor", "shell", "n0", "n1", "n1_0", "n2", "n2_1", "n3", "n4", "twin0", "wrap")
-                .list().ofMinSize(0).ofMaxSize(5);
+        Arbitrary<List<String>> names = LINKED_NAMES.list().ofMinSize(0).ofMaxSize(5);
         return Combinators.combine(Arbitraries.of(true, false), names).as(ShapeLinks::new);
+    }
+
+    /** Returns gains on shapes and groups that scenes of {@link NodeArbitraries} may have. */
+    static Arbitrary<ShapeGains> gains() {
+        Arbitrary<ShapeGains.Entry> entry = Combinators.combine(LINKED_NAMES, gain()).as(ShapeGains.Entry::new);
+        return entry.list().ofMinSize(0).ofMaxSize(5).uniqueElements(ShapeGains.Entry::name).map(ShapeGains::new);
+    }
+
+    private static Arbitrary<Double> gain() {
+        return Arbitraries.frequencyOf(Tuple.of(4, NumberArbitraries.range(0, 2)), Tuple.of(2, Arbitraries.of(0.0, 1.0, 1e-300, 100.0)));
+    }
+
+    /** Returns contributions, most of them without gains and with shadows. */
+    static Arbitrary<Contribution> contributions() {
+        Arbitrary<Double> factor = Arbitraries.frequencyOf(Tuple.of(3, Arbitraries.of(1.0)), Tuple.of(1, gain()));
+        Arbitrary<ShapeGains> onShapes = Arbitraries.frequencyOf(Tuple.of(5, Arbitraries.of(ShapeGains.NONE)), Tuple.of(2, gains()));
+        return Combinators.combine(Arbitraries.frequency(Tuple.of(9, true), Tuple.of(1, false)), factor, factor, onShapes)
+                .as(Contribution::new);
     }
 
     private static Arbitrary<ShapeLinks> rarelyTrue() {

@@ -103,9 +103,7 @@ sealed interface LightChange {
     record SetAttribute<V>(LightAttribute<V> attribute, V to) implements LightChange {
         @Override
         public Light on(Light light, Scene scene) {
-            Light changed = attribute.with(light, to);
-            return changed.withIlluminates(changed.illuminates().retain(scene.stage()::hasNode))
-                    .withShadowedBy(changed.shadowedBy().retain(scene.stage()::hasNode));
+            return attribute.with(light, to).retainLinks(scene.stage()::hasNode);
         }
     }
 }

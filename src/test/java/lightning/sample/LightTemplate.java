@@ -21,8 +21,7 @@ record LightTemplate(Light attributes, RelativePosition at, RelativePosition aim
         Vec3 position = at.in(scene);
         return attributes.withName(name).withPosition(position).withDirection(direction(position, aim.in(scene)))
                 .withArea(scaleArea(attributes.area(), scene.camera()))
-                .withIlluminates(attributes.illuminates().retain(scene.stage()::hasNode))
-                .withShadowedBy(attributes.shadowedBy().retain(scene.stage()::hasNode));
+                .retainLinks(scene.stage()::hasNode);
     }
 
     /** Sizes assume a camera 7 units away from its target. */

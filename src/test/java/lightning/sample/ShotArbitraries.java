@@ -70,7 +70,7 @@ public final class ShotArbitraries {
             case NumericKind<V> q -> AttributeArbitraries.numbers(q).filter(v -> isAllowed(q, v))
                     .map(v -> new KeyframeValue.Numbers(q.components().apply(v)));
             case ChoiceKind<V> c -> Arbitraries.of(c.words()).map(KeyframeValue.Word::new);
-            case ValueKind.AssetKind<?> _,ValueKind.LinksKind _,ValueKind.NameKind _,ValueKind.TextureKind _ ->
+            case ValueKind.AssetKind<?> _,ValueKind.LinksKind _,ValueKind.GainsKind _,ValueKind.NameKind _,ValueKind.TextureKind _ ->
                     throw new IllegalArgumentException("no keys");
         };
     }

@@ -54,7 +54,8 @@ final class EditorMenu extends MenuBar {
                 menu(Messages.tr("Light"), Command.ADD_LIGHT, Command.DUPLICATE_LIGHT, Command.DELETE_LIGHT, SEPARATOR, Command.NEW_BANK,
                         Command.DELETE_BANK, SEPARATOR, Command.RENAME_LIGHT,
                         Command.SWITCH_ON, Command.SOLO, Command.LOOK_THROUGH_LIGHT, SEPARATOR, Command.AIM, Command.PLACE_HIGHLIGHT,
-                        Command.PLACE_DIFFUSE, Command.PLACE_RIM, Command.PLACE_SHADOW, SEPARATOR, Command.MIXER, Command.CONTRIBUTIONS,
+                        Command.PLACE_DIFFUSE, Command.PLACE_RIM, Command.PLACE_SHADOW, SEPARATOR, Command.MIXER, Command.LIGHT_LINKS,
+                        Command.CONTRIBUTIONS,
                         Command.CUES,
                         Command.MAKE_ANIMATION, SEPARATOR);
         Menu rig = menu(Messages.tr("Light Rig"), Command.LOAD_RIG, Command.ADD_RIG, Command.SAVE_RIG);

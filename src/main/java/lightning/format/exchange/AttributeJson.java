@@ -14,6 +14,7 @@ import lightning.scene.IesProfile;
 import lightning.scene.NumericKind;
 import lightning.scene.Photometry;
 import lightning.scene.SceneAttribute;
+import lightning.scene.ShapeGains;
 import lightning.scene.ShapeLinks;
 import lightning.scene.Texture;
 import lightning.scene.ValueKind;
@@ -23,8 +24,8 @@ import tools.jackson.databind.node.ObjectNode;
 
 /**
  * JSON form of the attributes of lights and light groups, by their {@code .jen} names. A single number is a number, several
- * numbers are an array, a choice is its word or a boolean, a file is its name, and links are {@code {"only": …, "names":
- * […]}}.
+ * numbers are an array, a choice is its word or a boolean, a file is its name, links are {@code {"only": …, "names": […]}},
+ * and gains {@code {"name": factor, …}}.
  */
 final class AttributeJson {
     private AttributeJson() {}
@@ -48,6 +49,7 @@ final class AttributeJson {
             case ChoiceKind<V> _ when value instanceof Boolean yes -> out.put(name, yes);
             case ChoiceKind<V> c -> out.put(name, c.format(value));
             case ValueKind.LinksKind _ -> links(out.putObject(name), (ShapeLinks) value);
+            case ValueKind.GainsKind _ -> gains(out.putObject(name), (ShapeGains) value);
             case ValueKind.NameKind _ -> out.put(name, (String) value);
             case ValueKind.AssetKind<?> _ -> ((Optional<?>) value).ifPresent(file -> out.put(name, ((FileAsset) file).file()));
             case ValueKind.TextureKind _ -> throw new AssertionError("no light has a texture");
@@ -65,6 +67,10 @@ final class AttributeJson {
     private static void links(ObjectNode out, ShapeLinks links) {
         ArrayNode names = out.put("only", links.exclusive()).putArray("names");
         links.names().forEach(names::add);
+    }
+
+    private static void gains(ObjectNode out, ShapeGains gains) {
+        gains.entries().forEach(e -> out.put(e.name(), e.gain()));
     }
 
     /**
@@ -97,6 +103,7 @@ final class AttributeJson {
             case NumericKind<V> q -> quantity(q, in);
             case ChoiceKind<V> c -> choice(c, in);
             case ValueKind.LinksKind _ -> (V) links(in);
+            case ValueKind.GainsKind _ -> (V) gains(in);
             case ValueKind.NameKind _ -> (V) text(in);
             case ValueKind.GoboKind _ -> (V) Optional.of(new Gobo(file(FileKind.TEXTURE, in, files),
                     new Texture(1, 1, new float[] {1, 1, 1})));
@@ -138,6 +145,14 @@ final class AttributeJson {
         }
         return new ShapeLinks(in.get("only").asBoolean(), StreamSupport.stream(in.get("names").spliterator(), false)
                 .map(AttributeJson::text).toList());
+    }
+
+    private static ShapeGains gains(JsonNode in) {
+        if (!in.isObject() || !in.values().stream().allMatch(JsonNode::isNumber)) {
+            throw new IllegalArgumentException("expected a number for each name");
+        }
+        return new ShapeGains(in.properties().stream()
+                .map(e -> new ShapeGains.Entry(e.getKey(), e.getValue().numberValue().doubleValue())).toList());
     }
 
     private static String text(JsonNode in) {

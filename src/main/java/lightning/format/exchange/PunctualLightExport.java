@@ -36,6 +36,9 @@ final class PunctualLightExport {
         notes.add("gobos", type.hasCone() && light.gobo().isPresent() ? 1 : 0);
         notes.add("profiles", LightAttribute.PROFILE.appliesTo(type) && light.profile().isPresent() ? 1 : 0);
         notes.add("light linking, exported as illuminating everything", light.isLinked() ? 1 : 0);
+        notes.add("lights without shadows", light.contribution().castsShadows() ? 0 : 1);
+        notes.add("diffuse and specular gains of lights",
+                light.contribution().diffuse() != 1 || light.contribution().specular() != 1 ? 1 : 0);
         GltfLight.Type gltfType = switch (type) {
             case DIRECTIONAL -> GltfLight.Type.DIRECTIONAL;
             case POINT -> GltfLight.Type.POINT;

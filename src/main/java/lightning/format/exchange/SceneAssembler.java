@@ -209,8 +209,7 @@ final class SceneAssembler {
 
     /** Removes links to shapes that the scene does not contain. */
     private Light withValidLinks(Light light, Stage stage) {
-        Light valid = light.withIlluminates(light.illuminates().retain(stage::hasNode))
-                .withShadowedBy(light.shadowedBy().retain(stage::hasNode));
+        Light valid = light.retainLinks(stage::hasNode);
         notes.add("light links to missing objects", valid.equals(light) ? 0 : 1);
         return valid;
     }

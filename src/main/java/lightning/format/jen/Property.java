@@ -12,6 +12,7 @@ import lightning.scene.FileAsset;
 import lightning.scene.NumericKind;
 import lightning.scene.SceneAttribute;
 import lightning.scene.SceneLimits;
+import lightning.scene.ShapeGains;
 import lightning.scene.ShapeLinks;
 import lightning.scene.TextureMap;
 import lightning.scene.ValueKind;
@@ -41,6 +42,7 @@ record Property<T>(String name, Form form, List<String> labels, double min, doub
         NAME,
         QUOTED,
         LINKS,
+        GAINS,
         BLOCK
     }
 
@@ -63,6 +65,8 @@ record Property<T>(String name, Form form, List<String> labels, double min, doub
                     List.of(Value.ALL, Value.NONE, Value.ONLY, Value.EXCEPT), new Value.LinkSet((ShapeLinks) a.initial()), a.unit(), false,
                     v -> {},
                     t -> new Value.LinkSet((ShapeLinks) a.get(t))));
+            case ValueKind.GainsKind _ -> List.of(new Property<>(a.name(), Form.GAINS, List.of(""), 0, SceneLimits.MAX_GAIN, List.of(),
+                    new Value.Absent(), a.unit(), false, v -> {}, t -> gainsValue((ShapeGains) a.get(t))));
             case ValueKind.NameKind _ -> List.of(name(a.name(), new Value.Absent(), a.unit(), t -> nameValue((String) a.get(t))));
             case ValueKind.AssetKind<?> _ -> List.of(fileProperty(a, a.unit(), t -> ((Optional<?>) a.get(t))
                     .<Value>map(held -> new Value.Quoted(((FileAsset) held).file())).orElse(new Value.Absent())));
@@ -74,6 +78,10 @@ record Property<T>(String name, Form form, List<String> labels, double min, doub
                             .withCheck(v -> new TextureMap("", ((Value.Numbers) v).values().get(0), ((Value.Numbers) v).values().get(1),
                                     null)));
         };
+    }
+
+    private static Value gainsValue(ShapeGains gains) {
+        return gains.isNone() ? new Value.Absent() : new Value.Gains(gains);
     }
 
     private static Value nameValue(String name) {
@@ -186,6 +194,7 @@ record Property<T>(String name, Form form, List<String> labels, double min, doub
             case NUMBERS -> count() == 1 ? "a number" : count() + " numbers";
             case WORD, LINKS -> alternatives();
             case NAME -> "a name";
+            case GAINS -> "names of shapes or groups in quotes, each with a number";
             case QUOTED -> "a file name in quotes";
             case BLOCK -> "'{'";
         };

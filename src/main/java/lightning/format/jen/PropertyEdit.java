@@ -276,6 +276,7 @@ public final class PropertyEdit {
             Light edited = editProperty(files, BlockTypes.LIGHT, target, light.get(), property, value);
             checkLinks(scene, edited.illuminates());
             checkLinks(scene, edited.shadowedBy());
+            checkNames(scene, edited.contribution().gains().names());
             return scene.withLights(mapAll(scene.lights(), l -> l == light.get() ? edited : l));
         }
         Optional<LightGroup> group = scene.rig().lightGroup(target);
@@ -300,7 +301,11 @@ public final class PropertyEdit {
     }
 
     private static void checkLinks(Scene scene, ShapeLinks links) {
-        for (String name : links.names()) {
+        checkNames(scene, links.names());
+    }
+
+    private static void checkNames(Scene scene, List<String> names) {
+        for (String name : names) {
             if (!scene.stage().hasNode(name)) {
                 throw new IllegalArgumentException("there is no shape or group " + Quote.of(name)
                         + NameSuggestion.hint(name, nodeNames(scene.nodes()).toList()));
@@ -371,7 +376,8 @@ public final class PropertyEdit {
         return type == BlockTypes.PICTURE && property.equals(BlockTypes.INDIRECT.keyword())
                 || type == BlockTypes.WORLD && property.equals(World.ENVIRONMENT.name())
                 || type == BlockTypes.LIGHT
-                        && (property.equals(LightAttribute.LIGHT_GROUP.name()) || property.equals(LightAttribute.PROFILE.name()))
+                        && (property.equals(LightAttribute.LIGHT_GROUP.name()) || property.equals(LightAttribute.PROFILE.name())
+                                || property.equals(LightAttribute.GAINS.name()))
                 || (type == BlockTypes.LIGHT || type == BlockTypes.MATERIAL)
                         && TextureProperty.ALL.stream().anyMatch(p -> p.name().equals(property));
     }

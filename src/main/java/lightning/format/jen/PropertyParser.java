@@ -9,6 +9,7 @@ import java.util.Set;
 import lightning.base.text.Quote;
 import lightning.format.jen.TokenList.Kind;
 import lightning.scene.SceneLimits;
+import lightning.scene.ShapeGains;
 import lightning.scene.ShapeLinks;
 
 /** Parser for one property with its value. Each method returns the next token to parse. */
@@ -55,6 +56,7 @@ final class PropertyParser {
             case NAME -> parseSingle(block, property, tokens.isName(token), nameToken, token);
             case QUOTED -> parseSingle(block, property, tokens.kind(token) == Kind.STRING, nameToken, token);
             case LINKS -> parseLinks(block, property, nameToken, token);
+            case GAINS -> parseGains(block, property, nameToken, token);
             case BLOCK -> parseBlock(block, property, nameToken, token);
         };
     }
@@ -89,6 +91,35 @@ final class PropertyParser {
         } catch (IllegalArgumentException e) {
             problem(start, start, block.title() + ": " + e.getMessage());
         }
+        return token;
+    }
+
+    /** Parses gains: quoted names, each followed by a number. */
+    private int parseGains(Block block, Property<?> property, int nameToken, int start) {
+        List<ShapeGains.Entry> gains = new ArrayList<>();
+        int token = start;
+        for (; tokens.kind(token) == Kind.STRING; token += 2) {
+            if (tokens.kind(token + 1) != Kind.NUMBER) {
+                return problem(token + 1, skipValue(block, token + 1), block.title() + ": " + property.name() + ": expected a number after "
+                        + tokens.describe(token) + ", found " + tokens.describe(token + 1));
+            }
+            String name = tokens.text(token);
+            if (gains.stream().anyMatch(e -> e.name().equals(name)) || gains.size() == SceneLimits.MAX_LINKS) {
+                return problem(token, skipValue(block, token), block.title() + ": " + property.name()
+                        + (gains.size() == SceneLimits.MAX_LINKS
+                                ? " may name at most " + SceneLimits.MAX_LINKS + " shapes and groups, found more"
+                                : " must name each shape once, found " + tokens.describe(token) + " again"));
+            }
+            try {
+                gains.add(new ShapeGains.Entry(name, parseNumber(property, 0, token + 1)));
+            } catch (IllegalArgumentException e) {
+                return problem(token, skipValue(block, token), block.title() + ": " + e.getMessage());
+            }
+        }
+        if (gains.isEmpty()) {
+            return parseSingle(block, property, false, nameToken, start);
+        }
+        block.add(new Block.Entry(property, nameToken, start, token, new Value.Gains(new ShapeGains(gains))));
         return token;
     }
 
@@ -154,7 +185,7 @@ final class PropertyParser {
             }
             case NAME -> names.computeIfAbsent(text, Value.Name::new);
             case QUOTED -> new Value.Quoted(text);
-            case NUMBERS, LINKS, BLOCK -> throw new IllegalStateException(property.name() + " is not a single word");
+            case NUMBERS, LINKS, GAINS, BLOCK -> throw new IllegalStateException(property.name() + " is not a single word");
         };
     }
 

@@ -10,6 +10,7 @@ import lightning.scene.Gobo;
 import lightning.scene.IesProfile;
 import lightning.scene.NumericKind;
 import lightning.scene.SceneAttribute;
+import lightning.scene.ShapeGains;
 import lightning.scene.Solid;
 import lightning.scene.TextureMap;
 import lightning.scene.TextureUsage;
@@ -42,6 +43,8 @@ record PropertyValues(Function<String, Value> lookup, AssetSource files) {
             case NumericKind<V> n -> n.compose().apply(numbers(attribute.name()));
             case ChoiceKind<V> c -> c.parse(word(attribute.name()));
             case ValueKind.LinksKind _ -> unchecked(((Value.LinkSet) lookup.apply(attribute.name())).links());
+            case ValueKind.GainsKind _ -> unchecked(lookup.apply(attribute.name()) instanceof Value.Gains(ShapeGains gains) ? gains
+                    : ShapeGains.NONE);
             case ValueKind.NameKind _ -> unchecked(lookup.apply(attribute.name()) instanceof Value.Name(String name) ? name : "");
             case ValueKind.GoboKind _ -> unchecked(fileValue(attribute, file -> new Gobo(file, files.texture(file, TextureUsage.COLOR))));
             case ValueKind.ProfileKind _ -> unchecked(fileValue(attribute, file -> new IesProfile(file, files.profile(file))));

@@ -27,6 +27,7 @@ import lightning.scene.Scene;
 import lightning.scene.SceneLimits;
 import lightning.scene.SceneNode;
 import lightning.scene.ShadingModel;
+import lightning.scene.ShapeGains;
 import lightning.scene.ShapeLinks;
 import lightning.scene.Stage;
 import lightning.scene.Texture;
@@ -132,6 +133,7 @@ final class SceneBuilder {
             checkReference(block, "bank", groupNames);
             checkLinks(block, LightAttribute.ILLUMINATES);
             checkLinks(block, LightAttribute.SHADOWED_BY);
+            checkGains(block);
             buildRecord(block, BlockTypes.LIGHT, List.of()).ifPresent(lights::add);
         }
         checkCount(blocks, SceneLimits.MAX_LIGHTS, "lights");
@@ -198,13 +200,25 @@ final class SceneBuilder {
         if (entry != null && entry.value() instanceof Value.LinkSet(ShapeLinks links)) {
             for (int i = 0; i < links.names().size(); i++) {
                 String name = links.names().get(i);
-                if (!isNode(name)) {
-                    problems.add(tokens.start(entry.from() + 1 + i),
-                            block.title() + ": " + attribute.name() + ": there is no shape or group "
-                                    + Quote.of(name)
-                                    + NameSuggestion.hint(name, blocksByName.keySet().stream().filter(this::isNode).toList()));
-                }
+                checkNode(block, attribute, name, entry.from() + 1 + i);
             }
+        }
+    }
+
+    private void checkGains(Block block) {
+        Block.Entry entry = block.entry(LightAttribute.GAINS.name());
+        if (entry != null && entry.value() instanceof Value.Gains(ShapeGains gains)) {
+            for (int i = 0; i < gains.names().size(); i++) {
+                checkNode(block, LightAttribute.GAINS, gains.names().get(i), entry.from() + 2 * i);
+            }
+        }
+    }
+
+    /** Adds a problem if there is no shape or group of the name at a token. */
+    private void checkNode(Block block, LightAttribute<?> attribute, String name, int token) {
+        if (!isNode(name)) {
+            problems.add(tokens.start(token), block.title() + ": " + attribute.name() + ": there is no shape or group " + Quote.of(name)
+                    + NameSuggestion.hint(name, blocksByName.keySet().stream().filter(this::isNode).toList()));
         }
     }
 

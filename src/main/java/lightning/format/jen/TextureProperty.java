@@ -27,7 +27,7 @@ record TextureProperty(String name, Optional<String> repeatProperty, TextureUsag
             case ValueKind.TextureKind t -> Stream.of(new TextureProperty(attribute.name(), Optional.of(t.repeatName()), t.usage()));
             case ValueKind.GoboKind _ -> Stream.of(new TextureProperty(attribute.name(), Optional.empty(), TextureUsage.COLOR));
             case NumericKind<?> _,ChoiceKind<
-                    ?> _,ValueKind.LinksKind _,ValueKind.NameKind _,ValueKind.ProfileKind _,ValueKind.EnvironmentKind _ ->
+                    ?> _,ValueKind.LinksKind _,ValueKind.GainsKind _,ValueKind.NameKind _,ValueKind.ProfileKind _,ValueKind.EnvironmentKind _ ->
                     Stream.empty();
         };
     }

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.stream.Collectors;
 import lightning.base.math.Vec3;
 import lightning.base.text.DecimalNumber;
+import lightning.scene.ShapeGains;
 import lightning.scene.ShapeLinks;
 
 /** Value of a property in the file. Values are equal if they are bit-identical. */
@@ -49,6 +50,15 @@ sealed interface Value {
             return links.isAll() ? ALL : links.equals(ShapeLinks.NONE) ? NONE
                     : links.names().stream().map(NameSyntax::quote)
                             .collect(Collectors.joining(" ", (links.exclusive() ? ONLY : EXCEPT) + ' ', ""));
+        }
+    }
+
+    /** Gains of a light on shapes and groups: names in quotes, each followed by a number. */
+    record Gains(ShapeGains gains) implements Value {
+        @Override
+        public String text() {
+            return gains.entries().stream().map(e -> NameSyntax.quote(e.name()) + ' ' + DecimalNumber.format(e.gain()))
+                    .collect(Collectors.joining(" "));
         }
     }
 

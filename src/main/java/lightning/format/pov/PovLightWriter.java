@@ -42,6 +42,13 @@ final class PovLightWriter {
             // only.
             warnings.add("light " + light.name() + ": its light links are left out, it illuminates all objects and all cast shadows");
         }
+        if (light.contribution().diffuse() != 1 || light.contribution().specular() != 1) {
+            warnings.add("light " + light.name() + ": its diffuse and specular gains are left out");
+        }
+        if (!light.contribution().castsShadows()) {
+            // POV-Ray's shadowless lights have neither a cone nor highlights.
+            warnings.add("light " + light.name() + ": it casts shadows here");
+        }
         List<String> statements = new ArrayList<>();
         statements.add(PovFormat.vector(position(light)));
         statements.add(color(light, fade.gain()));

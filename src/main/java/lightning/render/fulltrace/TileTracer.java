@@ -258,7 +258,7 @@ final class TileTracer {
             levels[k] = new HitRows(Film.TILE_PIXELS, true,
                     eyeLevel.materials.transparentCount() > 0 || mirrorLevels.materials.transparentCount() > 0,
                     levels == sampleLevels,
-                    WeightedLight.hasLinked(eyeLevel.lights) || WeightedLight.hasLinked(mirrorLevels.lights));
+                    WeightedLight.needOwners(eyeLevel.lights) || WeightedLight.needOwners(mirrorLevels.lights));
         }
         return levels[k];
     }

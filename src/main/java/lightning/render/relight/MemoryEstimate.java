@@ -49,7 +49,8 @@ public final class MemoryEstimate {
                 scene.rig().effectiveLights().stream().mapToLong(light -> options.method().bytesPerRow(light, metallic, tinted)).sum();
         long row = ColumnGroup.HIT.bytesPerRow() + ColumnGroup.TEXEL.bytesPerRow()
                 + (sampling.isSupersampled() ? ColumnGroup.PATTERN.bytesPerRow() : 0)
-                + (scene.lights().stream().allMatch(l -> l.illuminates().isAll()) ? 0 : ColumnGroup.OWNER.bytesPerRow())
+                + (scene.lights().stream().allMatch(l -> l.illuminates().isAll() && l.contribution().gains().isNone()) ? 0
+                        : ColumnGroup.OWNER.bytesPerRow())
                 + (clear ? ColumnGroup.TRANSPARENT.bytesPerRow() : 0) + lights
                 + (picture.indirect().isPresent() ? RowWeights.MAX_BYTES_PER_ROW : 0);
         // A clear surface sends two rays, and each of these may send two again.

@@ -65,8 +65,8 @@ final class LevelComposer {
     void compose(HitRows rows, WeightedLight[] lights, LightLayer[] layers, BranchSums branches, ClearTerms terms, World world,
             IndirectRows indirect, BounceImages images, float[][] to) {
         int from = firstLitRow(rows);
-        SumColumns sum = branches == null ? lightSum.total(from, rows.count, lights, layers)
-                : lightSum.total(from, rows.count, lights, layers, branches);
+        SumColumns sum = branches == null ? lightSum.total(from, rows.count, rows.owner, lights, layers)
+                : lightSum.total(from, rows.count, rows.owner, lights, layers, branches);
         float[][] diffuse = indirect == null ? sum.diffuse : addIndirect(indirect, sum.diffuse, from, rows.count);
         float ambience = (float) world.ambience();
         // Rows of one material keep the order of their parents. If every position has a row, row i goes to position i.

@@ -29,7 +29,7 @@ final class LightLinks {
 
     /** Returns the shadow caster of a light. */
     ShadowCaster shadowCaster(LightSource source) {
-        ShapeLinks shadowedBy = source.light().shadowedBy();
+        ShapeLinks shadowedBy = source.light().shadowCasters();
         return shadowedBy.isAll() ? unrestrictedCaster : restrictedCasters.computeIfAbsent(shadowedBy, this::createCaster);
     }
 

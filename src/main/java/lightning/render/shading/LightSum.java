@@ -26,6 +26,10 @@ final class LightSum {
     /** Sums are computed for the rows {@code firstRow … rows − 1}. */
     private int firstRow;
     private int rows;
+    /** Tints times gains of the collected lights, by operand; allocated on first use. */
+    private final float[][][] gained = new float[SumOperands.MAX_LIGHTS][][];
+    /** Shape of each row; read only for lights with gains. */
+    private int[] owners;
     private WeightedLight[] lights;
     private LightLayer[] layers;
 
@@ -33,16 +37,20 @@ final class LightSum {
         this.sumKernel = kernel;
     }
 
-    /** Returns the sum over all lights in rows {@code from … count − 1}. */
-    SumColumns total(int from, int count, WeightedLight[] sceneLights, LightLayer[] lightLayers) {
-        begin(from, count, sceneLights, lightLayers);
+    /**
+     * Returns the sum over all lights in rows {@code from … count − 1}.
+     *
+     * @param shapes shape of each row; read only for lights with gains
+     */
+    SumColumns total(int from, int count, int[] shapes, WeightedLight[] sceneLights, LightLayer[] lightLayers) {
+        begin(from, count, shapes, sceneLights, lightLayers);
         collectOperands(0, sceneLights.length);
         return sum();
     }
 
     /** Returns the sum over all lights from the cached branches next to one light's path to the root. */
-    SumColumns total(int from, int count, WeightedLight[] sceneLights, LightLayer[] lightLayers, BranchSums branches) {
-        begin(from, count, sceneLights, lightLayers);
+    SumColumns total(int from, int count, int[] shapes, WeightedLight[] sceneLights, LightLayer[] lightLayers, BranchSums branches) {
+        begin(from, count, shapes, sceneLights, lightLayers);
         int light = branches.key().light();
         if (light != BranchSums.Key.NO_LIGHT) {
             collectOperands(light, light + 1);
@@ -54,8 +62,8 @@ final class LightSum {
     }
 
     /** Computes the sums of all branches next to a light's path to the root. */
-    BranchSums branchSums(int count, WeightedLight[] sceneLights, LightLayer[] lightLayers, BranchSums.Key key) {
-        begin(0, count, sceneLights, lightLayers);
+    BranchSums branchSums(int count, int[] shapes, WeightedLight[] sceneLights, LightLayer[] lightLayers, BranchSums.Key key) {
+        begin(0, count, shapes, sceneLights, lightLayers);
         if (key.light() == BranchSums.Key.NO_LIGHT) {
             return new BranchSums(key, new SumColumns[] {compact(sum(0, sceneLights.length))});
         }
@@ -77,9 +85,10 @@ final class LightSum {
         return sum == null ? null : sum.compact(rows);
     }
 
-    private void begin(int from, int count, WeightedLight[] sceneLights, LightLayer[] lightLayers) {
+    private void begin(int from, int count, int[] shapes, WeightedLight[] sceneLights, LightLayer[] lightLayers) {
         firstRow = from;
         rows = count;
+        owners = shapes;
         lights = sceneLights;
         layers = lightLayers;
         usedScratch = 0;
@@ -153,14 +162,34 @@ final class LightSum {
         for (int i = from; i < to; i++) {
             WeightedLight light = lights[chain[i]];
             LightRows layer = (LightRows) layers[chain[i]];
-            diffuse.addLight(light, layer.cosine, layer.falloff, layer.tint);
+            float[][] tint = light.gains() == null ? layer.tint : gainedTint(light.gains(), layer.tint);
+            diffuse.addLight(light.diffuse(), layer.cosine, layer.falloff, tint);
             if (layer.specular != null) {
-                specular.addLight(light, layer.specular, layer.falloff, layer.tint);
+                specular.addLight(light.specular(), layer.specular, layer.falloff, tint);
             }
             if (layer.grazing != null) {
-                grazing.addLight(light, layer.grazing, layer.falloff, layer.tint);
+                grazing.addLight(light.specular(), layer.grazing, layer.falloff, tint);
             }
         }
+    }
+
+    /** Returns the tint of a light times its gains: red, green and blue columns that are valid until the operands are cleared. */
+    private float[][] gainedTint(ObjectGains gains, float[][] tint) {
+        float[][] columns = gained[diffuse.lightCount];
+        if (tint == null) {
+            columns = columns == null ? new float[][] {new float[TermKernel.MAX_ROWS], null, null} : columns;
+            gains.write(owners, firstRow, rows, null, columns[0]);
+            gained[diffuse.lightCount] = columns;
+            return new float[][] {columns[0], columns[0], columns[0]};
+        }
+        if (columns == null || columns[2] == null) {
+            columns = new float[3][TermKernel.MAX_ROWS];
+            gained[diffuse.lightCount] = columns;
+        }
+        for (int c = 0; c < 3; c++) {
+            gains.write(owners, firstRow, rows, tint[c], columns[c]);
+        }
+        return columns;
     }
 
     private void addBranch(SumColumns known) {

@@ -186,10 +186,11 @@ public final class PixelExplainer {
         float[] tint =
                 freeCount == 0 ? ONE : new float[] {LightingEquation.mean(tints[0], freeCount), LightingEquation.mean(tints[1], freeCount),
                     LightingEquation.mean(tints[2], freeCount)};
+        float gain = light.gain(hit.primitive());
         return new LightReport(light.light(), best.state(), blocked == null ? -1 : blocked.blocker(), visibleCount, samples, below,
                 visibleCount == 0 ? best.cosine() : cosine, highlight, sheen, visibleCount == 0 ? 0 : 1,
-                contribution(light, cosine, 1, tint),
-                contribution(light, highlight, 1, tint), contribution(light, sheen, 1, tint), tint);
+                contribution(light.diffuse(), cosine, 1, tint, gain), contribution(light.specular(), highlight, 1, tint, gain),
+                contribution(light.specular(), sheen, 1, tint, gain), tint, gain);
     }
 
     private LightReport lightReport(WeightedLight light, LightSource source, SurfacePoint hit, NormalSteps normals) {
@@ -212,7 +213,8 @@ public final class PixelExplainer {
             state = blocker < 0 ? LightReport.State.LIT : LightReport.State.SHADOWED;
         }
         if (state != LightReport.State.LIT) {
-            return new LightReport(light.light(), state, blocker, 0, 1, below, cosine, 0, 0, 0, ZERO, ZERO, ZERO, ONE);
+            return new LightReport(light.light(), state, blocker, 0, 1, below, cosine, 0, 0, 0, ZERO, ZERO, ZERO, ONE,
+                    light.gain(hit.primitive()));
         }
         boolean metallic = materials.isMetallic(hit.material());
         double alpha = materials.alpha(hit.material());
@@ -222,20 +224,21 @@ public final class PixelExplainer {
         float grazing = metallic ? equation.metallicGrazing(hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz(), alpha) : 0;
         float falloff = equation.falloff();
         float[] tint = tint(source, hit);
+        float gain = light.gain(hit.primitive());
         return new LightReport(light.light(), state, blocker, 1, 1, below, diffuse, specular, grazing, falloff,
-                contribution(light, diffuse, falloff, tint), contribution(light, specular, falloff, tint),
-                contribution(light, grazing, falloff, tint), tint);
+                contribution(light.diffuse(), diffuse, falloff, tint, gain), contribution(light.specular(), specular, falloff, tint, gain),
+                contribution(light.specular(), grazing, falloff, tint, gain), tint, gain);
     }
 
     private static float cosine(LightingEquation equation, Vec3 normal) {
         return equation.cosine((float) normal.x(), (float) normal.y(), (float) normal.z());
     }
 
-    private static float[] contribution(WeightedLight light, float term, float falloff, float[] tint) {
+    private static float[] contribution(LightWeight weight, float term, float falloff, float[] tint, float gain) {
         return new float[] {
-            LightingEquation.contribution(light.red(), term, falloff, tint[0]),
-            LightingEquation.contribution(light.green(), term, falloff, tint[1]),
-            LightingEquation.contribution(light.blue(), term, falloff, tint[2])};
+            LightingEquation.contribution(weight.red(), term, falloff, tint[0] * gain),
+            LightingEquation.contribution(weight.green(), term, falloff, tint[1] * gain),
+            LightingEquation.contribution(weight.blue(), term, falloff, tint[2] * gain)};
     }
 
     /** Returns the transmittance of an unblocked shadow ray: red, green and blue. */
@@ -248,7 +251,7 @@ public final class PixelExplainer {
     /** Returns the shape between the point and the light that is nearest to the point, or −1. */
     private int blocker(LightSource source, SurfacePoint hit) {
         Vec3 point = new Vec3(hit.px(), hit.py(), hit.pz());
-        Geometry casting = geometry.shadowGeometry(source.light().shadowedBy());
+        Geometry casting = geometry.shadowGeometry(source.light().shadowCasters());
         if (!casting.castsShadows()) {
             return -1;
         }

@@ -1,7 +1,9 @@
 package lightning.render.shading;
 
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 import lightning.base.math.Ray;
 import lightning.base.math.Vec3;
@@ -13,6 +15,8 @@ import lightning.render.trace.SampleCells;
 import lightning.render.trace.SamplePattern;
 import lightning.render.trace.SurfacePoint;
 import lightning.render.trace.tree.ShadowRayTarget;
+import lightning.scene.Light;
+import lightning.scene.NodeGroup;
 import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
 
@@ -197,7 +201,8 @@ public final class ReferenceTracer {
     private float sum(float[][] terms, int term, int c) {
         float[] contributions = new float[lights.length];
         for (int l = 0; l < lights.length; l++) {
-            contributions[l] = LightingEquation.contribution(weight(lights[l], c), terms[l][term], terms[l][2], terms[l][4 + c]);
+            LightWeight weight = term == DIFFUSE ? lights[l].diffuse() : lights[l].specular();
+            contributions[l] = LightingEquation.contribution(weight.channel(c), terms[l][term], terms[l][2], terms[l][4 + c]);
         }
         return LightingEquation.sum(contributions, 0, lights.length);
     }
@@ -211,7 +216,7 @@ public final class ReferenceTracer {
     }
 
     /**
-     * Returns for each light its diffuse and specular term, falloff, grazing term and tint at a point; all 0 if it does not reach
+     * Returns for each light its diffuse and specular term, falloff, grazing term and tint with its gain at a point; all 0 if it does not reach
      * the point.
      */
     private float[][] terms(SurfacePoint hit, int pattern) {
@@ -219,8 +224,22 @@ public final class ReferenceTracer {
         for (int l = 0; l < lights.length; l++) {
             LightSource source = lights[l].source();
             terms[l] = source.isArea() ? meanTerms(source, hit, pattern) : terms(source, hit, targets[l]);
+            if (!source.light().contribution().gains().isNone()) {
+                float gain = gain(source.light(), geometry.shape(hit.primitive()).name());
+                for (int c = 0; c < 3; c++) {
+                    terms[l][4 + c] *= gain;
+                }
+            }
         }
         return terms;
+    }
+
+    /** Returns the gain of a light on a shape: its own one, or that of the innermost group that has one. */
+    private float gain(Light light, String shape) {
+        List<String> names = new ArrayList<>(scene.stage().enclosingGroups(shape).stream().map(NodeGroup::name).toList());
+        names.add(shape);
+        return names.reversed().stream().flatMap(name -> light.contribution().gains().get(name).stream()).findFirst()
+                .map(gain -> (float) light.limitedGain(gain)).orElse(1f);
     }
 
     /** Returns the terms of a point light. */
@@ -307,7 +326,7 @@ public final class ReferenceTracer {
     /** Returns whether no shape that casts shadows from the light is between it and a point. */
     private boolean isVisible(LightSource source, ShadowRayTarget target, SurfacePoint hit) {
         Vec3 point = new Vec3(hit.px(), hit.py(), hit.pz());
-        Geometry casting = geometry.shadowGeometry(source.light().shadowedBy());
+        Geometry casting = geometry.shadowGeometry(source.light().shadowCasters());
         return source.type().hasPosition()
                 ? !casting.isBlockedBruteForce(point, target)
                 : !casting.isBlockedBruteForce(new Ray(point, source.position()), Double.POSITIVE_INFINITY);
@@ -337,13 +356,5 @@ public final class ReferenceTracer {
             }
         }
         return fine;
-    }
-
-    private static float weight(WeightedLight light, int channel) {
-        return switch (channel) {
-            case 0 -> light.red();
-            case 1 -> light.green();
-            default -> light.blue();
-        };
     }
 }

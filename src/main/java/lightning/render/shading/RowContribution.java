@@ -60,10 +60,10 @@ public final class RowContribution {
         float grazing = 0;
         float ks = shading.specular()[c];
         if (!isZero) {
-            diffuse = diffuse(light, layer, row, c);
-            specular = shading.hasSpecular() ? specular(light, layer, row, c) : 0;
+            diffuse = diffuse(light, layer, rows, row, c);
+            specular = shading.hasSpecular() ? specular(light, layer, rows, row, c) : 0;
             if (shading.texturedF0() != null) {
-                grazing = grazing(light, layer, row, c);
+                grazing = grazing(light, layer, rows, row, c);
                 ks += shading.isTextured() ? texel * shading.texturedF0()[c] : shading.texturedF0()[c];
             }
         }
@@ -76,31 +76,31 @@ public final class RowContribution {
                         tint[c]);
     }
 
-    private static float diffuse(WeightedLight light, LightLayer layer, int row, int c) {
+    private static float diffuse(WeightedLight light, LightLayer layer, HitRows rows, int row, int c) {
         return switch (layer) {
-            case LightRows l -> term(light, l, l.cosine, row, c);
+            case LightRows l -> term(light.diffuse(), light, l, l.cosine, rows, row, c);
             case WeightedLayer w -> column(w.diffuse, row, c);
         };
     }
 
-    private static float specular(WeightedLight light, LightLayer layer, int row, int c) {
+    private static float specular(WeightedLight light, LightLayer layer, HitRows rows, int row, int c) {
         return switch (layer) {
-            case LightRows l -> term(light, l, l.specular, row, c);
+            case LightRows l -> term(light.specular(), light, l, l.specular, rows, row, c);
             case WeightedLayer w -> column(w.specular, row, c);
         };
     }
 
-    private static float grazing(WeightedLight light, LightLayer layer, int row, int c) {
+    private static float grazing(WeightedLight light, LightLayer layer, HitRows rows, int row, int c) {
         return switch (layer) {
-            case LightRows l -> term(light, l, l.grazing, row, c);
+            case LightRows l -> term(light.specular(), light, l, l.grazing, rows, row, c);
             case WeightedLayer w -> column(w.grazing, row, c);
         };
     }
 
-    private static float term(WeightedLight light, LightRows layer, float[] term, int row, int c) {
-        float weight = c == 0 ? light.red() : c == 1 ? light.green() : light.blue();
-        return term == null ? 0 : LightingEquation.contribution(weight, term[row], layer.falloff == null ? 1 : layer.falloff[row],
-                layer.tint == null ? 1 : layer.tint[c][row]);
+    private static float term(LightWeight weight, WeightedLight light, LightRows layer, float[] term, HitRows rows, int row, int c) {
+        float tint = layer.tint == null ? 1 : layer.tint[c][row];
+        return term == null ? 0 : LightingEquation.contribution(weight.channel(c), term[row],
+                layer.falloff == null ? 1 : layer.falloff[row], light.gains() == null ? tint : tint * light.gains().of(rows.owner[row]));
     }
 
     private static float column(float[][] columns, int row, int c) {

@@ -55,17 +55,17 @@ public final class SumOperands {
         return lightCount == 0 && sumCount == 0;
     }
 
-    /** Appends a light. */
-    void addLight(WeightedLight light, float[] lightTerm, float[] lightFalloff, float[][] tint) {
+    /** Appends a light with the weight of one of its contributions. */
+    void addLight(LightWeight weight, float[] lightTerm, float[] lightFalloff, float[][] tint) {
         tinted |= tint != null;
         tintRed[lightCount] = tint == null ? ONES : tint[0];
         tintGreen[lightCount] = tint == null ? ONES : tint[1];
         tintBlue[lightCount] = tint == null ? ONES : tint[2];
         term[lightCount] = lightTerm;
         falloff[lightCount] = lightFalloff == null ? ONES : lightFalloff;
-        red[lightCount] = light.red();
-        green[lightCount] = light.green();
-        blue[lightCount++] = light.blue();
+        red[lightCount] = weight.red();
+        green[lightCount] = weight.green();
+        blue[lightCount++] = weight.blue();
     }
 
     /** Ends the first chain. */

@@ -23,7 +23,7 @@ public final class SurfelShader {
      * @param to     receives red, green and blue of all surfels
      */
     public void writeDirectLight(HitRows rows, WeightedLight[] lights, LightLayer[] layers, int[] numbers, float[][] to) {
-        float[][] sum = lightSum.total(0, rows.count, lights, layers).diffuse;
+        float[][] sum = lightSum.total(0, rows.count, rows.owner, lights, layers).diffuse;
         for (int c = 0; c < 3; c++) {
             for (int row = 0; row < rows.count; row++) {
                 to[c][numbers[rows.parent[row]]] = sum[c][row];

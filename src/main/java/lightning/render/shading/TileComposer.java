@@ -115,6 +115,6 @@ public final class TileComposer {
 
     /** Returns the partial sums next to one light, for {@link #composeLevel} while only that light is edited. */
     public BranchSums branchSums(HitRows rows, WeightedLight[] lights, LightLayer[] layers, BranchSums.Key key) {
-        return composer.lightSum().branchSums(rows.count, lights, layers, key);
+        return composer.lightSum().branchSums(rows.count, rows.owner, lights, layers, key);
     }
 }

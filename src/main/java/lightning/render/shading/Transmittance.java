@@ -29,7 +29,7 @@ final class Transmittance {
         Vec3 point = new Vec3(hit.px(), hit.py(), hit.pz());
         Ray ray = new Ray(point, hasTarget ? source.position().minus(point) : source.position());
         var crossings = new ShadowRayHits(1);
-        geometry.shadowGeometry(source.light().shadowedBy()).collectHitsBruteForce(ray,
+        geometry.shadowGeometry(source.light().shadowCasters()).collectHitsBruteForce(ray,
                 hasTarget ? target : ShadowRayTarget.OFF_SURFACE, hasTarget ? 1 : Double.POSITIVE_INFINITY, crossings);
         return ofCrossings(geometry.primitives(), crossings, ray, hasTarget);
     }

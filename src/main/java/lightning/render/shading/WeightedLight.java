@@ -1,26 +1,27 @@
 package lightning.render.shading;
 
 import java.util.Arrays;
-import lightning.base.math.Rgb;
 import lightning.scene.Light;
 import lightning.scene.Scene;
+import lightning.scene.Stage;
 
 /**
- * Light of a scene with its weight and source, as the equation needs it. Owns a layer. The layer does not contain the weight, so it
- * stays valid if only the weight changes.
+ * Light of a scene with its weights and source, as the equation needs it. Owns a layer. The layer contains neither weights nor gains, so it
+ * stays valid if only these change.
  *
- * @param light  the scene's light, after its light group
- * @param red    weight in the red channel; 0 in all three if the light is off
- * @param green  weight in the green channel
- * @param blue   weight in the blue channel
- * @param source the light's geometry
+ * @param light    the scene's light, after its light group
+ * @param diffuse  weight of its diffuse contributions; 0 if the light is off
+ * @param specular weight of its specular contributions; 0 if the light is off
+ * @param gains    its gains on single shapes; null if it has none
+ * @param source   the light's geometry
  */
-public record WeightedLight(Light light, float red, float green, float blue, LightSource source) {
+public record WeightedLight(Light light, LightWeight diffuse, LightWeight specular, ObjectGains gains, LightSource source) {
 
     /** Prepares a light of a scene, before or after its light group is applied. */
     public static WeightedLight of(Light light, Scene scene) {
         Light acting = scene.rig().effectiveLight(light);
-        return of(acting, scene, scene.isActive(acting) ? acting.weight() : Rgb.BLACK);
+        WeightedLight shining = of(acting, scene, scene.stage());
+        return scene.isActive(acting) ? shining : shining.darkened();
     }
 
     /** Prepares all lights of a scene, in its order. */
@@ -28,32 +29,39 @@ public record WeightedLight(Light light, float red, float green, float blue, Lig
         return scene.rig().effectiveLights().stream().map(light -> of(light, scene)).toArray(WeightedLight[]::new);
     }
 
-    /** Returns whether any light illuminates only some shapes, so that rows must store their owners. */
-    public static boolean hasLinked(WeightedLight[] lights) {
-        return Arrays.stream(lights).anyMatch(l -> !l.light().illuminates().isAll());
+    /** Returns whether any light treats shapes differently, so that rows must store their owners: it has links or gains. */
+    public static boolean needOwners(WeightedLight[] lights) {
+        return Arrays.stream(lights).anyMatch(l -> !l.light().illuminates().isAll() || l.gains != null);
     }
 
     /** Prepares a light as if it were on and no other light were solo. */
     public static WeightedLight ofSwitchedOn(Light light, Scene scene) {
-        Light acting = scene.rig().effectiveLight(light);
-        return of(acting, scene, acting.weight());
+        return of(scene.rig().effectiveLight(light), scene, scene.stage());
     }
 
-    private static WeightedLight of(Light light, Scene scene, Rgb weight) {
-        return new WeightedLight(light, (float) weight.r(), (float) weight.g(), (float) weight.b(), LightSource.of(light, scene));
+    /** Prepares a light as {@link #ofSwitchedOn(Light, Scene)}, with its gains on the shapes of another stage. */
+    public static WeightedLight ofSwitchedOn(Light light, Scene scene, Stage gained) {
+        return of(scene.rig().effectiveLight(light), scene, gained);
+    }
+
+    private static WeightedLight of(Light light, Scene scene, Stage gained) {
+        LightWeight diffuse = LightWeight.of(light.diffuseWeight());
+        return new WeightedLight(light, diffuse,
+                light.contribution().isGained() ? LightWeight.of(light.specularWeight()) : diffuse, ObjectGains.of(light, gained),
+                LightSource.of(light, scene));
     }
 
     /** Returns this light switched off. */
     public WeightedLight darkened() {
-        return new WeightedLight(light, 0, 0, 0, source);
+        return new WeightedLight(light, LightWeight.ZERO, LightWeight.ZERO, gains, source);
     }
 
     /**
      * Returns this light as edge detection sees it, with each weight rounded to the nearest power of two (in its logarithm). Edits
-     * of color and intensity change edges only where a weight reaches another power.
+     * of color, intensity and gains change edges only where a weight reaches another power.
      */
     public WeightedLight forEdges() {
-        return new WeightedLight(light, nearestPowerOfTwo(red), nearestPowerOfTwo(green), nearestPowerOfTwo(blue), source);
+        return new WeightedLight(light, diffuse.toPowersOfTwo(), specular.toPowersOfTwo(), gains == null ? null : gains.forEdges(), source);
     }
 
     /** Returns lights as edge detection sees them. */
@@ -61,12 +69,18 @@ public record WeightedLight(Light light, float red, float green, float blue, Lig
         return Arrays.stream(lights).map(WeightedLight::forEdges).toArray(WeightedLight[]::new);
     }
 
-    private static float nearestPowerOfTwo(float weight) {
-        return weight == 0 ? 0 : Math.scalb(1f, Math.min(Math.getExponent(weight * Math.sqrt(2)), Float.MAX_EXPONENT));
+    /** Returns whether it contributes nothing: it is off, or its weights are 0 in every channel. */
+    public boolean isDark() {
+        return diffuse.isZero() && specular.isZero();
     }
 
-    /** Returns whether it contributes nothing: it is off, or its weight is 0 in every channel. */
-    public boolean isDark() {
-        return red == 0 && green == 0 && blue == 0;
+    /** Returns its gain on a shape. */
+    public float gain(int shape) {
+        return gains == null ? 1 : gains.of(shape);
+    }
+
+    /** Returns whether both have the same weights. */
+    public boolean hasSameWeights(WeightedLight o) {
+        return diffuse.equals(o.diffuse) && specular.equals(o.specular);
     }
 }

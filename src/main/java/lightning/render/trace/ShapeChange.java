@@ -236,6 +236,21 @@ public final class ShapeChange {
         return mapped;
     }
 
+    /** Tests a pair of indices of a primitive, before and after. */
+    public interface IndexPairTest {
+        boolean test(int before, int after);
+    }
+
+    /**
+     * Returns true if a test holds for the indices of all unchanged primitives.
+     *
+     * @param count number of primitives before
+     */
+    public boolean allKept(int count, IndexPairTest test) {
+        return IntStream.range(0, count)
+                .allMatch(s -> before == null ? test.test(s, s) : newIndex[s] < 0 || test.test(s, newIndex[s]));
+    }
+
     /** Returns true if the unchanged primitives are linked as before. */
     public boolean hasSameLinks(Scene previous, Scene target, ShapeLinks links) {
         if (before == null || links.isAll()) {

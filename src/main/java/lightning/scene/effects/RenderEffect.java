@@ -14,6 +14,7 @@ import lightning.scene.AntialiasMode;
 import lightning.scene.Attenuation;
 import lightning.scene.BarnDoors;
 import lightning.scene.BumpMapping;
+import lightning.scene.Contribution;
 import lightning.scene.Environment;
 import lightning.scene.Light;
 import lightning.scene.LightAttribute;
@@ -83,8 +84,15 @@ public final class RenderEffect {
             register("light-links", "light linking", uses -> uses.lights(l -> !l.illuminates().isAll()),
                     scene -> EffectRemoval.mapLights(scene, l -> l.withIlluminates(ShapeLinks.ALL)), UnaryOperator.identity(), false);
     public static final RenderEffect SHADOW_LINKS =
-            register("shadow-links", "shadow linking", uses -> uses.lights(l -> !l.shadowedBy().isAll()),
-                    scene -> EffectRemoval.mapLights(scene, l -> l.withShadowedBy(ShapeLinks.ALL)), UnaryOperator.identity(), false);
+            register("shadow-links", "shadow linking", uses -> uses.lights(l -> !l.shadowCasters().isAll()),
+                    scene -> EffectRemoval.mapLights(scene,
+                            l -> l.withShadowedBy(ShapeLinks.ALL).withContribution(l.contribution().withCastsShadows(true))),
+                    UnaryOperator.identity(), false);
+    public static final RenderEffect LIGHT_GAINS =
+            register("light-gains", "light gains", uses -> uses.lights(l -> l.contribution().isGained()),
+                    scene -> EffectRemoval.mapLights(scene, l -> l.withContribution(
+                            Contribution.DEFAULT.withCastsShadows(l.contribution().castsShadows()))),
+                    UnaryOperator.identity(), false);
     public static final RenderEffect LIGHT_GROUPS = register("banks", "light groups", EffectUsers::lightGroups,
             scene -> scene.withRig(LightRig.of(scene.lights().stream().map(l -> l.withLightGroup("")).toList())),
             UnaryOperator.identity(), false);

@@ -105,7 +105,7 @@ public record Track(TrackTarget target, String attribute, List<Keyframe> keys) {
         boolean isValid = switch (kind) {
             case NumericKind<V> n -> setting instanceof KeyframeValue.Numbers(List<Double> all) && all.size() == n.labels().size();
             case ChoiceKind<V> c -> setting instanceof KeyframeValue.Word(String text) && c.words().contains(text);
-            case ValueKind.AssetKind<?> _,ValueKind.LinksKind _,ValueKind.NameKind _,ValueKind.TextureKind _ -> false;
+            case ValueKind.AssetKind<?> _,ValueKind.LinksKind _,ValueKind.GainsKind _,ValueKind.NameKind _,ValueKind.TextureKind _ -> false;
         };
         if (!isValid) {
             throw new IllegalArgumentException(target + ": " + attribute + " cannot be " + setting);

@@ -107,7 +107,7 @@ public record TrackTarget(Kind kind, String name) {
         return switch (attribute.kind()) {
             case NumericKind<V> q -> new KeyframeValue.Numbers(q.components().apply(attribute.get(record)));
             case ChoiceKind<V> c -> new KeyframeValue.Word(c.format(attribute.get(record)));
-            case ValueKind.AssetKind<?> _,ValueKind.LinksKind _,ValueKind.NameKind _,ValueKind.TextureKind _ ->
+            case ValueKind.AssetKind<?> _,ValueKind.LinksKind _,ValueKind.GainsKind _,ValueKind.NameKind _,ValueKind.TextureKind _ ->
                     throw new IllegalArgumentException(this + ": " + attribute.name() + " cannot be animated: only numbers and words can");
         };
     }

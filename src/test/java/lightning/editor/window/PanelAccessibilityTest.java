@@ -30,7 +30,8 @@ class PanelAccessibilityTest extends EditorFixture {
     private static final int MANY = 120;
     private static final List<Command> PANELS = List.of(Command.ACCURACY_PANEL, Command.INDIRECT_ACCURACY, Command.EFFECTS_PANEL,
             Command.KEYS, Command.SCOPES,
-            Command.HISTORY_PANEL, Command.UPDATES_PANEL, Command.MIXER, Command.CUES, Command.CONTRIBUTIONS, Command.MAKE_ANIMATION,
+            Command.HISTORY_PANEL, Command.UPDATES_PANEL, Command.MIXER, Command.CUES, Command.CONTRIBUTIONS, Command.LIGHT_LINKS,
+            Command.MAKE_ANIMATION,
             Command.PALETTE, Command.ABOUT);
 
     @AfterEach

@@ -19,7 +19,7 @@ import org.junit.jupiter.api.Test;
 class PanelShortcutsTest extends EditorFixture {
     private static final List<Command> PANELS =
             List.of(Command.ACCURACY_PANEL, Command.INDIRECT_ACCURACY, Command.EFFECTS_PANEL, Command.KEYS, Command.SCOPES,
-                    Command.HISTORY_PANEL, Command.UPDATES_PANEL, Command.MIXER, Command.CUES, Command.CONTRIBUTIONS);
+                    Command.HISTORY_PANEL, Command.UPDATES_PANEL, Command.MIXER, Command.CUES, Command.CONTRIBUTIONS, Command.LIGHT_LINKS);
 
     @AfterEach
     void closeWindows() {

@@ -50,7 +50,8 @@ abstract class TextClippingFixture extends EditorFixture {
         robot.interact(() -> model().editor().selection().selectLight("stage"));
         for (Command panel : List.of(Command.ACCURACY_PANEL, Command.INDIRECT_ACCURACY, Command.EFFECTS_PANEL, Command.KEYS, Command.SCOPES,
                 Command.HISTORY_PANEL,
-                Command.UPDATES_PANEL, Command.MIXER, Command.CUES, Command.CONTRIBUTIONS, Command.MAKE_ANIMATION, Command.PALETTE)) {
+                Command.UPDATES_PANEL, Command.MIXER, Command.CUES, Command.CONTRIBUTIONS, Command.LIGHT_LINKS, Command.MAKE_ANIMATION,
+                Command.PALETTE)) {
             checkWindow(panel.name(), () -> model().commands().run(panel));
             robot.interact(this::narrow);
             waitFor("windows are narrow", () -> windows().allMatch(window -> window.getScene().getWidth() <= 960));

@@ -18,6 +18,7 @@ import lightning.format.mesh.MeshException;
 import lightning.sample.AttributeArbitraries;
 import lightning.scene.Attenuation;
 import lightning.scene.BarnDoors;
+import lightning.scene.Contribution;
 import lightning.scene.Gobo;
 import lightning.scene.IesProfile;
 import lightning.scene.Light;
@@ -26,6 +27,7 @@ import lightning.scene.LightGroup;
 import lightning.scene.LightRig;
 import lightning.scene.LightType;
 import lightning.scene.Scene;
+import lightning.scene.ShapeGains;
 import lightning.scene.ShapeLinks;
 import lightning.scene.Texture;
 import net.jqwik.api.Arbitraries;
@@ -50,7 +52,8 @@ class LightSettingsTest {
     private static final Light RICH = Light.of("lamp", LightType.SPOT).withPosition(new Vec3(1, 2, 3)).withDirection(new Vec3(0, -3, 1))
             .withColor(new Rgb(2, 1, 0.3)).withIntensity(0.7).withAttenuation(new Attenuation(0.1, 0.2, 0.3)).withAngle(120).withDropoff(3)
             .withDoors(new BarnDoors(10, 20, 30, 40)).withFeather(5).withIlluminates(ShapeLinks.only("floor"))
-            .withShadowedBy(ShapeLinks.except("floor"));
+            .withShadowedBy(ShapeLinks.except("floor"))
+            .withContribution(new Contribution(false, 0.5, 2, ShapeGains.of("floor", 0.25)));
     private Path folder;
     private Path gltf;
     private Scene scene;
@@ -78,8 +81,7 @@ class LightSettingsTest {
         return Combinators.combine(AttributeArbitraries.lights(), Arbitraries.of(true, false), Arbitraries.of(true, false))
                 .as((changed, isGrouped, isOn) -> {
                     Light light = changed.after().withGobo(Optional.empty()).withProfile(Optional.empty())
-                            .withIlluminates(changed.after().illuminates().retain("floor"::equals))
-                            .withShadowedBy(changed.after().shadowedBy().retain("floor"::equals));
+                            .retainLinks("floor"::equals);
                     return LightRig.of(List.of(isGrouped ? light.withLightGroup(GROUP.name()) : light), List.of(GROUP.withOn(isOn)));
                 });
     }
@@ -185,6 +187,7 @@ class LightSettingsTest {
         assertThat(LightExport.toGltf(gltf, scene.withRig(LightRig.of(List.of(RICH.withOn(false)))), LightUnits.CANDELA, Progress.NONE)
                 .notes())
                 .containsEntry("light linking, exported as illuminating everything", 1)
+                .containsEntry("lights without shadows", 1).containsEntry("diffuse and specular gains of lights", 1)
                 .containsEntry("lights that are off, exported as on", 1);
     }
 

@@ -38,9 +38,7 @@ class AttributeRoundTripTest {
 
     /** Returns the light without files, and with links to existing objects only, since others are rejected. */
     private Light withoutFiles(Light light) {
-        return light.withGobo(Optional.empty()).withProfile(Optional.empty())
-                .withIlluminates(light.illuminates().retain(studio.stage()::hasNode))
-                .withShadowedBy(light.shadowedBy().retain(studio.stage()::hasNode));
+        return light.withGobo(Optional.empty()).withProfile(Optional.empty()).retainLinks(studio.stage()::hasNode);
     }
 
     private static Material withoutFiles(Material material) {

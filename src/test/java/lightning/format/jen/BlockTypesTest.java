@@ -99,10 +99,11 @@ class BlockTypesTest {
                 case Value.Name(String name) -> lightning.scene.SceneLimits.checkName(name);
                 case Value.Quoted q -> p.checkValue(q);
                 case Value.LinkSet(ShapeLinks links) -> assertThat(links.isAll()).isTrue();
+                case Value.Gains _ -> throw new AssertionError("gains are absent by default");
                 case Value.Nested n -> throw new AssertionError(n);
                 case Value.Absent a ->
                         assertThat(p.name()).isIn("texture", "cutout", "bump", "normal_map", "gobo", "profile", "environment", "bank",
-                                "indirect",
+                                "gains", "indirect",
                                 BlockTypes.FILE, BlockTypes.PART);
             }
         }));

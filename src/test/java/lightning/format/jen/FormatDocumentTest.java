@@ -88,12 +88,13 @@ class FormatDocumentTest {
                     (p.count() == 1 ? "" : p.count() + " ") + (p.isInteger() ? "whole " : "") + (p.count() == 1 ? "number" : "numbers:"
                             + String.join(",", p.labels()));
             case LINKS -> "`all`, `none`, or `only` or `except` and names in quotes";
+            case GAINS -> "names in quotes, each with a number";
             case WORD -> "`" + String.join("`, `", p.choices()) + "`";
             case NAME -> "name";
             case QUOTED -> "file name in quotes";
             case BLOCK -> "block";
         };
-        String range = p.form() == Property.Form.NUMBERS
+        String range = p.form() == Property.Form.NUMBERS || p.form() == Property.Form.GAINS
                 ? DecimalNumber.format(p.min()) + " … " + DecimalNumber.format(p.max()) : "";
         return ("| `" + p.name() + "` | " + value + " | " + initial + " | " + range + " | " + p.unit() + " |").replaceAll(" +", " ");
     }

@@ -71,7 +71,7 @@ class AntialiasTest {
 
     private static List<Float> edgeWeight(Light light, Scene scene) {
         WeightedLight rounded = WeightedLight.of(light, scene).forEdges();
-        return List.of(rounded.red(), rounded.green(), rounded.blue());
+        return List.of(rounded.diffuse().red(), rounded.diffuse().green(), rounded.diffuse().blue());
     }
 
     @Test

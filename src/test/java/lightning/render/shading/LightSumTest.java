@@ -9,10 +9,18 @@ import lightning.base.math.Vec3;
 import lightning.render.engine.choice.Engines;
 import lightning.render.trace.HitRows;
 import lightning.scene.Camera;
+import lightning.scene.Contribution;
 import lightning.scene.Light;
+import lightning.scene.LightRig;
 import lightning.scene.LightType;
+import lightning.scene.Material;
 import lightning.scene.PictureSettings;
+import lightning.scene.Placement;
 import lightning.scene.Scene;
+import lightning.scene.Shape;
+import lightning.scene.ShapeGains;
+import lightning.scene.Solid;
+import lightning.scene.Stage;
 import lightning.scene.World;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
@@ -21,10 +29,12 @@ import net.jqwik.api.constraints.IntRange;
 /** Tests that every grouping of the lights' sum has the bits of the equation's tree. */
 class LightSumTest {
     private static final int MOST = 40;
+    private static final Stage STAGE = new Stage(List.of(), List.of(shape("a"), shape("b")));
 
     private final Random random = new Random(0);
     private int firstRow;
     private int rows;
+    private int[] owners;
     private WeightedLight[] lights;
     private LightLayer[] layers;
 
@@ -32,7 +42,7 @@ class LightSumTest {
     void lightSum_matchesTreeBits(@ForAll long seed, @ForAll boolean scalar, @ForAll boolean storesColors,
             @ForAll @IntRange(max = MOST) int count) {
         draw(seed, count, storesColors);
-        assertTree(new LightSum((scalar ? Engines.SCALAR : Engines.LANES).sums()).total(firstRow, rows, lights, layers));
+        assertTree(new LightSum((scalar ? Engines.SCALAR : Engines.LANES).sums()).total(firstRow, rows, owners, lights, layers));
     }
 
     @Property(tries = 300)
@@ -40,17 +50,18 @@ class LightSumTest {
             @ForAll @IntRange(min = 1, max = MOST) int count) {
         draw(seed, count, storesColors);
         LightSum sum = new LightSum((scalar ? Engines.SCALAR : Engines.LANES).sums());
-        BranchSums branches = sum.branchSums(rows, lights, layers, new BranchSums.Key(random.nextInt(count)));
+        BranchSums branches = sum.branchSums(rows, owners, lights, layers, new BranchSums.Key(random.nextInt(count)));
         int edited = branches.key().light();
         lights[edited] = light();
         layers[edited] = layer(storesColors);
-        assertTree(sum.total(firstRow, rows, lights, layers, branches));
+        assertTree(sum.total(firstRow, rows, owners, lights, layers, branches));
     }
 
     private void draw(long seed, int count, boolean storesColors) {
         random.setSeed(seed);
         rows = 1 + random.nextInt(50);
         firstRow = random.nextInt(rows + 1);
+        owners = random.ints(rows, 0, STAGE.shapeCount()).toArray();
         lights = new WeightedLight[count];
         layers = new LightLayer[count];
         for (int l = 0; l < count; l++) {
@@ -59,13 +70,22 @@ class LightSumTest {
         }
     }
 
+    private static Shape shape(String name) {
+        return new Shape(Solid.SPHERE, name, Material.DEFAULT.name(), Placement.IDENTITY);
+    }
+
     private WeightedLight light() {
         double intensity = random.nextInt(4) == 0 ? 0 : random.nextDouble();
         Light light = Light.of("l", LightType.POINT).withIntensity(intensity)
-                .withColor(new Rgb(random.nextDouble(), random.nextDouble(), random.nextInt(2)));
+                .withColor(new Rgb(random.nextDouble(), random.nextDouble(), random.nextInt(2))).withContribution(contribution());
         Camera atOrigin = new Camera(Vec3.ZERO, new Vec3(0, 0, -1), Vec3.Y, 40);
-        return WeightedLight.of(light, new Scene(PictureSettings.DEFAULT, atOrigin, World.DEFAULT, List.of(), List.of(),
-                List.of(light)));
+        return WeightedLight.of(light, new Scene(PictureSettings.DEFAULT, atOrigin, World.DEFAULT, STAGE, LightRig.of(List.of(light))));
+    }
+
+    private Contribution contribution() {
+        return random.nextBoolean() ? Contribution.DEFAULT
+                : new Contribution(true, random.nextInt(3), random.nextInt(3),
+                        random.nextBoolean() ? ShapeGains.NONE : ShapeGains.of("a", random.nextInt(2) * random.nextDouble()));
     }
 
     private LightLayer layer(boolean storesColors) {
@@ -79,8 +99,9 @@ class LightSumTest {
                     specular ? new float[][] {column(), column(), column()} : null,
                     grazing ? new float[][] {column(), column(), column()} : null);
         }
-        return new LightRows(new byte[rows], column(), specular ? column() : null, grazing ? column() : null,
+        LightRows untinted = new LightRows(new byte[rows], column(), specular ? column() : null, grazing ? column() : null,
                 random.nextBoolean() ? column() : null, 1);
+        return random.nextBoolean() ? untinted : untinted.withTint(new float[][] {column(), column(), column()});
     }
 
     /** Layer of contributions whose rows are all lit. */
@@ -155,12 +176,14 @@ class LightSumTest {
         return LightingEquation.sum(terms, 0, terms.length);
     }
 
-    private static float contribution(int row, int channel, boolean specular, WeightedLight light, LightLayer layer) {
+    private float contribution(int row, int channel, boolean specular, WeightedLight light, LightLayer layer) {
         return switch (layer) {
             case LightRows exact -> {
                 float[] term = specular ? exact.specular : exact.cosine;
-                float weight = channel == 0 ? light.red() : channel == 1 ? light.green() : light.blue();
-                yield term == null ? 0 : LightingEquation.contribution(weight, term[row], exact.falloff == null ? 1 : exact.falloff[row]);
+                LightWeight weight = specular ? light.specular() : light.diffuse();
+                float tint = exact.tint == null ? 1 : exact.tint[channel][row];
+                yield term == null ? 0 : LightingEquation.contribution(weight.channel(channel), term[row],
+                        exact.falloff == null ? 1 : exact.falloff[row], tint * light.gain(owners[row]));
             }
             case WeightedLayer weighted -> {
                 float[][] columns = specular ? weighted.specular : weighted.diffuse;

@@ -173,7 +173,7 @@ class LightingEquationTest {
         Light other = point(0, 3, 0).withName("solo").withSolo(true);
         Scene scene = new Scene(PictureSettings.DEFAULT, Camera.DEFAULT, World.DEFAULT, List.of(), List.of(), List.of(light));
         WeightedLight shining = WeightedLight.of(light, scene);
-        assertThat(List.of(shining.red(), shining.green(), shining.blue())).containsExactly(2f, 1f, 0.5f);
+        assertThat(List.of(shining.diffuse().red(), shining.diffuse().green(), shining.diffuse().blue())).containsExactly(2f, 1f, 0.5f);
         assertThat(WeightedLight.of(light.withOn(false), scene.withLight(light.withOn(false))).isDark()).isTrue();
         assertThat(WeightedLight.of(light, scene.withLights(List.of(light, other))).isDark()).isTrue();
         assertThat(WeightedLight.of(light, scene.withLights(List.of(light, other.withOn(false)))).isDark()).isFalse();

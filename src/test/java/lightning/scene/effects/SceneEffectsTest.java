@@ -176,7 +176,7 @@ class SceneEffectsTest {
                 RenderEffect.CUTOUTS, RenderEffect.BUMPS, RenderEffect.VERTEX_COLORS, RenderEffect.TRANSMISSION, RenderEffect.GLOW,
                 RenderEffect.TINTED_SHADOWS, RenderEffect.BARN_DOORS, RenderEffect.GOBOS,
                 RenderEffect.PROFILES, RenderEffect.LIGHT_LINKS,
-                RenderEffect.SHADOW_LINKS,
+                RenderEffect.SHADOW_LINKS, RenderEffect.LIGHT_GAINS,
                 RenderEffect.LIGHT_GROUPS, RenderEffect.SOFT_SHADOWS, RenderEffect.ANTIALIASING, RenderEffect.ENVIRONMENT,
                 RenderEffect.INDIRECT,
                 RenderEffect.of("rect-lights"),

@@ -271,7 +271,8 @@ class ShotTest {
         return switch (kind) {
             case NumericKind<V> q -> new KeyframeValue.Numbers(q.components().apply(value));
             case ChoiceKind<V> w -> new KeyframeValue.Word(w.format(value));
-            case ValueKind.AssetKind<?> _,ValueKind.LinksKind _,ValueKind.NameKind _,ValueKind.TextureKind _ -> throw new AssertionError();
+            case ValueKind.AssetKind<?> _,ValueKind.LinksKind _,ValueKind.GainsKind _,ValueKind.NameKind _,ValueKind.TextureKind _ ->
+                    throw new AssertionError();
         };
     }
 }

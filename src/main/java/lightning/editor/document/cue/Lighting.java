@@ -71,8 +71,7 @@ public record Lighting(World world, LightRig rig) {
     private static List<Light> withValidLinks(List<Light> lights, Stage stage) {
         List<Light> all = new ArrayList<>();
         for (Light light : lights) {
-            all.add(light.withIlluminates(light.illuminates().retain(stage::hasNode))
-                    .withShadowedBy(light.shadowedBy().retain(stage::hasNode)));
+            all.add(light.retainLinks(stage::hasNode));
         }
         return all;
     }

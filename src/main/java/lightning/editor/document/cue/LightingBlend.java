@@ -13,6 +13,7 @@ import lightning.scene.LightGroup;
 import lightning.scene.LightRig;
 import lightning.scene.NumericKind;
 import lightning.scene.SceneAttribute;
+import lightning.scene.ShapeGains;
 import lightning.scene.World;
 
 /**
@@ -22,7 +23,7 @@ import lightning.scene.World;
  * <ul>
  * <li>Color times intensity is interpolated linearly, and so are positions, angles, sizes, attenuation and all other numbers. A light that
  * is off or muted by a solo counts as 0. Integers take the larger value. Directions follow the great circle.
- * <li>Lights of the same name are interpolated if type, gobo, profile and links are equal. All others fade out or in, renamed if their
+ * <li>Lights of the same name are interpolated if type, gobo, profile, links and the objects with a gain are equal. All others fade out or in, renamed if their
  * names are taken.
  * <li>Light groups stay if they are equal at both ends. Otherwise they are merged into their lights.
  * <li>Environments with the same image are interpolated. Otherwise the first fades out in the first half, and the second fades in in the
@@ -89,7 +90,8 @@ public final class LightingBlend {
 
     private boolean canInterpolate(Light a, Light b) {
         return a.type() == b.type() && a.gobo().equals(b.gobo()) && a.profile().equals(b.profile())
-                && a.illuminates().equals(b.illuminates()) && a.shadowedBy().equals(b.shadowedBy())
+                && a.illuminates().equals(b.illuminates()) && a.shadowCasters().equals(b.shadowCasters())
+                && a.contribution().gains().names().equals(b.contribution().gains().names())
                 && (!hasSameGroups || a.lightGroup().equals(b.lightGroup()));
     }
 
@@ -118,7 +120,14 @@ public final class LightingBlend {
                 .withArea(light.area().withUp(slerp(first.area().up(), last.area().up())))
                 .withIntensity(first.on() || last.on() ? intensity : lerp(first.intensity(), last.intensity()))
                 .withColor(color(first.color(), fromIntensity, last.color(), toIntensity))
+                .withContribution(light.contribution().withGains(gains(first.contribution().gains(), last.contribution().gains())))
                 .withOn(first.on() || last.on());
+    }
+
+    /** Interpolates gains on the same objects. */
+    private ShapeGains gains(ShapeGains a, ShapeGains b) {
+        return new ShapeGains(a.entries().stream()
+                .map(e -> new ShapeGains.Entry(e.name(), lerp(e.gain(), b.get(e.name()).orElseThrow()))).toList());
     }
 
     /**

@@ -77,7 +77,8 @@ public final class PropertyPane extends VBox {
                 new NameBox(editor, LightAttribute.LIGHT_GROUP, (ValueKind.NameKind) LightAttribute.LIGHT_GROUP.kind(), visibleState),
                 visibleState);
         ScrollPane scroll = SectionLayout.scroll(Stream.of(Stream.of(header),
-                Stream.of(Section.COLOR, Section.CONE, Section.AREA, Section.ATTENUATION, Section.PLACE, Section.LINKS)
+                Stream.of(Section.COLOR, Section.CONE, Section.AREA, Section.ATTENUATION, Section.PLACE, Section.CONTRIBUTION,
+                        Section.LINKS)
                         .map(this::section),
                 Stream.of(SectionLayout.section(Messages.tr("Light Group"), groupSection),
                         SectionLayout.section(Messages.tr("Scene"), parameterWidget(NumericParameter.AMBIENCE),
@@ -119,6 +120,8 @@ public final class PropertyPane extends VBox {
                     List.of(SectionLayout.caption(SectionLayout.title(attribute.title())), withMenu(choice(attribute, c), attribute));
             case ValueKind.LinksKind kind -> List.of(SectionLayout.caption(Messages.tr(kind.caption())),
                     withMenu(new LinksField(editor, commands, castAttribute(attribute, kind), kind, visibleState), attribute));
+            case ValueKind.GainsKind kind -> List.of(SectionLayout.caption(SectionLayout.title(attribute.title())),
+                    withMenu(new GainsField(commands, castAttribute(attribute, kind), kind, visibleState), attribute));
             case ValueKind.NameKind kind -> List.of(SectionLayout.caption(SectionLayout.title(attribute.title())),
                     withMenu(new NameBox(editor, castAttribute(attribute, kind), kind, visibleState), attribute));
         };

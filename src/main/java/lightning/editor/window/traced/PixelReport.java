@@ -8,6 +8,7 @@ import lightning.base.text.Messages;
 import lightning.render.shading.LightReport;
 import lightning.render.shading.PointReport;
 import lightning.render.trace.Geometry;
+import lightning.scene.ShapeGains;
 
 /**
  * Report on a pixel of the picture.
@@ -100,7 +101,7 @@ record PixelReport(int x, int y, String shape, Vec3 point, Vec3 normal, Vec3 geo
                 case UNLINKED -> Messages.tr("not linked");
                 case SHADOWED ->
                         light.samplesBelowSurface() == light.samples() ? Messages.tr("below the horizon") : Messages.tr("shadowed");
-                case LIT -> percent(brightness(light), total) + samplesText(light);
+                case LIT -> percent(brightness(light), total) + samplesText(light) + gainText(light);
             });
         }
         if (!environmentLights.isEmpty()) {
@@ -117,6 +118,11 @@ record PixelReport(int x, int y, String shape, Vec3 point, Vec3 normal, Vec3 geo
 
     private static String percent(float share, float total) {
         return Math.round(100 * share / Math.max(total, Float.MIN_NORMAL)) + " %";
+    }
+
+    /** Returns the gain of a light on the object; empty for 1. */
+    private static String gainText(LightReport light) {
+        return light.gain() == 1 ? "" : Messages.tr(", gain {0}", ShapeGains.formatPercent(light.gain()));
     }
 
     /** Returns the number of a light's visible samples; empty if all are visible. */

@@ -7,12 +7,12 @@ record IntensityRatio(float red, float green, float blue) {
     static final IntensityRatio NONE = new IntensityRatio(1, 1, 1);
 
     /**
-     * Returns the ratio between two weights. It is not usable, see {@link #isUsable}, if an old weight is 0 and the new one is not,
+     * Returns the ratio between the weights of a light without gains. It is not usable, see {@link #isUsable}, if an old weight is 0 and the new one is not,
      * or if an old weight is so small that its contributions have lost digits. Falloffs do not scale such contributions either.
      */
     static IntensityRatio between(WeightedLight before, WeightedLight after) {
-        return new IntensityRatio(ratio(before.red(), after.red()), ratio(before.green(), after.green()),
-                ratio(before.blue(), after.blue()));
+        return new IntensityRatio(ratio(before.diffuse().red(), after.diffuse().red()),
+                ratio(before.diffuse().green(), after.diffuse().green()), ratio(before.diffuse().blue(), after.diffuse().blue()));
     }
 
     /** Returns NaN if there is no usable ratio. */

@@ -8,6 +8,7 @@ import lightning.render.shading.ColumnAllocator;
 import lightning.render.shading.ConeChange;
 import lightning.render.shading.LightKernel;
 import lightning.render.shading.LightRows;
+import lightning.render.shading.LightWeight;
 import lightning.render.shading.LightingEquation;
 import lightning.render.shading.ScratchColumns;
 import lightning.render.shading.TermKernel;
@@ -82,9 +83,9 @@ public final class RatioKernel {
             return new RatioRows(states, null, null, null, copyCompact(rows, layer.visibleSamples()), 0)
                     .withTint(copyCompact(rows, layer.tint()));
         }
-        float[][] diffuse = weighted(rows, light, layer.cosine, layer);
-        float[][] specular = layer.specular == null ? null : weighted(rows, light, layer.specular, layer);
-        float[][] grazing = layer.grazing == null ? null : weighted(rows, light, layer.grazing, layer);
+        float[][] diffuse = weighted(rows, light, light.diffuse(), layer.cosine, layer);
+        float[][] specular = layer.specular == null ? null : weighted(rows, light, light.specular(), layer.specular, layer);
+        float[][] grazing = layer.grazing == null ? null : weighted(rows, light, light.specular(), layer.grazing, layer);
         return new RatioRows(states, diffuse, specular, grazing, copyCompact(rows, layer.visibleSamples()), layer.litCount)
                 .withTint(copyCompact(rows, layer.tint()));
     }
@@ -102,21 +103,38 @@ public final class RatioKernel {
                         .toArray(short[][]::new);
     }
 
-    private static float[][] weighted(HitRows rows, WeightedLight light, float[] term, LightRows layer) {
+    private static float[][] weighted(HitRows rows, WeightedLight light, LightWeight weight, float[] term, LightRows layer) {
+        if (light.gains() != null) {
+            return gained(rows, light, weight, term, layer);
+        }
         float[][] out = columns(rows);
         float[][] tint = layer.tint();
         for (int i = 0; i < rows.count && tint != null; i++) {
             float falloff = layer.falloff == null ? 1 : layer.falloff[i];
-            out[0][i] = LightingEquation.contribution(light.red(), term[i], falloff, tint[0][i]);
-            out[1][i] = LightingEquation.contribution(light.green(), term[i], falloff, tint[1][i]);
-            out[2][i] = LightingEquation.contribution(light.blue(), term[i], falloff, tint[2][i]);
+            out[0][i] = LightingEquation.contribution(weight.red(), term[i], falloff, tint[0][i]);
+            out[1][i] = LightingEquation.contribution(weight.green(), term[i], falloff, tint[1][i]);
+            out[2][i] = LightingEquation.contribution(weight.blue(), term[i], falloff, tint[2][i]);
         }
         float[] falloff = layer.falloff;
         for (int i = 0; i < rows.count && tint == null; i++) {
             float premultiplied = falloff == null ? term[i] : term[i] * falloff[i];
-            out[0][i] = light.red() * premultiplied;
-            out[1][i] = light.green() * premultiplied;
-            out[2][i] = light.blue() * premultiplied;
+            out[0][i] = weight.red() * premultiplied;
+            out[1][i] = weight.green() * premultiplied;
+            out[2][i] = weight.blue() * premultiplied;
+        }
+        return out;
+    }
+
+    /** Returns the contributions of a light with gains on single shapes. */
+    private static float[][] gained(HitRows rows, WeightedLight light, LightWeight weight, float[] term, LightRows layer) {
+        float[][] out = columns(rows);
+        for (int i = 0; i < rows.count; i++) {
+            float gain = light.gain(rows.owner[i]);
+            float falloff = layer.falloff == null ? 1 : layer.falloff[i];
+            for (int c = 0; c < 3; c++) {
+                out[c][i] = LightingEquation.contribution(weight.channel(c), term[i], falloff,
+                        layer.tint() == null ? gain : layer.tint()[c][i] * gain);
+            }
         }
         return out;
     }
@@ -131,12 +149,15 @@ public final class RatioKernel {
         if (to.source().isArea() && (cone != ConeChange.NONE || falloff)) {
             return recomputeArea(rows, to, before, cone);
         }
+        if (from.light().contribution().isGained() || to.light().contribution().isGained()) {
+            return recomputeTerms(rows, to, before, cone);
+        }
         IntensityRatio intensity = IntensityRatio.between(from, to);
         if (!intensity.isUsable()) {
             return recompute(rows, to);
         }
         if (before.tint() != null && !to.source().isArea()) {
-            return recomputeTinted(rows, to, before, cone);
+            return recomputeTerms(rows, to, before, cone);
         }
         if (before.litCount() == 0 && cone != ConeChange.ANGLE_ADD) {
             return cone == ConeChange.NONE ? before : updateCone(rows, to, before, before, cone);
@@ -162,8 +183,11 @@ public final class RatioKernel {
         return updated == known ? before : contributions(rows, light, updated, ColumnAllocator.NEW_ARRAYS.states(rows.count));
     }
 
-    /** Recomputes a tinted layer without casting rays. The tint adds a rounding that the error bound of ratios does not include. */
-    private RatioRows recomputeTinted(HitRows rows, WeightedLight light, RatioRows before, ConeChange cone) {
+    /**
+     * Recomputes a layer that is tinted or has gains, without casting rays. Both add roundings that the error bound of ratios does not
+     * include.
+     */
+    private RatioRows recomputeTerms(HitRows rows, WeightedLight light, RatioRows before, ConeChange cone) {
         scratch.reset();
         LightRows known = toTermLayer(before);
         LightRows coneUpdated = cone == ConeChange.NONE ? known : lightKernel.update(rows, light.source(), known, cone, false, scratch);
@@ -276,19 +300,21 @@ public final class RatioKernel {
         LightRows premultiplied = lightKernel.update(rows, light.source(), updated, ConeChange.NONE, true, scratch);
         return new RatioRows(before.states(),
                 updated.cosine == known.cosine ? before.diffuse
-                        : recomputeChanged(rows, light, premultiplied, premultiplied.cosine, before.diffuse, changed),
-                recomputeChanged(rows, light, premultiplied, premultiplied.specular, before.specular, changed),
-                recomputeChanged(rows, light, premultiplied, premultiplied.grazing, before.grazing, changed), before.visibleSamples(),
+                        : recomputeChanged(rows, light, light.diffuse(), premultiplied, premultiplied.cosine, before.diffuse, changed),
+                recomputeChanged(rows, light, light.specular(), premultiplied, premultiplied.specular, before.specular, changed),
+                recomputeChanged(rows, light, light.specular(), premultiplied, premultiplied.grazing, before.grazing, changed),
+                before.visibleSamples(),
                 before.litCount()).withTint(before.tint());
     }
 
     /** Returns a term's contributions; rows of unchanged materials keep theirs, if they had any. */
-    private static float[][] recomputeChanged(HitRows rows, WeightedLight light, LightRows layer, float[] term, float[][] before,
+    private static float[][] recomputeChanged(HitRows rows, WeightedLight light, LightWeight weight, LightRows layer, float[] term,
+            float[][] before,
             MaterialSet changed) {
         if (term == null) {
             return null;
         }
-        float[][] updated = weighted(rows, light, term, layer);
+        float[][] updated = weighted(rows, light, weight, term, layer);
         for (int r = 0; r < rows.runCount && before != null; r++) {
             for (int i = rows.runStart(r); i < rows.runEnd[r] && !changed.contains(rows.runMaterial[r]); i++) {
                 copyRow(before, updated, i);

@@ -37,8 +37,9 @@ public record RatioMethod() implements UpdateMethod {
         if (min instanceof LightUpdate.Keep) {
             return min;
         }
-        boolean usable =
-                IntensityRatio.between(WeightedLight.ofSwitchedOn(before.light(), scene), WeightedLight.ofSwitchedOn(target.light(), scene))
+        boolean usable = before.light().contribution().isGained() || target.light().contribution().isGained()
+                || IntensityRatio
+                        .between(WeightedLight.ofSwitchedOn(before.light(), scene), WeightedLight.ofSwitchedOn(target.light(), scene))
                         .isUsable();
         return difference.coneChange() == ConeChange.TURN || !usable ? new LightUpdate.FullRecompute(false) : min;
     }
@@ -56,6 +57,11 @@ public record RatioMethod() implements UpdateMethod {
     @Override
     public long bytesPerRow(Light light, boolean metallic, boolean tinted) {
         return ColumnKind.bytesPerRow(RatioRows.columns(light, metallic, tinted));
+    }
+
+    @Override
+    public boolean storesGains() {
+        return true;
     }
 
     @Override

@@ -7,6 +7,7 @@ import lightning.render.cache.CachedLight;
 import lightning.render.cache.LayerStamp;
 import lightning.render.cache.PixelCache;
 import lightning.render.shading.LightSource;
+import lightning.render.shading.ObjectGains;
 import lightning.render.shading.WeightedLight;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.MaterialTable;
@@ -93,14 +94,14 @@ public final class Dispatcher {
         for (int l = 0; l < match.after().size(); l++) {
             WeightedLight light = WeightedLight.of(match.after().get(l), target);
             CachedLight origin = match.originIndex(l) < 0 ? null : lights.get(match.originIndex(l));
-            boolean isReusable = origin != null && isReusable(origin, known, target, shapes);
+            boolean isReusable = origin != null && isReusable(origin, known, target, shapes, method);
             LightUpdate update =
                     planLight(isReusable ? origin.stamp() : null, origin == null || origin.stamp() == null, light, target, method);
             // Layers of a dark light that are invalid are dropped, and with them the record of the rows that it lit.
             boolean isDropped = origin != null && !isReusable && update instanceof LightUpdate.Keep;
-            ShapeChange shadows = isReusable && origin.stamp() != null ? shapes.shadowChange(shown, origin.stamp().light().shadowedBy(),
-                    LayerPlan.shadowedBy(light.light(), origin.stamp(), update)) : ShapeChange.NONE;
-            layers.add(LayerPlan.of(light, isDropped ? null : origin, update, shadows, known));
+            ShapeChange shadows = isReusable && origin.stamp() != null ? shapes.shadowChange(shown, origin.stamp().light().shadowCasters(),
+                    LayerPlan.shadowing(light.light(), origin.stamp(), update).shadowCasters()) : ShapeChange.NONE;
+            layers.add(LayerPlan.of(light, isDropped ? null : origin, update, shadows, known, target.stage(), shapes));
             dropsLayers |= isDropped;
         }
         List<String> dropped = match.removedIndices().stream().map(i -> match.before().get(i).name()).toList();
@@ -114,15 +115,20 @@ public final class Dispatcher {
     /**
      * Returns whether a light's layers stay valid after a geometry change, except for rows whose shadow rays meet changed shapes.
      * They do not if the shapes decide whether the light lies on an unchanged one, because then all rows may differ. They do not if
-     * the links of an unchanged shape change because its group does.
+     * the links, or gains that layers contain, of an unchanged shape change because its group does.
      */
-    private static boolean isReusable(CachedLight light, Scene known, Scene scene, ShapeChange shapes) {
+    private static boolean isReusable(CachedLight light, Scene known, Scene scene, ShapeChange shapes, UpdateMethod method) {
         if (light.stamp() == null) {
             return true;
         }
         Light computed = light.stamp().light();
         return shapes == ShapeChange.NONE || shapes.hasSameLinks(known, scene, computed.illuminates())
+                && (!method.storesGains() || hasSameGains(computed, known, scene, shapes))
                 && (!computed.type().hasPosition() || LightSource.of(computed, scene).targets().allMatch(shapes::hasSameTarget));
+    }
+
+    private static boolean hasSameGains(Light light, Scene known, Scene scene, ShapeChange shapes) {
+        return ObjectGains.areSame(ObjectGains.of(light, known.stage()), ObjectGains.of(light, scene.stage()), shapes);
     }
 
     /** @param added true if the light never shone */

@@ -4,11 +4,12 @@ import lightning.render.cache.CachedLight;
 import lightning.render.cache.LayerStamp;
 import lightning.render.cache.TileLevel;
 import lightning.render.shading.LightLayer;
+import lightning.render.shading.ObjectGains;
 import lightning.render.shading.WeightedLight;
 import lightning.render.trace.ShapeChange;
 import lightning.scene.Light;
 import lightning.scene.Scene;
-import lightning.scene.ShapeLinks;
+import lightning.scene.Stage;
 
 /**
  * Update of one light's layers over the rows of a level.
@@ -20,16 +21,33 @@ import lightning.scene.ShapeLinks;
  * @param computed the light that its layers were computed for, shadowed by the shapes that shadow it afterwards; null if there are
  *                 no layers
  * @param previous the light in the previous scene with its weight there; null if it did not exist
+ * @param gains    change of its gains
  */
 public record LayerPlan(WeightedLight target, CachedLight base, LightUpdate update, ShapeChange shadows, WeightedLight computed,
-        WeightedLight previous) {
+        WeightedLight previous, GainChange gains) {
 
-    /** @param known the previous scene */
-    public static LayerPlan of(WeightedLight target, CachedLight from, LightUpdate update, ShapeChange shadows, Scene known) {
+    /** Change of the light's gains on shapes that stay: of any colors, and of those by which edges are detected. */
+    record GainChange(boolean colors, boolean edges) {
+        private static final GainChange NONE = new GainChange(false, false);
+
+        static GainChange between(WeightedLight a, WeightedLight b, ShapeChange shapes) {
+            return a.gains() == b.gains() ? NONE : new GainChange(!ObjectGains.areSame(a.gains(), b.gains(), shapes),
+                    !ObjectGains.areSame(a.forEdges().gains(), b.forEdges().gains(), shapes));
+        }
+    }
+
+    /**
+     * @param known the previous scene
+     * @param stage the target shapes
+     * @param shapes change to the target shapes
+     */
+    public static LayerPlan of(WeightedLight target, CachedLight from, LightUpdate update, ShapeChange shadows, Scene known, Stage stage,
+            ShapeChange shapes) {
         LayerStamp stamp = from == null ? null : from.stamp();
+        WeightedLight previous = from == null ? null : WeightedLight.of(from.light(), known);
         return new LayerPlan(target, from, update, shadows, stamp == null ? null
-                : WeightedLight.ofSwitchedOn(stamp.light().withShadowedBy(shadowedBy(target.light(), stamp, update)), known),
-                from == null ? null : WeightedLight.of(from.light(), known));
+                : WeightedLight.ofSwitchedOn(stamp.light().withShadowsOf(shadowing(target.light(), stamp, update)), known, stage),
+                previous, previous == null ? GainChange.NONE : GainChange.between(previous, target, shapes));
     }
 
     /** Returns the target light. */
@@ -38,12 +56,12 @@ public record LayerPlan(WeightedLight target, CachedLight base, LightUpdate upda
     }
 
     /**
-     * Returns the links of shapes that cast shadows from the light in its updated layer.
+     * Returns the light whose shadows the updated layer has.
      *
      * @param before stamp of the current layers
      */
-    static ShapeLinks shadowedBy(Light light, LayerStamp before, LightUpdate update) {
-        return update instanceof LightUpdate.Keep ? before.light().shadowedBy() : light.shadowedBy();
+    static Light shadowing(Light light, LayerStamp before, LightUpdate update) {
+        return update instanceof LightUpdate.Keep ? before.light() : light;
     }
 
     /**
@@ -66,13 +84,9 @@ public record LayerPlan(WeightedLight target, CachedLight base, LightUpdate upda
         return base == null ? null : base.layer(old);
     }
 
-    /** Returns whether the light's weight changes: color, intensity, on or solo. */
+    /** Returns whether the light's weight changes: color, intensity, gains, on or solo. */
     private boolean changesWeight() {
-        return previous == null || isOtherWeight(previous, target);
-    }
-
-    private static boolean isOtherWeight(WeightedLight a, WeightedLight b) {
-        return a.red() != b.red() || a.green() != b.green() || a.blue() != b.blue();
+        return previous == null || gains.colors() || !previous.hasSameWeights(target);
     }
 
     /** Returns whether this plan alone changes the picture. */
@@ -86,7 +100,7 @@ public record LayerPlan(WeightedLight target, CachedLight base, LightUpdate upda
     }
 
     private boolean changesEdgeWeight() {
-        return previous == null || isOtherWeight(previous.forEdges(), target.forEdges());
+        return previous == null || gains.edges() || !previous.forEdges().hasSameWeights(target.forEdges());
     }
 
     /** Returns whether the color of any of a tile's rows may change. */

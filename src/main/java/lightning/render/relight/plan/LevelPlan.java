@@ -45,7 +45,8 @@ public record LevelPlan(List<LayerPlan> layers, List<String> droppedLights, bool
         List<LayerPlan> layers = new ArrayList<>();
         for (CachedLight light : lights) {
             layers.add(LayerPlan.of(WeightedLight.of(light.light(), scene), light,
-                    refreshed.test(light) ? new LightUpdate.Refresh() : new LightUpdate.Keep(), ShapeChange.NONE, scene));
+                    refreshed.test(light) ? new LightUpdate.Refresh() : new LightUpdate.Keep(), ShapeChange.NONE, scene,
+                    scene.stage(), ShapeChange.NONE));
         }
         return new LevelPlan(layers, List.of(), true, MaterialUpdate.none(materials));
     }

@@ -43,6 +43,9 @@ public interface UpdateMethod {
      */
     long bytesPerRow(Light light, boolean metallic, boolean tinted);
 
+    /** Returns whether layers contain the lights' gains on shapes, so that they become invalid if groups of shapes change. */
+    boolean storesGains();
+
     /** Returns the largest difference of any film value from the exact one, linear. */
     double errorBound(PixelCache cache);
 

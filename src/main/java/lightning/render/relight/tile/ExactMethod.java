@@ -40,6 +40,11 @@ public record ExactMethod() implements UpdateMethod {
     }
 
     @Override
+    public boolean storesGains() {
+        return false;
+    }
+
+    @Override
     public double errorBound(PixelCache cache) {
         return 0;
     }

@@ -125,7 +125,7 @@ public record RenderJob(PreparedScene target, PreparedScene mirrorTarget, Render
 
     /** Returns whether rows must store their owner shapes. */
     boolean needsOwners() {
-        return WeightedLight.hasLinked(target.lights()) || WeightedLight.hasLinked(mirrorTarget.lights());
+        return WeightedLight.needOwners(target.lights()) || WeightedLight.needOwners(mirrorTarget.lights());
     }
 
     int depth() {

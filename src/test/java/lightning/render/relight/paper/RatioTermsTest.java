@@ -161,6 +161,6 @@ class RatioTermsTest {
         Light off = light(LightType.POINT).withOn(false).withIntensity(3);
         Scene scene = new Scene(PictureSettings.DEFAULT, Camera.DEFAULT, World.DEFAULT, List.of(), List.of(), List.of(off));
         assertThat(WeightedLight.of(off, scene).isDark()).isTrue();
-        assertThat(WeightedLight.ofSwitchedOn(off, scene).red()).isEqualTo(3);
+        assertThat(WeightedLight.ofSwitchedOn(off, scene).diffuse().red()).isEqualTo(3);
     }
 }

@@ -1,0 +1,88 @@
+package lightning.editor.document;
+
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import lightning.base.text.Messages;
+import lightning.scene.Contribution;
+import lightning.scene.Light;
+import lightning.scene.NodeGroup;
+import lightning.scene.Scene;
+import lightning.scene.SceneNode;
+import lightning.scene.ShapeGains;
+import lightning.scene.ShapeLinks;
+import lightning.scene.Stage;
+
+/** Edits of the link between one light and one shape or group: illumination on or off, and gain. */
+public final class LinkEdits {
+    private LinkEdits() {}
+
+    /** Lets a light illuminate a shape, or all shapes of a group, or not; all other shapes stay as they are. */
+    public static EditOutcome link(Scene scene, String light, String node, boolean linked) {
+        return LightEdits.edit(scene, light, l -> l.withIlluminates(linked(l.illuminates(), scene.stage(), node, linked)))
+                .named(linked ? Messages.tr("Link {0} to {1}", light, node) : Messages.tr("Unlink {0} from {1}", light, node));
+    }
+
+    /**
+     * Sets the gain of a light on a shape or group. An unlinked object is linked.
+     *
+     * @param keep true to store a gain that the object would have anyway, as during a drag
+     */
+    public static EditOutcome setGain(Scene scene, String light, String node, double gain, boolean keep) {
+        return LightEdits.edit(scene, light, l -> {
+            ShapeGains others = l.contribution().gains().without(node);
+            boolean isRedundant = !keep && LinkTable.gain(others, LinkTable.path(scene.stage(), node)) == gain;
+            return withGains(l, isRedundant ? others : l.contribution().gains().with(node, gain))
+                    .withIlluminates(linked(l.illuminates(), scene.stage(), node, true));
+        }).named(Messages.tr("Gain of {0} on {1}", light, node));
+    }
+
+    /** Removes the gain of a light on a shape or group, and on all objects in the group. */
+    public static EditOutcome resetGain(Scene scene, String light, String node) {
+        return LightEdits.edit(scene, light, l -> {
+            Set<String> inside = scene.stage().node(node).map(n -> addNames(n, new HashSet<>())).orElse(Set.of());
+            return withGains(l, l.contribution().gains().retain(name -> !inside.contains(name)));
+        }).named(Messages.tr("Reset gain of {0} on {1}", light, node));
+    }
+
+    private static Light withGains(Light light, ShapeGains gains) {
+        Contribution contribution = light.contribution();
+        return light.withContribution(contribution.withGains(gains));
+    }
+
+    private static Set<String> addNames(SceneNode node, Set<String> names) {
+        names.add(node.name());
+        if (node instanceof NodeGroup group) {
+            group.children().forEach(child -> addNames(child, names));
+        }
+        return names;
+    }
+
+    /** Returns links with those of one node changed. If one of its groups is named, the rest of the group is named instead. */
+    static ShapeLinks linked(ShapeLinks links, Stage stage, String node, boolean linked) {
+        boolean named = linked == links.exclusive();
+        List<NodeGroup> groups = stage.enclosingGroups(node);
+        Set<String> inside = stage.node(node).map(n -> addNames(n, new HashSet<>())).orElse(Set.of());
+        int outermost = 0;
+        while (outermost < groups.size() && !links.names().contains(groups.get(outermost).name())) {
+            outermost++;
+        }
+        boolean inNamedGroup = outermost < groups.size();
+        if (named && inNamedGroup) {
+            return links;
+        }
+        List<String> names = new ArrayList<>(links.names().stream().filter(name -> !inside.contains(name)).toList());
+        if (named) {
+            names.add(node);
+        }
+        for (int g = outermost; g < groups.size(); g++) {
+            // Objects in the outermost named group are all named, whether or not they are named themselves.
+            NodeGroup group = groups.get(g);
+            String next = g + 1 < groups.size() ? groups.get(g + 1).name() : node;
+            names.remove(group.name());
+            group.children().stream().map(SceneNode::name).filter(name -> !name.equals(next) && !names.contains(name)).forEach(names::add);
+        }
+        return new ShapeLinks(links.exclusive(), names);
+    }
+}

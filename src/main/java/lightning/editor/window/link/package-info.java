@@ -1,0 +1,2 @@
+/** Table of the links and gains between lights and objects. */
+package lightning.editor.window.link;
