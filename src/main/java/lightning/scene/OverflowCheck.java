@@ -30,7 +30,8 @@ public record OverflowCheck(Light light, Material material, double limit, double
         double brightest = 0;
         Light light = null;
         for (Light candidate : rig.lights()) {
-            double weight = Math.max(candidate.weight().max(), rig.effectiveLight(candidate).weight().max());
+            double weight = Math.max(rig.effectiveLight(candidate.withLightGroup("")).weight().max(),
+                    rig.effectiveLight(candidate).weight().max()) * Math.max(1, candidate.maxFalloff());
             sum += weight;
             light = weight > brightest ? candidate : light;
             brightest = Math.max(brightest, weight);

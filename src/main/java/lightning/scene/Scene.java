@@ -16,7 +16,7 @@ public record Scene(PictureSettings picture, Camera camera, World world, Stage s
 
     public Scene {
         rig.names().checkDisjoint(stage);
-        rig = rig.withEnvironment(world);
+        rig = rig.withWorld(world);
         OverflowCheck.check(stage, rig);
     }
 

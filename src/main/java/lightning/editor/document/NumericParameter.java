@@ -92,7 +92,7 @@ public final class NumericParameter {
         String shownLabel = attribute.title().equals(attribute.section().title()) && !label.isEmpty() ? label : title;
         return new NumericParameter(label.isEmpty() ? attribute.id() : label, title, shownLabel, quantity, false,
                 (_, selected) -> selected.isEmpty() ? Optional.of(Messages.tr("no light is selected"))
-                        : attribute.inactiveReason(selected.get().type()),
+                        : attribute.inactiveReason(selected.get()),
                 (scene, light) -> quantity.number(attribute.get(LightEdits.light(scene, light)), index),
                 (scene, light, value) -> {
                     Light before = LightEdits.light(scene, light);

@@ -89,7 +89,7 @@ public final class PropertyEdit {
     public static Optional<String> ineffectiveReason(Scene scene, String assignment) {
         Assignment parts = Assignment.of(assignment);
         return LightAttribute.ALL.stream().filter(a -> a.name().equals(parts.property)).findFirst()
-                .flatMap(a -> scene.light(parts.lightName()).flatMap(light -> a.inactiveReason(light.type())))
+                .flatMap(a -> scene.light(parts.lightName()).flatMap(a::inactiveReason))
                 .map(reason -> parts.target + "." + parts.property + " has no effect: " + reason);
     }
 

@@ -15,6 +15,7 @@ import lightning.scene.Attenuation;
 import lightning.scene.BarnDoors;
 import lightning.scene.BumpMapping;
 import lightning.scene.Environment;
+import lightning.scene.Falloff;
 import lightning.scene.Light;
 import lightning.scene.LightAttribute;
 import lightning.scene.LightRig;
@@ -62,8 +63,8 @@ public final class RenderEffect {
                             ? m.withTransmission(m.transmission().withShadows(ShadowCasting.FULL)) : m),
                     UnaryOperator.identity(), false);
     public static final RenderEffect ATTENUATION =
-            register("attenuation", "attenuation", uses -> uses.lights(l -> l.type().hasPosition() && !l.attenuation().isNone()),
-                    scene -> EffectRemoval.mapLights(scene, l -> l.withAttenuation(Attenuation.NONE)));
+            register("attenuation", "attenuation", uses -> uses.lights(l -> !l.hasNoAttenuation()),
+                    scene -> EffectRemoval.mapLights(scene, l -> l.withFalloff(Falloff.CUSTOM).withAttenuation(Attenuation.NONE)));
     public static final RenderEffect SPOT_CONE =
             register("spot-cone", "spotlight cones", uses -> uses.lights(l -> l.type().hasCone() && l.angle() < 180),
                     scene -> EffectRemoval.mapLights(scene, l -> l.withAngle(180)), EffectInjection::addFullCones);

@@ -9,13 +9,13 @@ import javafx.stage.Popup;
 import javafx.util.Subscription;
 import lightning.base.math.Rgb;
 import lightning.base.text.Messages;
-import lightning.editor.document.ColorTemperature;
 import lightning.editor.document.HsvColor;
 import lightning.editor.document.MixerChannel;
 import lightning.editor.document.StepRange;
 import lightning.editor.window.widget.ColorSliders;
 import lightning.editor.window.widget.ColorTheme;
 import lightning.editor.window.widget.NumberSetting;
+import lightning.scene.ColorTemperature;
 import lightning.scene.SceneLimits;
 
 /** Color picker below a strip's color chip; closes when the user clicks elsewhere. Sets the color of all selected strips. */

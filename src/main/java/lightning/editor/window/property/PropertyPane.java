@@ -140,7 +140,7 @@ public final class PropertyPane extends VBox {
 
     private <V> Node choice(LightAttribute<V> attribute, ChoiceKind<V> choice) {
         var box = new AttributeChoiceBox<>(attribute, choice, "", v -> editor.editOrReport(
-                scene -> LightEdits.edit(scene, editor.selection().lightName(), light -> attribute.with(light, v))));
+                scene -> LightEdits.setChoice(scene, editor.selection().lightName(), attribute, v)));
         rows.add(new Row(attribute, box::setDisabledReason, light -> box.show(attribute.get(light)), box::showNothing, () -> {}));
         return box;
     }
@@ -196,6 +196,6 @@ public final class PropertyPane extends VBox {
     /** Returns why an attribute is disabled. A directional light keeps its position, where its gizmo is drawn. */
     private static Optional<String> disabledReason(EditorState state, LightAttribute<?> attribute) {
         return state.selectedLight().isEmpty() ? Optional.of(Messages.tr(NO_LIGHT))
-                : attribute == LightAttribute.POSITION ? Optional.empty() : attribute.inactiveReason(state.selectedLight().get().type());
+                : attribute == LightAttribute.POSITION ? Optional.empty() : attribute.inactiveReason(state.selectedLight().get());
     }
 }

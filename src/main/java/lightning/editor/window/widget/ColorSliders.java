@@ -16,9 +16,9 @@ import javafx.scene.layout.VBox;
 import lightning.base.math.Rgb;
 import lightning.base.text.Messages;
 import lightning.base.text.NumberUnit;
-import lightning.editor.document.ColorTemperature;
 import lightning.editor.document.HsvColor;
 import lightning.editor.document.StepRange;
+import lightning.scene.ColorTemperature;
 import lightning.scene.SceneLimits;
 
 /** Color editor with a color well and tabs for RGB, HSV and, for lights, color temperature. */
