@@ -17,6 +17,12 @@ public record Emission(double exposure, IntensityUnit unit, double temperature) 
     /** Largest absolute exposure, stops. */
     public static final double MAX_EXPOSURE = 64;
 
+    /** Returns a color with the temperature's hue and its own brightness. */
+    public Rgb tinted(Rgb color) {
+        Rgb tint = ColorTemperature.tint(temperature);
+        return color.times(tint.times(1 / tint.max()));
+    }
+
     /**
      * Returns a light that shines as the given one, with exposure, unit and temperature multiplied into its color and intensity. The
      * intensity is limited so that no contribution overflows; see {@link SceneLimits}.
@@ -28,12 +34,9 @@ public record Emission(double exposure, IntensityUnit unit, double temperature) 
             double intensity = limited(light, light.intensity());
             return intensity == light.intensity() ? light : light.withIntensity(intensity);
         }
-        Rgb tint = ColorTemperature.tint(light.emission().temperature());
-        double brightest = tint.max();
-        Rgb color = light.color().times(tint.times(1 / brightest));
         double intensity = light.intensity() * StrictMath.pow(2, light.emission().exposure())
-                * light.emission().unit().relative(light, meters) * brightest;
-        return light.withColor(color).withIntensity(limited(light, intensity)).withEmission(DEFAULT);
+                * light.emission().unit().relative(light, meters) * ColorTemperature.tint(light.emission().temperature()).max();
+        return light.withColor(light.emission().tinted(light.color())).withIntensity(limited(light, intensity)).withEmission(DEFAULT);
     }
 
     /**

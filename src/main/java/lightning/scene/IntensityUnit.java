@@ -19,6 +19,16 @@ public enum IntensityUnit {
     /** Smallest solid angle of a spot's cone, steradians. */
     private static final double MIN_SOLID_ANGLE = 1e-9;
 
+    /** Returns whether it is usual for a light of this type and size. */
+    public boolean isUsualFor(Light light) {
+        return switch (this) {
+            case RELATIVE -> true;
+            case CANDELA, LUMEN -> light.type().hasPosition();
+            case LUX -> !light.type().hasPosition();
+            case NIT -> light.isArea();
+        };
+    }
+
     /**
      * Returns the relative intensity of one unit.
      *

@@ -69,7 +69,7 @@ public final class LightEdits {
     public static <V> EditOutcome setChoice(Scene scene, String name, LightAttribute<V> attribute, V value) {
         return edit(scene, name, light -> attribute == LightAttribute.UNIT ? withUnit(scene, light, (IntensityUnit) value)
                 : attribute == LightAttribute.FALLOFF ? keepBrightness(scene, light, attribute.with(light, value))
-                        : attribute.with(light, value));
+                : attribute.with(light, value));
     }
 
     private static Light withUnit(Scene scene, Light light, IntensityUnit unit) {
@@ -93,8 +93,8 @@ public final class LightEdits {
     /** Renames a light; refused if the name is taken or invalid in a scene file. */
     public static EditOutcome rename(Scene scene, String name, String newName) {
         return EditOutcome.of(() -> {
-            Light light = light(scene, name);
-            return scene.withLights(scene.lights().stream().map(l -> l == light ? l.withName(newName) : l).toList());
+            light(scene, name);
+            return scene.renameLight(name, newName);
         });
     }
 

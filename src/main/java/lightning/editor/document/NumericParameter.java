@@ -28,13 +28,15 @@ public final class NumericParameter {
     public static final NumericParameter ENVIRONMENT_LAMPS = ofWorld(World.LIGHT_COUNT);
     /** Spread of each sample over its part of the environment. */
     public static final NumericParameter ENVIRONMENT_SOFTNESS = ofWorld(World.SOFTNESS);
+    /** Meters per scene unit, for photometric units. */
+    public static final NumericParameter METERS = ofWorld(World.METERS);
     /** Reflection bounces, an integer. */
     public static final NumericParameter DEPTH = ofScene(PictureSettings.DEPTH, Scene::picture, Scene::withPicture, _ -> Optional.empty());
 
     /** All parameters, those of lights first. */
     public static final List<NumericParameter> ALL =
             Stream.concat(LightAttribute.ALL.stream().flatMap(a -> of(a).stream()), Stream.of(AMBIENCE, ENVIRONMENT_INTENSITY,
-                    ENVIRONMENT_ROTATION, ENVIRONMENT_LAMPS, ENVIRONMENT_SOFTNESS, DEPTH)).toList();
+                    ENVIRONMENT_ROTATION, ENVIRONMENT_LAMPS, ENVIRONMENT_SOFTNESS, METERS, DEPTH)).toList();
 
     private static final String ENVIRONMENT = "environment ";
 

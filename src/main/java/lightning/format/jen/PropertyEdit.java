@@ -276,7 +276,7 @@ public final class PropertyEdit {
             Light edited = editProperty(files, BlockTypes.LIGHT, target, light.get(), property, value);
             checkLinks(scene, edited.illuminates());
             checkLinks(scene, edited.shadowedBy());
-            return scene.withLights(mapAll(scene.lights(), l -> l == light.get() ? edited : l));
+            return edited.name().equals(target) ? scene.withLight(edited) : scene.renameLight(target, edited.name());
         }
         Optional<LightGroup> group = scene.rig().lightGroup(target);
         if (group.isPresent()) {
@@ -372,6 +372,7 @@ public final class PropertyEdit {
                 || type == BlockTypes.WORLD && property.equals(World.ENVIRONMENT.name())
                 || type == BlockTypes.LIGHT
                         && (property.equals(LightAttribute.LIGHT_GROUP.name()) || property.equals(LightAttribute.PROFILE.name()))
+                || type == BlockTypes.MATERIAL && property.equals(MaterialAttribute.BULB.name())
                 || (type == BlockTypes.LIGHT || type == BlockTypes.MATERIAL)
                         && TextureProperty.ALL.stream().anyMatch(p -> p.name().equals(property));
     }

@@ -13,6 +13,7 @@ import lightning.scene.AlphaCutout;
 import lightning.scene.AntialiasMode;
 import lightning.scene.Attenuation;
 import lightning.scene.BarnDoors;
+import lightning.scene.Bulb;
 import lightning.scene.BumpMapping;
 import lightning.scene.Environment;
 import lightning.scene.Falloff;
@@ -55,8 +56,8 @@ public final class RenderEffect {
     public static final RenderEffect TRANSMISSION = register("clear", "transparent materials",
             uses -> uses.materials(m -> m.transmission().isTransparent() || !m.transmission().castsShadows()),
             scene -> EffectRemoval.mapMaterials(scene, m -> m.withTransmission(Transmission.NONE)), UnaryOperator.identity(), false);
-    public static final RenderEffect GLOW = register("glow", "glowing materials", uses -> uses.materials(m -> !m.glow().isBlack()),
-            scene -> EffectRemoval.mapMaterials(scene, m -> m.withGlow(Rgb.BLACK)), UnaryOperator.identity(), false);
+    public static final RenderEffect GLOW = register("glow", "glowing materials", uses -> uses.materials(m -> !m.emission().isBlack()),
+            scene -> EffectRemoval.mapMaterials(scene, m -> m.withGlow(Rgb.BLACK).withBulb(Bulb.NONE)), UnaryOperator.identity(), false);
     public static final RenderEffect TINTED_SHADOWS =
             register("tinted-shadows", "tinted shadows", uses -> uses.materials(m -> m.transmission().tintsShadows()),
                     scene -> EffectRemoval.mapMaterials(scene, m -> m.transmission().tintsShadows()

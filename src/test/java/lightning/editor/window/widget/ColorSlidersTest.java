@@ -19,7 +19,6 @@ import lightning.editor.document.StepRange;
 import lightning.editor.window.JavaFxRequirement;
 import lightning.editor.window.StageExtension;
 import lightning.sample.Slow;
-import lightning.scene.ColorTemperature;
 import lightning.scene.SceneLimits;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
@@ -54,11 +53,6 @@ class ColorSlidersTest {
             @Override
             public Optional<String> hsv(HsvColor hsv, Object gesture) {
                 return edit(hsv.rgb(), gesture);
-            }
-
-            @Override
-            public Optional<String> temperature(double kelvin, Object gesture) {
-                return edit(ColorTemperature.rgb(kelvin), gesture);
             }
         });
         sliders.show(color);
@@ -153,20 +147,10 @@ class ColorSlidersTest {
     }
 
     @Test
-    void kelvinTab_setsBlackbodyColor(FxRobot robot) {
-        robot.clickOn("Kelvin");
-        type(robot, 0, "3200");
-        assertThat(color).isEqualTo(ColorTemperature.rgb(3200));
-        robot.clickOn("Daylight");
-        assertThat(color).isEqualTo(ColorTemperature.rgb(5600));
-        assertThat(Double.parseDouble(fields(robot).get(0).getText())).isCloseTo(5600, within(1.0));
-    }
-
-    @Test
     void disabledReason_disablesEveryTab(FxRobot robot) {
         robot.interact(() -> sliders.setDisabledReason(Optional.of("no light is selected")));
         assertThat(fields(robot)).allMatch(Node::isDisabled);
-        robot.clickOn("Kelvin");
+        robot.clickOn("HSV");
         assertThat(fields(robot)).hasSize(3);
     }
 
