@@ -5,6 +5,9 @@ public record Attenuation(double constant, double linear, double quadratic) {
     /** No attenuation: the factor is 1 at every distance. */
     public static final Attenuation NONE = new Attenuation(1, 0, 0);
 
+    /** Terms of the inverse-square law. */
+    static final Attenuation INVERSE_SQUARE = new Attenuation(0, 0, 1);
+
     public Attenuation {
         SceneLimits.checkRange("attenuation constant", constant, 0, SceneLimits.MAX_ATTENUATION);
         SceneLimits.checkRange("attenuation linear", linear, 0, SceneLimits.MAX_ATTENUATION);

@@ -12,7 +12,10 @@ import lightning.base.math.Vec3;
  *
  * @param name        unique among all shapes, groups and lights
  * @param color       linear color
+ * @param emission    exposure, unit and temperature, which multiply color and intensity
  * @param direction   direction in which it shines, any length
+ * @param falloff     law of its falloff with distance
+ * @param attenuation terms of the custom falloff
  * @param angle       half-angle of a spot's cone
  * @param dropoff     exponent of a spot's falloff from its axis
  * @param area        size of an area light
@@ -24,8 +27,9 @@ import lightning.base.math.Vec3;
  * @param contribution its shadows and gains
  */
 @RecordBuilder
-public record Light(String name, LightType type, Rgb color, double intensity, Vec3 position, Vec3 direction,
-        Attenuation attenuation, double angle, double dropoff, BarnDoors doors, double feather, Optional<Gobo> gobo,
+public record Light(String name, LightType type, Rgb color, double intensity, Emission emission, Vec3 position,
+        Vec3 direction, Falloff falloff, Attenuation attenuation, double angle, double dropoff, BarnDoors doors, double feather,
+        Optional<Gobo> gobo,
         Optional<IesProfile> profile, AreaShape area, boolean on,
         boolean solo, String lightGroup, ShapeLinks illuminates, ShapeLinks shadowedBy, Contribution contribution)
         implements LightBuilder.With {
@@ -34,6 +38,8 @@ public record Light(String name, LightType type, Rgb color, double intensity, Ve
         SceneLimits.checkName(name);
         LightAttribute.COLOR.check(color);
         LightAttribute.INTENSITY.check(intensity);
+        LightAttribute.EXPOSURE.check(emission.exposure());
+        LightAttribute.TEMPERATURE.check(emission.temperature());
         LightAttribute.POSITION.check(position);
         LightAttribute.DIRECTION.check(direction);
         LightAttribute.ANGLE.check(angle);
@@ -55,7 +61,8 @@ public record Light(String name, LightType type, Rgb color, double intensity, Ve
     /** Returns a light with initial values. */
     public static Light of(String name, LightType type) {
         return new Light(name, type, LightAttribute.COLOR.initial(), LightAttribute.INTENSITY.initial(),
-                LightAttribute.POSITION.initial(), LightAttribute.DIRECTION.initial(), LightAttribute.ATTENUATION.initial(),
+                Emission.DEFAULT, LightAttribute.POSITION.initial(), LightAttribute.DIRECTION.initial(), LightAttribute.FALLOFF.initial(),
+                LightAttribute.ATTENUATION.initial(),
                 LightAttribute.ANGLE.initial(), LightAttribute.DROPOFF.initial(), LightAttribute.DOORS.initial(),
                 LightAttribute.FEATHER.initial(), LightAttribute.GOBO.initial(), LightAttribute.PROFILE.initial(), AreaShape.DEFAULT,
                 LightAttribute.ON.initial(),
@@ -63,7 +70,7 @@ public record Light(String name, LightType type, Rgb color, double intensity, Ve
                 LightAttribute.SHADOWED_BY.initial(), Contribution.DEFAULT);
     }
 
-    /** Returns color times intensity. */
+    /** Returns color times intensity: of an effective light ({@link LightRig#effectiveLight}), the factor of all its contributions. */
     public Rgb weight() {
         return color.times(intensity);
     }
@@ -84,12 +91,12 @@ public record Light(String name, LightType type, Rgb color, double intensity, Ve
     }
 
     private double limitedIntensity(double gain) {
-        return Math.min(intensity * gain, SceneLimits.MAX_INTENSITY);
+        return Math.min(intensity * gain, maxIntensity());
     }
 
     /** Returns the gain of one of its {@link Contribution#gains}, limited so that no contribution is larger than one without a gain may be. */
     public double limitedGain(double gain) {
-        return Math.min(gain, SceneLimits.MAX_INTENSITY / Math.max(1, intensity * contribution.maxGain()));
+        return Math.min(gain, maxIntensity() / Math.max(1, intensity * contribution.maxGain()));
     }
 
     /** Returns the shapes that cast shadows in its light. */
@@ -100,6 +107,29 @@ public record Light(String name, LightType type, Rgb color, double intensity, Ve
     /** Returns this light with the shadows of another. */
     public Light withShadowsOf(Light other) {
         return withShadowedBy(other.shadowedBy).withContribution(contribution.withCastsShadows(other.contribution.castsShadows()));
+    }
+
+    /** Returns the terms of its falloff with distance. */
+    public Attenuation distanceTerms() {
+        return switch (falloff) {
+            case CUSTOM -> attenuation;
+            case INVERSE_SQUARE -> Attenuation.INVERSE_SQUARE;
+        };
+    }
+
+    /** Returns the largest falloff with distance, at least 0. */
+    public double maxFalloff() {
+        return falloff.max(type, area);
+    }
+
+    /** Returns the largest effective intensity: times the largest falloff it is one that any light may have. */
+    double maxIntensity() {
+        return SceneLimits.MAX_INTENSITY / Math.max(1, maxFalloff());
+    }
+
+    /** Returns whether its falloff with distance is 1 everywhere. */
+    public boolean hasNoAttenuation() {
+        return !type.hasPosition() || falloff == Falloff.CUSTOM && attenuation.isNone();
     }
 
     /** Returns whether it is larger than a point, so that its shadows are soft. */

@@ -52,12 +52,27 @@ public final class LightAttribute<V> extends SceneAttribute<Light, V> {
             "linear red, green, blue", Light::color, Light::withColor, Section.COLOR, forAllTypes(LightTerm.WEIGHT));
     public static final LightAttribute<Double> INTENSITY = of("intensity", NumericKind.number(0, SceneLimits.MAX_INTENSITY, 0.1), 1.0, "",
             Light::intensity, Light::withIntensity, Section.COLOR, forAllTypes(LightTerm.WEIGHT));
+    public static final LightAttribute<Double> EXPOSURE = of("exposure",
+            NumericKind.stops(-Emission.MAX_EXPOSURE, Emission.MAX_EXPOSURE, 0.1), Emission.DEFAULT.exposure(), "stops",
+            l -> l.emission().exposure(), (l, v) -> l.withEmission(l.emission().withExposure(v)), Section.COLOR,
+            forAllTypes(LightTerm.WEIGHT));
+    public static final LightAttribute<IntensityUnit> UNIT = of("unit", "intensity unit", ChoiceKind.of(IntensityUnit.class),
+            Emission.DEFAULT.unit(), "", l -> l.emission().unit(), (l, v) -> l.withEmission(l.emission().withUnit(v)), Section.COLOR,
+            forAllTypes(LightTerm.WEIGHT));
+    public static final LightAttribute<Double> TEMPERATURE = of("temperature",
+            NumericKind.kelvin(ColorTemperature.MIN, ColorTemperature.MAX, 100), Emission.DEFAULT.temperature(), "kelvin",
+            l -> l.emission().temperature(), (l, v) -> l.withEmission(l.emission().withTemperature(v)), Section.COLOR,
+            forAllTypes(LightTerm.WEIGHT));
     public static final LightAttribute<Vec3> POSITION = new LightAttribute<>("at", "position", "position", NumericKind.position(),
             Vec3.ZERO, "scene units", Light::position, Light::withPosition, Section.PLACE,
             Map.of(POINT, LightTerm.SOURCE, SPOT, LightTerm.SOURCE, RECT, LightTerm.SOURCE, DISC, LightTerm.SOURCE));
     public static final LightAttribute<Vec3> DIRECTION = of("direction", NumericKind.direction(), new Vec3(0, -1, 0),
             "any nonzero vector", Light::direction, Light::withDirection, Section.PLACE,
             Map.of(DIRECTIONAL, LightTerm.SOURCE, SPOT, LightTerm.CONE_AXIS, RECT, LightTerm.SOURCE, DISC, LightTerm.SOURCE));
+    public static final LightAttribute<Falloff> FALLOFF = of("falloff", ChoiceKind.of(Falloff.class)
+            .withLabels(List.of(Messages.key("custom"), Messages.key("inverse square"))), Falloff.CUSTOM, "", Light::falloff,
+            Light::withFalloff, Section.ATTENUATION,
+            Map.of(POINT, LightTerm.FALLOFF, SPOT, LightTerm.FALLOFF, RECT, LightTerm.FALLOFF, DISC, LightTerm.FALLOFF));
     public static final LightAttribute<Attenuation> ATTENUATION = of("attenuation", NumericKind.attenuation(), Attenuation.NONE,
             "per scene unit to the power 0, 1, 2", Light::attenuation, Light::withAttenuation, Section.ATTENUATION,
             Map.of(POINT, LightTerm.FALLOFF, SPOT, LightTerm.FALLOFF, RECT, LightTerm.FALLOFF, DISC, LightTerm.FALLOFF));
@@ -182,14 +197,27 @@ public final class LightAttribute<V> extends SceneAttribute<Light, V> {
         return Optional.ofNullable(terms.get(type));
     }
 
-    /** Returns the term that it changes for this light; the number of samples has no effect on a point light. */
+    /**
+     * Returns the term that it changes for this light; the number of samples has no effect on a point light, nor have custom terms on an
+     * inverse-square falloff.
+     */
     public Optional<LightTerm> term(Light light) {
-        return this == SAMPLES && !light.isArea() ? Optional.empty() : term(light.type());
+        return this == SAMPLES && !light.isArea() || isReplacedBy(light.falloff()) ? Optional.empty() : term(light.type());
+    }
+
+    private boolean isReplacedBy(Falloff falloff) {
+        return this == ATTENUATION && falloff != Falloff.CUSTOM;
     }
 
     /** Returns whether it affects the image for this type of light. The value is kept in any case (paper §4.5). */
     public boolean appliesTo(LightType type) {
         return terms.isEmpty() || terms.containsKey(type);
+    }
+
+    /** Returns a clause that says why it has no effect for this light; empty if it has. */
+    public Optional<String> inactiveReason(Light light) {
+        return inactiveReason(light.type()).or(() -> isReplacedBy(light.falloff())
+                ? Optional.of(Messages.tr("the falloff of the light is inverse square")) : Optional.empty());
     }
 
     /** Returns a clause that says why it has no effect for this type of light; empty if it has. */

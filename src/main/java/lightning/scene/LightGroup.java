@@ -43,11 +43,11 @@ public record LightGroup(String name, Rgb color, double intensity, boolean on, b
 
     /**
      * Returns a light with this group's settings applied and its group cleared. Multiplies the factors into its color and its intensity,
-     * which is limited to {@link SceneLimits#MAX_INTENSITY}.
+     * which is limited to {@link Light#maxIntensity}.
      */
     Light applyTo(Light light) {
         return light.withLightGroup("").withColor(light.color().times(color))
-                .withIntensity(Math.min(light.intensity() * intensity, SceneLimits.MAX_INTENSITY))
+                .withIntensity(Math.min(light.intensity() * intensity, light.maxIntensity()))
                 .withOn(light.on() && on).withSolo(light.solo() || solo);
     }
 }

@@ -20,18 +20,21 @@ public final class LightRig {
     private final LightRigNames names;
     /** Directional lights that represent the environment. */
     private final List<Light> environmentLights;
+    /** Meters per scene unit. */
+    private final double meters;
     private final List<Light> effectiveLights;
     /** True if any light is solo and on, so that the others are dark. */
     private final boolean anySolo;
 
-    private LightRig(List<Light> lights, List<LightGroup> lightGroups, LightRigNames names, List<Light> sky) {
+    private LightRig(List<Light> lights, List<LightGroup> lightGroups, LightRigNames names, List<Light> sky, double meters) {
         this.lights = lights;
         this.lightGroups = lightGroups;
         this.names = names;
         this.environmentLights = sky;
-        List<Light> grouped =
-                lights.stream().allMatch(l -> l.lightGroup().isEmpty()) ? lights : lights.stream().map(this::effectiveLight).toList();
-        effectiveLights = sky.isEmpty() ? grouped : Stream.concat(grouped.stream(), sky.stream()).toList();
+        this.meters = meters;
+        List<Light> resolved = lights.stream().allMatch(l -> effectiveLight(l) == l) ? lights
+                : lights.stream().map(this::effectiveLight).toList();
+        effectiveLights = sky.isEmpty() ? resolved : Stream.concat(resolved.stream(), sky.stream()).toList();
         anySolo = effectiveLights.stream().anyMatch(l -> l.solo() && l.on());
     }
 
@@ -51,7 +54,7 @@ public final class LightRig {
         List<LightGroup> groups = List.copyOf(lightGroups);
         SceneLimits.checkRange("the number of lights", lightList.size(), 0, SceneLimits.MAX_LIGHTS);
         SceneLimits.checkRange("the number of light groups", groups.size(), 0, SceneLimits.MAX_LIGHT_GROUPS);
-        return new LightRig(lightList, groups, new LightRigNames(lightList, groups), List.of());
+        return new LightRig(lightList, groups, new LightRigNames(lightList, groups), List.of(), World.METERS.initial());
     }
 
     public List<Light> lights() {
@@ -62,31 +65,42 @@ public final class LightRig {
         return lightGroups;
     }
 
-    /** Returns this rig in a world; the environment's lights come last among the effective ones. */
-    LightRig withEnvironment(World world) {
-        if (world.environment().isEmpty() && environmentLights.isEmpty()) {
+    /** Returns this rig in a world with its scene unit; the environment's lights come last among the effective ones. */
+    LightRig withWorld(World world) {
+        if (world.environment().isEmpty() && environmentLights.isEmpty() && world.meters() == meters) {
             return this;
         }
         List<Light> environment = world.environmentLights(this::isNameUsed);
-        return environment.equals(environmentLights) ? this : new LightRig(lights, lightGroups, names, environment);
+        return environment.equals(environmentLights) && world.meters() == meters ? this
+                : new LightRig(lights, lightGroups, names, environment, world.meters());
     }
 
-    /** Returns the lights that are rendered: all lights in the same order with their groups applied, then those of the environment. */
+    /**
+     * Returns the lights that are rendered: all lights in the same order as {@link #effectiveLight} returns them, then those of the
+     * environment.
+     */
     public List<Light> effectiveLights() {
         return effectiveLights;
     }
 
     /**
-     * Returns a light with its group applied; the light itself if it has none.
+     * Returns a light with its group, exposure, unit and temperature multiplied into its color and intensity; the light itself if it has
+     * none.
      *
      * @throws IllegalArgumentException if its group does not exist
      */
     public Light effectiveLight(Light light) {
+        Light resolved = Emission.resolve(light, meters);
         if (light.lightGroup().isEmpty()) {
-            return light;
+            return resolved;
         }
         return lightGroup(light.lightGroup()).orElseThrow(() -> new IllegalArgumentException(
-                "light " + Quote.of(light.name()) + ": there is no light group " + Quote.of(light.lightGroup()))).applyTo(light);
+                "light " + Quote.of(light.name()) + ": there is no light group " + Quote.of(light.lightGroup()))).applyTo(resolved);
+    }
+
+    /** Returns a light that shines the same where a scene unit is one meter. */
+    public Light inMeters(Light light) {
+        return meters == World.METERS.initial() ? light : Emission.withUnit(light, IntensityUnit.RELATIVE, meters);
     }
 
     LightRigNames names() {
@@ -133,7 +147,7 @@ public final class LightRig {
         }
         List<Light> updated = new ArrayList<>(lights);
         updated.set(index, light);
-        return new LightRig(List.copyOf(updated), lightGroups, names, environmentLights);
+        return new LightRig(List.copyOf(updated), lightGroups, names, environmentLights, meters);
     }
 
     /** Returns this rig with other lights and the same groups. */
@@ -149,7 +163,7 @@ public final class LightRig {
     public LightRig with(LightGroup group) {
         List<LightGroup> updated = new ArrayList<>(lightGroups);
         updated.set(groupIndex(group.name()), group);
-        return new LightRig(lights, List.copyOf(updated), names, environmentLights);
+        return new LightRig(lights, List.copyOf(updated), names, environmentLights, meters);
     }
 
     /** Returns this rig with one more light group, at the end. */
@@ -207,7 +221,7 @@ public final class LightRig {
                 updated.set(i, light);
             }
         }
-        return updated == null ? this : new LightRig(List.copyOf(updated), lightGroups, names, environmentLights);
+        return updated == null ? this : new LightRig(List.copyOf(updated), lightGroups, names, environmentLights, meters);
     }
 
     private List<Light> reassign(String group, String newGroup) {
@@ -225,7 +239,7 @@ public final class LightRig {
     @Override
     public boolean equals(Object o) {
         return this == o || o instanceof LightRig r && lights.equals(r.lights) && lightGroups.equals(r.lightGroups)
-                && environmentLights.equals(r.environmentLights);
+                && environmentLights.equals(r.environmentLights) && meters == r.meters;
     }
 
     @Override

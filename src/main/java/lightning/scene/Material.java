@@ -11,6 +11,7 @@ import lightning.base.math.Rgb;
  * @param name         unique among the materials
  * @param ambient      k<sub>ambient</sub>, multiplied by the scene's ambience
  * @param glow         light that the surface emits itself, independent of the scene's ambience and lights
+ * @param bulb         light that makes it glow too
  * @param model        shading model
  * @param diffuse      Phong: k<sub>diffuse</sub>, multiplied by the texture, if any
  * @param specular     Phong: k<sub>specular</sub>
@@ -26,7 +27,8 @@ import lightning.base.math.Rgb;
  * @param cutout       opacity cutout
  */
 @RecordBuilder
-public record Material(String name, Rgb ambient, Rgb glow, ShadingModel model, Rgb diffuse, Rgb specular, double shininess, Rgb base,
+public record Material(String name, Rgb ambient, Rgb glow, Bulb bulb, ShadingModel model, Rgb diffuse, Rgb specular, double shininess,
+        Rgb base,
         double metalness, double roughness, double f0, Rgb reflective, Optional<TextureMap> texture,
         BumpMapping bumpMapping, Transmission transmission, AlphaCutout cutout) implements MaterialBuilder.With {
 
@@ -43,6 +45,8 @@ public record Material(String name, Rgb ambient, Rgb glow, ShadingModel model, R
         SceneLimits.checkName(name);
         MaterialAttribute.AMBIENT.check(ambient);
         MaterialAttribute.GLOW.check(glow);
+        MaterialAttribute.BULB.check(bulb.light());
+        MaterialAttribute.BULB_GAIN.check(bulb.gain());
         diffuse = MaterialAttribute.DIFFUSE.checkFor(model, diffuse);
         specular = MaterialAttribute.SPECULAR.checkFor(model, specular);
         shininess = MaterialAttribute.SHININESS.checkFor(model, shininess);
@@ -55,12 +59,17 @@ public record Material(String name, Rgb ambient, Rgb glow, ShadingModel model, R
 
     /** Returns a material with initial values. */
     public static Material of(String name) {
-        return new Material(name, MaterialAttribute.AMBIENT.initial(), MaterialAttribute.GLOW.initial(),
+        return new Material(name, MaterialAttribute.AMBIENT.initial(), MaterialAttribute.GLOW.initial(), Bulb.NONE,
                 MaterialAttribute.MODEL.initial(), MaterialAttribute.DIFFUSE.initial(), MaterialAttribute.SPECULAR.initial(),
                 MaterialAttribute.SHININESS.initial(),
                 MaterialAttribute.BASE.initial(), MaterialAttribute.METALNESS.initial(), MaterialAttribute.ROUGHNESS.initial(),
                 MaterialAttribute.F0.initial(), MaterialAttribute.REFLECTIVE.initial(), MaterialAttribute.TEXTURE.initial(),
                 BumpMapping.NONE, Transmission.NONE, AlphaCutout.NONE);
+    }
+
+    /** Returns all light that the surface emits itself: its glow and that of its bulb. */
+    public Rgb emission() {
+        return bulb.glow().isBlack() ? glow : glow.plus(bulb.glow());
     }
 
     /** Returns whether its shading model is {@link ShadingModel#METALLIC}. */

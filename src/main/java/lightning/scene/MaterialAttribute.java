@@ -48,6 +48,17 @@ public final class MaterialAttribute<V> extends SceneAttribute<Material, V> {
             Material::withAmbient, null, Section.AMBIENT, "Color emitted without any light; multiplied by the scene's ambient light");
     public static final MaterialAttribute<Rgb> GLOW = colorAttribute("glow", SceneLimits.MAX_EMISSION, Rgb.BLACK, Material::glow,
             Material::withGlow, null, Section.GLOW, "Light that the surface emits itself, independent of the scene's ambient light");
+    public static final MaterialAttribute<String> BULB = new MaterialAttribute<>("bulb", "bulb of",
+            new ValueKind.NameKind(scene -> scene.lights().stream().map(Light::name).toList(),
+                    Messages.key("Light whose color and intensity the surface shows; the light itself lights the scene")),
+            "", "name of a light", m -> m.bulb().light(), (m, v) -> m.withBulb(m.bulb().withLight(v).withGlow(Rgb.BLACK)),
+            MaterialTerm.COLOR,
+            null, Section.GLOW,
+            "Light whose color and intensity the surface shows; the light itself lights the scene");
+    public static final MaterialAttribute<Double> BULB_GAIN = new MaterialAttribute<>("bulb_gain", "bulb gain",
+            NumericKind.number(0, SceneLimits.MAX_EMISSION, 0.1), Bulb.NONE.gain(), "multiplies the light's intensity",
+            m -> m.bulb().gain(), (m, v) -> m.withBulb(m.bulb().withGain(v)), MaterialTerm.COLOR, null, Section.GLOW,
+            "Brightness of the bulb, relative to the intensity of its light");
     public static final MaterialAttribute<ShadingModel> MODEL = new MaterialAttribute<>("model", ChoiceKind.of(ShadingModel.class),
             ShadingModel.PHONG, "", Material::model, Material::withModel, MaterialTerm.MODEL, null, Section.MODEL,
             "Shading model: Phong, or base color with metalness and roughness");

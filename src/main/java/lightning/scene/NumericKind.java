@@ -61,6 +61,16 @@ public record NumericKind<V>(Form form, List<String> labels, double min, double 
         return number(min, max, step, NumberUnit.DEGREES);
     }
 
+    /** Returns a kind for one number of stops. */
+    static NumericKind<Double> stops(double min, double max, double step) {
+        return number(min, max, step, NumberUnit.STOPS);
+    }
+
+    /** Returns a kind for one color temperature. */
+    static NumericKind<Double> kelvin(double min, double max, double step) {
+        return number(min, max, step, NumberUnit.KELVIN);
+    }
+
     private static NumericKind<Double> number(double min, double max, double step, NumberUnit unit) {
         return new NumericKind<>(Form.INDEPENDENT, List.of(""), min, max, step, false, unit, List::of, List::getFirst,
                 (what, v) -> SceneLimits.checkRange(what, v, min, max));

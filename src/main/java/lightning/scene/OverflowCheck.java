@@ -30,7 +30,9 @@ public record OverflowCheck(Light light, Material material, double limit, double
         double brightest = 0;
         Light light = null;
         for (Light candidate : rig.lights()) {
-            double weight = Math.max(candidate.maxWeight(), rig.effectiveLight(candidate).maxWeight());
+            double weight =
+                    Math.max(rig.effectiveLight(candidate.withLightGroup("")).maxWeight(), rig.effectiveLight(candidate).maxWeight())
+                            * Math.max(1, candidate.maxFalloff());
             sum += weight;
             light = weight > brightest ? candidate : light;
             brightest = Math.max(brightest, weight);

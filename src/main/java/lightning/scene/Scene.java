@@ -16,7 +16,8 @@ public record Scene(PictureSettings picture, Camera camera, World world, Stage s
 
     public Scene {
         rig.names().checkDisjoint(stage);
-        rig = rig.withEnvironment(world);
+        rig = rig.withWorld(world);
+        stage = stage.withBulbs(rig);
         OverflowCheck.check(stage, rig);
     }
 
@@ -99,6 +100,19 @@ public record Scene(PictureSettings picture, Camera camera, World world, Stage s
     /** Returns this scene with other lights and the same light groups. */
     public Scene withLights(List<Light> v) {
         return withRig(rig.withLights(v));
+    }
+
+    /**
+     * Returns this scene with a light renamed; its bulbs follow the name.
+     *
+     * @throws IllegalArgumentException if there is no such light, or if the new name is taken or invalid
+     */
+    public Scene renameLight(String name, String newName) {
+        if (light(name).isEmpty()) {
+            throw new IllegalArgumentException("there is no light " + Quote.of(name));
+        }
+        return new Scene(picture, camera, world, stage.renameBulbs(name, newName),
+                rig.withLights(lights().stream().map(l -> l.name().equals(name) ? l.withName(newName) : l).toList()));
     }
 
     public Scene withRig(LightRig v) {

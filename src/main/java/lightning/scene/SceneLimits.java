@@ -11,7 +11,7 @@ import lightning.base.text.Quote;
  * Limits of all values in a scene.
  *
  * <p>They are wide enough for any image, and narrow enough that no product in the lighting equation overflows a float. A light's weight is
- * at most 1e3·1e30 = 1e33, including its group and its gains ({@link Light#limitedGain}). Terms are at most 1, so a thousand lights sum to 1e36 ({@link #MAX_TOTAL_LIGHT}). Material
+ * at most 1e3·1e30 = 1e33, including its group, exposure, unit and gains ({@link Light#limitedGain}), and divided by its largest falloff if that is above 1. Terms are at most 1, so a thousand lights sum to 1e36 ({@link #MAX_TOTAL_LIGHT}). Material
  * factors are at most 1. Ten mirrors add at most eleven such sums, each of a diffuse, a specular and a grazing one: 3.3e37. Emitted light
  * adds at most 1e6·1e6 + 1e6 per surface, less than a rounding error of this sum. Terms of metallic materials can reach 6.1e7; for such
  * scenes {@link OverflowCheck} limits the sum over the lights to the same bound.
@@ -47,6 +47,9 @@ public final class SceneLimits {
     public static final double MAX_GROUP_INTENSITY = 1e3;
     /** Gains of a light: diffuse, specular, and on single objects. */
     public static final double MAX_GAIN = 100;
+    /** Meters per scene unit. */
+    public static final double MIN_METERS = 1e-9;
+    public static final double MAX_METERS = 1e9;
     public static final double MAX_ATTENUATION = 1e30;
     public static final double MAX_ANGLE = 180;
     public static final double MAX_FEATHER = 90;

@@ -25,6 +25,8 @@ public final class Stage {
     private final Map<String, Material> materialsByName;
     /** First material with the sharpest highlights; {@code null} if no light's term can exceed 1. */
     private final Material sharpestMaterial;
+    /** True if any material is a light's bulb. */
+    private final boolean hasBulbs;
 
     /**
      * @param materials materials with unique names
@@ -48,6 +50,7 @@ public final class Stage {
                 throw new IllegalArgumentException("material " + Quote.of(material.name()) + ": the name is already taken");
             }
         }
+        hasBulbs = this.materials.stream().anyMatch(m -> !m.bulb().light().isEmpty());
         materialMap.putIfAbsent(Material.DEFAULT.name(), Material.DEFAULT);
         materialsByName = Map.copyOf(materialMap);
         sharpestMaterial = sharpest;
@@ -57,6 +60,19 @@ public final class Stage {
     /** Returns these shapes with other materials. */
     public Stage withMaterials(List<Material> v) {
         return v.equals(materials) ? this : new Stage(v, tree);
+    }
+
+    /** Returns this stage with the bulbs of a rig's lights as bright as the lights. */
+    Stage withBulbs(LightRig rig) {
+        return !hasBulbs ? this : withMaterials(materials.stream()
+                .map(m -> m.bulb().light().isEmpty() || m.bulb().litBy(rig).equals(m.bulb()) ? m : m.withBulb(m.bulb().litBy(rig)))
+                .toList());
+    }
+
+    /** Returns this stage with the bulbs of a light as those of its new name. */
+    Stage renameBulbs(String light, String newName) {
+        return !hasBulbs ? this : withMaterials(materials.stream()
+                .map(m -> m.bulb().light().equals(light) ? m.withBulb(m.bulb().withLight(newName)) : m).toList());
     }
 
     /** Returns these materials with other shapes. */

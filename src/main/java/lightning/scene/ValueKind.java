@@ -16,7 +16,7 @@ public sealed interface ValueKind<V> permits ValueKind.LightKind, ValueKind.Mate
     sealed interface LightKind<V> extends ValueKind<V> permits NumericKind, ChoiceKind, AssetKind, LinksKind, GainsKind, NameKind {}
 
     /** Kinds of a material's attributes; the editor has a control for each. */
-    sealed interface MaterialKind<V> extends ValueKind<V> permits NumericKind, ChoiceKind, TextureKind {}
+    sealed interface MaterialKind<V> extends ValueKind<V> permits NumericKind, ChoiceKind, NameKind, TextureKind {}
 
     /**
      * Checks that a scene may hold a value.
@@ -47,7 +47,7 @@ public sealed interface ValueKind<V> permits ValueKind.LightKind, ValueKind.Mate
      * @param names names in a scene
      * @param help  a key of {@link Messages}: a sentence without a full stop
      */
-    record NameKind(Function<Scene, List<String>> names, String help) implements LightKind<String> {
+    record NameKind(Function<Scene, List<String>> names, String help) implements LightKind<String>, MaterialKind<String> {
         @Override
         public void check(String name, String value) {
             if (!value.isEmpty()) {

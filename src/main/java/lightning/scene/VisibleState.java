@@ -56,6 +56,7 @@ public final class VisibleState {
                 normalized = attribute.copy(light, normalized);
             }
         }
-        return normalized.attenuation().isNone() ? normalized.withAttenuation(Attenuation.NONE) : normalized;
+        return normalized.falloff() == Falloff.CUSTOM && normalized.attenuation().isNone() ? normalized.withAttenuation(Attenuation.NONE)
+                : normalized;
     }
 }

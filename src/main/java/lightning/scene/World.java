@@ -20,10 +20,11 @@ import lightning.base.text.Messages;
  * @param intensity   factor of all light from the environment
  * @param lightCount  number of directional lights that represent it
  * @param softness    spread of each light over its region, 0 … 1
+ * @param meters      meters per scene unit, for photometric units of lights
  */
 @RecordBuilder
 public record World(double ambience, Rgb background, Optional<Environment> environment, double rotation, double intensity, int lightCount,
-        double softness) implements WorldBuilder.With {
+        double softness, double meters) implements WorldBuilder.With {
     public static final SceneAttribute<World, Double> AMBIENCE = new SceneAttribute<>("ambience", "ambience", "ambient light",
             NumericKind.number(0, SceneLimits.MAX_AMBIENCE, 0.1), 1.0, "", World::ambience, World::withAmbience);
     public static final SceneAttribute<World, Rgb> BACKGROUND = new SceneAttribute<>("background", "background",
@@ -44,9 +45,13 @@ public record World(double ambience, Rgb background, Optional<Environment> envir
     public static final SceneAttribute<World, Double> SOFTNESS = new SceneAttribute<>("softness", "environment shadow smoothing",
             NumericKind.number(0, 1, 0.1), 0.0, "0 = sharp shadows, 1 = smooth", World::softness, World::withSoftness);
 
+    public static final SceneAttribute<World, Double> METERS = new SceneAttribute<>("meters", "meters per unit",
+            NumericKind.number(SceneLimits.MIN_METERS, SceneLimits.MAX_METERS, 0.1), 1.0, "meters per scene unit", World::meters,
+            World::withMeters);
+
     /** All attributes, in file order. */
     public static final List<SceneAttribute<World, ?>> ATTRIBUTES =
-            List.of(AMBIENCE, BACKGROUND, ENVIRONMENT, ROTATION, INTENSITY, LIGHT_COUNT, SOFTNESS);
+            List.of(AMBIENCE, BACKGROUND, ENVIRONMENT, ROTATION, INTENSITY, LIGHT_COUNT, SOFTNESS, METERS);
 
     /** Samples of a spread environment light: the minimum, because there are many lights. */
     private static final int SAMPLES_PER_LIGHT = SceneLimits.MIN_LIGHT_SAMPLES;
@@ -60,12 +65,13 @@ public record World(double ambience, Rgb background, Optional<Environment> envir
         INTENSITY.check(intensity);
         LIGHT_COUNT.check(lightCount);
         SOFTNESS.check(softness);
+        METERS.check(meters);
     }
 
     /** Creates a world without an environment. */
     public World(double ambience, Rgb background) {
         this(ambience, background, ENVIRONMENT.initial(), ROTATION.initial(), INTENSITY.initial(), LIGHT_COUNT.initial(),
-                SOFTNESS.initial());
+                SOFTNESS.initial(), METERS.initial());
     }
 
     /** Returns a clause that says why an attribute has no effect in this world; empty if it has. */

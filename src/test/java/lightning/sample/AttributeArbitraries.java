@@ -66,8 +66,14 @@ public final class AttributeArbitraries {
             // Names of the studio's shapes and others; links to missing names have no effect.
             case ValueKind.LinksKind _ -> LightArbitraries.links().map(AttributeArbitraries::valueOf);
             case ValueKind.GainsKind _ -> LightArbitraries.gains().map(AttributeArbitraries::valueOf);
-            case ValueKind.AssetKind<?> _,ValueKind.NameKind _,ValueKind.TextureKind _ -> current;
+            case ValueKind.NameKind _ -> attribute == MaterialAttribute.BULB ? valueOf(MaterialArbitraries.bulbLights()) : current;
+            case ValueKind.AssetKind<?> _,ValueKind.TextureKind _ -> current;
         };
+    }
+
+    @SuppressWarnings("unchecked")
+    private static <V> Arbitrary<V> valueOf(Arbitrary<String> names) {
+        return (Arbitrary<V>) names;
     }
 
     @SuppressWarnings("unchecked")
@@ -126,7 +132,8 @@ public final class AttributeArbitraries {
     }
 
     static <V> Arbitrary<V> numbers(NumericKind<V> q) {
-        Arbitrary<Double> ordinary = NumberArbitraries.range(Math.max(q.min(), -ORDINARY_LIMIT), Math.min(q.max(), ORDINARY_LIMIT));
+        Arbitrary<Double> ordinary = q.min() > ORDINARY_LIMIT ? NumberArbitraries.range(q.min(), q.max())
+                : NumberArbitraries.range(Math.max(q.min(), -ORDINARY_LIMIT), Math.min(q.max(), ORDINARY_LIMIT));
         Arbitrary<Double> number = q.isVector() ? ordinary
                 : Arbitraries.frequencyOf(Tuple.of(6, ordinary), Tuple.of(1, Arbitraries.of(q.min())));
         return combine(q, number);

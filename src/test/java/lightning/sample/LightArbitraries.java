@@ -8,9 +8,13 @@ import lightning.base.math.Vec3;
 import lightning.scene.AreaShape;
 import lightning.scene.Attenuation;
 import lightning.scene.BarnDoors;
+import lightning.scene.ColorTemperature;
 import lightning.scene.Contribution;
+import lightning.scene.Emission;
+import lightning.scene.Falloff;
 import lightning.scene.Gobo;
 import lightning.scene.IesProfile;
+import lightning.scene.IntensityUnit;
 import lightning.scene.Light;
 import lightning.scene.LightGroup;
 import lightning.scene.LightType;
@@ -37,6 +41,7 @@ final class LightArbitraries {
                         .withOn(shines[0]).withSolo(shines[1]).withArea(area))
                 .flatMap(light -> doors().map(light::withDoors)).flatMap(light -> feathers().map(light::withFeather))
                 .flatMap(light -> gobos().map(light::withGobo)).flatMap(light -> profiles().map(light::withProfile))
+                .flatMap(light -> Combinators.combine(emissions(), falloffs()).as((e, f) -> light.withEmission(e).withFalloff(f)))
                 .flatMap(light -> rarelyTrue().map(light::withIlluminates)).flatMap(light -> rarelyTrue().map(light::withShadowedBy))
                 .flatMap(light -> contributions().map(light::withContribution))
                 .flatMap(light -> Combinators.combine(places(), aimPositions()).as((at, aim) -> new LightTemplate(light, at, aim)));
@@ -54,6 +59,20 @@ final class LightArbitraries {
     static Arbitrary<Double> intensities() {
         return Arbitraries.frequencyOf(Tuple.of(6, NumberArbitraries.range(0, 3)), Tuple.of(2, Arbitraries.of(1.0)),
                 Tuple.of(1, Arbitraries.of(0.0, 1e-45, 1e-300, 1e6, 1e22, 1e30)));
+    }
+
+    /** Returns exposures, units and temperatures, half of them neutral. */
+    static Arbitrary<Emission> emissions() {
+        Arbitrary<Double> exposures = Arbitraries.frequencyOf(Tuple.of(3, Arbitraries.of(0.0)), Tuple.of(3, NumberArbitraries.range(-4, 4)),
+                Tuple.of(1, Arbitraries.of(-64.0, 64.0, 1.0)));
+        Arbitrary<Double> temperatures = Arbitraries.frequencyOf(Tuple.of(1, Arbitraries.of(ColorTemperature.NEUTRAL)),
+                Tuple.of(1, NumberArbitraries.range(ColorTemperature.MIN, ColorTemperature.MAX)));
+        return Arbitraries.frequencyOf(Tuple.of(3, Arbitraries.of(Emission.DEFAULT)),
+                Tuple.of(3, Combinators.combine(exposures, Arbitraries.of(IntensityUnit.class), temperatures).as(Emission::new)));
+    }
+
+    static Arbitrary<Falloff> falloffs() {
+        return Arbitraries.frequency(Tuple.of(2, Falloff.CUSTOM), Tuple.of(1, Falloff.INVERSE_SQUARE));
     }
 
     static Arbitrary<Attenuation> attenuations() {

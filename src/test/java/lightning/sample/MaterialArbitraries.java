@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import lightning.base.math.Rgb;
 import lightning.scene.AlphaCutout;
+import lightning.scene.Bulb;
 import lightning.scene.BumpMapping;
 import lightning.scene.Material;
 import lightning.scene.ShadingModel;
@@ -22,8 +23,21 @@ final class MaterialArbitraries {
 
     static Arbitrary<Material> materials(String name) {
         Arbitrary<Material> opaque = Arbitraries.frequencyOf(Tuple.of(2, phong(name)), Tuple.of(1, metallic(name)));
-        return Combinators.combine(opaque, transmissions(), cutouts(), glows())
-                .as((material, clarity, cutout, glow) -> material.withTransmission(clarity).withCutout(cutout).withGlow(glow));
+        return Combinators.combine(opaque, transmissions(), cutouts(), glows(), bulbs())
+                .as((material, clarity, cutout, glow, bulb) -> material
+                        .withTransmission(clarity).withCutout(cutout).withGlow(glow).withBulb(bulb));
+    }
+
+    /** Returns bulbs of lights that scenes may have, three of four none. */
+    static Arbitrary<Bulb> bulbs() {
+        return Arbitraries.frequencyOf(Tuple.of(3, Arbitraries.of(Bulb.NONE)), Tuple.of(1, Combinators
+                .combine(bulbLights(), NumberArbitraries.rangeOrSpecial(0, 2, 1.0, 1e6))
+                .as((light, gain) -> new Bulb(light, gain, Rgb.BLACK))));
+    }
+
+    /** Returns names of lights that scenes may have, or none. */
+    static Arbitrary<String> bulbLights() {
+        return Arbitraries.of("", "l0", "l1", "l2", StudioScene.KEY);
     }
 
     private static Arbitrary<Material> metallic(String name) {

@@ -1,5 +1,6 @@
 package lightning.scene;
 
+import static java.util.Map.entry;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.lang.reflect.RecordComponent;
@@ -29,10 +30,12 @@ class AttributePropertiesTest {
     /** Material of a shape in the studio scene. */
     private static final String MATT = "matt";
     /** Titles, or keywords of scene files, that differ from the name of their component. */
-    private static final Map<String, String> KEYWORDS = Map.of("World.lightCount", "lamps", "Transmission.color", "transparency",
-            "BumpMapping.normalMap", "normals", "AlphaCutout.map", "cutout", "Light.angle", "cone half-angle",
-            "Light.dropoff", "edge falloff", "Light.doors", "barn doors", "Light.profile", "IES profile",
-            "AreaShape.up", "roll axis", "Transmission.ior", "IOR");
+    private static final Map<String,
+            String> KEYWORDS = Map.ofEntries(entry("World.lightCount", "lamps"), entry("Transmission.color", "transparency"),
+                    entry("BumpMapping.normalMap", "normals"), entry("AlphaCutout.map", "cutout"), entry("Light.angle", "cone half-angle"),
+                    entry("Light.dropoff", "edge falloff"), entry("Light.doors", "barn doors"), entry("Light.profile", "IES profile"),
+                    entry("AreaShape.up", "roll axis"), entry("Transmission.ior", "IOR"),
+                    entry("Emission.unit", "intensity unit"));
 
     @Provide
     Arbitrary<Changed<Light>> lights() {
@@ -70,7 +73,11 @@ class AttributePropertiesTest {
 
     /** Returns the names of a component's attributes. Records in lights and materials, such as area shapes, have one for each component. */
     private static Stream<String> names(RecordComponent component) {
-        return component.getType() == AreaShape.class || component.getType() == BumpMapping.class
+        if (component.getType() == Bulb.class) {
+            // Its glow is derived from the light.
+            return Stream.of("bulb of", "bulb gain");
+        }
+        return component.getType() == AreaShape.class || component.getType() == Emission.class || component.getType() == BumpMapping.class
                 || component.getType() == Transmission.class
                 || component.getType() == AlphaCutout.class
                         ? components(component.getType().asSubclass(Record.class)).stream() : Stream.of(keyword(component));

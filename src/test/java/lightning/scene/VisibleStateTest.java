@@ -47,7 +47,8 @@ class VisibleStateTest {
         for (NumericParameter dial : NumericParameter.ALL) {
             assertThat(LightType.values()).as(dial.title()).anySatisfy(type -> {
                 Scene typed = DeskScene.sceneOf(LightEdits.setType(scene, "key", type));
-                assertThat(VisibleState.isSame(typed, DeskScene.sceneOf(dial.set(typed, "key", Math.min(7, dial.range().max())))))
+                assertThat(VisibleState.isSame(typed,
+                        DeskScene.sceneOf(dial.set(typed, "key", Math.clamp(7, dial.range().min(), dial.range().max())))))
                         .isFalse();
             });
         }

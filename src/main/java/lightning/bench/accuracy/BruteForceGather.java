@@ -173,7 +173,7 @@ final class BruteForceGather {
             for (int ray = 0; ray < RAYS; ray++) {
                 int material = batch.primitive(ray) < 0 ? -1 : geometry.materialIndex(batch.primitive(ray));
                 for (int c = 0; material >= 0 && c < 3; c++) {
-                    sum += LUMINANCE[c] * tint(c, ray) * (1 - materials.reflective(material, c)) * materials.glow(material, c);
+                    sum += LUMINANCE[c] * tint(c, ray) * (1 - materials.reflective(material, c)) * materials.ownGlow(material, c);
                 }
             }
         }

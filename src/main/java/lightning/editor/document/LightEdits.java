@@ -2,12 +2,13 @@ package lightning.editor.document;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
-import lightning.base.math.Vec3;
 import lightning.base.text.Messages;
 import lightning.base.text.Quote;
+import lightning.scene.Emission;
+import lightning.scene.Falloff;
+import lightning.scene.IntensityUnit;
 import lightning.scene.Light;
 import lightning.scene.LightAttribute;
 import lightning.scene.LightType;
@@ -41,17 +42,44 @@ public final class LightEdits {
     }
 
     /**
-     * Sets the color of a black body, keeping the light's brightest channel.
+     * Sets the color temperature, which multiplies the light's color.
      *
      * @param kelvin 1667…25000
      */
     public static EditOutcome setTemperature(Scene scene, String name, double kelvin) {
-        return edit(scene, name, l -> l.withColor(ColorTemperature.rgb(kelvin).times(l.color().isBlack() ? 1 : l.color().max())));
+        return edit(scene, name, l -> LightAttribute.TEMPERATURE.with(l, kelvin));
     }
 
-    /** Changes the type and keeps all attributes (paper §4.5). */
+    /**
+     * Changes the type and keeps all attributes (paper §4.5), except that a light with inverse-square falloff or a photometric unit keeps
+     * its brightness where the camera looks.
+     */
     public static EditOutcome setType(Scene scene, String name, LightType type) {
-        return edit(scene, name, l -> l.withType(type));
+        return edit(scene, name, light -> {
+            IntensityUnit unit = light.emission().unit();
+            Light relative = withUnit(scene, light, IntensityUnit.RELATIVE);
+            return withUnit(scene, keepBrightness(scene, relative, relative.withType(type)), unit);
+        });
+    }
+
+    /**
+     * Sets a value of a list. A light keeps its brightness where the camera looks if its falloff changes, and everywhere if the unit of its
+     * intensity changes.
+     */
+    public static <V> EditOutcome setChoice(Scene scene, String name, LightAttribute<V> attribute, V value) {
+        return edit(scene, name, light -> attribute == LightAttribute.UNIT ? withUnit(scene, light, (IntensityUnit) value)
+                : attribute == LightAttribute.FALLOFF ? keepBrightness(scene, light, attribute.with(light, value))
+                : attribute.with(light, value));
+    }
+
+    private static Light withUnit(Scene scene, Light light, IntensityUnit unit) {
+        return Emission.withUnit(light, unit, scene.world().meters());
+    }
+
+    private static Light keepBrightness(Scene scene, Light before, Light after) {
+        boolean changes = before.falloff() != after.falloff()
+                || before.falloff() == Falloff.INVERSE_SQUARE && before.type().hasPosition() != after.type().hasPosition();
+        return !changes ? after : NewLight.keepBrightness(before, after, ViewFocus.of(scene).minus(before.position()).length());
     }
 
     public static EditOutcome setOn(Scene scene, String name, boolean on) {
@@ -65,8 +93,8 @@ public final class LightEdits {
     /** Renames a light; refused if the name is taken or invalid in a scene file. */
     public static EditOutcome rename(Scene scene, String name, String newName) {
         return EditOutcome.of(() -> {
-            Light light = light(scene, name);
-            return scene.withLights(scene.lights().stream().map(l -> l == light ? l.withName(newName) : l).toList());
+            light(scene, name);
+            return scene.renameLight(name, newName);
         });
     }
 
@@ -79,24 +107,9 @@ public final class LightEdits {
         });
     }
 
-    /** Adds a white light at the upper right of the camera, aimed at the camera's target. */
+    /** Adds a white light at the upper right of the camera, aimed at the point that the camera looks at ({@link NewLight}). */
     public static EditOutcome add(Scene scene, LightType type) {
-        return EditOutcome.of(() -> {
-            var view = PreviewCamera.of(scene);
-            double distance = view.distance();
-            Vec3 position = view.camera().from().plus(view.right().times(distance / 2)).plus(view.up().times(distance / 2));
-            Light light = Light.of(type.name().toLowerCase(Locale.ROOT), type)
-                    .withPosition(position).withDirection(view.camera().to().minus(position));
-            // Area lights have a typical studio size: half as wide as they are distant.
-            return add(scene,
-                    type.isSurface() ? light.withArea(light.area().withRadius(halfSize(distance)).withWidth(2 * halfSize(distance))
-                            .withHeight(2 * halfSize(distance))) : light)
-                    .sceneOr(scene);
-        });
-    }
-
-    private static double halfSize(double distance) {
-        return Math.min(distance / 4, SceneLimits.MAX_EXTENT / 2);
+        return EditOutcome.of(() -> add(scene, NewLight.of(scene, type)).sceneOr(scene));
     }
 
     public static EditOutcome delete(Scene scene, String name) {

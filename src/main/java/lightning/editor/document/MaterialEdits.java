@@ -1,14 +1,18 @@
 package lightning.editor.document;
 
+import java.math.BigDecimal;
+import java.math.MathContext;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
 import lightning.base.text.Messages;
 import lightning.base.text.Quote;
 import lightning.format.jen.PropertyEdit;
+import lightning.scene.Bulb;
 import lightning.scene.Material;
 import lightning.scene.MaterialAttribute;
 import lightning.scene.Scene;
+import lightning.scene.SceneLimits;
 import lightning.scene.Shape;
 import lightning.scene.TextureMap;
 
@@ -17,6 +21,9 @@ import lightning.scene.TextureMap;
  * default}, which an edit adds to the scene if needed.
  */
 public final class MaterialEdits {
+    /** Linear value of a new bulb's brightest channel. */
+    private static final double INITIAL_BULB_BRIGHTNESS = 4;
+
     private MaterialEdits() {}
 
     /** Returns the material of a shape, including shapes in groups; empty if the shape does not exist. */
@@ -40,6 +47,26 @@ public final class MaterialEdits {
     /** Sets the value of an attribute. */
     public static <V> EditOutcome set(Scene scene, String name, MaterialAttribute<V> attribute, V value) {
         return edit(scene, name, m -> attribute.with(m, value));
+    }
+
+    /**
+     * Makes a material the bulb of a light. A gain that was never set becomes one that makes the bulb two stops brighter than white, whatever
+     * the light's exposure.
+     *
+     * @param light name of a light; empty for none
+     */
+    public static EditOutcome setBulb(Scene scene, String name, String light) {
+        return edit(scene, name, m -> {
+            double weight = scene.light(light).map(l -> scene.rig().effectiveLight(l).weight().max()).orElse(0.0);
+            boolean isInitial = m.bulb().gain() == Bulb.NONE.gain() && weight > 0;
+            Material bulb = MaterialAttribute.BULB.with(m, light);
+            return isInitial ? MaterialAttribute.BULB_GAIN.with(bulb, gain(weight)) : bulb;
+        });
+    }
+
+    private static double gain(double weight) {
+        double exact = Math.clamp(INITIAL_BULB_BRIGHTNESS / weight, 1e-300, SceneLimits.MAX_EMISSION);
+        return new BigDecimal(exact).round(new MathContext(2)).doubleValue();
     }
 
     /**

@@ -7,6 +7,7 @@ import java.util.stream.IntStream;
 import lightning.base.math.Rgb;
 import lightning.base.text.Messages;
 import lightning.scene.Light;
+import lightning.scene.LightAttribute;
 import lightning.scene.LightGroup;
 import lightning.scene.LightRig;
 import lightning.scene.Scene;
@@ -108,6 +109,18 @@ public sealed interface MixerChannel {
             case OfLightGroup(String name) -> scene.withRig(scene.rig().with(LightGroupEdits.lightGroup(scene, name).withColor(v)));
             case OfEnvironment _ -> scene;
         };
+    }
+
+    /** Returns a light's color temperature in kelvin; empty for other channels. */
+    default Optional<Double> temperature(Scene scene) {
+        return this instanceof OfLight(String name) ? Optional.of(LightEdits.light(scene, name).emission().temperature())
+                : Optional.empty();
+    }
+
+    /** Returns the scene with another color temperature of a light; unchanged for other channels. Throws as {@link #withIntensity}. */
+    default Scene withTemperature(Scene scene, double kelvin) {
+        return this instanceof OfLight(String name)
+                ? scene.withLight(LightAttribute.TEMPERATURE.with(LightEdits.light(scene, name), kelvin)) : scene;
     }
 
     /** Tests if the channel is on; the environment always is. */

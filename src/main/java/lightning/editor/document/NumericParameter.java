@@ -28,13 +28,15 @@ public final class NumericParameter {
     public static final NumericParameter ENVIRONMENT_LAMPS = ofWorld(World.LIGHT_COUNT);
     /** Spread of each sample over its part of the environment. */
     public static final NumericParameter ENVIRONMENT_SOFTNESS = ofWorld(World.SOFTNESS);
+    /** Meters per scene unit, for photometric units. */
+    public static final NumericParameter METERS = ofWorld(World.METERS);
     /** Reflection bounces, an integer. */
     public static final NumericParameter DEPTH = ofScene(PictureSettings.DEPTH, Scene::picture, Scene::withPicture, _ -> Optional.empty());
 
     /** All parameters, those of lights first. */
     public static final List<NumericParameter> ALL =
             Stream.concat(LightAttribute.ALL.stream().flatMap(a -> of(a).stream()), Stream.of(AMBIENCE, ENVIRONMENT_INTENSITY,
-                    ENVIRONMENT_ROTATION, ENVIRONMENT_LAMPS, ENVIRONMENT_SOFTNESS, DEPTH)).toList();
+                    ENVIRONMENT_ROTATION, ENVIRONMENT_LAMPS, ENVIRONMENT_SOFTNESS, METERS, DEPTH)).toList();
 
     private static final String ENVIRONMENT = "environment ";
 
@@ -92,7 +94,7 @@ public final class NumericParameter {
         String shownLabel = attribute.title().equals(attribute.section().title()) && !label.isEmpty() ? label : title;
         return new NumericParameter(label.isEmpty() ? attribute.id() : label, title, shownLabel, quantity, false,
                 (_, selected) -> selected.isEmpty() ? Optional.of(Messages.tr("no light is selected"))
-                        : attribute.inactiveReason(selected.get().type()),
+                        : attribute.inactiveReason(selected.get()),
                 (scene, light) -> quantity.number(attribute.get(LightEdits.light(scene, light)), index),
                 (scene, light, value) -> {
                     Light before = LightEdits.light(scene, light);

@@ -48,7 +48,7 @@ final class LightSettings {
      */
     static ObjectNode toJson(Light light, LightRig rig, LightUnits units) {
         ObjectNode out = JSON.createObjectNode().put(UNITS_KEY, units.name().toLowerCase(Locale.ROOT));
-        AttributeJson.write(out, light, LightAttribute.ALL);
+        AttributeJson.write(out, rig.inMeters(light), LightAttribute.ALL);
         rig.lightGroup(light.lightGroup())
                 .ifPresent(group -> AttributeJson.write(out.putObject(LIGHT_GROUP_KEY), group, LightGroup.ATTRIBUTES));
         return out;
@@ -71,7 +71,9 @@ final class LightSettings {
         Light stored = AttributeJson.read(settings, imported, LightAttribute.ALL, assembler::hasFile, _ -> noteUnusable());
         Optional<LightGroup> group = lightGroup(stored, settings.path(LIGHT_GROUP_KEY));
         GltfLight exported =
-                PunctualLightExport.convert(group.map(b -> LightRig.of(List.of(stored), List.of(b)).effectiveLight(stored)).orElse(stored),
+                PunctualLightExport.convert(
+                        LightRig.of(List.of(stored.withLightGroup(group.isPresent() ? stored.lightGroup() : "")), group.stream().toList())
+                                .effectiveLights().getFirst(),
                         units.get(), settings, new ConversionNotes());
         Light light = stored;
         if (!isSameShape(exported, gltfLight)) {
@@ -84,8 +86,8 @@ final class LightSettings {
             light = light.withDirection(imported.direction());
         }
         if (!isSameIntensity(exported, gltfLight)) {
-            return light.withColor(imported.color()).withIntensity(imported.intensity()).withAttenuation(imported.attenuation())
-                    .withLightGroup("");
+            return light.withColor(imported.color()).withIntensity(imported.intensity()).withEmission(imported.emission())
+                    .withFalloff(imported.falloff()).withAttenuation(imported.attenuation()).withLightGroup("");
         }
         assembler.restoredLights.add(imported.name());
         return group.isEmpty() ? light.withLightGroup("") : light.withLightGroup(addLightGroup(group.get()));

@@ -52,7 +52,7 @@ final class PunctualLightExport {
         if (!light.type().hasPosition()) {
             return 1;
         }
-        var a = light.attenuation();
+        var a = light.distanceTerms();
         notes.add("lights without inverse-square falloff, exact only at distance 1", a.constant() == 0
                 && a.linear() == 0 && a.quadratic() > 0 ? 0 : 1);
         double sum = a.constant() + a.linear() + a.quadratic();

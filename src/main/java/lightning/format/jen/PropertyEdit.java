@@ -89,7 +89,7 @@ public final class PropertyEdit {
     public static Optional<String> ineffectiveReason(Scene scene, String assignment) {
         Assignment parts = Assignment.of(assignment);
         return LightAttribute.ALL.stream().filter(a -> a.name().equals(parts.property)).findFirst()
-                .flatMap(a -> scene.light(parts.lightName()).flatMap(light -> a.inactiveReason(light.type())))
+                .flatMap(a -> scene.light(parts.lightName()).flatMap(a::inactiveReason))
                 .map(reason -> parts.target + "." + parts.property + " has no effect: " + reason);
     }
 
@@ -277,7 +277,7 @@ public final class PropertyEdit {
             checkLinks(scene, edited.illuminates());
             checkLinks(scene, edited.shadowedBy());
             checkNames(scene, edited.contribution().gains().names());
-            return scene.withLights(mapAll(scene.lights(), l -> l == light.get() ? edited : l));
+            return edited.name().equals(target) ? scene.withLight(edited) : scene.renameLight(target, edited.name());
         }
         Optional<LightGroup> group = scene.rig().lightGroup(target);
         if (group.isPresent()) {
@@ -378,6 +378,7 @@ public final class PropertyEdit {
                 || type == BlockTypes.LIGHT
                         && (property.equals(LightAttribute.LIGHT_GROUP.name()) || property.equals(LightAttribute.PROFILE.name())
                                 || property.equals(LightAttribute.GAINS.name()))
+                || type == BlockTypes.MATERIAL && property.equals(MaterialAttribute.BULB.name())
                 || (type == BlockTypes.LIGHT || type == BlockTypes.MATERIAL)
                         && TextureProperty.ALL.stream().anyMatch(p -> p.name().equals(property));
     }

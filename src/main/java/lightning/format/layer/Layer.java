@@ -39,7 +39,7 @@ sealed interface Layer {
     /** Returns the layers of an image, in summation order. Inactive lights and scenes without glowing materials have none. */
     static List<Layer> of(Scene scene) {
         List<Layer> layers = new ArrayList<>(List.of(new Background(), new Ambient()));
-        if (scene.materials().stream().anyMatch(m -> !m.glow().isBlack())) {
+        if (scene.materials().stream().anyMatch(m -> !m.emission().isBlack())) {
             layers.add(new Emission());
         }
         WeightedLight[] lights = WeightedLight.ofScene(scene);

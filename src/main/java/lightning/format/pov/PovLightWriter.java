@@ -68,7 +68,7 @@ final class PovLightWriter {
     private PovFade fade(Light light) {
         double middle = light.position().minus(bounds.center()).length();
         double near = Math.max(middle - bounds.radius(), bounds.radius() / 20);
-        return PovFade.of(light.attenuation(), near, middle + bounds.radius());
+        return PovFade.of(light.distanceTerms(), near, middle + bounds.radius());
     }
 
     private Vec3 position(Light light) {

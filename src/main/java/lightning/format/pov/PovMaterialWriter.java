@@ -139,7 +139,7 @@ final class PovMaterialWriter {
         String fade = clarity.isTinted() ? " fade_color " + PovFormat.rgb(new Rgb(fade(clarity.tint().r()), fade(clarity.tint().g()),
                 fade(clarity.tint().b()))) + " fade_distance " + clarity.tintDistance() + " fade_power 1001" : "";
         return "texture {\n    pigment { rgbf <" + pigment.r() + ", " + pigment.g() + ", " + pigment.b() + ", " + filter + "> }\n"
-                + "    finish { ambient " + PovFormat.rgb(m.ambient()) + emission(m.glow()) + " diffuse "
+                + "    finish { ambient " + PovFormat.rgb(m.ambient()) + emission(m.emission()) + " diffuse "
                 + gray(m.name(), "diffuse", m.diffuse())
                 + phong
                 + reflection + " }\n  }\n  interior { ior " + (clarity.thin() ? 1 : clarity.ior()) + fade + " }";
@@ -169,7 +169,7 @@ final class PovMaterialWriter {
     private String untextured(Material m) {
         Rgb unreflected = new Rgb(1 - m.reflective().r(), 1 - m.reflective().g(), 1 - m.reflective().b());
         Rgb ambient = times(m.ambient(), unreflected);
-        Rgb glow = times(m.glow(), unreflected);
+        Rgb glow = times(m.emission(), unreflected);
         Rgb own = ambient.plus(glow);
         Rgb diffuse = times(m.diffuse(), unreflected);
         Rgb pigment = new Rgb(pigment(diffuse.r(), own.r()), pigment(diffuse.g(), own.g()), pigment(diffuse.b(), own.b()));
@@ -183,7 +183,7 @@ final class PovMaterialWriter {
         if (!m.ambient().isBlack()) {
             warn("material " + m.name() + ": ambient is multiplied by the texture");
         }
-        if (!m.glow().isBlack()) {
+        if (!m.emission().isBlack()) {
             warn("material " + m.name() + ": glow is multiplied by the texture");
         }
         Rgb ambient = m.ambient().times(unreflected);
@@ -191,7 +191,7 @@ final class PovMaterialWriter {
                 + "\" "
                 + mapping(solid) + " interpolate 2 } "
                 + String.join(" ", textureTransform(m, map, solid)) + " }\n    finish { ambient " + PovFormat.rgb(ambient)
-                + emission(m.glow().times(unreflected)) + " diffuse " + diffuse * unreflected + " " + highlightText(m) + " }\n  }";
+                + emission(m.emission().times(unreflected)) + " diffuse " + diffuse * unreflected + " " + highlightText(m) + " }\n  }";
     }
 
     private static String mapping(Solid solid) {

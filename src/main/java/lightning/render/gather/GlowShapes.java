@@ -64,7 +64,7 @@ public final class GlowShapes {
     }
 
     private static float glow(MaterialTable materials, int m, int c) {
-        return (1 - materials.reflective(m, c)) * materials.glow(m, c);
+        return (1 - materials.reflective(m, c)) * materials.ownGlow(m, c);
     }
 
     /** Returns the number of objects. */

@@ -53,8 +53,8 @@ public record LightSource(Light light, Vec3 position, Vec3 axis, double cosAngle
     boolean hasFalloff() {
         return switch (type()) {
             case DIRECTIONAL -> false;
-            case POINT -> !light.attenuation().isNone() || AngularMask.isActive(this);
-            case SPOT -> !light.attenuation().isNone() || dropoff != 0 || AngularMask.isActive(this);
+            case POINT -> !light.hasNoAttenuation() || AngularMask.isActive(this);
+            case SPOT -> !light.hasNoAttenuation() || dropoff != 0 || AngularMask.isActive(this);
             case RECT, DISC -> true;
         };
     }

@@ -180,11 +180,12 @@ public final class LightingEquation {
         };
     }
 
-    /** Returns min(1 / (cc + cl·d + cq·d²), 1), where 1/0 counts as 1. */
+    /** Returns min(1 / (cc + cl·d + cq·d²), max), where 1/0 counts as max. */
     private double attenuation() {
-        Attenuation a = source.light().attenuation();
+        Attenuation a = source.light().distanceTerms();
+        double max = source.light().maxFalloff();
         double factor = 1 / (a.constant() + a.linear() * distance + a.quadratic() * (distance * distance));
-        return factor < 1 ? factor : 1;
+        return factor < max ? factor : max;
     }
 
     /**

@@ -8,8 +8,10 @@ import lightning.render.trace.MaterialTable;
 public final class SurfelShader {
     private final LightSum lightSum;
     private final ShadingMaterial[] materials;
+    private final MaterialTable table;
 
     public SurfelShader(MaterialTable table, SumKernel sums) {
+        this.table = table;
         lightSum = new LightSum(sums);
         materials = new ShadingMaterial[table.count()];
         Arrays.setAll(materials, m -> ShadingMaterial.of(table, m));
@@ -42,7 +44,7 @@ public final class SurfelShader {
         for (int run = 0; run < rows.runCount; run++) {
             ShadingMaterial material = materials[rows.runMaterial[run]];
             for (int c = 0; c < 3; c++) {
-                float emitted = (1 - material.reflective()[c]) * material.glow()[c];
+                float emitted = (1 - material.reflective()[c]) * table.ownGlow(rows.runMaterial[run], c);
                 float share = (1 - material.reflective()[c]) * material.diffuse()[c];
                 for (int row = rows.runStart(run); row < rows.runEnd[run]; row++) {
                     albedo[c][numbers[rows.parent[row]]] = material.isTextured() ? share * rows.texel(c)[row] : share;

@@ -37,6 +37,8 @@ public final class MaterialTable {
     private final int[] materialByRank;
     private final float[] ambient;
     private final float[] glow;
+    /** Glow without that of bulbs; the same array if there are none. */
+    private final float[] ownGlow;
     private final float[] diffuse;
     private final float[] specular;
     private final float[] reflective;
@@ -61,6 +63,7 @@ public final class MaterialTable {
         this.vertexColored = new boolean[count];
         ambient = new float[3 * count];
         glow = new float[3 * count];
+        ownGlow = materials.stream().allMatch(m -> m.bulb().glow().isBlack()) ? glow : new float[3 * count];
         diffuse = new float[3 * count];
         specular = new float[3 * count];
         reflective = new float[3 * count];
@@ -73,7 +76,8 @@ public final class MaterialTable {
             Material material = materials.get(m);
             this.vertexColored[m] = vertexColorMaterials.contains(material.name());
             store(material.ambient(), ambient, 3 * m);
-            store(material.glow(), glow, 3 * m);
+            store(material.glow(), ownGlow, 3 * m);
+            store(material.emission(), glow, 3 * m);
             switch (material.model()) {
                 case PHONG -> {
                     store(material.diffuse(), diffuse, 3 * m);
@@ -221,6 +225,11 @@ public final class MaterialTable {
     /** Returns the light that the surface emits itself. */
     public float glow(int m, int channel) {
         return glow[3 * m + channel];
+    }
+
+    /** Returns one channel of the glow that lights other surfaces: without that of a bulb, whose light does so itself. */
+    public float ownGlow(int m, int channel) {
+        return ownGlow[3 * m + channel];
     }
 
     /** Returns k<sub>diffuse</sub> without the texture; base·(1 − metalness)·(1 − f0) for a metallic material. */

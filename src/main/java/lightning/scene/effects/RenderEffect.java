@@ -13,9 +13,11 @@ import lightning.scene.AlphaCutout;
 import lightning.scene.AntialiasMode;
 import lightning.scene.Attenuation;
 import lightning.scene.BarnDoors;
+import lightning.scene.Bulb;
 import lightning.scene.BumpMapping;
 import lightning.scene.Contribution;
 import lightning.scene.Environment;
+import lightning.scene.Falloff;
 import lightning.scene.Light;
 import lightning.scene.LightAttribute;
 import lightning.scene.LightRig;
@@ -55,16 +57,16 @@ public final class RenderEffect {
     public static final RenderEffect TRANSMISSION = register("clear", "transparent materials",
             uses -> uses.materials(m -> m.transmission().isTransparent() || !m.transmission().castsShadows()),
             scene -> EffectRemoval.mapMaterials(scene, m -> m.withTransmission(Transmission.NONE)), UnaryOperator.identity(), false);
-    public static final RenderEffect GLOW = register("glow", "glowing materials", uses -> uses.materials(m -> !m.glow().isBlack()),
-            scene -> EffectRemoval.mapMaterials(scene, m -> m.withGlow(Rgb.BLACK)), UnaryOperator.identity(), false);
+    public static final RenderEffect GLOW = register("glow", "glowing materials", uses -> uses.materials(m -> !m.emission().isBlack()),
+            scene -> EffectRemoval.mapMaterials(scene, m -> m.withGlow(Rgb.BLACK).withBulb(Bulb.NONE)), UnaryOperator.identity(), false);
     public static final RenderEffect TINTED_SHADOWS =
             register("tinted-shadows", "tinted shadows", uses -> uses.materials(m -> m.transmission().tintsShadows()),
                     scene -> EffectRemoval.mapMaterials(scene, m -> m.transmission().tintsShadows()
                             ? m.withTransmission(m.transmission().withShadows(ShadowCasting.FULL)) : m),
                     UnaryOperator.identity(), false);
     public static final RenderEffect ATTENUATION =
-            register("attenuation", "attenuation", uses -> uses.lights(l -> l.type().hasPosition() && !l.attenuation().isNone()),
-                    scene -> EffectRemoval.mapLights(scene, l -> l.withAttenuation(Attenuation.NONE)));
+            register("attenuation", "attenuation", uses -> uses.lights(l -> !l.hasNoAttenuation()),
+                    scene -> EffectRemoval.mapLights(scene, l -> l.withFalloff(Falloff.CUSTOM).withAttenuation(Attenuation.NONE)));
     public static final RenderEffect SPOT_CONE =
             register("spot-cone", "spotlight cones", uses -> uses.lights(l -> l.type().hasCone() && l.angle() < 180),
                     scene -> EffectRemoval.mapLights(scene, l -> l.withAngle(180)), EffectInjection::addFullCones);

@@ -33,38 +33,4 @@ class ColorsTest {
         assertThat(back.g()).isCloseTo(g, within(1e-12));
         assertThat(back.b()).isCloseTo(b, within(1e-12));
     }
-
-    /** CIE illuminant A, the tungsten lamp: x 0.44757, y 0.40745 at 2856 K. */
-    @Test
-    void tungsten_isIlluminantA() {
-        double x = ColorTemperature.chromaticityX(2856);
-        assertThat(x).isCloseTo(0.44757, within(1e-3));
-        assertThat(ColorTemperature.chromaticityY(2856, x)).isCloseTo(0.40745, within(1e-3));
-    }
-
-    /** The Planckian locus at 6500 K: x 0.3135, y 0.3237 (Wyszecki and Stiles). */
-    @Test
-    void daylightTemperature_isOnTheLocus() {
-        double x = ColorTemperature.chromaticityX(6500);
-        assertThat(x).isCloseTo(0.3135, within(1e-3));
-        assertThat(ColorTemperature.chromaticityY(6500, x)).isCloseTo(0.3237, within(1e-3));
-    }
-
-    @Property
-    void brightestChannel_isOne(@ForAll @DoubleRange(min = ColorTemperature.MIN, max = ColorTemperature.MAX) double kelvin) {
-        Rgb glow = ColorTemperature.rgb(kelvin);
-        assertThat(glow.max()).isEqualTo(1);
-        assertThat(glow.min()).isGreaterThanOrEqualTo(0);
-    }
-
-    @Property
-    void temperature_roundTrips(@ForAll @DoubleRange(min = 2100, max = ColorTemperature.MAX) double kelvin) {
-        assertThat(ColorTemperature.of(ColorTemperature.rgb(kelvin))).isCloseTo(kelvin, within(1.0));
-    }
-
-    @Test
-    void colorOffLocus_givesRangeEnd() {
-        assertThat(ColorTemperature.of(new Rgb(1, 0, 0))).isEqualTo(ColorTemperature.MIN);
-        assertThat(ColorTemperature.of(new Rgb(0, 0, 1))).isCloseTo(ColorTemperature.MAX, within(1e-6));
-    }
 }

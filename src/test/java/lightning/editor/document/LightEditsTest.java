@@ -1,14 +1,22 @@
 package lightning.editor.document;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
+import java.nio.file.Path;
 import java.util.List;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
+import lightning.format.jen.JenReader;
+import lightning.scene.Falloff;
+import lightning.scene.IntensityUnit;
 import lightning.scene.Light;
+import lightning.scene.LightAttribute;
 import lightning.scene.LightType;
 import lightning.scene.Scene;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class LightEditsTest {
     private final Scene scene = DeskScene.scene();
@@ -81,7 +89,29 @@ class LightEditsTest {
         assertThat(DeskScene.names(added)).containsExactly("key", "fill", "sun", "spot");
         Light light = DeskScene.light(added, "spot");
         assertThat(light.type()).isEqualTo(LightType.SPOT);
-        assertThat(light.position().plus(light.direction()).minus(scene.camera().to()).length()).isLessThan(1e-12);
+        assertThat(light.position().plus(light.direction()).minus(ViewFocus.of(scene)).length()).isLessThan(1e-12);
+    }
+
+    /** The same picture at three sizes of the scene, with cameras whose target is one unit away, as in imported files. */
+    @ParameterizedTest
+    @ValueSource(doubles = {0.005, 1, 1000})
+    void newLight_suitsTheScenesSize(double size) throws Exception {
+        Scene room = JenReader.read("""
+                jen 1
+                camera { from 0 0 %s  to 0 0 %s }
+                sphere ball { scale %s %s %s }
+                """.formatted(10 * size, 10 * size - 1, size, size, size), "room", Path.of("")).scene();
+        for (LightType type : LightType.values()) {
+            Scene added = DeskScene.sceneOf(LightEdits.add(room, type));
+            Light light = added.lights().getLast();
+            double distance = light.position().minus(new Vec3(0, 0, size)).length();
+            double strength = added.rig().effectiveLight(light).intensity() / (type.hasPosition() ? distance * distance : 1);
+            assertThat(strength).as("light on paper at the ball").isBetween(0.96, 1.04);
+            assertThat(light.area().width() / size).isBetween(4.0, 5.0);
+            assertThat(light.falloff()).isEqualTo(type.hasPosition() ? Falloff.INVERSE_SQUARE : Falloff.CUSTOM);
+            Light other = DeskScene.light(DeskScene.sceneOf(LightEdits.setType(added, light.name(), LightType.DIRECTIONAL)), light.name());
+            assertThat(other.intensity() * Math.pow(2, other.emission().exposure())).isBetween(0.93, 1.07);
+        }
     }
 
     @Test
@@ -141,12 +171,36 @@ class LightEditsTest {
     }
 
     @Test
-    void setTemperature_keepsBrightestChannel() {
+    void setTemperature_keepsTheColor() {
         Scene bright = DeskScene.sceneOf(LightEdits.edit(scene, "key", l -> l.withColor(new Rgb(0.2, 3, 1))));
-        Rgb warm = after(LightEdits.setTemperature(bright, "key", 2700), "key").color();
-        assertThat(warm.max()).isEqualTo(3);
-        assertThat(warm.r()).isGreaterThan(warm.g());
-        assertThat(warm.g()).isGreaterThan(warm.b());
+        Light warm = after(LightEdits.setTemperature(bright, "key", 2700), "key");
+        assertThat(warm.color()).isEqualTo(new Rgb(0.2, 3, 1));
+        assertThat(warm.emission().temperature()).isEqualTo(2700);
+        assertThat(warm.emission().tinted(Rgb.WHITE).b()).isLessThan(0.5);
+    }
+
+    @Test
+    void unitChange_keepsBrightness() {
+        Scene inches = scene.withWorld(scene.world().withMeters(0.0254));
+        Scene lumens = DeskScene.sceneOf(LightEdits.setChoice(inches, "key", LightAttribute.UNIT, IntensityUnit.LUMEN));
+        Light before = inches.rig().effectiveLight(DeskScene.light(inches, "key"));
+        Light after = lumens.rig().effectiveLight(DeskScene.light(lumens, "key"));
+        assertThat(after.intensity()).isCloseTo(before.intensity(), within(1e-12 * before.intensity()));
+        assertThat(DeskScene.light(lumens, "key").intensity()).isNotEqualTo(before.intensity());
+    }
+
+    @Test
+    void inverseSquareFalloff_keepsBrightnessAtTheFocus() {
+        Scene changed = DeskScene.sceneOf(LightEdits.setChoice(scene, "key", LightAttribute.FALLOFF, Falloff.INVERSE_SQUARE));
+        Light before = DeskScene.light(scene, "key");
+        Light light = DeskScene.light(changed, "key");
+        double distance = ViewFocus.of(scene).minus(light.position()).length();
+        var terms = before.attenuation();
+        double wanted = before.intensity()
+                * Math.min(1, 1 / (terms.constant() + terms.linear() * distance + terms.quadratic() * distance * distance));
+        double effective = changed.rig().effectiveLight(light).intensity() / (distance * distance);
+        assertThat(effective / wanted).isBetween(0.96, 1.04);
+        assertThat(light.intensity()).isEqualTo(before.intensity());
     }
 
     @Test

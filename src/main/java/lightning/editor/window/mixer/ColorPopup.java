@@ -4,18 +4,18 @@ import java.util.Optional;
 import java.util.function.BiFunction;
 import javafx.geometry.Bounds;
 import javafx.scene.Node;
-import javafx.scene.layout.StackPane;
+import javafx.scene.layout.VBox;
 import javafx.stage.Popup;
 import javafx.util.Subscription;
 import lightning.base.math.Rgb;
 import lightning.base.text.Messages;
-import lightning.editor.document.ColorTemperature;
 import lightning.editor.document.HsvColor;
 import lightning.editor.document.MixerChannel;
 import lightning.editor.document.StepRange;
 import lightning.editor.window.widget.ColorSliders;
 import lightning.editor.window.widget.ColorTheme;
 import lightning.editor.window.widget.NumberSetting;
+import lightning.editor.window.widget.TemperatureSlider;
 import lightning.scene.SceneLimits;
 
 /** Color picker below a strip's color chip; closes when the user clicks elsewhere. Sets the color of all selected strips. */
@@ -38,7 +38,9 @@ final class ColorPopup {
     }
 
     void show(Node anchor) {
-        var pane = new StackPane(sliders);
+        var temperature = new TemperatureSlider(
+                (kelvin, gesture) -> model.editSelected(channel, (scene, c) -> c.withTemperature(scene, kelvin), gesture));
+        var pane = channel instanceof MixerChannel.OfLight ? new VBox(sliders, temperature) : new VBox(sliders);
         pane.getStyleClass().addAll("color-popup", "root");
         ColorTheme.applyTo(pane);
         pane.setId("color-popup");
@@ -51,6 +53,7 @@ final class ColorPopup {
         Subscription subscription = model.editor().sceneProperty().subscribe(scene -> {
             if (channel.isIn(scene)) {
                 channel.color(scene).ifPresent(sliders::show);
+                channel.temperature(scene).ifPresent(temperature::show);
             } else {
                 popup.hide();
             }
@@ -92,11 +95,6 @@ final class ColorPopup {
         @Override
         public Optional<String> hsv(HsvColor color, Object gesture) {
             return set(_ -> color.rgb(), gesture);
-        }
-
-        @Override
-        public Optional<String> temperature(double kelvin, Object gesture) {
-            return set(c -> ColorTemperature.rgb(kelvin).times(c.isBlack() ? 1 : c.max()), gesture);
         }
     }
 }

@@ -1,7 +1,9 @@
 package lightning.editor.window.property;
 
+import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.Predicate;
 import javafx.scene.control.ComboBox;
 import javafx.scene.layout.StackPane;
 import lightning.base.text.Messages;
@@ -42,6 +44,18 @@ final class AttributeChoiceBox<V> extends StackPane {
 
     ComboBox<String> box() {
         return box;
+    }
+
+    /** Shows a value, and offers only those that pass a test. */
+    void show(V value, Predicate<V> isOffered) {
+        List<String> offered = choice.values().stream().filter(v -> v.equals(value) || isOffered.test(v))
+                .map(v -> SectionLayout.title(choice.label(v))).toList();
+        if (!offered.equals(box.getItems())) {
+            isUpdating = true;
+            box.getItems().setAll(offered);
+            isUpdating = false;
+        }
+        show(value);
     }
 
     void show(V value) {

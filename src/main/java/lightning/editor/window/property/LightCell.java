@@ -117,7 +117,7 @@ final class LightCell extends NamedCell<LightListRow> {
         if (light != null && light != shownLight) {
             row.pseudoClassStateChanged(MEMBER, !light.lightGroup().isEmpty());
             type.setIconCode(LightTypes.icon(light.type()));
-            chip.setStyle("-fx-background-color: " + DisplayColors.css(light.color()) + ";");
+            chip.setStyle("-fx-background-color: " + DisplayColors.css(light.emission().tinted(light.color())) + ";");
             name.setText(light.name());
             describe(solo, Messages.tr("{0} solo", light.name()), Messages.tr("Mute all lights that are not solo"));
             bulb.setIconCode(LightTypes.onIcon(light.on()));

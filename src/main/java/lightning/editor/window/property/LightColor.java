@@ -30,9 +30,4 @@ record LightColor(SceneEditor editor) implements ColorSliders.Target {
     public Optional<String> hsv(HsvColor color, Object gesture) {
         return editor.edit(scene -> LightEdits.setHsv(scene, editor.selection().lightName(), color), gesture);
     }
-
-    @Override
-    public Optional<String> temperature(double kelvin, Object gesture) {
-        return editor.edit(scene -> LightEdits.setTemperature(scene, editor.selection().lightName(), kelvin), gesture);
-    }
 }

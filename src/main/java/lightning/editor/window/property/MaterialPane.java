@@ -168,6 +168,7 @@ final class MaterialPane extends VBox {
             };
             case ValueKind.TextureKind _ -> List.of(texture(textureAttribute(attribute)));
             case ChoiceKind<V> c -> List.of(choice(attribute, c));
+            case ValueKind.NameKind kind -> List.of(bulb(kind));
         };
     }
 
@@ -205,10 +206,20 @@ final class MaterialPane extends VBox {
         return new Row(attribute, node, box::setDisabledReason, m -> box.show(attribute.get(m)), box::showNothing, () -> {});
     }
 
-    /** Puts a label to the left of a box. A section with a single box needs none. */
+    private Row bulb(ValueKind.NameKind kind) {
+        var box = new BulbBox(editor, kind, light -> editor.editOrReport(scene -> MaterialEdits.setBulb(scene, shownName, light)));
+        Node node = labeled(SectionLayout.title(MaterialAttribute.BULB.title()), box, box.box());
+        return new Row(MaterialAttribute.BULB, node, box::setDisabledReason, m -> box.show(m.bulb().light()), box::showNothing, () -> {});
+    }
+
     private static Node labeled(String title, AttributeChoiceBox<?> box) {
+        return labeled(title, box, box.box());
+    }
+
+    /** Puts a label to the left of a box. A section with a single box needs none. */
+    private static Node labeled(String title, Node box, Node control) {
         var label = new Label(title);
-        label.setLabelFor(box.box());
+        label.setLabelFor(control);
         var gap = new Region();
         HBox.setHgrow(gap, Priority.ALWAYS);
         var row = new HBox(label, gap, box);

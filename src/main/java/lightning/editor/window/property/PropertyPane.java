@@ -22,8 +22,10 @@ import lightning.editor.window.model.FileImporter;
 import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.ArrowWidget;
 import lightning.editor.window.widget.ColorSliders;
+import lightning.editor.window.widget.TemperatureSlider;
 import lightning.editor.window.widget.VectorField;
 import lightning.scene.ChoiceKind;
+import lightning.scene.IntensityUnit;
 import lightning.scene.Light;
 import lightning.scene.LightAttribute;
 import lightning.scene.LightAttribute.Section;
@@ -40,6 +42,7 @@ public final class PropertyPane extends VBox {
     private final PropertyMenu menu;
     private final List<ArrowWidget> parameterWidgets = new ArrayList<>();
     private final List<Row> rows = new ArrayList<>();
+    private final List<Hideable> hideable = new ArrayList<>();
     private final LightHeader header;
     private final LightGroupSection groupSection;
     /** Editor state, updated only while the pane is visible. */
@@ -58,6 +61,23 @@ public final class PropertyPane extends VBox {
 
     /** @param lightId  light's id in the document's history; −1 for none */
     private record ShownLight(OpenDocument document, long lightId) {}
+
+    /** Nodes that are shown only if any of the attributes acts on the light. */
+    private record Hideable(List<LightAttribute<?>> attributes, List<Node> nodes) {
+        void show(Light light) {
+            boolean acts = attributes.stream().anyMatch(a -> actsOn(light, a));
+            nodes.forEach(node -> {
+                node.setVisible(acts);
+                node.setManaged(acts);
+            });
+        }
+
+        /** A directional light keeps its position, where its gizmo is drawn. */
+        private static boolean actsOn(Light light, LightAttribute<?> attribute) {
+            return attribute == LightAttribute.POSITION
+                    || attribute.inactiveReason(light).isEmpty() && (attribute != LightAttribute.SAMPLES || light.isArea());
+        }
+    }
 
     /**
      * @param menu  context menu of the properties
@@ -82,6 +102,7 @@ public final class PropertyPane extends VBox {
                         .map(this::section),
                 Stream.of(SectionLayout.section(Messages.tr("Light Group"), groupSection),
                         SectionLayout.section(Messages.tr("Scene"), parameterWidget(NumericParameter.AMBIENCE),
+                                parameterWidget(NumericParameter.METERS),
                                 SectionLayout.caption(Messages.tr("Environment")),
                                 FileField.forWorld(editor, commands, files, visibleState),
                                 parameterWidget(NumericParameter.ENVIRONMENT_INTENSITY),
@@ -97,12 +118,19 @@ public final class PropertyPane extends VBox {
     }
 
     private Node section(Section section) {
-        List<Node> widgets = new ArrayList<>(LightAttribute.ALL.stream().filter(a -> a.section() == section)
-                .flatMap(a -> widgets(a).stream()).toList());
+        List<LightAttribute<?>> attributes = LightAttribute.ALL.stream().filter(a -> a.section() == section).toList();
+        List<Node> widgets = new ArrayList<>();
+        for (LightAttribute<?> attribute : attributes) {
+            List<? extends Node> own = widgets(attribute);
+            widgets.addAll(own);
+            hideable.add(new Hideable(List.of(attribute), List.copyOf(own)));
+        }
         if (section == Section.PLACE) {
             widgets.add(aim());
         }
-        return SectionLayout.section(SectionLayout.title(section.title()), widgets.toArray(Node[]::new));
+        Node pane = SectionLayout.section(SectionLayout.title(section.title()), widgets.toArray(Node[]::new));
+        hideable.add(new Hideable(attributes, List.of(pane)));
+        return pane;
     }
 
     /** Returns the widgets of an attribute, from top to bottom. */
@@ -112,7 +140,8 @@ public final class PropertyPane extends VBox {
                 case COLOR -> List.of(withMenu(color(attribute, q), attribute));
                 case POSITION, DIRECTION ->
                         List.of(SectionLayout.caption(SectionLayout.title(attribute.title())), withMenu(vector(attribute, q), attribute));
-                case INDEPENDENT -> NumericParameter.of(attribute).stream().map(d -> withMenu(parameterWidget(d), attribute)).toList();
+                case INDEPENDENT -> attribute == LightAttribute.TEMPERATURE ? temperature()
+                        : NumericParameter.of(attribute).stream().map(d -> withMenu(parameterWidget(d), attribute)).toList();
             };
             case ValueKind.AssetKind<?> kind -> List.of(SectionLayout.caption(SectionLayout.title(attribute.title())),
                     withMenu(FileField.forLight(editor, commands, files, castAttribute(attribute, kind), kind, visibleState), attribute));
@@ -143,9 +172,24 @@ public final class PropertyPane extends VBox {
 
     private <V> Node choice(LightAttribute<V> attribute, ChoiceKind<V> choice) {
         var box = new AttributeChoiceBox<>(attribute, choice, "", v -> editor.editOrReport(
-                scene -> LightEdits.edit(scene, editor.selection().lightName(), light -> attribute.with(light, v))));
-        rows.add(new Row(attribute, box::setDisabledReason, light -> box.show(attribute.get(light)), box::showNothing, () -> {}));
+                scene -> LightEdits.setChoice(scene, editor.selection().lightName(), attribute, v)));
+        rows.add(new Row(attribute, box::setDisabledReason, light -> box.show(attribute.get(light), v -> isUsual(v, light)),
+                box::showNothing, () -> {}));
         return box;
+    }
+
+    private static boolean isUsual(Object choice, Light light) {
+        return !(choice instanceof IntensityUnit unit) || unit.isUsualFor(light);
+    }
+
+    private List<Node> temperature() {
+        var slider = new TemperatureSlider((kelvin, gesture) -> editor
+                .edit(scene -> LightEdits.setTemperature(scene, editor.selection().lightName(), kelvin), gesture));
+        slider.setId(LightAttribute.TEMPERATURE.id());
+        rows.add(new Row(LightAttribute.TEMPERATURE, slider::setDisabledReason, light -> slider.show(light.emission().temperature()),
+                slider::showNothing, slider::revert));
+        return List.of(SectionLayout.caption(SectionLayout.title(LightAttribute.TEMPERATURE.title())),
+                withMenu(slider, LightAttribute.TEMPERATURE));
     }
 
     private <N extends Node> N withMenu(N widget, LightAttribute<?> attribute) {
@@ -190,6 +234,7 @@ public final class PropertyPane extends VBox {
     }
 
     private void show(EditorState state) {
+        state.selectedLight().ifPresent(light -> hideable.forEach(part -> part.show(light)));
         rows.forEach(row -> {
             row.setDisabledReason().accept(disabledReason(state, row.attribute()));
             state.selectedLight().ifPresentOrElse(row.show(), row.showNothing());
@@ -199,6 +244,6 @@ public final class PropertyPane extends VBox {
     /** Returns why an attribute is disabled. A directional light keeps its position, where its gizmo is drawn. */
     private static Optional<String> disabledReason(EditorState state, LightAttribute<?> attribute) {
         return state.selectedLight().isEmpty() ? Optional.of(Messages.tr(NO_LIGHT))
-                : attribute == LightAttribute.POSITION ? Optional.empty() : attribute.inactiveReason(state.selectedLight().get().type());
+                : attribute == LightAttribute.POSITION ? Optional.empty() : attribute.inactiveReason(state.selectedLight().get());
     }
 }

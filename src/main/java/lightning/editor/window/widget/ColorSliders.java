@@ -9,34 +9,26 @@ import javafx.scene.control.Button;
 import javafx.scene.control.ToggleButton;
 import javafx.scene.control.ToggleGroup;
 import javafx.scene.control.Tooltip;
-import javafx.scene.layout.FlowPane;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.VBox;
 import lightning.base.math.Rgb;
 import lightning.base.text.Messages;
-import lightning.base.text.NumberUnit;
-import lightning.editor.document.ColorTemperature;
 import lightning.editor.document.HsvColor;
 import lightning.editor.document.StepRange;
 import lightning.scene.SceneLimits;
 
-/** Color editor with a color well and tabs for RGB, HSV and, for lights, color temperature. */
+/** Color editor with a color well and tabs for RGB and HSV. */
 public final class ColorSliders extends VBox {
-    private static final List<Preset> PRESETS =
-            List.of(new Preset(Messages.key("Candle"), 1900), new Preset(Messages.key("Tungsten"), 3200),
-                    new Preset(Messages.key("Daylight"), 5600), new Preset(Messages.key("Shade"), 8000));
-
     private final Target target;
     private final String prefix;
     private final Button well = new Button();
     private final ToggleGroup tabs = new ToggleGroup();
     private final VBox content = new VBox();
     private final List<ColorSlider> rgb;
-    /** Empty until its tab is shown first; {@link #square} and {@link #kelvin} are null until then. */
+    /** Empty until its tab is shown first; {@link #square} is null until then. */
     private List<ColorSlider> hsv = List.of();
     private ColorSquare square;
-    private ColorSlider kelvin;
     private final DisabledReason disabledReason;
     private Rgb shownColor = Rgb.WHITE;
     private HsvColor shownHsv = HsvColor.of(Rgb.WHITE);
@@ -54,18 +46,11 @@ public final class ColorSliders extends VBox {
         NumberSetting blue();
 
         Optional<String> hsv(HsvColor color, Object gesture);
-
-        /** Sets a color temperature; refused for surfaces. */
-        default Optional<String> temperature(double kelvin, Object gesture) {
-            return Optional.of(Messages.tr("only a light has a color temperature"));
-        }
     }
-
-    private record Preset(String name, double kelvin) {}
 
     /** Creates the editor of a light's color. */
     public ColorSliders(Target target) {
-        this("", Messages.tr("Light color"), SceneLimits.MAX_LIGHT_COLOR, true, target);
+        this("", Messages.tr("Light color"), SceneLimits.MAX_LIGHT_COLOR, target);
     }
 
     /**
@@ -76,10 +61,10 @@ public final class ColorSliders extends VBox {
      * @param max  largest allowed channel value
      */
     public static ColorSliders forSurface(String title, String help, double max, Target target) {
-        return new ColorSliders(title + " ", help, max, false, target);
+        return new ColorSliders(title + " ", help, max, target);
     }
 
-    private ColorSliders(String prefix, String help, double max, boolean isLight, Target target) {
+    private ColorSliders(String prefix, String help, double max, Target target) {
         this.target = target;
         this.prefix = prefix;
         rgb = List.of(channel("R", prefix + Messages.tr("red"), target.red()), channel("G", prefix + Messages.tr("green"), target.green()),
@@ -89,9 +74,6 @@ public final class ColorSliders extends VBox {
         content.getStyleClass().add("color-content");
         HBox head = new HBox(well, tab("RGB", Messages.tr("red, green, blue"), () -> rgb),
                 tab("HSV", Messages.tr("hue, saturation, value"), () -> hsvTab(max)));
-        if (isLight) {
-            head.getChildren().add(tab("Kelvin", Messages.tr("color temperature"), this::kelvinTab));
-        }
         head.getStyleClass().add("color-head");
         well.setOnAction(_ -> {
             tabs.selectToggle(tabs.getToggles().get(1));
@@ -136,7 +118,6 @@ public final class ColorSliders extends VBox {
         rgb.get(1).show(color.g(), v -> new Rgb(color.r(), v, color.b()));
         rgb.get(2).show(color.b(), v -> new Rgb(color.r(), color.g(), v));
         drawHsv();
-        drawKelvin();
     }
 
     private void drawHsv() {
@@ -155,14 +136,6 @@ public final class ColorSliders extends VBox {
         hsv.get(2).show(h.value(), v -> new HsvColor(h.hue(), h.saturation(), v).rgb());
     }
 
-    private void drawKelvin() {
-        if (kelvin != null && displayed == null) {
-            kelvin.showNothing();
-        } else if (kelvin != null) {
-            kelvin.show(Math.rint(ColorTemperature.of(displayed.color())), ColorTemperature::rgb);
-        }
-    }
-
     /** Clears the widget. */
     public void showNothing() {
         displayed = null;
@@ -170,16 +143,12 @@ public final class ColorSliders extends VBox {
         well.setAccessibleText(prefix + Messages.tr("color: none"));
         rgb.forEach(ColorSlider::showNothing);
         drawHsv();
-        drawKelvin();
     }
 
     /** Discards uncommitted input. */
     public void revert() {
         rgb.forEach(ColorSlider::revert);
         hsv.forEach(ColorSlider::revert);
-        if (kelvin != null) {
-            kelvin.revert();
-        }
     }
 
     /** Disables the widget with a reason, as a clause, or enables it. */
@@ -229,30 +198,6 @@ public final class ColorSliders extends VBox {
             drawHsv();
         }
         return List.of(square, hsv.get(0), hsv.get(1), hsv.get(2));
-    }
-
-    private List<Node> kelvinTab() {
-        if (kelvin == null) {
-            kelvin = new ColorSlider("K", "temperature",
-                    new ColorSlider.Scale(ColorTemperature.MIN, ColorTemperature.MAX, Math::log, Math::exp),
-                    NumberSetting.of("temperature", new StepRange(100, ColorTemperature.MIN, ColorTemperature.MAX), NumberUnit.KELVIN,
-                            target::temperature));
-            drawKelvin();
-        }
-        return List.of(kelvin, presets());
-    }
-
-    private Node presets() {
-        FlowPane presets = new FlowPane();
-        presets.getStyleClass().add("presets");
-        for (Preset preset : PRESETS) {
-            Button button = new Button(Messages.tr(preset.name()));
-            button.getStyleClass().add("small");
-            button.setTooltip(new Tooltip(SceneLimits.format(preset.kelvin()) + " K"));
-            button.setOnAction(_ -> target.temperature(preset.kelvin(), null));
-            presets.getChildren().add(button);
-        }
-        return presets;
     }
 
     /** @param nodes  supplies the tab's content each time it is selected */

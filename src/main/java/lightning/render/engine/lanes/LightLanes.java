@@ -305,7 +305,7 @@ final class LightLanes implements TermKernel {
     /** Uses separate loops: a vector that is one of two, or is returned by a method, would be boxed here. */
     @Override
     public void unroundedFalloffs(HitRows rows, LightSource source, double[] to) {
-        writeAttenuations(source.light().attenuation(), rows.count, to);
+        writeAttenuations(source.light().distanceTerms(), source.light().maxFalloff(), rows.count, to);
         if (source.hasCone()) {
             writeSpotFactors(rows, source.dropoff());
             multiplyBy(to, power, rows.count);
@@ -318,7 +318,7 @@ final class LightLanes implements TermKernel {
         }
     }
 
-    private void writeAttenuations(Attenuation a, int rows, double[] to) {
+    private void writeAttenuations(Attenuation a, double max, int rows, double[] to) {
         double constant = a.constant();
         double linear = a.linear();
         double quadratic = a.quadratic();
@@ -326,7 +326,7 @@ final class LightLanes implements TermKernel {
             DoubleVector d = DoubleVector.fromArray(D, distance, i);
             DoubleVector sum = d.mul(linear).add(constant).add(d.mul(d).mul(quadratic));
             DoubleVector part = DoubleVector.broadcast(D, 1).div(sum);
-            DoubleVector.broadcast(D, 1).blend(part, part.compare(VectorOperators.LT, 1)).intoArray(to, i);
+            DoubleVector.broadcast(D, max).blend(part, part.compare(VectorOperators.LT, max)).intoArray(to, i);
         }
     }
 

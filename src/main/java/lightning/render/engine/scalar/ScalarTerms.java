@@ -247,8 +247,10 @@ final class ScalarTerms implements TermKernel {
 
     @Override
     public void falloffs(HitRows rows, LightSource source, float[] to) {
+        Attenuation a = source.light().distanceTerms();
+        double max = source.light().maxFalloff();
         for (int i = 0; i < rows.count; i++) {
-            to[i] = (float) factor(source, i);
+            to[i] = (float) factor(source, a, max, i);
         }
     }
 
@@ -263,16 +265,18 @@ final class ScalarTerms implements TermKernel {
 
     @Override
     public void unroundedFalloffs(HitRows rows, LightSource source, double[] to) {
+        Attenuation a = source.light().distanceTerms();
+        double max = source.light().maxFalloff();
         for (int i = 0; i < rows.count; i++) {
-            to[i] = factor(source, i);
+            to[i] = factor(source, a, max, i);
         }
     }
 
-    private double factor(LightSource source, int i) {
-        Attenuation a = source.light().attenuation();
+    /** @param max the light's largest falloff */
+    private double factor(LightSource source, Attenuation a, double max, int i) {
         double d = distance[i];
         double factor = 1 / (a.constant() + a.linear() * d + a.quadratic() * (d * d));
-        factor = factor < 1 ? factor : 1;
+        factor = factor < max ? factor : max;
         return source.hasCone() ? factor * PowerFunction.pow(axisCosine[i] > 0 ? axisCosine[i] : 0, source.dropoff()) : factor;
     }
 }

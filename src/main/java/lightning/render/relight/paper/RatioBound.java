@@ -41,7 +41,9 @@ import lightning.scene.Light;
  * beyond its shares it is off by at most w′ + η. Underflows in the rest of the equation are less than 64η. Both are within two smallest
  * normal floats per light. A is twice the sum over the lights, for diffuse and specular contributions, on each level of mirrors.
  *
- * <p>This assumes terms of at most 1. The specular and grazing terms of a metallic material are at most T
+ * <p>This assumes falloffs of at most 1; the loss of a light with a larger one is that share of its largest contribution.
+ *
+ * <p>It also assumes terms of at most 1. The specular and grazing terms of a metallic material are at most T
  * ({@link MaterialTable#maxTerm}). Each loss is at most T times that of a term of 1, so A is 1 + 2T times the sum.
  */
 final class RatioBound {
@@ -127,7 +129,8 @@ final class RatioBound {
         double sum = 0;
         for (LayerStamp stamp : stamps) {
             if (stamp instanceof ScaledStamp scaled && scaled.roundings() > 0) {
-                sum += weight(scaled.light()) * (scaled.contributionLoss() + scaled.weightLoss()) + 2 * Float.MIN_NORMAL;
+                sum += weight(scaled.light()) * Math.max(1, scaled.light().maxFalloff()) * (scaled.contributionLoss() + scaled.weightLoss())
+                        + 2 * Float.MIN_NORMAL;
             }
         }
         return levels * terms * sum;

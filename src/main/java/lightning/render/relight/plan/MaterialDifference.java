@@ -22,7 +22,11 @@ record MaterialDifference(MaterialTable before, MaterialTable after) {
     }
 
     private boolean changesColor(int m) {
-        return differs(MaterialTerm.COLOR, m) || changesModel(m) || changesTexture(m);
+        return differs(MaterialTerm.COLOR, m) || changesBulb(m) || changesModel(m) || changesTexture(m);
+    }
+
+    private boolean changesBulb(int m) {
+        return !before.material(m).bulb().glow().equals(after.material(m).bulb().glow());
     }
 
     private boolean changesSpecular(int m) {

@@ -25,7 +25,6 @@ import javafx.stage.Stage;
 import javafx.stage.Window;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
-import lightning.editor.document.ColorTemperature;
 import lightning.editor.document.Command;
 import lightning.editor.document.LightEdits;
 import lightning.editor.document.LightGroupEdits;
@@ -37,6 +36,7 @@ import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.widget.RefusalTexts;
 import lightning.editor.window.widget.TextTyping;
 import lightning.sample.Slow;
+import lightning.scene.Falloff;
 import lightning.scene.Light;
 import lightning.scene.LightAttribute;
 import lightning.scene.LightType;
@@ -329,10 +329,42 @@ class PropertyPaneTest {
     }
 
     @Test
-    void temperature_keepsBrightness(FxRobot robot) {
-        robot.clickOn("Kelvin");
-        type(robot, "color", "3200");
-        assertThat(TestEditors.light(model, TestEditors.SPOT).color()).isEqualTo(ColorTemperature.rgb(3200));
+    void temperature_isKeptNextToTheColor(FxRobot robot) {
+        Light before = TestEditors.light(model, TestEditors.SPOT);
+        type(robot, "temperature", "3200");
+        assertThat(TestEditors.light(model, TestEditors.SPOT)).isEqualTo(before.withEmission(before.emission().withTemperature(3200)));
+        robot.interact(() -> robot.lookup("Neutral").queryButton().fire());
+        assertThat(TestEditors.light(model, TestEditors.SPOT)).isEqualTo(before);
+    }
+
+    @Test
+    void exposureAndIntensity_bothStayAsEntered(FxRobot robot) {
+        type(robot, "exposure", "3.5");
+        type(robot, "intensity", "0.7");
+        Light light = TestEditors.light(model, TestEditors.SPOT);
+        assertThat(light.intensity()).isEqualTo(0.7);
+        assertThat(light.emission().exposure()).isEqualTo(3.5);
+    }
+
+    @Test
+    void attributesThatCannotAct_areNotShown(FxRobot robot) {
+        robot.interact(() -> model.editor().selection().selectLight(TestEditors.POINT));
+        assertThat(robot.lookup("#angle").query().isManaged()).isFalse();
+        assertThat(robot.lookup("#radius").query().isManaged()).isTrue();
+        assertThat(robot.lookup("#samples").query().isManaged()).isFalse();
+        type(robot, "radius", "0.5");
+        assertThat(robot.lookup("#samples").query().isManaged()).isTrue();
+        robot.interact(() -> robot.lookup("#falloff").queryComboBox().getSelectionModel().selectLast());
+        assertThat(TestEditors.light(model, TestEditors.POINT).falloff()).isEqualTo(Falloff.INVERSE_SQUARE);
+        assertThat(robot.lookup("#quadratic").query().isManaged()).isFalse();
+    }
+
+    @Test
+    void unit_offersWhatSuitsTheLight(FxRobot robot) {
+        ComboBox<String> units = robot.lookup("#unit").queryComboBox();
+        assertThat(units.getItems()).containsExactly("Relative", "Candela", "Lumen");
+        robot.interact(() -> model.editor().selection().selectLight(TestEditors.SUN));
+        assertThat(units.getItems()).containsExactly("Relative", "Lux");
     }
 
     @Test

@@ -14,7 +14,6 @@ import javafx.scene.input.KeyCode;
 import javafx.scene.input.MouseButton;
 import javafx.stage.Stage;
 import lightning.base.math.Rgb;
-import lightning.editor.document.ColorTemperature;
 import lightning.editor.document.HsvColor;
 import lightning.editor.document.StepRange;
 import lightning.editor.window.JavaFxRequirement;
@@ -54,11 +53,6 @@ class ColorSlidersTest {
             @Override
             public Optional<String> hsv(HsvColor hsv, Object gesture) {
                 return edit(hsv.rgb(), gesture);
-            }
-
-            @Override
-            public Optional<String> temperature(double kelvin, Object gesture) {
-                return edit(ColorTemperature.rgb(kelvin), gesture);
             }
         });
         sliders.show(color);
@@ -153,20 +147,10 @@ class ColorSlidersTest {
     }
 
     @Test
-    void kelvinTab_setsBlackbodyColor(FxRobot robot) {
-        robot.clickOn("Kelvin");
-        type(robot, 0, "3200");
-        assertThat(color).isEqualTo(ColorTemperature.rgb(3200));
-        robot.clickOn("Daylight");
-        assertThat(color).isEqualTo(ColorTemperature.rgb(5600));
-        assertThat(Double.parseDouble(fields(robot).get(0).getText())).isCloseTo(5600, within(1.0));
-    }
-
-    @Test
     void disabledReason_disablesEveryTab(FxRobot robot) {
         robot.interact(() -> sliders.setDisabledReason(Optional.of("no light is selected")));
         assertThat(fields(robot)).allMatch(Node::isDisabled);
-        robot.clickOn("Kelvin");
+        robot.clickOn("HSV");
         assertThat(fields(robot)).hasSize(3);
     }
 

@@ -1,7 +1,6 @@
-package lightning.editor.document;
+package lightning.scene;
 
 import lightning.base.math.Rgb;
-import lightning.scene.SceneLimits;
 
 /**
  * Conversion between black-body temperatures and linear sRGB colors (IEC 61966-2-1, white D65). Uses the cubic fit of the Planckian locus
@@ -10,6 +9,8 @@ import lightning.scene.SceneLimits;
 public final class ColorTemperature {
     public static final double MIN = 1667;
     public static final double MAX = 25000;
+    /** Temperature that keeps a light's color: that of white, D65. */
+    public static final double NEUTRAL = 6500;
     private static final double LOCUS_SPLIT = 4000;
     private static final double LOW_SPLIT = 2222;
 
@@ -33,6 +34,23 @@ public final class ColorTemperature {
         Rgb mixed = new Rgb(Math.max(r, 0), Math.max(g, 0), Math.max(b, 0));
         double max = mixed.max();
         return new Rgb(mixed.r() / max, mixed.g() / max, mixed.b() / max);
+    }
+
+    /**
+     * Returns the color that multiplies that of a light of a temperature: relative to {@link #NEUTRAL}, whose tint is exactly white, and
+     * with the luminance of white (Rec. 709), so that a temperature does not change the brightness.
+     *
+     * @param kelvin 1667…25000
+     * @throws IllegalArgumentException if {@code kelvin} is out of range
+     */
+    public static Rgb tint(double kelvin) {
+        if (kelvin == NEUTRAL) {
+            return Rgb.WHITE;
+        }
+        Rgb color = rgb(kelvin);
+        Rgb white = rgb(NEUTRAL);
+        Rgb relative = new Rgb(color.r() / white.r(), color.g() / white.g(), color.b() / white.b());
+        return relative.times(1 / (0.2126 * relative.r() + 0.7152 * relative.g() + 0.0722 * relative.b()));
     }
 
     /**

@@ -1,0 +1,60 @@
+package lightning.editor.document;
+
+import java.util.Locale;
+import lightning.base.math.Vec3;
+import lightning.scene.Emission;
+import lightning.scene.Falloff;
+import lightning.scene.Light;
+import lightning.scene.LightType;
+import lightning.scene.Scene;
+import lightning.scene.SceneLimits;
+
+/**
+ * Creates lights that suit the scene's size. Their light falls off with the square of the distance, and their exposure makes white paper at
+ * the point that they face as bright as intensity 1 without falloff would.
+ */
+public final class NewLight {
+    /** Exposures are multiples of one over this, stops. */
+    private static final double STEPS_PER_STOP = 10;
+
+    private NewLight() {}
+
+    /** Returns a white light at the upper right of the camera, aimed at the point that the camera looks at. */
+    public static Light of(Scene scene, LightType type) {
+        var view = PreviewCamera.of(scene);
+        Vec3 focus = ViewFocus.of(scene);
+        Vec3 from = view.camera().from();
+        double side = focus.minus(from).length() / 2;
+        return of(type, from.plus(view.right().times(side)).plus(view.up().times(side)), focus);
+    }
+
+    /** Returns a white light at a position, aimed at another point. */
+    public static Light of(LightType type, Vec3 position, Vec3 target) {
+        double distance = target.minus(position).length();
+        // Typical size in a studio: about four tenths of the distance.
+        double size = Math.min(distance * 0.4, SceneLimits.MAX_EXTENT);
+        Light light = Light.of(type.name().toLowerCase(Locale.ROOT), type).withPosition(position).withDirection(target.minus(position));
+        Light sized = light.withArea(light.area().withWidth(size).withHeight(size).withRadius(type == LightType.DISC ? size / 2 : 0));
+        return !type.hasPosition() ? sized
+                : keepBrightness(sized, sized.withFalloff(Falloff.INVERSE_SQUARE), distance);
+    }
+
+    /** Returns {@code after} with the exposure that gives it the strength of {@code before} at a distance; rounded. */
+    static Light keepBrightness(Light before, Light after, double distance) {
+        double ratio = strength(before, distance) / strength(after, distance);
+        if (!(ratio > 0 && ratio < Double.POSITIVE_INFINITY)) {
+            return after;
+        }
+        double stops = after.emission().exposure() + Math.log(ratio) / Math.log(2);
+        double rounded = Math.rint(stops * STEPS_PER_STOP) / STEPS_PER_STOP;
+        return after.withEmission(after.emission().withExposure(Math.clamp(rounded, -Emission.MAX_EXPOSURE, Emission.MAX_EXPOSURE) + 0.0));
+    }
+
+    private static double strength(Light light, double distance) {
+        if (!light.type().hasPosition()) {
+            return 1;
+        }
+        var terms = light.distanceTerms();
+        return Math.min(1 / (terms.constant() + terms.linear() * distance + terms.quadratic() * distance * distance), light.maxFalloff());
+    }
+}
