@@ -76,7 +76,7 @@ final class ArchitectureRules {
                             + " render.engine.choice"),
             row("render.warmup", "base.work scene render.image render.trace render.engine render.engine.choice render.fulltrace"),
             row("render.cache", "scene render.column render.image render.trace render.gather render.shading"),
-            row("render.relight.plan", "base.text scene render.image render.trace render.shading render.cache"),
+            row("render.relight.plan", "base.text base.math scene render.image render.trace render.gather render.shading render.cache"),
             row("render.relight.paper",
                     "base.math scene render.column render.image render.trace render.shading render.cache render.relight.plan"),
             row("render.relight.tile",
