@@ -46,7 +46,7 @@ public record Material(String name, Rgb ambient, Rgb glow, Bulb bulb, ShadingMod
         MaterialAttribute.AMBIENT.check(ambient);
         MaterialAttribute.GLOW.check(glow);
         MaterialAttribute.BULB.check(bulb.light());
-        MaterialAttribute.BULB_GAIN.check(bulb.gain());
+        MaterialAttribute.BULB_EXPOSURE.check(bulb.exposure());
         diffuse = MaterialAttribute.DIFFUSE.checkFor(model, diffuse);
         specular = MaterialAttribute.SPECULAR.checkFor(model, specular);
         shininess = MaterialAttribute.SHININESS.checkFor(model, shininess);
@@ -70,6 +70,11 @@ public record Material(String name, Rgb ambient, Rgb glow, Bulb bulb, ShadingMod
     /** Returns all light that the surface emits itself: its glow and that of its bulb. */
     public Rgb emission() {
         return bulb.glow().isBlack() ? glow : glow.plus(bulb.glow());
+    }
+
+    /** Returns whether the glow of both bulbs is equal. */
+    public boolean hasSameBulbGlow(Material o) {
+        return bulb.glow().equals(o.bulb().glow());
     }
 
     /** Returns whether its shading model is {@link ShadingModel#METALLIC}. */

@@ -55,10 +55,10 @@ public final class MaterialAttribute<V> extends SceneAttribute<Material, V> {
             MaterialTerm.COLOR,
             null, Section.GLOW,
             "Light whose color and intensity the surface shows; the light itself lights the scene");
-    public static final MaterialAttribute<Double> BULB_GAIN = new MaterialAttribute<>("bulb_gain", "bulb gain",
-            NumericKind.number(0, SceneLimits.MAX_EMISSION, 0.1), Bulb.NONE.gain(), "multiplies the light's intensity",
-            m -> m.bulb().gain(), (m, v) -> m.withBulb(m.bulb().withGain(v)), MaterialTerm.COLOR, null, Section.GLOW,
-            "Brightness of the bulb, relative to the intensity of its light");
+    public static final MaterialAttribute<Double> BULB_EXPOSURE = new MaterialAttribute<>("bulb_exposure", "bulb exposure",
+            NumericKind.stops(-Emission.MAX_EXPOSURE, Emission.MAX_EXPOSURE, 0.1), Bulb.NONE.exposure(), "stops",
+            m -> m.bulb().exposure(), (m, v) -> m.withBulb(m.bulb().withExposure(v)), MaterialTerm.COLOR, null, Section.GLOW,
+            "Brightness of the bulb in stops, relative to the intensity of its light");
     public static final MaterialAttribute<ShadingModel> MODEL = new MaterialAttribute<>("model", ChoiceKind.of(ShadingModel.class),
             ShadingModel.PHONG, "", Material::model, Material::withModel, MaterialTerm.MODEL, null, Section.MODEL,
             "Shading model: Phong, or base color with metalness and roughness");

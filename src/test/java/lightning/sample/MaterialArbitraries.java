@@ -31,8 +31,8 @@ final class MaterialArbitraries {
     /** Returns bulbs of lights that scenes may have, three of four none. */
     static Arbitrary<Bulb> bulbs() {
         return Arbitraries.frequencyOf(Tuple.of(3, Arbitraries.of(Bulb.NONE)), Tuple.of(1, Combinators
-                .combine(bulbLights(), NumberArbitraries.rangeOrSpecial(0, 2, 1.0, 1e6))
-                .as((light, gain) -> new Bulb(light, gain, Rgb.BLACK))));
+                .combine(bulbLights(), NumberArbitraries.rangeOrSpecial(-4, 1, 0.0, 20.0))
+                .as((light, exposure) -> new Bulb(light, exposure, Rgb.BLACK))));
     }
 
     /** Returns names of lights that scenes may have, or none. */

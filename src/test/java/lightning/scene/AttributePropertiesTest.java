@@ -75,7 +75,7 @@ class AttributePropertiesTest {
     private static Stream<String> names(RecordComponent component) {
         if (component.getType() == Bulb.class) {
             // Its glow is derived from the light.
-            return Stream.of("bulb of", "bulb gain");
+            return Stream.of("bulb of", "bulb exposure");
         }
         return component.getType() == AreaShape.class || component.getType() == Emission.class || component.getType() == BumpMapping.class
                 || component.getType() == Transmission.class

@@ -1,7 +1,5 @@
 package lightning.editor.document;
 
-import java.math.BigDecimal;
-import java.math.MathContext;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
@@ -9,10 +7,10 @@ import lightning.base.text.Messages;
 import lightning.base.text.Quote;
 import lightning.format.jen.PropertyEdit;
 import lightning.scene.Bulb;
+import lightning.scene.Emission;
 import lightning.scene.Material;
 import lightning.scene.MaterialAttribute;
 import lightning.scene.Scene;
-import lightning.scene.SceneLimits;
 import lightning.scene.Shape;
 import lightning.scene.TextureMap;
 
@@ -50,23 +48,23 @@ public final class MaterialEdits {
     }
 
     /**
-     * Makes a material the bulb of a light. A gain that was never set becomes one that makes the bulb two stops brighter than white, whatever
-     * the light's exposure.
+     * Makes a material the bulb of a light. An exposure that was never set becomes one that makes the bulb two stops brighter than white, whatever
+     * the light's intensity.
      *
      * @param light name of a light; empty for none
      */
     public static EditOutcome setBulb(Scene scene, String name, String light) {
         return edit(scene, name, m -> {
             double weight = scene.light(light).map(l -> scene.rig().effectiveLight(l).weight().max()).orElse(0.0);
-            boolean isInitial = m.bulb().gain() == Bulb.NONE.gain() && weight > 0;
+            boolean isInitial = m.bulb().exposure() == Bulb.NONE.exposure() && weight > 0;
             Material bulb = MaterialAttribute.BULB.with(m, light);
-            return isInitial ? MaterialAttribute.BULB_GAIN.with(bulb, gain(weight)) : bulb;
+            return isInitial ? MaterialAttribute.BULB_EXPOSURE.with(bulb, exposure(weight)) : bulb;
         });
     }
 
-    private static double gain(double weight) {
-        double exact = Math.clamp(INITIAL_BULB_BRIGHTNESS / weight, 1e-300, SceneLimits.MAX_EMISSION);
-        return new BigDecimal(exact).round(new MathContext(2)).doubleValue();
+    private static double exposure(double weight) {
+        double tenths = Math.rint(10 * Math.log(INITIAL_BULB_BRIGHTNESS / weight) / Math.log(2));
+        return Math.clamp(tenths / 10, -Emission.MAX_EXPOSURE, Emission.MAX_EXPOSURE) + 0.0;
     }
 
     /**

@@ -96,11 +96,8 @@ class LightEditsTest {
     @ParameterizedTest
     @ValueSource(doubles = {0.005, 1, 1000})
     void newLight_suitsTheScenesSize(double size) throws Exception {
-        Scene room = JenReader.read("""
-                jen 1
-                camera { from 0 0 %s  to 0 0 %s }
-                sphere ball { scale %s %s %s }
-                """.formatted(10 * size, 10 * size - 1, size, size, size), "room", Path.of("")).scene();
+        Scene room = JenReader.read("jen 1 camera { from 0 0 " + 10 * size + " to 0 0 " + (10 * size - 1) + " } sphere ball { scale " + size
+                + " " + size + " " + size + " }", "room", Path.of("")).scene();
         for (LightType type : LightType.values()) {
             Scene added = DeskScene.sceneOf(LightEdits.add(room, type));
             Light light = added.lights().getLast();
