@@ -37,7 +37,8 @@ class LinkPaneTest extends EditorFixture {
     }
 
     private int row(String name) {
-        return IntStream.range(0, matrix().table().rows().size()).filter(i -> matrix().table().rows().get(i).name().equals(name)).findFirst()
+        return IntStream.range(0, matrix().table().rows().size()).filter(i -> matrix().table().rows().get(i).name().equals(name))
+                .findFirst()
                 .orElseThrow();
     }
 
