@@ -25,7 +25,7 @@ public final class LinkEdits {
     }
 
     /**
-     * Sets the gain of a light on a shape or group. An unlinked object is linked.
+     * Sets the gain of a light on a shape or group. An object without any link is linked.
      *
      * @param keep true to store a gain that the object would have anyway, as during a drag
      */
@@ -33,9 +33,16 @@ public final class LinkEdits {
         return LightEdits.edit(scene, light, l -> {
             ShapeGains others = l.contribution().gains().without(node);
             boolean isRedundant = !keep && LinkTable.gain(others, LinkTable.path(scene.stage(), node)) == gain;
-            return withGains(l, isRedundant ? others : l.contribution().gains().with(node, gain))
-                    .withIlluminates(linked(l.illuminates(), scene.stage(), node, true));
+            Light gained = withGains(l, isRedundant ? others : l.contribution().gains().with(node, gain));
+            return isLinked(l, scene.stage(), node) ? gained
+                    : gained.withIlluminates(linked(l.illuminates(), scene.stage(), node, true));
         }).named(Messages.tr("Gain of {0} on {1}", light, node));
+    }
+
+    /** Returns whether a light illuminates a shape, or anything in a group. */
+    private static boolean isLinked(Light light, Stage stage, String node) {
+        return stage.node(node).map(n -> LinkTable.link(light, new LinkTable.Row(LinkTable.path(stage, node), n, false)))
+                .filter(link -> link.state() != LinkTable.State.OFF).isPresent();
     }
 
     /** Removes the gain of a light on a shape or group, and on all objects in the group. */

@@ -112,6 +112,12 @@ class LinkEditsTest {
         assertThat(gains(LinkEdits.resetGain(both, "key", "head"))).isEqualTo(ShapeGains.NONE);
     }
 
+    @Test
+    void gainOfPartlyLinkedGroup_keepsItsLinks() {
+        EditOutcome outcome = LinkEdits.setGain(scene(ShapeLinks.except("left")), "key", "head", 0.3, false);
+        assertThat(outcome.sceneOr(null).lights().getFirst().illuminates()).isEqualTo(ShapeLinks.except("left"));
+    }
+
     /** A gain that the object has anyway is stored only during a drag, so that a drag through it changes no rows. */
     @Test
     void redundantGain_isRemoved() {

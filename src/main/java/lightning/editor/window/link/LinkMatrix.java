@@ -31,7 +31,12 @@ final class LinkMatrix extends Region {
     private static final double BAR = 14;
     private static final PseudoClass CHOSEN = PseudoClass.getPseudoClass("chosen");
 
-    private final Pane content = new Pane();
+    private final Pane content = new Pane() {
+        @Override
+        protected void layoutChildren() {
+            place();
+        }
+    };
     private final ScrollBar vertical = new ScrollBar();
     private final ScrollBar horizontal = new ScrollBar();
     private final List<Label> titles = new ArrayList<>();

@@ -12,7 +12,7 @@ import lightning.scene.LightAttribute;
 import lightning.scene.ShapeGains;
 import lightning.scene.ValueKind;
 
-/** Button that shows the selected light's gains on objects and opens the window that edits them. */
+/** Button that shows the selected light's gains on objects, if any, and opens the window that edits them. */
 final class GainsField extends StackPane {
     private final LightAttribute<ShapeGains> attribute;
     private final Button button = new Button();
@@ -34,7 +34,7 @@ final class GainsField extends StackPane {
 
     private void show(EditorState state) {
         button.setText(state.selectedLight().map(attribute::get).filter(gains -> !gains.isNone()).map(ShapeGains::format)
-                .orElse(Messages.tr("none")));
+                .orElse(Command.LIGHT_LINKS.title()));
         disabledReason.set(Command.LINK.disabledReason(state));
     }
 }
