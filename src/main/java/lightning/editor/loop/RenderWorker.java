@@ -17,6 +17,7 @@ import lightning.render.relight.PlannedUpdate;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.UpdateResult;
 import lightning.render.relight.plan.Accuracy;
+import lightning.render.relight.plan.PathUpdate;
 import lightning.render.relight.plan.ReflectionMode;
 import lightning.render.relight.plan.UpdatePlan;
 import lightning.render.relight.tile.RenderOptions;
@@ -48,6 +49,9 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
     private volatile double slowSeconds;
     /** Pixels of coarse images that all threads trace per second. */
     private volatile double coarsePixelsPerSecond;
+    private final PathTimes pathTimes = new PathTimes();
+    /** Cache of the last picture with indirect light while one without it is shown, to keep its paths; otherwise null. */
+    private PixelCache pathsCache;
     /** Cache of the last reported image, weakly referenced so that readers do not keep it in memory. */
     private volatile WeakReference<PixelCache> publishedCache = new WeakReference<>(null);
 
@@ -104,6 +108,7 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
 
     private void changeOptions(RenderQueue.RenderJob.ChangeOptions job, RenderQueue.CancelSignal signal) {
         renderer.setOptions(job.options());
+        pathsCache = null;
         if (!renderer.hasPicture()) {
             dropPicture();
         }
@@ -115,10 +120,21 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
     private void renderScene(Scene scene, RenderQueue.CancelSignal signal) {
         PlannedUpdate planned = renderer.plan(scene);
         listener.started(planned.update());
-        if (addsIndirectLight(scene, planned.update())) {
+        boolean adds = addsIndirectLight(scene, planned.update());
+        boolean repeats = !adds && repeatsPaths(planned.update());
+        if (!adds || renderer.hasPicture() && renderer.cache().indirect() != null) {
+            pathsCache = null;
+        }
+        if (repeats && pathTimes.areSlow() && canKeepPicture()) {
+            pathsCache = renderer.cache();
+        }
+        if (adds || pathsCache != null) {
             renderDirectFirst(scene, signal);
         } else {
-            renderStep(scene, scene, planned, signal);
+            double seconds = renderStep(scene, scene, planned, signal);
+            if (repeats) {
+                pathTimes.recordUpdate(seconds);
+            }
         }
         if (!renderer.isFinished()) {
             queue.requestSamples();
@@ -128,15 +144,28 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
     /**
      * @param requested scene that the display waits for
      * @param scene     scene of this step: the same, or without its indirect light
+     * @return time in seconds
      */
-    private void renderStep(Scene requested, Scene scene, PlannedUpdate planned, RenderQueue.CancelSignal signal) {
+    private double renderStep(Scene requested, Scene scene, PlannedUpdate planned, RenderQueue.CancelSignal signal) {
         ProgressiveDisplay display = planned.update() instanceof UpdatePlan.FirstPass ? startFirstPass(requested, scene, signal)
                 : startUpdate(requested, scene, planned, signal);
         long start = System.nanoTime();
-        update((r, _) -> r.renderCenters(planned, display), (r, progress) -> r.render(scene, progress), signal);
-        if (System.nanoTime() - start < ProgressiveDisplay.SLOW_NS) {
+        update((r, _) -> r.renderCenters(planned, display), startCache(), (r, progress) -> r.render(scene, progress), signal);
+        long nanoseconds = System.nanoTime() - start;
+        if (nanoseconds < ProgressiveDisplay.SLOW_NS) {
             slowUpdate = "";
         }
+        return nanoseconds / 1e9;
+    }
+
+    /** Returns whether an update traces paths of indirect light again because objects changed, with mirrors that show them too. */
+    private static boolean repeatsPaths(UpdatePlan update) {
+        return update instanceof UpdatePlan.Relight relight && relight.paths() == PathUpdate.REPEAT && relight.mirrors() != null;
+    }
+
+    /** Returns whether the image has all samples, and there is memory for a direct and a new one even if they share nothing with it. */
+    private boolean canKeepPicture() {
+        return renderer.isFinished() && 3 * renderer.bytes() <= renderer.options().memory();
     }
 
     /** Returns whether an update traces the paths of indirect light, and the image without it can be kept. */
@@ -153,20 +182,32 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
 
     /**
      * Renders the scene without indirect light, shows it, and adds indirect light. A newer scene replaces the second step, so that each
-     * scene of a drag is shown with direct light. A canceled second step leaves the image of the first.
+     * scene of a drag is shown with direct light. A canceled second step leaves the image of the first. After an edit of objects the
+     * second step starts from the image before it, which has paths to keep.
      */
     private void renderDirectFirst(Scene scene, RenderQueue.CancelSignal signal) {
         Scene direct = scene.withoutIndirect();
         boolean isShown = renderer.hasPicture()
                 && renderer.scene().withoutIndirect().equals(renderer.options().view().apply(direct));
+        double directSeconds = 0;
         if (!isShown) {
-            renderStep(scene, direct, renderer.plan(direct), signal);
+            directSeconds = renderStep(scene, direct, renderer.plan(direct), signal);
         } else {
             renderer.requireMemory(scene, 0, signal, _ -> {});
         }
         listener.indirectStarted();
         queue.setReplaceable(signal, true);
-        update((r, progress) -> r.renderCenters(r.planKeepingReflectionsCurrent(scene), progress), null, signal);
+        PlannedUpdate planned = renderer.planFrom(pathsCache, scene);
+        long start = System.nanoTime();
+        update((r, progress) -> r.renderCenters(planned, progress), pathsCache,
+                pathsCache == null ? null : (r, progress) -> r.render(scene, progress), signal);
+        double seconds = (System.nanoTime() - start) / 1e9;
+        if (repeatsPaths(planned.update())) {
+            pathTimes.recordSteps(directSeconds, seconds);
+        } else {
+            pathTimes.recordBuild(seconds);
+        }
+        pathsCache = null;
     }
 
     /** Shows the first coarse images, makes sure that the scene fits into memory, and shows further ones. */
@@ -233,7 +274,7 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
             if (renderer.lastFinishedCache() == null) {
                 display.showingTiles(false);
             }
-            update((r, _) -> r.finish(display), (r, progress) -> r.render(scene, progress), signal);
+            update((r, _) -> r.finish(display), startCache(), (r, progress) -> r.render(scene, progress), signal);
         }
     }
 
@@ -255,6 +296,7 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
 
     private void dropPicture() {
         renderer.clear();
+        pathsCache = null;
         displayRenderer.close();
         publishedCache = new WeakReference<>(null);
         renderedScene = null;
@@ -265,10 +307,10 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
     /**
      * Updates the image.
      *
+     * @param start      cache that the update starts from; null if unknown
      * @param repeatStep repeats the update from the start, planning included, to measure its saving; null if its saving is not measured
      */
-    private void update(WarmSaving.UpdateStep step, WarmSaving.UpdateStep repeatStep, RenderQueue.CancelSignal signal) {
-        PixelCache start = startCache();
+    private void update(WarmSaving.UpdateStep step, PixelCache start, WarmSaving.UpdateStep repeatStep, RenderQueue.CancelSignal signal) {
         ViewTransform usedView = view;
         renderer.setView(usedView.exposure(), usedView.steepestCurve());
         UpdateResult update = step.run(renderer, signal);
@@ -293,7 +335,7 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
 
     private void updateReflections(RenderQueue.CancelSignal signal) {
         if (renderedScene != null && !renderer.hasCurrentReflections()) {
-            update(Renderer::updateReflections, Renderer::updateReflections, signal);
+            update(Renderer::updateReflections, startCache(), Renderer::updateReflections, signal);
         }
     }
 

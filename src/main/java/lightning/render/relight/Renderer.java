@@ -10,6 +10,7 @@ import lightning.render.image.DisplayCurve;
 import lightning.render.image.Film;
 import lightning.render.relight.plan.Accuracy;
 import lightning.render.relight.plan.Dispatcher;
+import lightning.render.relight.plan.PathUpdate;
 import lightning.render.relight.plan.ReflectionMode;
 import lightning.render.relight.plan.UpdatePlan;
 import lightning.render.relight.tile.CacheBuilder;
@@ -84,6 +85,24 @@ public final class Renderer implements AutoCloseable {
     /** Plans the update of the film to the target scene, with mirror images if they show the scene rendered last. */
     public PlannedUpdate planKeepingReflectionsCurrent(Scene target) {
         return plan(options.view().apply(target), options.reflections() == ReflectionMode.CURRENT || hasCurrentReflections());
+    }
+
+    /**
+     * Plans the update of the film to the target scene, as {@link #planKeepingReflectionsCurrent}. Starts from an earlier picture if paths
+     * of its indirect light can be kept and mirrors then show the target scene in any case.
+     *
+     * @param earlier cache of a finished picture by this renderer with its current options; null for none
+     */
+    public PlannedUpdate planFrom(PixelCache earlier, Scene target) {
+        PlannedUpdate planned = planKeepingReflectionsCurrent(target);
+        if (earlier == null || !planned.updatesMirrors) {
+            return planned;
+        }
+        Geometry geometry = cache.geometry().canServe(planned.target) ? cache.geometry() : null;
+        UpdatePlan difference = Dispatcher.plan(earlier, planned.target, geometry, true, options.method());
+        boolean keepsPaths = difference instanceof UpdatePlan.Relight relight
+                && (relight.paths() == PathUpdate.KEEP || relight.paths() == PathUpdate.REPEAT);
+        return keepsPaths ? new PlannedUpdate(planned.target, true, difference, difference, earlier, cache, planned.nanoseconds) : planned;
     }
 
     private PlannedUpdate plan(Scene target, boolean mirrors) {

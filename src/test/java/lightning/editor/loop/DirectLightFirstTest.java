@@ -5,13 +5,21 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.Optional;
 import lightning.base.math.Vec3;
+import lightning.base.work.Progress;
+import lightning.base.work.WorkerPool;
+import lightning.render.fulltrace.TraditionalTracer;
+import lightning.render.relight.plan.PathUpdate;
 import lightning.render.relight.plan.ReflectionMode;
 import lightning.render.relight.plan.UpdatePlan;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.render.shading.ReferenceTracer;
+import lightning.render.trace.Geometry;
 import lightning.sample.IndirectScenes;
+import lightning.scene.IndirectSettings;
 import lightning.scene.Scene;
+import lightning.scene.Shape;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
@@ -75,6 +83,76 @@ class DirectLightFirstTest {
         loop.render(moved);
         assertShows(next(), moved.withoutIndirect());
         assertShows(next(), moved);
+    }
+
+    /** Paths take longer than the shortest wait that an artist notices. */
+    private Scene slowScene() {
+        Scene slow = IndirectScenes.all().get("mirror ball");
+        return slow.withPicture(slow.picture().withSize(192, 128).withIndirect(Optional.of(new IndirectSettings(2, 256, 2, false))));
+    }
+
+    private static Scene moved(Scene scene, double x) {
+        return scene.withNodes(scene.nodes().stream().map(node -> node instanceof Shape ball && ball.name().equals("ball")
+                ? ball.withPlacement(ball.placement().withPosition(new Vec3(x, -0.5, -0.2))) : node).toList());
+    }
+
+    private static void assertExact(RecordingRenderListener.Shown shown, Scene expected) {
+        assertThat(shown.frame().scene()).isEqualTo(expected);
+        assertThat(shown.frame().mirrorsAreCurrent()).isTrue();
+        try (WorkerPool workers = new WorkerPool(2)) {
+            assertThat(
+                    shown.film().hasSameBits(new TraditionalTracer(expected, new Geometry(expected)).trace(workers, Progress.NONE).film()))
+                    .isTrue();
+        }
+    }
+
+    @Test
+    void movedObject_showsDirectLightFirstAndKeepsPaths() throws InterruptedException {
+        Scene slow = slowScene();
+        loop.render(slow);
+        listener.expectNext(RecordingRenderListener.Event.IDLE);
+        Scene moved = moved(slow, 0.3);
+        loop.render(moved);
+        assertExact(next(), moved.withoutIndirect());
+        RecordingRenderListener.Shown whole = next();
+        assertExact(whole, moved);
+        assertThat(((UpdatePlan.Relight) whole.frame().update().plan()).paths()).isEqualTo(PathUpdate.REPEAT);
+    }
+
+    @Test
+    void draggedObject_showsEachPlaceWithDirectLightAndKeepsPathsAtTheEnd() throws InterruptedException {
+        Scene slow = slowScene();
+        loop.render(slow);
+        listener.expectNext(RecordingRenderListener.Event.IDLE);
+        var hold = listener.holdAfterNextPicture();
+        Scene first = moved(slow, 0.3);
+        loop.render(first);
+        hold.awaitReached();
+        Scene second = moved(slow, 0.4);
+        loop.render(second);
+        hold.release();
+        assertExact(next(), first.withoutIndirect());
+        assertExact(next(), second.withoutIndirect());
+        RecordingRenderListener.Shown whole = next();
+        assertExact(whole, second);
+        assertThat(((UpdatePlan.Relight) whole.frame().update().plan()).paths()).isEqualTo(PathUpdate.REPEAT);
+    }
+
+    @Test
+    void cameraMovedWhilePathsAreKept_isExact() throws InterruptedException {
+        Scene slow = slowScene();
+        loop.render(slow);
+        listener.expectNext(RecordingRenderListener.Event.IDLE);
+        var hold = listener.holdAfterNextPicture();
+        Scene first = moved(slow, 0.3);
+        loop.render(first);
+        hold.awaitReached();
+        Scene other = first.withCamera(first.camera().withOrigin(new Vec3(0.2, 0, 4)));
+        loop.render(other);
+        hold.release();
+        assertExact(next(), first.withoutIndirect());
+        assertExact(next(), other.withoutIndirect());
+        assertExact(next(), other);
     }
 
     @Test
