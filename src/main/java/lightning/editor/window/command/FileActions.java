@@ -5,6 +5,8 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
+import javafx.collections.FXCollections;
+import javafx.collections.ObservableList;
 import javafx.scene.control.ButtonType;
 import javafx.scene.control.MenuItem;
 import lightning.base.text.Messages;
@@ -47,7 +49,7 @@ public final class FileActions {
     private final Preferences preferences;
     private final SceneSaver saver;
     private final PictureExport export;
-    private List<Path> recent = List.of();
+    private final ObservableList<Path> recent = FXCollections.observableArrayList();
 
     /** @param quit  closes the window, which then shows a dialog for unsaved edits */
     public FileActions(EditorModel model, FilePrompt prompt, EditorDialogs notices, Preferences preferences, Runnable quit) {
@@ -82,6 +84,12 @@ public final class FileActions {
     private void newScene() {
         PictureArea area = model.layout().pictureArea();
         confirmClose(() -> read(NewScene.placeholder(), () -> NewScene.create(area)));
+    }
+
+    /** Opens a copy of a scene at the size of its pane. Asks about unsaved edits first. */
+    public void openCopy(Path file) {
+        PictureArea area = model.layout().pictureArea();
+        confirmClose(() -> read(file, () -> OpenDocument.openCopy(file).fittedTo(area)));
     }
 
     private void openOrImport(Path file) {
@@ -258,12 +266,18 @@ public final class FileActions {
     /** Updates the recent scenes from the preferences, without missing files. */
     private void refreshRecent() {
         List<Path> all = preferences.recent();
-        model.files().runConcurrently(() -> all.stream().filter(Files::isRegularFile).toList(), existing -> recent = existing, _ -> {});
+        model.files().runConcurrently(() -> all.stream().filter(Files::isRegularFile).toList(), existing -> recent.setAll(existing),
+                _ -> {});
     }
 
     /** Returns a menu item for each export format. */
     public List<MenuItem> exportItems() {
         return export.items();
+    }
+
+    /** Returns the recent scenes that existed at the last check, latest first. */
+    public ObservableList<Path> recentFiles() {
+        return recent;
     }
 
     /** Returns a menu item for each recent scene that existed at the last check. */
