@@ -24,9 +24,9 @@ import lightning.editor.window.model.Preferences;
 import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.model.StatusMessage;
 import lightning.format.MeshFormat;
+import lightning.format.exchange.ImportPreviews;
 import lightning.format.exchange.ImportedScene;
 import lightning.format.exchange.IndirectChoice;
-import lightning.format.exchange.LightUnitPreviews;
 import lightning.format.exchange.LightUnits;
 import lightning.format.exchange.SceneImporter;
 import lightning.format.image.ImageFile;
@@ -38,8 +38,8 @@ import lightning.scene.Scene;
 
 /** Actions of the file commands. Files are read and written in the background. */
 public final class FileActions {
-    /** Longer side of the previews for choosing light units, pixels. */
-    private static final int UNIT_PICTURE_SIZE = 280;
+    /** Longer side of the previews for choosing the lighting of an imported scene, pixels. */
+    private static final int IMPORT_PICTURE_SIZE = 280;
 
     private final EditorModel model;
     private final SceneEditor editor;
@@ -114,8 +114,8 @@ public final class FileActions {
         }, failure -> notices.showFailure(Messages.tr("{0} could not be imported", Quote.path(file.getFileName())), failure));
     }
 
-    /** Imported scene with previews in each light unit, or no previews if the file states its unit. */
-    private record ImportPreview(ImportedScene imported, Map<LightUnits, Film> pictures) {}
+    /** Imported scene with a preview of each choice. */
+    private record ImportPreview(ImportedScene imported, Map<ImportPreviews.Choice, Film> pictures) {}
 
     private void importScene(Path file, Path to) {
         readInBackground(file, () -> {
@@ -123,21 +123,18 @@ public final class FileActions {
             ImportedScene imported = IndirectChoice.AUTO.apply(SceneImporter.read(file, to, LightUnits.CANDELA, progress));
             try (var workers = new WorkerPool(WorkerPool.processorCount())) {
                 return new ImportPreview(imported,
-                        LightUnitPreviews.render(imported, UNIT_PICTURE_SIZE, workers, progress.cancellationOnly()));
+                        ImportPreviews.render(imported, IMPORT_PICTURE_SIZE, workers, progress.cancellationOnly()));
             }
         }, preview -> {
-            if (preview.pictures().isEmpty()) {
-                write(file, preview.imported());
-            } else {
-                // Clears the progress message.
-                message.clear();
-                notices.askLightUnits(file, preview.pictures()).ifPresent(units -> write(file, preview.imported().inUnits(units)));
-            }
+            // Clears the progress message.
+            message.clear();
+            notices.askImport(file, preview.pictures()).ifPresent(choice -> write(file, preview.imported(), choice));
         });
     }
 
-    private void write(Path file, ImportedScene imported) {
+    private void write(Path file, ImportedScene source, ImportPreviews.Choice choice) {
         read(file, () -> {
+            ImportedScene imported = choice.apply(source);
             imported.write();
             int noteCount = imported.notes().size();
             String text = Messages.tr("Imported {0}", Quote.path(file.getFileName())) + (noteCount == 0 ? "" : Messages.count(noteCount,

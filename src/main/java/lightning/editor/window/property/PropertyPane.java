@@ -83,6 +83,7 @@ public final class PropertyPane extends VBox {
                         SectionLayout.section(Messages.tr("Scene"), parameterWidget(NumericParameter.AMBIENCE),
                                 SectionLayout.caption(Messages.tr("Environment")),
                                 FileField.forWorld(editor, commands, files, visibleState),
+                                new EnvironmentPicture(editor, visibleState),
                                 parameterWidget(NumericParameter.ENVIRONMENT_INTENSITY),
                                 parameterWidget(NumericParameter.ENVIRONMENT_ROTATION),
                                 parameterWidget(NumericParameter.ENVIRONMENT_LAMPS),
