@@ -3,6 +3,7 @@ package lightning.editor.window.command;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import javafx.geometry.Pos;
 import javafx.scene.control.Button;
 import javafx.scene.control.ContentDisplay;
 import javafx.scene.control.Label;
@@ -56,6 +57,7 @@ final class ImportChooser extends VBox {
         var card = new Button(title(choice), picture);
         card.setPrefWidth(width + 2 * GAP);
         card.setMaxHeight(Double.MAX_VALUE);
+        card.setAlignment(Pos.TOP_CENTER);
         card.setWrapText(true);
         card.setTextAlignment(TextAlignment.CENTER);
         card.setId(choice.units().map(units -> "units-" + units.name())
