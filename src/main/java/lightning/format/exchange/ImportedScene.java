@@ -112,7 +112,8 @@ public record ImportedScene(Scene unscaledScene, Set<String> restored, Optional<
         Map<String, Integer> newNotes = new HashMap<>(notes);
         newNotes.remove(ADDED_LIGHT);
         newNotes.remove(ADDED_CAMERA);
-        return new ImportedScene(lit, Set.of(), Optional.empty(), List.copyOf(newComments), sceneFile, copies, Map.copyOf(newNotes), subject);
+        return new ImportedScene(lit, Set.of(), Optional.empty(), List.copyOf(newComments), sceneFile, copies, Map.copyOf(newNotes),
+                subject);
     }
 
     /** Returns this scene with smooth edges. */

@@ -47,7 +47,13 @@ final class StudioBuilder {
     /** Height of a floor, in radii of the subject above its lowest point. */
     private static final double FLOOR_HEIGHT = 0.1;
 
+    /** Height of a room's light, as a share of the height from the center to the ceiling. */
+    private static final double CEILING_HEIGHT = 0.9;
+    /** Size of a room's light, as a share of half the room's. */
+    private static final double CEILING_SHARE = 0.8;
+
     private final Scene scene;
+    private final ImportSubject subject;
     private final PictureSettings picture;
     private final Camera camera;
     private final SubjectFrame frame;
@@ -57,15 +63,16 @@ final class StudioBuilder {
 
     private StudioBuilder(ImportedScene imported) {
         scene = imported.unscaledScene();
-        ImportSubject subject = imported.subject();
+        subject = imported.subject();
         boolean hasCamera = subject.hasCamera();
-        PictureSettings smooth = scene.picture().sampling().isSupersampled() ? scene.picture() : scene.picture().withSampling(ImportedScene.SMOOTH);
+        PictureSettings smooth =
+                scene.picture().sampling().isSupersampled() ? scene.picture() : scene.picture().withSampling(ImportedScene.SMOOTH);
         picture = hasCamera ? smooth : smooth.withSize(WIDTH, HEIGHT);
         camera = hasCamera ? scene.camera() : SubjectFrame.camera(subject, (double) WIDTH / HEIGHT);
         frame = new SubjectFrame(subject, camera);
         scene.stage().nodes().forEach(this::reserveNames);
         isRoom = ClosedRoom.contains(scene);
-        hasFloor = isRoom || hasFloor(subject);
+        hasFloor = isRoom || findFloor();
     }
 
     static StudioBuilder of(ImportedScene imported) {
@@ -82,7 +89,7 @@ final class StudioBuilder {
     /**
      * Tests if there is something low near at least three corners of the bounding box, and nothing above it: not the inside of a pedestal.
      */
-    private boolean hasFloor(ImportSubject subject) {
+    private boolean findFloor() {
         if (scene.stage().shapeCount() == 0) {
             return false;
         }
@@ -103,7 +110,7 @@ final class StudioBuilder {
     Scene studio() {
         Light sky = Light.of(names.unique("sky", ""), LightType.DIRECTIONAL).withColor(new Rgb(0.75, 0.86, 1)).withIntensity(0.16)
                 .withDirection(frame.direction(0, -1, -0.25));
-        List<Light> lights = isRoom ? List.of(softbox("ceiling", 1, 3, 0, 0.75, 0, 1.2, 1.2))
+        List<Light> lights = isRoom ? List.of(ceiling())
                 : List.of(softbox("key", 1, 4.6, -4, 3.45, 3.6, 2.2, 2.2).withColor(new Rgb(1, 0.93, 0.84)),
                         softbox("fill", 0.75, 0.6, 5, 1.45, 3.4, 3, 3).withColor(new Rgb(0.82, 0.9, 1)),
                         softbox("rim", 0.75, 3.5, 2.6, 3.05, -3.6, 2.6, 0.7),
@@ -117,7 +124,8 @@ final class StudioBuilder {
                 .withDirection(frame.direction(0.6, -0.85, -0.6));
         Light dome = Light.of(names.unique("sky", ""), LightType.DIRECTIONAL).withColor(new Rgb(0.62, 0.78, 1)).withIntensity(0.8)
                 .withDirection(new Vec3(0, -1, 0));
-        return build(List.of(sun.withArea(sun.area().withSpread(1).withSamples(8)), dome.withArea(dome.area().withSpread(90).withSamples(32))),
+        return build(
+                List.of(sun.withArea(sun.area().withSpread(1).withSamples(8)), dome.withArea(dome.area().withSpread(90).withSamples(32))),
                 SKY_BACKGROUND, new Rgb(0.36, 0.35, 0.33), material -> List.of(plane("ground", material, Vec3.ZERO, Vec3.ZERO,
                         new Vec3(GROUND, 1, GROUND))));
     }
@@ -128,6 +136,17 @@ final class StudioBuilder {
                 .withDirection(frame.direction(-x, -y, -z)).withAttenuation(new Attenuation(0.2, 0, frame.quadratic(0.1)));
         return light.withArea(light.area().withWidth(frame.length(width)).withHeight(frame.length(height))
                 .withSamples((int) Math.rint(16 * sampleShare)));
+    }
+
+    /** Creates a soft light below the ceiling of a room. */
+    private Light ceiling() {
+        Vec3 half = subject.max().minus(subject.center());
+        Light light = Light.of(names.unique("ceiling", ""), LightType.RECT).withIntensity(2)
+                .withPosition(frame.rounded(subject.center().plus(new Vec3(0, CEILING_HEIGHT * half.y(), 0))))
+                .withDirection(new Vec3(0, -1, 0)).withAttenuation(new Attenuation(0.2, 0, frame.quadratic(0.1)));
+        return light.withArea(
+                light.area().withWidth(frame.rounded(CEILING_SHARE * half.x())).withHeight(frame.rounded(CEILING_SHARE * half.z()))
+                        .withUp(new Vec3(0, 0, 1)));
     }
 
     private Scene build(List<Light> lights, Rgb background, Rgb paper, Function<String, List<SceneNode>> ground) {

@@ -66,6 +66,16 @@ final class SubjectFrame {
         return round(subject.center().plus(offset(x, y, z).times(unit())), subject.radius());
     }
 
+    /** Returns a readable position near another. */
+    Vec3 rounded(Vec3 position) {
+        return round(position, subject.radius());
+    }
+
+    /** Returns a readable length near another. */
+    double rounded(double length) {
+        return round(length);
+    }
+
     /** Returns a direction: x to the right, y up, z toward the camera. */
     Vec3 direction(double x, double y, double z) {
         return round(offset(x, y, z), 1);

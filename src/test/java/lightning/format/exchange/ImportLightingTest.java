@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.Map;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
@@ -110,6 +111,34 @@ class ImportLightingTest {
         assertThat(ImportLighting.SKY.apply(read(BOX + FLOOR, 1)).scene().stage().hasNode("backdrop")).isFalse();
     }
 
+    /** Lights outside a room would not reach it. */
+    @Test
+    void closedRoom_isLitFromItsCeiling() throws Exception {
+        String room = """
+                v
+                from 0 0 190
+                at 0 0 -100
+                up 0 1 0
+                angle 60
+                hither 0.01
+                resolution 64 36
+                l 0 50 0
+                f 0.6 0.6 0.6 1 0 0 0 1
+                p 4\n-200 -50 -200\n200 -50 -200\n200 50 -200\n-200 50 -200
+                p 4\n-200 -50 200\n200 -50 200\n200 50 200\n-200 50 200
+                p 4\n-200 -50 -200\n-200 -50 200\n-200 50 200\n-200 50 -200
+                p 4\n200 -50 -200\n200 -50 200\n200 50 200\n200 50 -200
+                p 4\n-200 -50 -200\n200 -50 -200\n200 -50 200\n-200 -50 200
+                p 4\n-200 50 -200\n200 50 -200\n200 50 200\n-200 50 200
+                """;
+        Path file = Files.writeString(folder.resolve("room.nff"), room);
+        Scene scene = ImportLighting.STUDIO.apply(SceneImporter.read(file, folder.resolve("room.jen"), LightUnits.CANDELA, Progress.NONE))
+                .scene();
+        assertThat(scene.lights()).extracting(Light::name).containsExactly("ceiling");
+        assertThat(scene.lights().getFirst().position().y()).isBetween(40.0, 50.0);
+        assertThat(Arrays.stream(blocks(trace(scene))).average().orElseThrow()).isBetween(50.0, 220.0);
+    }
+
     @Test
     void lightSizes_followTheSubject() throws Exception {
         Map<String, Double> widths = ImportLighting.STUDIO.apply(read(BOX, 2000)).scene().lights().stream()
@@ -128,7 +157,8 @@ class ImportLightingTest {
     void previews_areOfEachChoice() throws Exception {
         try (var workers = new WorkerPool(1)) {
             Map<ImportPreviews.Choice, Film> films = ImportPreviews.render(read(BOX, 1), 40, workers, Progress.NONE);
-            assertThat(films.keySet()).extracting(ImportPreviews.Choice::lighting).containsExactly(ImportLighting.STUDIO, ImportLighting.SKY);
+            assertThat(films.keySet()).extracting(ImportPreviews.Choice::lighting).containsExactly(ImportLighting.STUDIO,
+                    ImportLighting.SKY);
             assertThat(films.values()).allMatch(film -> film.width() == 40);
         }
     }

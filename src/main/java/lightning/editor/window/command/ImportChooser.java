@@ -63,7 +63,8 @@ final class ImportChooser extends VBox {
         card.setId(choice.units().map(units -> "units-" + units.name())
                 .orElse("lighting-" + choice.lighting().name()).toLowerCase(Locale.ROOT));
         card.setContentDisplay(ContentDisplay.TOP);
-        card.setAccessibleText(choice.units().map(units -> Messages.tr("Read intensities as {0}", units.description())).orElse(title(choice)));
+        card.setAccessibleText(
+                choice.units().map(units -> Messages.tr("Read intensities as {0}", units.description())).orElse(title(choice)));
         card.setOnAction(_ -> {
             chosen = Optional.of(choice);
             onChosen.run();
