@@ -131,10 +131,11 @@ final class ArchitectureRules {
             row("editor.window.contribution", WINDOW),
             row("editor.window.link", WINDOW),
             row("editor.window.cue", WINDOW + " editor.document.cue"),
+            row("editor.window.welcome", WINDOW),
             row("editor.window",
                     WINDOW + " format format.exchange editor.window.property editor.window.traced editor.window.preview editor.window.animation"
                             + " editor.window.timeline editor.window.measure editor.window.mixer editor.window.contribution editor.window.link"
-                            + " editor.window.cue"),
+                            + " editor.window.cue editor.window.welcome"),
             row("cli",
                     ENGINE + " base.file scene.shot format format.hdr format.jen format.exr format.image format.layer format.pov format.exchange"
                             + " shot shot.cluster shot.movie bench.accuracy bench bench.report"),

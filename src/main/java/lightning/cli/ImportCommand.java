@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.util.Locale;
 import java.util.concurrent.Callable;
 import lightning.base.work.WorkerPool;
+import lightning.format.exchange.ImportLighting;
 import lightning.format.exchange.ImportedScene;
 import lightning.format.exchange.IndirectChoice;
 import lightning.format.exchange.LightUnitPreviews;
@@ -47,6 +48,12 @@ final class ImportCommand implements Callable<Integer> {
             description = "Indirect light: on, off, or auto, which is on if the camera is in a closed room (default: auto).")
     private IndirectChoice indirect = IndirectChoice.AUTO;
 
+    @Option(names = "--lighting", paramLabel = "LIGHTS",
+            description = "Lights of the scene: file (the file's own), studio (soft key, fill and rim lights on a cyclorama) or sky (sun, "
+                    + "sky and ground). studio and sky fit the size of the subject, frame it if the file has no camera, and smooth edges "
+                    + "(default: file).")
+    private ImportLighting lighting = ImportLighting.FILE;
+
     ImportCommand(Console console) {
         this.console = console;
     }
@@ -62,7 +69,7 @@ final class ImportCommand implements Callable<Integer> {
         try (var bar = new ProgressBar(console, "reading")) {
             imported = SceneImporter.read(file, output, units == null ? LightUnits.CANDELA : units, bar);
         }
-        imported = indirect.apply(imported);
+        imported = lighting.apply(indirect.apply(imported));
         imported.write();
         if (writesUnitPictures) {
             writePictures(imported, name.substring(0, name.length() - JenFile.EXTENSION.length()));

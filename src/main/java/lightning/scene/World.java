@@ -53,6 +53,9 @@ public record World(double ambience, Rgb background, Optional<Environment> envir
     public static final List<SceneAttribute<World, ?>> ATTRIBUTES =
             List.of(AMBIENCE, BACKGROUND, ENVIRONMENT, ROTATION, INTENSITY, LIGHT_COUNT, SOFTNESS, METERS);
 
+    /** Number of environment lights that leave neither stripes nor much grain: docs/decisions/0164-first-steps-of-an-artist.md. */
+    private static final int SOFT_LIGHTS = 48;
+
     /** Samples of a spread environment light: the minimum, because there are many lights. */
     private static final int SAMPLES_PER_LIGHT = SceneLimits.MIN_LIGHT_SAMPLES;
 
@@ -72,6 +75,16 @@ public record World(double ambience, Rgb background, Optional<Environment> envir
     public World(double ambience, Rgb background) {
         this(ambience, background, ENVIRONMENT.initial(), ROTATION.initial(), INTENSITY.initial(), LIGHT_COUNT.initial(),
                 SOFTNESS.initial(), METERS.initial());
+    }
+
+    /**
+     * Returns this world with enough environment lights, spread over their regions, for shadows without stripes, if {@code before} has no
+     * environment and nothing else was chosen. The initial values of scene files are coarser, because old files rely on them.
+     */
+    public World withSoftLights(World before) {
+        boolean isFirst = before.environment.isEmpty() && environment.isPresent() && lightCount == LIGHT_COUNT.initial()
+                && softness == SOFTNESS.initial();
+        return isFirst ? withLightCount(SOFT_LIGHTS).withSoftness(1) : this;
     }
 
     /** Returns a clause that says why an attribute has no effect in this world; empty if it has. */

@@ -24,6 +24,14 @@ class ImportCommandTest {
         CliResult.run("check", folder.resolve("a.jen")).assertSuccess();
     }
 
+    @Test
+    void lighting_replacesLights() throws Exception {
+        Path model = Files.writeString(folder.resolve("a.obj"), TRIANGLE);
+        CliResult.run("import", model, "-o", folder.resolve("a.jen"), "--lighting", "studio").assertSuccess();
+        assertThat(Files.readString(folder.resolve("a.jen"))).contains("light key rect", "antialias edges", "group backdrop");
+        CliResult.run("import", model, "-o", folder.resolve("a.jen"), "--lighting", "moon").assertRejected("--lighting");
+    }
+
     /** Box from −1 to 1 around a camera at its center, whose front is left out if it is open. */
     private static String room(boolean closed) {
         String nff = """

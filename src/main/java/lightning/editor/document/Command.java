@@ -13,6 +13,8 @@ public enum Command {
     NEW_SCENE(Messages.key("New Scene"), Messages.key("New studio with a cyclorama, soft key, fill and rim lights, and a sky"),
             "mdi2f-file-plus-outline",
             "Shortcut+N", DisabledReasons.unlessAnimating()),
+    WELCOME(Messages.key("Welcome"), Messages.key("Show scenes, recent files and lessons next to the picture"), "mdi2h-home-outline", "",
+            DisabledReasons.NONE),
     LOAD_FILE(Messages.key("Open…"), Messages.key("Open a scene, or import a glTF, OBJ, PLY or NFF file"),
             "mdi2f-folder-open-outline",
             "Shortcut+O",

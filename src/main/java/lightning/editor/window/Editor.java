@@ -106,6 +106,13 @@ public final class Editor implements AutoCloseable {
         }
     }
 
+    /** Shows the welcome page next to the start scene, unless the user has switched it off. */
+    void welcome() {
+        if (model.layout().welcomeAtStartProperty().get()) {
+            model.commands().run(Command.WELCOME);
+        }
+    }
+
     /** Reports a scene that could not be opened, then continues with the scene that was read instead. */
     void reportFailedOpen(Path file, Exception failure) {
         notices.showFailureAndWait(Messages.tr("{0} could not be opened", Quote.path(file)), failure);
@@ -121,6 +128,7 @@ public final class Editor implements AutoCloseable {
         for (Observable choice : List.of(model.accuracyModeProperty(), model.editor().liveProperty(),
                 settings.glowingTexturesProperty(),
                 settings.gizmoSizeProperty(), model.commands().keyBindings().changesProperty(), model.layout().canvasLayoutProperty(),
+                model.layout().welcomeAtStartProperty(),
                 model.languageProperty(),
                 model.renderMachines().hostsProperty(), model.renderMachines().certificateProperty(),
                 model.commands().toggleState(Command.LIGHT_THEME).orElseThrow())) {

@@ -3,9 +3,11 @@ package lightning.editor.window;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.function.Supplier;
+import javafx.beans.binding.Bindings;
 import javafx.beans.binding.BooleanExpression;
 import javafx.geometry.Insets;
 import javafx.geometry.Orientation;
+import javafx.geometry.Pos;
 import javafx.scene.Node;
 import javafx.scene.control.Control;
 import javafx.scene.control.Label;
@@ -43,6 +45,10 @@ final class EditorLayout extends BorderPane {
     private static final double EXTRA_ROW_HEIGHT = 30;
     /** Width of the divider between two panes, pixels. */
     static final double DIVIDER_WIDTH = 4;
+    /** Minimum width of a page next to the traced picture, pixels. */
+    private static final double MIN_PAGE_WIDTH = 460;
+    /** Share of the width that a page always leaves free, unless the window is too narrow. */
+    private static final double MIN_LEFT_SHARE = 0.3;
     /** Insets of a loading note, aligned with the text of the header above it. */
     private static final Insets NOTE_INSETS = new Insets(6, 12, 6, 12);
 
@@ -52,6 +58,7 @@ final class EditorLayout extends BorderPane {
     private final SplitPane workArea;
     private final SplitPane sidePanels;
     private final SplitPane mainSplit;
+    private final StackPane center;
     private Node traced;
     private Node preview;
     private Node timeline;
@@ -82,7 +89,8 @@ final class EditorLayout extends BorderPane {
         mainSplit.setDividerPositions(CANVAS_SHARE);
         SplitPane.setResizableWithParent(sidePanels, false);
         setTop(spacer(BARS_HEIGHT));
-        setCenter(mainSplit);
+        center = new StackPane(mainSplit);
+        setCenter(center);
         setBottom(spacer(STATUS_HEIGHT));
     }
 
@@ -187,6 +195,27 @@ final class EditorLayout extends BorderPane {
             timelineDivider = 1 - Math.min(MAX_TIMELINE_SHARE, TIMELINE_HEIGHT / workArea.getHeight());
             workArea.setDividerPositions(timelineDivider);
         }
+    }
+
+    /** Shows a page over everything right of the traced picture, or over part of the picture if the rest is narrower than the page. */
+    void showPage(Region page) {
+        page.setMaxHeight(Double.MAX_VALUE);
+        StackPane.setAlignment(page, Pos.CENTER_RIGHT);
+        page.maxWidthProperty().bind(Bindings.createDoubleBinding(this::pageWidth, traced.boundsInParentProperty(),
+                canvases.widthProperty(), center.widthProperty()));
+        center.getChildren().add(page);
+    }
+
+    private double pageWidth() {
+        boolean isTracedVisible = canvases.getItems().size() == 2 && canvases.getItems().contains(traced);
+        double right = isTracedVisible ? traced.getBoundsInParent().getMaxX() : 0;
+        return Math.max(Math.min(MIN_PAGE_WIDTH, center.getWidth()),
+                center.getWidth() - Math.max(right, center.getWidth() * MIN_LEFT_SHARE));
+    }
+
+    void hidePage(Region page) {
+        center.getChildren().remove(page);
+        page.maxWidthProperty().unbind();
     }
 
     /** Applies the layout now and on every change of it. */

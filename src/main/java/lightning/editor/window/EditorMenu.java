@@ -39,7 +39,8 @@ final class EditorMenu extends MenuBar {
     EditorMenu(EditorModel model, FileActions files) {
         this.model = model;
         items = CommandMenuItems.forMenuBar(model.commands());
-        Menu file = menu(Messages.tr("File"), Command.NEW_SCENE, Command.LOAD_FILE, Command.RELOAD, SEPARATOR, Command.SAVE_SCENE,
+        Menu file = menu(Messages.tr("File"), Command.NEW_SCENE, Command.LOAD_FILE, Command.WELCOME, Command.RELOAD, SEPARATOR,
+                Command.SAVE_SCENE,
                 Command.SAVE_SCENE_AS,
                 Command.SAVE_IMAGE,
                 SEPARATOR, Command.QUIT);

@@ -31,6 +31,7 @@ import lightning.editor.window.property.SidePane;
 import lightning.editor.window.timeline.Playback;
 import lightning.editor.window.timeline.ShotExportWindow;
 import lightning.editor.window.timeline.TimelinePane;
+import lightning.editor.window.welcome.LessonBar;
 
 /** Content of the editor's window: traced picture, preview, and the lists and properties next to them. */
 public final class EditorWindow implements AutoCloseable {
@@ -42,6 +43,7 @@ public final class EditorWindow implements AutoCloseable {
     private final VBox bars;
     private final EditorMenu menu;
     private final SidePane side;
+    private final LessonBar lessons;
     /** Null before it is first shown. */
     private TimelinePane timeline;
     private final BooleanProperty fullScreen = new SimpleBooleanProperty();
@@ -63,7 +65,9 @@ public final class EditorWindow implements AutoCloseable {
         var tools = new EditorToolBar(model.editor(), model.commands(), model.accuracyModeProperty());
         tools.visibleProperty().bind(model.layout().panelsHiddenProperty().not());
         tools.managedProperty().bind(tools.visibleProperty());
-        bars = new VBox(menu, tools);
+        lessons = new LessonBar(model);
+        bars = new VBox(menu, tools, lessons);
+        new WelcomePage(layout, model, files, lessons, this::focus);
         side = new SidePane(model);
         layout.setPanes(bars, preview, new ListTabs(model.editor(), model.commands()), side,
                 new StatusBar(model.editor(), model.picture(), model.commands()));
@@ -144,6 +148,7 @@ public final class EditorWindow implements AutoCloseable {
 
     @Override
     public void close() {
+        lessons.close();
         panels.close();
         if (timeline != null) {
             timeline.close();

@@ -99,6 +99,8 @@ public class LightningApp extends Application {
     @Override
     public void start(Stage stage) {
         Path file = file();
+        // Before the window opens: a window without a title is shown with the toolkit's.
+        stage.setTitle("Lightning");
         ColorTheme looks = preferences.enumValue("theme", ColorTheme.DARK);
         var startupView = new StartupView(looks);
         Rectangle2D screen = Screen.getPrimary().getVisualBounds();
@@ -189,6 +191,9 @@ public class LightningApp extends Application {
         }
         preloader = new IdlePreloader(stage.getScene(), editor::isIdle, editor.window().preloadSteps().iterator());
         editorOpened(editor);
+        if (files.isStartScene() && files.findRecoveries().isEmpty()) {
+            editor.welcome();
+        }
         editor.offerRecovery(files.findRecoveries());
         if (files.fileToImport() != null) {
             editor.files().load(files.fileToImport());

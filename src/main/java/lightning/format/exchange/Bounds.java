@@ -52,6 +52,16 @@ final class Bounds {
         return !(min[0] <= max[0]);
     }
 
+    /** Returns the lowest corner; the origin if the box is empty. */
+    Vec3 min() {
+        return isEmpty() ? Vec3.ZERO : new Vec3(min[0], min[1], min[2]);
+    }
+
+    /** Returns the highest corner; the origin if the box is empty. */
+    Vec3 max() {
+        return isEmpty() ? Vec3.ZERO : new Vec3(max[0], max[1], max[2]);
+    }
+
     Vec3 center() {
         return isEmpty() ? Vec3.ZERO : new Vec3((min[0] + max[0]) / 2, (min[1] + max[1]) / 2, (min[2] + max[2]) / 2);
     }

@@ -34,6 +34,9 @@ import lightning.scene.SceneNode;
  * equivalents.
  */
 final class GltfImport {
+    /** Minimum distance of the target from a camera among the objects, as a share of their radius. */
+    private static final double MIN_TARGET_DISTANCE = 0.2;
+
     private final SceneAssembler assembler;
     private final LightUnits units;
     private final GltfScene file;
@@ -77,6 +80,7 @@ final class GltfImport {
         for (int i = 0; i < lightNodes.size(); i++) {
             importLight(lightNodes.get(i), lightTransforms.get(i), settings);
         }
+        assembler.camera = assembler.camera.map(this::withTargetAtObjects);
         assembler.units = assembler.lights.isEmpty() ? Optional.empty() : Optional.of(units);
         return assembler.build();
     }
@@ -152,6 +156,21 @@ final class GltfImport {
             gltfCamera.aspectRatio().ifPresent(assembler::setAspectRatio);
         } catch (IllegalArgumentException | ArithmeticException e) {
             assembler.notes.add("cameras that cannot be placed");
+        }
+    }
+
+    /**
+     * Returns the camera with its target as far as the objects: a glTF camera has a direction only. New lights take their size from this
+     * distance.
+     */
+    private Camera withTargetAtObjects(Camera camera) {
+        Vec3 view = camera.to().minus(camera.from());
+        double radius = assembler.bounds.radius();
+        double distance = Math.max(assembler.bounds.center().minus(camera.from()).dot(view), MIN_TARGET_DISTANCE * radius);
+        try {
+            return new Camera(camera.from(), camera.from().plus(view.times(distance)), camera.up(), camera.fov());
+        } catch (IllegalArgumentException | ArithmeticException e) {
+            return camera;
         }
     }
 

@@ -5,7 +5,9 @@ import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -16,7 +18,10 @@ import lightning.base.text.Quote;
 import lightning.format.jen.JenException;
 import lightning.format.jen.JenReader;
 import lightning.format.jen.JenWriter;
+import lightning.scene.AntialiasMode;
 import lightning.scene.IndirectSettings;
+import lightning.scene.PictureSettings;
+import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
 
 /**
@@ -30,10 +35,18 @@ import lightning.scene.Scene;
  * @param sceneFile output file
  * @param copies files to copy next to it
  * @param notes omitted or approximated features with their counts
+ * @param subject what the file contains
  */
 public record ImportedScene(Scene unscaledScene, Set<String> restored, Optional<LightUnits> units, List<String> comments, Path sceneFile,
         List<AssetCopy> copies,
-        Map<String, Integer> notes) {
+        Map<String, Integer> notes, ImportSubject subject) {
+    /** Notes about what replaces missing parts of the file. */
+    static final String ADDED_LIGHT = "no lights in the file; added one";
+    static final String ADDED_CAMERA = "no cameras in the file; added one";
+    /** Comment of a scene that got a light because the file has none. */
+    static final String ADDED_LIGHT_COMMENT = "no light in the file; this one was added";
+    /** Smooth edges of imported pictures. */
+    static final SamplingSettings SMOOTH = new SamplingSettings(AntialiasMode.EDGES, 4);
     private static final String FORMAT_LINE = "jen 1\n";
     private static final String EXPECTED_FILE = "a file to copy next to the scene";
 
@@ -75,14 +88,40 @@ public record ImportedScene(Scene unscaledScene, Set<String> restored, Optional<
     /** Returns this scene with other light units, or this object if the file defines its units. */
     public ImportedScene inUnits(LightUnits newUnits) {
         return units.isEmpty() ? this
-                : new ImportedScene(unscaledScene, restored, Optional.of(newUnits), comments, sceneFile, copies, notes);
+                : new ImportedScene(unscaledScene, restored, Optional.of(newUnits), comments, sceneFile, copies, notes, subject);
     }
 
     /** Returns this scene with indirect light of the default settings. */
     ImportedScene withIndirect() {
         return new ImportedScene(
                 unscaledScene.withPicture(unscaledScene.picture().withIndirect(Optional.of(IndirectSettings.DEFAULT))), restored, units,
-                comments, sceneFile, copies, notes);
+                comments, sceneFile, copies, notes, subject);
+    }
+
+    /**
+     * Returns this scene with lights that replace those of the file.
+     *
+     * @param comment comment line that says so, if the file has lights
+     */
+    ImportedScene withLighting(String comment, Scene lit) {
+        List<String> newComments = new ArrayList<>(comments);
+        newComments.remove(ADDED_LIGHT_COMMENT);
+        if (subject.hasLights()) {
+            newComments.add(comment);
+        }
+        Map<String, Integer> newNotes = new HashMap<>(notes);
+        newNotes.remove(ADDED_LIGHT);
+        newNotes.remove(ADDED_CAMERA);
+        return new ImportedScene(lit, Set.of(), Optional.empty(), List.copyOf(newComments), sceneFile, copies, Map.copyOf(newNotes),
+                subject);
+    }
+
+    /** Returns this scene with smooth edges. */
+    public ImportedScene withSmoothEdges() {
+        PictureSettings picture = unscaledScene.picture();
+        return picture.sampling().isSupersampled() ? this
+                : new ImportedScene(unscaledScene.withPicture(picture.withSampling(SMOOTH)), restored, units, comments, sceneFile, copies,
+                        notes, subject);
     }
 
     /** Returns whether the scene has indirect light. */

@@ -37,18 +37,27 @@ public final class LightUnitPreviews {
         if (imported.units().isEmpty()) {
             return films;
         }
-        PictureSettings settings = imported.unscaledScene().picture();
-        double scale = (double) size / Math.max(settings.width(), settings.height());
-        PictureSettings small = settings.withSize((int) Math.ceil(scale * settings.width()), (int) Math.ceil(scale * settings.height()))
-                .withSampling(EDGES).withIndirect(Optional.empty());
-        List<Material> untextured = imported.unscaledScene().materials().stream()
-                .map(m -> m.withTexture(Optional.empty()).withCutout(AlphaCutout.NONE).withBumpMapping(BumpMapping.NONE)).toList();
-        Geometry geometry = null;
+        Scene small = small(imported.unscaledScene(), size);
+        var geometry = new Geometry(small);
         for (LightUnits units : LightUnits.values()) {
-            Scene scene = imported.inUnits(units).scene().withMaterials(untextured).withPicture(small);
-            geometry = geometry == null ? new Geometry(scene) : geometry;
+            Scene scene = small.withRig(imported.inUnits(units).scene().rig());
             films.put(units, new TraditionalTracer(scene, geometry).trace(workers, progress).film());
         }
         return films;
+    }
+
+    /** Renders an image of a scene, without textures. */
+    static Film render(Scene scene, int size, WorkerPool workers, Progress progress) {
+        return new TraditionalTracer(small(scene, size)).trace(workers, progress).film();
+    }
+
+    private static Scene small(Scene scene, int size) {
+        PictureSettings settings = scene.picture();
+        double scale = (double) size / Math.max(settings.width(), settings.height());
+        PictureSettings small = settings.withSize((int) Math.ceil(scale * settings.width()), (int) Math.ceil(scale * settings.height()))
+                .withSampling(EDGES).withIndirect(Optional.empty());
+        List<Material> untextured = scene.materials().stream()
+                .map(m -> m.withTexture(Optional.empty()).withCutout(AlphaCutout.NONE).withBumpMapping(BumpMapping.NONE)).toList();
+        return scene.withMaterials(untextured).withPicture(small);
     }
 }

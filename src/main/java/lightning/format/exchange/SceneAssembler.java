@@ -182,9 +182,10 @@ final class SceneAssembler {
     ImportedScene build() throws MeshException {
         try {
             Camera view = camera.orElseGet(this::defaultCamera);
-            if (lights.isEmpty()) {
-                addComment("no light in the file; this one was added");
-                notes.add("no lights in the file; added one");
+            boolean hasLights = !lights.isEmpty();
+            if (!hasLights) {
+                addComment(ImportedScene.ADDED_LIGHT_COMMENT);
+                notes.add(ImportedScene.ADDED_LIGHT);
                 lights.add(defaultLight(view));
             }
             Stage stage = new Stage(List.copyOf(materials), List.copyOf(nodes));
@@ -192,7 +193,7 @@ final class SceneAssembler {
                     LightRig.of(lights.stream().map(light -> withValidLinks(light, stage)).toList(), lightGroups));
             return new ImportedScene(scene, Set.copyOf(restoredLights), units, List.copyOf(comments), sceneFile,
                     List.copyOf(copies.values()),
-                    Map.copyOf(notes.counts()));
+                    Map.copyOf(notes.counts()), new ImportSubject(bounds.min(), bounds.max(), camera.isPresent(), hasLights));
         } catch (IllegalArgumentException e) {
             throw new MeshException(source, "", "cannot be a scene here: " + e.getMessage());
         }
@@ -224,7 +225,7 @@ final class SceneAssembler {
     }
 
     private Camera defaultCamera() {
-        notes.add("no cameras in the file; added one");
+        notes.add(ImportedScene.ADDED_CAMERA);
         double distance = bounds.radius() / Math.sin(Math.toRadians(20)) * 1.05;
         Vec3 middle = bounds.center();
         return new Camera(round(middle.plus(new Vec3(0.5, 0.4, 0.9).normalized().times(distance))), round(middle), Vec3.Y, 40);

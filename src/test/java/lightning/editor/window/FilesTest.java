@@ -33,6 +33,8 @@ import lightning.format.jen.JenReader;
 import lightning.format.jen.Problem;
 import lightning.render.image.DisplayCurve;
 import lightning.render.image.ViewTransform;
+import lightning.scene.AntialiasMode;
+import lightning.scene.Light;
 import org.assertj.core.data.Offset;
 import org.junit.jupiter.api.Test;
 
@@ -252,13 +254,23 @@ class FilesTest extends EditorFixture {
     void droppedMesh_createsSceneNextToIt_andAsksBeforeAnother() throws IOException {
         Path mesh = Files.writeString(folder.resolve("tri.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nl 1 2\n");
         robot.interact(() -> editor.window().openDropped(List.of(mesh.toFile())));
+        chooseLighting("sky");
         waitFor("the scene is open", () -> model().editor().document().name().equals("tri.jen"));
-        waitFor("the message is shown", () -> text("message").startsWith("Imported tri.obj; 3 import notes"));
+        waitFor("the message is shown", () -> text("message").startsWith("Imported tri.obj; 1 import note"));
+        assertThat(model().editor().scene().lights()).extracting(Light::name).containsExactly("sun", "sky");
+        assertThat(model().editor().scene().picture().sampling().antialias()).isEqualTo(AntialiasMode.EDGES);
         String first = Files.readString(folder.resolve("tri.jen"));
         answer = folder.resolve("again.jen");
         robot.interact(() -> editor.window().openDropped(List.of(mesh.toFile())));
+        chooseLighting("studio");
         waitFor("the other scene is open", () -> model().editor().document().name().equals("again.jen"));
+        assertThat(model().editor().scene().lights()).extracting(Light::name).containsExactly("key", "fill", "rim", "sky");
         assertThat(Files.readString(folder.resolve("tri.jen"))).isEqualTo(first);
+    }
+
+    private void chooseLighting(String lighting) {
+        waitFor("the question is shown", () -> robot.lookup("#lighting-" + lighting).tryQuery().isPresent());
+        click("lighting-" + lighting);
     }
 
     @Test

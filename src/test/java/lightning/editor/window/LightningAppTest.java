@@ -10,6 +10,8 @@ import java.util.concurrent.TimeUnit;
 import javafx.collections.ListChangeListener;
 import javafx.scene.Node;
 import javafx.scene.control.Label;
+import javafx.scene.input.KeyCode;
+import javafx.scene.input.KeyEvent;
 import javafx.scene.text.Text;
 import javafx.stage.Stage;
 import lightning.base.work.Await;
@@ -40,6 +42,7 @@ class LightningAppTest {
     private volatile Editor editor;
     private Stage stage;
     private String first;
+    private String firstTitle;
     /** True if the picture was in a window when it was first drawn; empty before that. */
     private Optional<Boolean> seen = Optional.empty();
     private final List<String> notes = new ArrayList<>();
@@ -50,6 +53,7 @@ class LightningAppTest {
         app.init();
         app.start(primary);
         first = primary.getScene().getRoot().getId();
+        firstTitle = primary.getTitle();
         var picture = (PictureView) primary.getScene().lookup("#traced-picture");
         // The picture is not part of the window while its pane is being created.
         picture.emptyProperty().subscribe(empty -> seen = empty ? seen : Optional.of(picture.getScene() != null));
@@ -119,9 +123,22 @@ class LightningAppTest {
     }
 
     @Test
-    void preview_hasInitialFocus(FxRobot robot) throws Exception {
-        TestEditors.await(() -> robot.lookup("#editor").tryQuery().isPresent());
+    void welcomePage_isNextToStartScene_andEscapeClosesIt(FxRobot robot) throws Exception {
+        TestEditors.await(() -> robot.lookup("#welcome").tryQuery().isPresent());
         FastRobot.settle();
+        var picture = robot.lookup("#traced-picture").query();
+        assertThat(robot.lookup("#welcome").query().localToScene(0, 0).getX())
+                .isGreaterThanOrEqualTo(picture.localToScene(picture.getLayoutBounds()).getMaxX());
+        assertThat(stage.getScene().getFocusOwner().getId()).isEqualTo("welcome-open");
+        robot.interact(() -> stage.getScene().getFocusOwner().fireEvent(
+                new KeyEvent(KeyEvent.KEY_PRESSED, "", "", KeyCode.ESCAPE, false, false, false, false)));
+        FastRobot.settle();
+        assertThat(robot.lookup("#welcome").tryQuery()).isEmpty();
         assertThat(stage.getScene().getFocusOwner().getId()).isEqualTo("preview-canvas");
+    }
+
+    @Test
+    void title_isSetBeforeTheFirstFrame() {
+        assertThat(firstTitle).isEqualTo("Lightning");
     }
 }

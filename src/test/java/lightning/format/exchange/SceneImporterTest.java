@@ -77,6 +77,8 @@ class SceneImporterTest {
     void cameraAndLight_matchTheFile() throws Exception {
         Scene scene = imported(Files.write(from.resolve("a.glb"), GltfFixtures.binary(SCENE, GltfFixtures.SQUARE)));
         assertNear(scene.camera().from(), new Vec3(0, 0, 13));
+        // A new light takes its size from this distance.
+        assertThat(scene.camera().to().minus(scene.camera().from()).length()).as("distance of the objects").isGreaterThan(5);
         assertThat(scene.camera().fov()).isCloseTo(Math.toDegrees(1), Offset.offset(1e-9));
         Light bulb = scene.light("bulb").orElseThrow();
         assertThat(bulb.type()).isEqualTo(LightType.POINT);

@@ -22,7 +22,7 @@ import lightning.editor.document.RecoveryFolder;
 import lightning.editor.window.model.ErrorMessage;
 import lightning.editor.window.widget.PanelWindow;
 import lightning.editor.window.widget.WindowPlacement;
-import lightning.format.exchange.LightUnits;
+import lightning.format.exchange.ImportPreviews;
 import lightning.format.jen.JenException;
 import lightning.format.jen.Problem;
 import lightning.render.image.Film;
@@ -116,16 +116,16 @@ public final class EditorDialogs {
     }
 
     /**
-     * Asks for the unit of an imported file's light intensities.
+     * Asks for the lighting of an imported scene, and for the unit of the file's light intensities.
      *
      * @param pictures  preview for each choice
-     * @return chosen unit; empty if canceled
+     * @return choice; empty if canceled
      */
-    Optional<LightUnits> askLightUnits(Path file, Map<LightUnits, Film> pictures) {
+    Optional<ImportPreviews.Choice> askImport(Path file, Map<ImportPreviews.Choice, Film> pictures) {
         Alert alert =
-                alert(Alert.AlertType.CONFIRMATION, Messages.tr("Which looks right for {0}?", Quote.path(file.getFileName())), "",
+                alert(Alert.AlertType.CONFIRMATION, Messages.tr("How do you want to light {0}?", Quote.path(file.getFileName())), "",
                         ButtonType.CANCEL);
-        var cards = new LightUnitChooser(pictures, WindowPlacement.screenBounds(owner).getWidth() - FRAME_WIDTH, alert::close);
+        var cards = new ImportChooser(pictures, WindowPlacement.screenBounds(owner).getWidth() - FRAME_WIDTH, alert::close);
         alert.getDialogPane().setContent(cards);
         alert.showAndWait();
         return cards.chosen();

@@ -5,6 +5,8 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
+import javafx.collections.FXCollections;
+import javafx.collections.ObservableList;
 import javafx.scene.control.ButtonType;
 import javafx.scene.control.MenuItem;
 import lightning.base.text.Messages;
@@ -22,9 +24,9 @@ import lightning.editor.window.model.Preferences;
 import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.model.StatusMessage;
 import lightning.format.MeshFormat;
+import lightning.format.exchange.ImportPreviews;
 import lightning.format.exchange.ImportedScene;
 import lightning.format.exchange.IndirectChoice;
-import lightning.format.exchange.LightUnitPreviews;
 import lightning.format.exchange.LightUnits;
 import lightning.format.exchange.SceneImporter;
 import lightning.format.image.ImageFile;
@@ -36,8 +38,8 @@ import lightning.scene.Scene;
 
 /** Actions of the file commands. Files are read and written in the background. */
 public final class FileActions {
-    /** Longer side of the previews for choosing light units, pixels. */
-    private static final int UNIT_PICTURE_SIZE = 280;
+    /** Longer side of the previews for choosing the lighting of an imported scene, pixels. */
+    private static final int IMPORT_PICTURE_SIZE = 280;
 
     private final EditorModel model;
     private final SceneEditor editor;
@@ -47,7 +49,7 @@ public final class FileActions {
     private final Preferences preferences;
     private final SceneSaver saver;
     private final PictureExport export;
-    private List<Path> recent = List.of();
+    private final ObservableList<Path> recent = FXCollections.observableArrayList();
 
     /** @param quit  closes the window, which then shows a dialog for unsaved edits */
     public FileActions(EditorModel model, FilePrompt prompt, EditorDialogs notices, Preferences preferences, Runnable quit) {
@@ -84,6 +86,12 @@ public final class FileActions {
         confirmClose(() -> read(NewScene.placeholder(), () -> NewScene.create(area)));
     }
 
+    /** Opens a copy of a scene at the size of its pane. Asks about unsaved edits first. */
+    public void openCopy(Path file) {
+        PictureArea area = model.layout().pictureArea();
+        confirmClose(() -> read(file, () -> OpenDocument.openCopy(file).fittedTo(area)));
+    }
+
     private void openOrImport(Path file) {
         if (MeshFormat.isMeshFileName(file.getFileName().toString())) {
             importScene(file);
@@ -106,8 +114,8 @@ public final class FileActions {
         }, failure -> notices.showFailure(Messages.tr("{0} could not be imported", Quote.path(file.getFileName())), failure));
     }
 
-    /** Imported scene with previews in each light unit, or no previews if the file states its unit. */
-    private record ImportPreview(ImportedScene imported, Map<LightUnits, Film> pictures) {}
+    /** Imported scene with a preview of each choice. */
+    private record ImportPreview(ImportedScene imported, Map<ImportPreviews.Choice, Film> pictures) {}
 
     private void importScene(Path file, Path to) {
         readInBackground(file, () -> {
@@ -115,21 +123,18 @@ public final class FileActions {
             ImportedScene imported = IndirectChoice.AUTO.apply(SceneImporter.read(file, to, LightUnits.CANDELA, progress));
             try (var workers = new WorkerPool(WorkerPool.processorCount())) {
                 return new ImportPreview(imported,
-                        LightUnitPreviews.render(imported, UNIT_PICTURE_SIZE, workers, progress.cancellationOnly()));
+                        ImportPreviews.render(imported, IMPORT_PICTURE_SIZE, workers, progress.cancellationOnly()));
             }
         }, preview -> {
-            if (preview.pictures().isEmpty()) {
-                write(file, preview.imported());
-            } else {
-                // Clears the progress message.
-                message.clear();
-                notices.askLightUnits(file, preview.pictures()).ifPresent(units -> write(file, preview.imported().inUnits(units)));
-            }
+            // Clears the progress message.
+            message.clear();
+            notices.askImport(file, preview.pictures()).ifPresent(choice -> write(file, preview.imported(), choice));
         });
     }
 
-    private void write(Path file, ImportedScene imported) {
+    private void write(Path file, ImportedScene source, ImportPreviews.Choice choice) {
         read(file, () -> {
+            ImportedScene imported = choice.apply(source);
             imported.write();
             int noteCount = imported.notes().size();
             String text = Messages.tr("Imported {0}", Quote.path(file.getFileName())) + (noteCount == 0 ? "" : Messages.count(noteCount,
@@ -258,12 +263,18 @@ public final class FileActions {
     /** Updates the recent scenes from the preferences, without missing files. */
     private void refreshRecent() {
         List<Path> all = preferences.recent();
-        model.files().runConcurrently(() -> all.stream().filter(Files::isRegularFile).toList(), existing -> recent = existing, _ -> {});
+        model.files().runConcurrently(() -> all.stream().filter(Files::isRegularFile).toList(), existing -> recent.setAll(existing),
+                _ -> {});
     }
 
     /** Returns a menu item for each export format. */
     public List<MenuItem> exportItems() {
         return export.items();
+    }
+
+    /** Returns the recent scenes that existed at the last check, latest first. */
+    public ObservableList<Path> recentFiles() {
+        return recent;
     }
 
     /** Returns a menu item for each recent scene that existed at the last check. */

@@ -222,6 +222,7 @@ public final class CuePane extends VBox {
             return cueName;
         }, savedName -> {
             showMessage(Messages.tr("Saved {0}", Quote.of(savedName)));
+            editor.savedLooksProperty().set(editor.savedLooksProperty().get() + 1);
             name.clear();
             loadCues();
         });

@@ -1,8 +1,11 @@
 package lightning.editor.window.model;
 
+import java.util.ArrayList;
 import java.util.EnumMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Consumer;
 import javafx.beans.property.Property;
 import javafx.beans.value.ObservableObjectValue;
 import javafx.beans.value.ObservableValue;
@@ -16,6 +19,7 @@ public final class CommandRegistry {
     private final KeyBindings keyBindings = new KeyBindings();
     private final ObservableObjectValue<EditorState> editorState;
     private final StatusMessage message;
+    private final List<Consumer<Command>> runListeners = new ArrayList<>();
 
     /** @param message  shows why a command is disabled when its key is pressed */
     CommandRegistry(ObservableObjectValue<EditorState> editorState, StatusMessage message) {
@@ -64,7 +68,17 @@ public final class CommandRegistry {
         Runnable action = actions.get(command);
         if (action != null && isEnabled(command)) {
             action.run();
+            List.copyOf(runListeners).forEach(listener -> listener.accept(command));
         }
+    }
+
+    /** Adds a listener that is called after each run of a command. */
+    public void addRunListener(Consumer<Command> listener) {
+        runListeners.add(listener);
+    }
+
+    public void removeRunListener(Consumer<Command> listener) {
+        runListeners.remove(listener);
     }
 
     /** Runs a command whose key was pressed, or shows why it is disabled. {@link Command#CANCEL} shows nothing. */

@@ -4,10 +4,12 @@ import java.util.Optional;
 import java.util.function.Function;
 import java.util.function.UnaryOperator;
 import javafx.beans.property.BooleanProperty;
+import javafx.beans.property.IntegerProperty;
 import javafx.beans.property.ObjectProperty;
 import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.ReadOnlyObjectWrapper;
 import javafx.beans.property.SimpleBooleanProperty;
+import javafx.beans.property.SimpleIntegerProperty;
 import lightning.base.text.Messages;
 import lightning.editor.document.EditOutcome;
 import lightning.editor.document.EditorState;
@@ -25,6 +27,7 @@ public final class SceneEditor {
     private final ReadOnlyObjectWrapper<EditorState> editorState = new ReadOnlyObjectWrapper<>();
     private final BooleanProperty live = new SimpleBooleanProperty();
     private final BooleanProperty materialShown = new SimpleBooleanProperty();
+    private final IntegerProperty savedLooks = new SimpleIntegerProperty();
     private final StatusMessage message = new StatusMessage();
     private final SceneSelection selection;
     private final Workbench workbench;
@@ -69,6 +72,11 @@ public final class SceneEditor {
     /** True if the material's properties are shown in place of the selection's. */
     public BooleanProperty materialShownProperty() {
         return materialShown;
+    }
+
+    /** Number of looks saved in this session. */
+    public IntegerProperty savedLooksProperty() {
+        return savedLooks;
     }
 
     public SceneSelection selection() {

@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.stream.IntStream;
 import lightning.editor.loop.Frame;
 import lightning.editor.loop.RenderListener;
+import lightning.render.image.DisplayCurve;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
 import lightning.render.relight.plan.UpdatePlan;
@@ -232,12 +233,10 @@ public final class TracedRaster implements RenderListener {
 
     private void packCoarse(Film film, int width, int height) {
         int[] small = view.toPixels(film);
-        int[] large = pixels.pixels();
-        for (int y = 0; y < height; y++) {
-            int from = (int) ((long) y * film.height() / height) * film.width();
-            for (int x = 0; x < width; x++) {
-                large[y * width + x] = small[from + (int) ((long) x * film.width() / width)];
-            }
+        if (view.curve() == DisplayCurve.FALSE || view.marksClipping()) {
+            CoarseScaling.repeat(small, film.width(), film.height(), pixels.pixels(), width, height);
+        } else {
+            CoarseScaling.smooth(small, film.width(), film.height(), pixels.pixels(), width, height);
         }
         dirty = dirty.plus(0, 0, width, height);
     }

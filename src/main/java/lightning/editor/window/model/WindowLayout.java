@@ -13,6 +13,7 @@ public final class WindowLayout {
     private final ObjectProperty<CanvasLayout> canvasLayout = new SimpleObjectProperty<>(CanvasLayout.SIDE_BY_SIDE);
     private final BooleanProperty panelsHidden = new SimpleBooleanProperty();
 
+    private final BooleanProperty welcomeAtStart = new SimpleBooleanProperty(true);
     private Supplier<PictureArea> pictureArea = () -> PictureArea.DEFAULT;
     private final BooleanProperty timelineShown = new SimpleBooleanProperty();
     private final BooleanProperty filmStripShown = new SimpleBooleanProperty();
@@ -61,6 +62,11 @@ public final class WindowLayout {
         return filmStripShown;
     }
 
+    /** True if the welcome page opens with the start scene. Initially true. */
+    public BooleanProperty welcomeAtStartProperty() {
+        return welcomeAtStart;
+    }
+
     /** Returns the area in which the traced picture is shown. */
     public PictureArea pictureArea() {
         return pictureArea.get();
@@ -74,10 +80,12 @@ public final class WindowLayout {
     /** Restores the arrangement. Panels are always shown at startup. */
     public void restore(Preferences preferences) {
         canvasLayout.set(preferences.enumValue("arrangement", CanvasLayout.SIDE_BY_SIDE));
+        welcomeAtStart.set(!preferences.hasValue("welcome", "false"));
     }
 
     /**  */
     public void save(Preferences preferences) {
         preferences.set("arrangement", canvasLayout.get().name());
+        preferences.set("welcome", welcomeAtStart.get());
     }
 }

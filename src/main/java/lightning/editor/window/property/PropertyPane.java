@@ -105,6 +105,7 @@ public final class PropertyPane extends VBox {
                                 parameterWidget(NumericParameter.METERS),
                                 SectionLayout.caption(Messages.tr("Environment")),
                                 FileField.forWorld(editor, commands, files, visibleState),
+                                new EnvironmentPicture(editor, visibleState),
                                 parameterWidget(NumericParameter.ENVIRONMENT_INTENSITY),
                                 parameterWidget(NumericParameter.ENVIRONMENT_ROTATION),
                                 parameterWidget(NumericParameter.ENVIRONMENT_LAMPS),

@@ -2,14 +2,18 @@ package lightning.editor.window.command;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.util.EnumMap;
+import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import javafx.scene.Scene;
 import javafx.stage.Stage;
 import lightning.base.work.Await;
 import lightning.editor.window.JavaFxRequirement;
 import lightning.editor.window.StageExtension;
+import lightning.format.exchange.ImportLighting;
+import lightning.format.exchange.ImportPreviews;
 import lightning.format.exchange.LightUnits;
 import lightning.render.image.Film;
 import lightning.sample.Slow;
@@ -22,21 +26,24 @@ import org.testfx.util.WaitForAsyncUtils;
 
 @ExtendWith({JavaFxRequirement.class, StageExtension.class})
 @Slow
-class LightUnitChooserTest {
-    private final Map<LightUnits, Film> pictures = new EnumMap<>(LightUnits.class);
+class ImportChooserTest {
+    private final Map<ImportPreviews.Choice, Film> pictures = new LinkedHashMap<>();
     private Stage stage;
 
     @Start
     void open(Stage given) {
         stage = given;
         for (LightUnits units : LightUnits.values()) {
-            pictures.put(units, Film.black(280, 210));
+            pictures.put(new ImportPreviews.Choice(ImportLighting.FILE, Optional.of(units)), Film.black(280, 210));
+        }
+        for (ImportLighting lighting : List.of(ImportLighting.STUDIO, ImportLighting.SKY)) {
+            pictures.put(new ImportPreviews.Choice(lighting, Optional.empty()), Film.black(280, 158));
         }
     }
 
     private double width(double maxWidth) {
         return WaitForAsyncUtils.waitForAsyncFx(TimeUnit.SECONDS.toMillis(Await.TIMEOUT_SECONDS), () -> {
-            var cards = new LightUnitChooser(pictures, maxWidth, () -> {});
+            var cards = new ImportChooser(pictures, maxWidth, () -> {});
             stage.setScene(new Scene(cards));
             cards.applyCss();
             return cards.prefWidth(-1);
@@ -51,6 +58,6 @@ class LightUnitChooserTest {
 
     @Test
     void largeScreen_showsPicturesAtFullSize() {
-        assertThat(width(1880)).isEqualTo(width(3800)).isGreaterThan(3 * 280);
+        assertThat(width(1880)).isEqualTo(width(3800)).isGreaterThan(5 * 280);
     }
 }
