@@ -87,6 +87,8 @@ public enum Command {
 
     SELECT_SHAPE(Messages.key("Select Object"), Messages.key("Select the object under the cursor"),
             "mdi2c-cursor-default-click-outline", "", DisabledReasons.NONE),
+    HIDE_SHAPE(Messages.key("Hide Object"), Messages.key("Hide the object under the cursor"), "mdi2e-eye-off-outline", "",
+            DisabledReasons.unlessAnimating()),
     SHOW_SHAPE(Messages.key("Show/Hide Object"), Messages.key("Show or hide the selected object or group"),
             "mdi2e-eye-off-outline", "",
             DisabledReasons.unlessAnimating(DisabledReasons::noShape)),
@@ -106,6 +108,8 @@ public enum Command {
             Messages.key("Choose which objects the light illuminates and which cast its shadows"),
             "mdi2l-link-variant", "", DisabledReasons::noLight),
 
+    SELECT_LIGHT(Messages.key("Select Light"), Messages.key("Select a light by its share of the light under the cursor"),
+            "mdi2l-lightbulb-on-outline", "", DisabledReasons.NONE),
     ADD_LIGHT(Messages.key("Add Light"), Messages.key("Add a light to the scene"), "mdi2l-lightbulb-on-outline", "Shortcut+L",
             DisabledReasons.unlessAnimating(DisabledReasons::tooManyLights)),
     DUPLICATE_LIGHT(Messages.key("Duplicate Light"), Messages.key("Duplicate the selected light"), "mdi2c-content-duplicate",

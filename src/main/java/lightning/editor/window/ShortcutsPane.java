@@ -44,7 +44,9 @@ final class ShortcutsPane extends GridPane {
     private static final List<Row> PICTURE = List.of(
             new Row(Messages.key("Inspect a pixel"), Messages.key("hover"), ""),
             new Row(Messages.key("Select the light that contributes most there"), Messages.key("click"), ""),
-            new Row(Messages.key("Open an object's menu, here or in the preview"), Messages.key("right click"), ""),
+            new Row(Messages.key("Open the menu of a pixel: its lights, placements, object"), Messages.key("right click"),
+                    Messages.key("Menu, or Shift + F10")),
+            new Row(Messages.key("Open an object's menu in the preview"), Messages.key("right click"), ""),
             new Row(Messages.key("Zoom"), Messages.key("wheel"), ""),
             new Row(Messages.key("Pan the image"), Messages.key("middle drag, or Space and drag"), ""),
             new Row(Messages.key("Rotate, orbit, or move the selected light or object"), Messages.key("as in the preview"), ""),

@@ -7,9 +7,12 @@ import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.ReadOnlyStringProperty;
 import javafx.beans.property.ReadOnlyStringWrapper;
 import javafx.beans.property.SimpleBooleanProperty;
+import javafx.geometry.Bounds;
+import javafx.geometry.Point2D;
 import javafx.scene.Cursor;
 import javafx.scene.Node;
 import javafx.scene.control.Control;
+import javafx.scene.control.TextInputControl;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyEvent;
 import javafx.scene.input.MouseButton;
@@ -19,7 +22,6 @@ import javafx.scene.layout.StackPane;
 import javafx.scene.shape.Rectangle;
 import lightning.base.text.Messages;
 import lightning.editor.loop.Frame;
-import lightning.editor.window.command.ShapeMenu;
 import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.model.ErrorMessage;
 import lightning.editor.window.model.PicturePointer;
@@ -44,11 +46,13 @@ final class TracedMouse implements AutoCloseable {
     private final PictureView picture;
     private final Consumer<PixelReport> onHover;
     private final PixelInspector inspector;
+    /** Inspects clicked pixels: the reports on hovered ones must not replace them. */
+    private final PixelInspector clickInspector;
     private final RegionTracer regionTracer = new RegionTracer();
     private final BooleanProperty regionMode = new SimpleBooleanProperty();
     private final ReadOnlyStringWrapper prompt = new ReadOnlyStringWrapper("");
     private final Rectangle regionFrame = new Rectangle();
-    private final ShapeMenu menu;
+    private final PixelMenu menu;
     private final LightPlacer placer;
     private final TracedGizmo gizmo;
     private final StackPane overlay;
@@ -77,9 +81,10 @@ final class TracedMouse implements AutoCloseable {
         windowExecutor = model.files().windowExecutor();
         this.picture = picture;
         this.onHover = onHover;
-        menu = new ShapeMenu(editor, model.materials(), model.commands());
         inspector = new PixelInspector(windowExecutor);
+        clickInspector = new PixelInspector(windowExecutor);
         placer = LightPlacer.register(editor, model.commands());
+        menu = new PixelMenu(model, placer);
         gizmo = new TracedGizmo(editor, model.previewSettings(), picture, placer);
         overlay = new StackPane(gizmo, new Pane(regionFrame));
         overlay.setMouseTransparent(true);
@@ -122,6 +127,18 @@ final class TracedMouse implements AutoCloseable {
     }
 
     private void handleKey(KeyEvent e) {
+        if (e.getCode() == KeyCode.CONTEXT_MENU || e.getCode() == KeyCode.F10 && e.isShiftDown()) {
+            PicturePointer.Pixel pixel = picturePart.pixelProperty().get();
+            if (pixel != null && !(picture.getScene().getFocusOwner() instanceof TextInputControl)) {
+                Bounds bounds = picture.pictureBoundsProperty().getValue();
+                double scale = bounds.getWidth() / tracedPicture.frame().scene().picture().width();
+                Point2D at = picture.localToScreen(bounds.getMinX() + (pixel.x() + 0.5) * scale,
+                        bounds.getMinY() + (pixel.y() + 0.5) * scale);
+                showMenu(new PictureView.Pixel(pixel.x(), pixel.y()), at.getX(), at.getY());
+                e.consume();
+            }
+            return;
+        }
         if (e.getCode() != KeyCode.ESCAPE) {
             return;
         }
@@ -280,14 +297,15 @@ final class TracedMouse implements AutoCloseable {
         } else if (e.isStillSincePress() && e.getButton() == MouseButton.PRIMARY && placer.promptProperty().get().isEmpty()) {
             click(e);
         } else if (e.isStillSincePress() && e.getButton() == MouseButton.SECONDARY) {
-            showMenu(e);
+            picture.pixel(e.getX(), e.getY()).ifPresent(p -> showMenu(p, e.getScreenX(), e.getScreenY()));
         }
     }
 
-    private void showMenu(MouseEvent e) {
-        if (tracedPicture.frame() != null) {
-            picture.pixel(e.getX(), e.getY()).ifPresent(p -> inspector.request(tracedPicture.frame(), p.x(), p.y(),
-                    report -> menu.show(picture, report.shape(), e.getScreenX(), e.getScreenY())));
+    private void showMenu(PictureView.Pixel pixel, double screenX, double screenY) {
+        Frame frame = tracedPicture.frame();
+        if (frame != null) {
+            clickInspector.request(frame, pixel.x(), pixel.y(),
+                    report -> menu.show(picture, new PixelMenu.Target(frame, report, gizmo.viewport()), screenX, screenY));
         }
     }
 
@@ -322,7 +340,7 @@ final class TracedMouse implements AutoCloseable {
         if (tracedPicture.frame() == null) {
             return;
         }
-        picture.pixel(e.getX(), e.getY()).ifPresent(p -> inspector.request(tracedPicture.frame(), p.x(), p.y(), report -> {
+        picture.pixel(e.getX(), e.getY()).ifPresent(p -> clickInspector.request(tracedPicture.frame(), p.x(), p.y(), report -> {
             if (onPick == null) {
                 report.strongest().ifPresent(editor.selection()::selectLight);
             } else if (report.point() == null) {
@@ -344,6 +362,7 @@ final class TracedMouse implements AutoCloseable {
     @Override
     public void close() {
         inspector.close();
+        clickInspector.close();
         regionTracer.close();
     }
 }

@@ -144,7 +144,12 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         promptLabel.setMouseTransparent(true);
         promptLabel.textProperty().bind(mouse.promptProperty().map(p -> p.isEmpty() ? "" : Messages.tr("{0}  ·  Esc to finish", p)));
         promptLabel.visibleProperty().bind(mouse.promptProperty().isNotEmpty());
-        StackPane.setAlignment(promptLabel, Pos.TOP_CENTER);
+        promptLabel.managedProperty().bind(promptLabel.visibleProperty());
+        var notes = new VBox(promptLabel, new PictureMessage(editor.message().textProperty()));
+        notes.getStyleClass().add("picture-notes");
+        notes.setMouseTransparent(true);
+        notes.setMaxSize(Region.USE_PREF_SIZE, Region.USE_PREF_SIZE);
+        StackPane.setAlignment(notes, Pos.TOP_CENTER);
         Node legend = new StopLegend(traced.viewProperty());
         StackPane.setAlignment(legend, Pos.BOTTOM_RIGHT);
         StackPane.setMargin(legend, BADGE_INSETS);
@@ -155,7 +160,7 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         commands.setToggle(Command.MARK_CLIPPING, view.map(ViewTransform::marksClipping),
                 () -> view.set(view.get().withMarksClipping(!view.get().marksClipping())));
         var stage = new StackPane(waitingLabel, picture, mouse.overlay(), badges, lookBadge, lightsCard, legend, clipping, progress,
-                promptLabel);
+                notes);
         stage.getStyleClass().add("canvas");
         setTop(header());
         setCenter(stage);
