@@ -329,6 +329,8 @@ public enum Command {
             DisabledReasons.NONE),
     GIZMO_SIZE(Messages.key("Light Handle Size"), Messages.key("Set the size of the light handles"), "mdi2c-cone", "",
             DisabledReasons.NONE),
+    NAVIGATION(Messages.key("Camera Navigation"), Messages.key("Choose the mouse buttons that move the view"), "mdi2m-mouse", "",
+            DisabledReasons.NONE),
     GLOWING_TEXTURES(Messages.key("Self-Illuminated Textures in Preview (1998)"),
             Messages.key("Show textures in the preview without lighting"),
             "mdi2t-texture", "", DisabledReasons.NONE),

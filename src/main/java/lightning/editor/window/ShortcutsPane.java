@@ -37,6 +37,8 @@ final class ShortcutsPane extends GridPane {
             new Row(Messages.key("Pan"), Messages.key("Shift + drag left or right"), Messages.key("Shift + left, right")),
             new Row(Messages.key("Rotate the scene"), Messages.key("Shift + drag from near the edge"),
                     Messages.key("Shift + Ctrl + arrows")),
+            new Row(Messages.key("Orbit, pan, zoom with Maya navigation"), Messages.key("Alt + left, middle, right drag"), ""),
+            new Row(Messages.key("Orbit, pan, zoom with Blender navigation"), Messages.key("middle drag, with Shift, with Ctrl"), ""),
             new Row(Messages.key("Side view, top view, scene camera"), Messages.key("Side, Top, Camera"), "X, Y, Z"),
             new Row(Messages.key("Frame all lights"), Messages.key("Frame All"), "A"),
             new Row(Messages.key("Look through the selected light"), Messages.key("eye button"), "L"),

@@ -15,6 +15,7 @@ public final class PreviewSettings {
     private final BooleanProperty glowingTextures = new SimpleBooleanProperty();
     private final BooleanProperty gizmosHidden = new SimpleBooleanProperty();
     private final ObjectProperty<GizmoSize> gizmoSize = new SimpleObjectProperty<>(GizmoSize.NORMAL);
+    private final ObjectProperty<CameraNavigation> navigation = new SimpleObjectProperty<>(CameraNavigation.LIGHTNING);
     private final ObjectProperty<PreviewCamera> camera = new SimpleObjectProperty<>();
     private final LongProperty frames = new SimpleLongProperty();
 
@@ -41,14 +42,21 @@ public final class PreviewSettings {
         return gizmoSize;
     }
 
+    /** Mouse buttons that move the view. */
+    public ObjectProperty<CameraNavigation> navigationProperty() {
+        return navigation;
+    }
+
     /** Restores the settings, except that gizmos are always shown at startup. */
     public void restore(Preferences preferences) {
         glowingTextures.set(preferences.hasValue("preview", GLOWING_TEXTURES));
         gizmoSize.set(preferences.enumValue("gizmos", GizmoSize.NORMAL));
+        navigation.set(preferences.enumValue("navigation", CameraNavigation.LIGHTNING));
     }
 
     public void save(Preferences preferences) {
         preferences.set("preview", glowingTextures.get() ? GLOWING_TEXTURES : "");
         preferences.set("gizmos", gizmoSize.get().name());
+        preferences.set("navigation", navigation.get().name());
     }
 }

@@ -23,6 +23,7 @@ import lightning.editor.document.LightGizmo;
 import lightning.editor.document.PreviewCamera;
 import lightning.editor.document.Viewport;
 import lightning.editor.window.command.ShapeMenu;
+import lightning.editor.window.model.CameraNavigation;
 import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.model.ErrorMessage;
 import lightning.editor.window.model.GizmoMouseBinding;
@@ -113,7 +114,12 @@ public final class PreviewCanvas extends Region implements AutoCloseable {
         addEventHandler(MouseEvent.MOUSE_PRESSED, e -> {
             requestFocus();
             menu.hide();
-            mouse.press(e.getX() - left(), e.getY() - top(), GizmoMouseBinding.lightDrag(e), e.isShiftDown());
+            CameraNavigation navigation = settings.navigationProperty().get();
+            if (navigation.movesView(e)) {
+                mouse.pressForCamera(e.getX() - left(), e.getY() - top(), navigation.action(e));
+            } else {
+                mouse.press(e.getX() - left(), e.getY() - top(), GizmoMouseBinding.lightDrag(e));
+            }
         });
         addEventHandler(ScrollEvent.SCROLL, e -> {
             if (e.getDeltaY() != 0) {
@@ -125,11 +131,11 @@ public final class PreviewCanvas extends Region implements AutoCloseable {
         addEventHandler(MouseEvent.MOUSE_RELEASED, e -> {
             mouse.release();
             var point = new Viewport.Pixel(e.getX() - left(), e.getY() - top());
-            if (e.getButton() == MouseButton.PRIMARY && e.isStillSincePress() && !e.isShiftDown()
+            if (e.getButton() == MouseButton.PRIMARY && e.isStillSincePress() && !settings.navigationProperty().get().movesView(e)
                     && !settings.gizmosHiddenProperty().get() && !mouse.canGrab(point.x(), point.y())) {
                 shapes.select(mouse.canvas(), point);
             }
-            if (e.getButton() == MouseButton.SECONDARY && e.isStillSincePress() && mouse.lightsAt(point.x(), point.y()).isEmpty()) {
+            if (e.getButton() == MouseButton.SECONDARY && e.isStillSincePress() && !e.isAltDown() && mouse.lightsAt(point.x(), point.y()).isEmpty()) {
                 shapes.showMenu(mouse.canvas(), point, e.getScreenX(), e.getScreenY());
             }
         });

@@ -21,7 +21,8 @@ import lightning.scene.Light;
 /**
  * Mouse drags in the preview (paper §3.2, §3.6), independent of the toolkit's events. The left button rotates the light under the mouse, or
  * orbits it around its target with Ctrl; the middle button moves it along the view axis, the right button in the view plane. The left
- * button also drags a handle of the selected shape. With Shift, every button moves the camera.
+ * button also drags a handle of the selected shape. {@link lightning.editor.window.model.CameraNavigation} decides which drags move the
+ * camera.
  */
 final class PreviewMouse {
     /** Maximum distance of a click from a gizmo, pixels. */
@@ -104,16 +105,11 @@ final class PreviewMouse {
     /**
      * Starts a drag.
      *
-     * @param shift true to move the camera, whatever is at the point
+     * @param dragKind action on a light at the point
      */
-    void press(double x, double y, LightDrag dragKind, boolean shift) {
+    void press(double x, double y, LightDrag dragKind) {
         pressX = x;
         pressY = y;
-        if (shift) {
-            startCamera = camera.get();
-            cameraDrag = null;
-            return;
-        }
         gizmo = handles().orElse(null);
         handle = gizmo == null || dragKind != LightDrag.ROTATE ? null : pick(gizmo, x, y).orElse(null);
         if (handle != null) {
@@ -132,6 +128,18 @@ final class PreviewMouse {
         lightDrag = dragKind;
         gesture = new Object();
         selection.selectLight(startLight.name());
+    }
+
+    /**
+     * Starts a drag of the camera, whatever is at the point.
+     *
+     * @param kind action; empty if the point and the first movement decide
+     */
+    void pressForCamera(double x, double y, Optional<CameraDrag> kind) {
+        pressX = x;
+        pressY = y;
+        startCamera = camera.get();
+        cameraDrag = kind.orElse(null);
     }
 
     void drag(double x, double y) {

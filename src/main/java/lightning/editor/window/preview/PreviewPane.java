@@ -1,21 +1,28 @@
 package lightning.editor.window.preview;
 
+import javafx.geometry.Pos;
 import javafx.scene.Node;
 import javafx.scene.control.Label;
 import javafx.scene.control.MenuButton;
 import javafx.scene.control.Tooltip;
 import javafx.scene.layout.BorderPane;
+import javafx.scene.layout.HBox;
+import javafx.scene.layout.Priority;
+import javafx.scene.layout.Region;
 import javafx.scene.layout.StackPane;
 import lightning.base.text.Messages;
 import lightning.editor.document.Command;
 import lightning.editor.document.PreviewCamera;
 import lightning.editor.window.command.CommandButton;
+import lightning.editor.window.command.CommandMenuItems;
 import lightning.editor.window.command.SizeMenu;
+import lightning.editor.window.model.CameraNavigation;
 import lightning.editor.window.model.CommandRegistry;
 import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.model.PreviewSettings;
 import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.PaneHeader;
+import org.kordamp.ikonli.javafx.FontIcon;
 
 /** Interactive preview of all lights in real time, in which lights are moved with the mouse. */
 public final class PreviewPane extends BorderPane implements AutoCloseable {
@@ -42,16 +49,31 @@ public final class PreviewPane extends BorderPane implements AutoCloseable {
         stage.getStyleClass().add("canvas");
         setTop(header());
         setCenter(stage);
-        var hint =
-                new Label(Messages.tr("Left drag: rotate · Ctrl: orbit · Middle or Alt: dolly · Right: move · Shift: camera"));
-        hint.getStyleClass().add("pane-footer");
-        hint.setMaxWidth(Double.MAX_VALUE);
-        hint.setWrapText(true);
-        setBottom(hint);
+        setBottom(footer());
     }
 
     public PreviewCanvas canvas() {
         return canvas;
+    }
+
+    /** Returns the mouse actions and the choice of those that move the camera. */
+    private Node footer() {
+        var hint = new Label();
+        hint.textProperty().bind(settings.navigationProperty().map(CameraNavigation::hint));
+        hint.setWrapText(true);
+        hint.setMaxWidth(Double.MAX_VALUE);
+        HBox.setHgrow(hint, Priority.ALWAYS);
+        var choice = new MenuButton("", new FontIcon(Command.NAVIGATION.icon()));
+        choice.setId("navigation");
+        choice.getStyleClass().addAll("button-icon", "flat", "small");
+        choice.setAccessibleText(Command.NAVIGATION.title());
+        choice.setTooltip(new Tooltip(Command.NAVIGATION.title() + "\n" + Command.NAVIGATION.help() + "."));
+        choice.setMinWidth(Region.USE_PREF_SIZE);
+        choice.getItems().setAll(PreviewMenuItems.navigationChoices(settings, CommandMenuItems.forMenu(commands, "preview-")));
+        var footer = new HBox(hint, choice);
+        footer.setAlignment(Pos.CENTER_LEFT);
+        footer.getStyleClass().add("pane-footer");
+        return footer;
     }
 
     private Node header() {

@@ -21,10 +21,13 @@ import javafx.scene.layout.Pane;
 import javafx.scene.layout.StackPane;
 import javafx.scene.shape.Rectangle;
 import lightning.base.text.Messages;
+import lightning.editor.document.CameraDrag;
 import lightning.editor.loop.Frame;
+import lightning.editor.window.model.CameraNavigation;
 import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.model.ErrorMessage;
 import lightning.editor.window.model.PicturePointer;
+import lightning.editor.window.model.PreviewSettings;
 import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.model.TracedPicture;
 import lightning.editor.window.model.TracedRaster;
@@ -39,7 +42,11 @@ import lightning.scene.Scene;
  * region, and pans the picture.
  */
 final class TracedMouse implements AutoCloseable {
+    /** Distance of a drag that zooms by a factor of e, pixels. */
+    private static final double ZOOM_PIXELS = 150;
+
     private final SceneEditor editor;
+    private final PreviewSettings settings;
     private final TracedPicture tracedPicture;
     private final PicturePointer picturePart;
     private final Executor windowExecutor;
@@ -60,6 +67,8 @@ final class TracedMouse implements AutoCloseable {
     private Consumer<PixelReport> onPick;
     private String pickHint = "";
     private boolean isPanning;
+    /** How the current drag moves the image; null if it does not. */
+    private CameraDrag viewDrag;
     /** True if the user canceled the drag before releasing the button. */
     private boolean isCanceled;
     /** Scene of the last traced region; null before the first. */
@@ -76,6 +85,7 @@ final class TracedMouse implements AutoCloseable {
      */
     TracedMouse(EditorModel model, PictureView picture, Consumer<PixelReport> onHover) {
         editor = model.editor();
+        settings = model.previewSettings();
         tracedPicture = model.picture();
         picturePart = model.picturePointer();
         windowExecutor = model.files().windowExecutor();
@@ -234,6 +244,10 @@ final class TracedMouse implements AutoCloseable {
         pressY = e.getY();
         lastX = pressX;
         lastY = pressY;
+        viewDrag = viewDrag(e);
+        if (viewDrag != null) {
+            return;
+        }
         boolean primary = e.getButton() == MouseButton.PRIMARY && !e.isAltDown() && !isPanning;
         boolean isPlacing = onPick == null && !placer.promptProperty().get().isEmpty();
         boolean isFree = prompt.get().isEmpty() && !isPanning && !picture.wipe().isVisible();
@@ -243,12 +257,29 @@ final class TracedMouse implements AutoCloseable {
         }
     }
 
+    /** Returns how a press moves the image as the user's camera navigation moves the view; null if it does not. */
+    private CameraDrag viewDrag(MouseEvent press) {
+        CameraNavigation navigation = settings.navigationProperty().get();
+        // Shift snaps drags in the traced picture.
+        return navigation.movesView(press) ? navigation.action(press).orElse(null) : null;
+    }
+
     private LightPlacer.Pointer pointer(MouseEvent e) {
         return new LightPlacer.Pointer(picture.pixel(e.getX(), e.getY()), gizmo.viewport(), gizmo.toCanvas(e));
     }
 
     private void handleDrag(MouseEvent e) {
         if (isCanceled) {
+            return;
+        }
+        if (viewDrag != null) {
+            if (viewDrag == CameraDrag.ZOOM) {
+                picture.zoomBy(Math.exp((lastY - e.getY()) / ZOOM_PIXELS), pressX, pressY);
+            } else {
+                picture.pan(e.getX() - lastX, e.getY() - lastY);
+            }
+            lastX = e.getX();
+            lastY = e.getY();
             return;
         }
         if (gizmo.isDragging()) {
@@ -276,6 +307,10 @@ final class TracedMouse implements AutoCloseable {
     }
 
     private void handleRelease(MouseEvent e) {
+        if (viewDrag != null) {
+            viewDrag = null;
+            return;
+        }
         boolean wasDragged = gizmo.isDragging() && !e.isStillSincePress();
         gizmo.release();
         if (placer.isDragging()) {

@@ -292,7 +292,8 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         if (isUpdating || state.pendingMessage().isEmpty()) {
             return "";
         }
-        return state.hasPendingEdits() ? Messages.tr("Out of date. Render (F5)")
+        boolean isInProgress = state.sceneInProgress().filter(s -> VisibleState.isSame(s, state.scene())).isPresent();
+        return state.hasPendingEdits() ? isInProgress ? coarseNote() : Messages.tr("Out of date. Render (F5)")
                 : state.sceneInProgress().isPresent() ? StatusText.stage(RenderActivity.Stage.SAMPLES)
                 : Messages.tr("Not anti-aliased");
     }

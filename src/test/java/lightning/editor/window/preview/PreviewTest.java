@@ -20,6 +20,7 @@ import lightning.editor.document.NodeGizmo;
 import lightning.editor.document.PreviewCamera;
 import lightning.editor.window.EditorFixture;
 import lightning.editor.window.FastRobot;
+import lightning.editor.window.model.CameraNavigation;
 import lightning.editor.window.model.GizmoSize;
 import lightning.scene.Light;
 import lightning.scene.SceneNode;
@@ -51,6 +52,27 @@ class PreviewTest extends EditorFixture {
                     MouseButton.PRIMARY, 1, key == KeyCode.SHIFT, false, key == KeyCode.ALT, false, true, false, false, true,
                     false, false, null));
         });
+    }
+
+    @Test
+    void altNavigation_orbitsCameraOverALight() {
+        robot.interact(() -> model().previewSettings().navigationProperty().set(CameraNavigation.ALT));
+        PreviewCamera before = model().previewSettings().cameraProperty().get();
+        Light light = light("stage");
+        dragHolding(KeyCode.ALT, toScreen(light.position()), 40, -10);
+        assertThat(model().previewSettings().cameraProperty().get()).isEqualTo(before.orbit(40, 10, preview().viewport()))
+                .isNotEqualTo(before);
+        assertThat(light("stage")).isEqualTo(light);
+    }
+
+    @Test
+    void middleNavigation_orbitsCamera() {
+        robot.interact(() -> model().previewSettings().navigationProperty().set(CameraNavigation.MIDDLE));
+        PreviewCamera before = model().previewSettings().cameraProperty().get();
+        Light light = light("lamp");
+        drag(light, MouseButton.MIDDLE, 40, 10);
+        assertThat(model().previewSettings().cameraProperty().get()).isEqualTo(before.orbit(40, -10, preview().viewport()));
+        assertThat(light("lamp")).isEqualTo(light);
     }
 
     @Test
