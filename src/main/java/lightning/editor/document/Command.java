@@ -331,6 +331,8 @@ public enum Command {
             DisabledReasons.NONE),
     NAVIGATION(Messages.key("Camera Navigation"), Messages.key("Choose the mouse buttons that move the view"), "mdi2m-mouse", "",
             DisabledReasons.NONE),
+    PREVIEW_SHADOWS(Messages.key("Shadows of Selected Light in Preview"),
+            Messages.key("Show hard shadows of the selected light in the preview"), "mdi2b-box-shadow", "", DisabledReasons.NONE),
     GLOWING_TEXTURES(Messages.key("Self-Illuminated Textures in Preview (1998)"),
             Messages.key("Show textures in the preview without lighting"),
             "mdi2t-texture", "", DisabledReasons.NONE),

@@ -147,9 +147,21 @@ public final class Workbench implements AutoCloseable {
         changeListener.run();
     }
 
-    /** Opens the unsaved scene of a crashed process: see {@link OpenDocument#recover}. It stays recoverable until it is saved. */
+    /**
+     * Opens the unsaved scene of a crashed process: see {@link OpenDocument#recover}. It stays recoverable until it is saved. If the same
+     * file is open already, its picture is updated as by an edit.
+     */
     public void recover(RecoveryFolder.RecoverableScene recoverable, OpenDocument recovered) {
-        open(recovered);
+        if (recovered.file().equals(document.file()) && recovered.scene().hasSameView(document.scene())) {
+            autosave.discard();
+            document = recovered;
+            isAnimating = false;
+            motionRecorded = false;
+            autosave.documentChanged(document);
+            go();
+        } else {
+            open(recovered);
+        }
         autosave.adopt(recoverable);
     }
 

@@ -12,11 +12,13 @@ import lightning.editor.document.LightGizmo;
 import lightning.editor.document.NodeEdits;
 import lightning.editor.document.NodeGizmo;
 import lightning.editor.document.PreviewCamera;
+import lightning.editor.document.Snapping;
 import lightning.editor.document.Viewport;
 import lightning.editor.window.model.PreviewSettings;
 import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.model.SceneSelection;
 import lightning.scene.Light;
+import lightning.scene.Placement;
 
 /**
  * Mouse drags in the preview (paper §3.2, §3.6), independent of the toolkit's events. The left button rotates the light under the mouse, or
@@ -154,14 +156,16 @@ final class PreviewMouse {
             PreviewCamera view = camera.get();
             NodeGizmo draggedGizmo = gizmo;
             NodeGizmo.Handle draggedHandle = handle;
-            editor.editOrReport(
-                    scene -> NodeEdits.setPlacement(scene, draggedGizmo.node().name(),
-                            _ -> DragRounding.round(draggedGizmo, draggedGizmo.drag(draggedHandle, view, canvas, from, to), view, canvas)),
-                    gesture);
+            Placement placed = DragRounding.round(draggedGizmo, draggedGizmo.drag(draggedHandle, view, canvas, from, to), view, canvas);
+            if (editor.editOrReport(scene -> NodeEdits.setPlacement(scene, draggedGizmo.node().name(), _ -> placed), gesture).isEmpty()) {
+                editor.message().show(Snapping.describe(draggedGizmo.node().placement(), placed));
+            }
         } else if (startLight != null) {
             PreviewCamera view = camera.get();
             Light moved = DragRounding.round(startLight, lightDrag.apply(startLight, view, canvas, right, -down), view, canvas);
-            editor.editOrReport(scene -> LightEdits.edit(scene, startLight.name(), _ -> moved), gesture);
+            if (editor.editOrReport(scene -> LightEdits.edit(scene, startLight.name(), _ -> moved), gesture).isEmpty()) {
+                editor.message().show(Snapping.describe(startLight, moved, view));
+            }
         }
     }
 

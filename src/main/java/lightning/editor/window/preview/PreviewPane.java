@@ -1,5 +1,6 @@
 package lightning.editor.window.preview;
 
+import javafx.css.PseudoClass;
 import javafx.geometry.Pos;
 import javafx.scene.Node;
 import javafx.scene.control.Label;
@@ -26,9 +27,12 @@ import org.kordamp.ikonli.javafx.FontIcon;
 
 /** Interactive preview of all lights in real time, in which lights are moved with the mouse. */
 public final class PreviewPane extends BorderPane implements AutoCloseable {
+    private static final PseudoClass COMPACT = PseudoClass.getPseudoClass("compact");
     private final PreviewSettings settings;
     private final CommandRegistry commands;
     private final PreviewCanvas canvas;
+    private final Node header;
+    private final Node footer;
 
     public PreviewPane(EditorModel model) {
         settings = model.previewSettings();
@@ -45,15 +49,37 @@ public final class PreviewPane extends BorderPane implements AutoCloseable {
         waiting.getStyleClass().add("canvas-note");
         waiting.visibleProperty().bind(canvas.emptyProperty());
         waiting.setMouseTransparent(true);
-        var stage = new StackPane(canvas, waiting);
+        var stage = new StackPane(canvas, waiting, caption(editor));
         stage.getStyleClass().add("canvas");
-        setTop(header());
+        header = header();
+        footer = footer();
         setCenter(stage);
-        setBottom(footer());
+        setCompact(false);
+    }
+
+    /** Shows or hides header and footer; without them the pane is an inset of another one. */
+    public void setCompact(boolean isCompact) {
+        setTop(isCompact ? null : header);
+        setBottom(isCompact ? null : footer);
+        pseudoClassStateChanged(COMPACT, isCompact);
     }
 
     public PreviewCanvas canvas() {
         return canvas;
+    }
+
+    /** Returns a label that says what the preview shows. */
+    private Node caption(SceneEditor editor) {
+        var caption = new Label();
+        caption.setId("preview-caption");
+        caption.getStyleClass().add("preview-caption");
+        caption.setMouseTransparent(true);
+        Runnable update = () -> caption.setText(canvas.caption());
+        editor.editorStateProperty().subscribe(update);
+        settings.cameraProperty().subscribe(update);
+        settings.shadowsProperty().subscribe(update);
+        StackPane.setAlignment(caption, Pos.BOTTOM_LEFT);
+        return caption;
     }
 
     /** Returns the mouse actions and the choice of those that move the camera. */

@@ -23,6 +23,7 @@ import javafx.scene.shape.Rectangle;
 import lightning.base.text.Messages;
 import lightning.editor.document.CameraDrag;
 import lightning.editor.loop.Frame;
+import lightning.editor.loop.RenderState;
 import lightning.editor.window.model.CameraNavigation;
 import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.model.ErrorMessage;
@@ -112,6 +113,7 @@ final class TracedMouse implements AutoCloseable {
             updatePrompt();
         });
         picturePart.regionRequestProperty().subscribe(_ -> updatePrompt());
+        tracedPicture.renderStateProperty().map(RenderState::frame).subscribe(this::followFrame);
         picture.sceneProperty().subscribe(scene -> {
             if (scene != null) {
                 scene.addEventFilter(KeyEvent.KEY_PRESSED, this::handleKey);
@@ -223,6 +225,17 @@ final class TracedMouse implements AutoCloseable {
                 .ifPresentOrElse(p -> hoverPixel(frame, p), this::clearHover);
     }
 
+    /** Inspects the pixel under the pointer again in a new picture. */
+    private void followFrame(Frame frame) {
+        PicturePointer.Pixel pixel = picturePart.pixelProperty().get();
+        if (frame != null && pixel != null && picture.isHover()) {
+            PictureSettings size = frame.scene().picture();
+            if (pixel.x() < size.width() && pixel.y() < size.height()) {
+                hoverPixel(frame, new PictureView.Pixel(pixel.x(), pixel.y()));
+            }
+        }
+    }
+
     private void hoverPixel(Frame frame, PictureView.Pixel p) {
         picturePart.pixelProperty().set(new PicturePointer.Pixel(p.x(), p.y()));
         inspector.request(frame, p.x(), p.y(), report -> {
@@ -282,6 +295,7 @@ final class TracedMouse implements AutoCloseable {
             lastY = e.getY();
             return;
         }
+        hover(e);
         if (gizmo.isDragging()) {
             gizmo.drag(e);
             return;

@@ -2,6 +2,7 @@ package lightning.editor.window.traced;
 
 import java.util.Optional;
 import javafx.application.Platform;
+import javafx.beans.binding.Bindings;
 import javafx.geometry.Insets;
 import javafx.geometry.Pos;
 import javafx.scene.Node;
@@ -38,6 +39,7 @@ import lightning.editor.window.widget.PictureView;
 import lightning.render.image.DifferenceImage;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
+import lightning.scene.PictureSettings;
 import lightning.scene.VisibleState;
 import org.kordamp.ikonli.javafx.FontIcon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignC;
@@ -50,6 +52,12 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
     /** Empty report with its two lines, so that the picture keeps its size. */
     private static final String NO_PIXEL = " \n ";
 
+    /** Width of the inset as a share of the pane's. */
+    private static final double INSET_SHARE = 0.3;
+
+    private final StackPane stage = new StackPane();
+    /** Pane in the corner of the picture; null if there is none. */
+    private Region inset;
     private final SceneEditor editor;
     private final TracedPicture traced;
     private final CommandRegistry commands;
@@ -159,7 +167,7 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         var view = traced.viewProperty();
         commands.setToggle(Command.MARK_CLIPPING, view.map(ViewTransform::marksClipping),
                 () -> view.set(view.get().withMarksClipping(!view.get().marksClipping())));
-        var stage = new StackPane(waitingLabel, picture, mouse.overlay(), badges, lookBadge, lightsCard, legend, clipping, progress,
+        stage.getChildren().setAll(waitingLabel, picture, mouse.overlay(), badges, lookBadge, lightsCard, legend, clipping, progress,
                 notes);
         stage.getStyleClass().add("canvas");
         setTop(header());
@@ -175,6 +183,33 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         editor.editorStateProperty().subscribe(_ -> updateBadges());
         traced.renderStateProperty().subscribe(_ -> updateBadges());
         picture.showNote("");
+    }
+
+    /**
+     * Shows a pane in the picture's upper right corner, at the picture's aspect ratio.
+     *
+     * @param pane pane of the preview; null for none
+     */
+    public void setInset(Region pane) {
+        if (inset != null) {
+            inset.maxWidthProperty().unbind();
+            inset.maxHeightProperty().unbind();
+            inset.setMaxSize(Region.USE_COMPUTED_SIZE, Region.USE_COMPUTED_SIZE);
+            stage.getChildren().remove(inset);
+        }
+        inset = pane;
+        if (pane != null) {
+            var width = stage.widthProperty().multiply(INSET_SHARE);
+            pane.maxWidthProperty().bind(width);
+            pane.maxHeightProperty().bind(width.divide(
+                    Bindings.createDoubleBinding(() -> aspect(editor.scene().picture()), editor.sceneProperty())));
+            StackPane.setAlignment(pane, Pos.TOP_RIGHT);
+            stage.getChildren().add(stage.getChildren().indexOf(lookBadge), pane);
+        }
+    }
+
+    private static double aspect(PictureSettings picture) {
+        return (double) picture.width() / picture.height();
     }
 
     /** Creates the view of the picture. */
@@ -259,7 +294,7 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
 
     /** Keeps the last report while the mouse is over the report itself: its tooltip shows the text that does not fit. */
     private void clearPixel() {
-        if (!isHover() && lightsCard.getText().isEmpty()) {
+        if (!pixelLine.isHover() && lightsCard.getText().isEmpty()) {
             pixelLine.setText(NO_PIXEL);
             pixelLine.setTooltip(null);
         }
