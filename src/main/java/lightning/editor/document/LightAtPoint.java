@@ -23,7 +23,8 @@ public final class LightAtPoint {
             Scene added = LightEdits.add(scene, type).sceneOr(scene);
             Light initial = added.lights().getLast();
             double initialDistance = initial.position().minus(scene.camera().to()).length();
-            Light facing = initial.withDirection(hit.normal().negated()).withPosition(hit.point().plus(hit.normal().times(initialDistance)));
+            Light facing =
+                    initial.withDirection(hit.normal().negated()).withPosition(hit.point().plus(hit.normal().times(initialDistance)));
             double distance = picker.findOccluder(hit, facing)
                     .map(surface -> Math.min(initialDistance, FREE_SHARE * surface.point().minus(hit.point()).length()))
                     .orElse(initialDistance);

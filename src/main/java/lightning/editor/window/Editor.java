@@ -120,7 +120,8 @@ public final class Editor implements AutoCloseable {
         PreviewSettings settings = model.previewSettings();
         for (Observable choice : List.of(model.accuracyModeProperty(), model.editor().liveProperty(),
                 settings.glowingTexturesProperty(),
-                settings.gizmoSizeProperty(), settings.navigationProperty(), settings.shadowsProperty(), model.commands().keyBindings().changesProperty(), model.layout().canvasLayoutProperty(),
+                settings.gizmoSizeProperty(), settings.navigationProperty(), settings.shadowsProperty(),
+                model.commands().keyBindings().changesProperty(), model.layout().canvasLayoutProperty(),
                 model.languageProperty(),
                 model.renderMachines().hostsProperty(), model.renderMachines().certificateProperty(),
                 model.commands().toggleState(Command.LIGHT_THEME).orElseThrow())) {

@@ -211,7 +211,8 @@ final class EditorLayout extends BorderPane {
     }
 
     private void showCanvases(CanvasLayout choice) {
-        List<Node> visible = choice.share() == 1 || choice.hasInset() ? List.of(traced) : choice.share() == 0 ? List.of(preview) : List.of(traced, preview);
+        List<Node> visible = choice.share() == 1 || choice.hasInset() ? List.of(traced) : choice.share() == 0 ? List.of(preview)
+                : List.of(traced, preview);
         traced.setInset(null);
         canvases.getItems().retainAll(visible);
         preview.setCompact(choice.hasInset());

@@ -115,7 +115,8 @@ public record LightContributions(List<LightContribution> lights, Optional<LightC
         }
         Film filmOff = LightShares.withoutEnvironment(renderer, cache, progress);
         return Optional
-                .of(new LightContribution(ENVIRONMENT, scene.world().intensity() > 0, LightShares.ofLoss(filmOff, picture, Region.ofFilm(picture)),
+                .of(new LightContribution(ENVIRONMENT, scene.world().intensity() > 0,
+                        LightShares.ofLoss(filmOff, picture, Region.ofFilm(picture)),
                         LightShares.ofLoss(filmOff, picture, region), LightContribution.FilmChange.between(picture, filmOff, view)));
     }
 

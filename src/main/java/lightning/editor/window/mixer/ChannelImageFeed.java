@@ -15,7 +15,6 @@ import lightning.render.image.ViewTransform;
 import lightning.render.relight.IndirectByLight;
 import lightning.render.relight.LightShares;
 import lightning.render.relight.LightThumbnails;
-import lightning.render.relight.tile.RenderOptions;
 
 /** Computes the thumbnails of the mixer's strips. */
 final class ChannelImageFeed implements AutoCloseable {
@@ -87,7 +86,7 @@ final class ChannelImageFeed implements AutoCloseable {
     /** Returns the shares of all pixels; empty if there is a newer picture. */
     private Optional<LightShares> shares(PixelCache cache) {
         try {
-            return Optional.of(LightShares.of(cache, RenderOptions.DEFAULT.withThreads(1), Progress.cancellation(() -> !isNewest(cache))));
+            return Optional.of(LightShares.of(cache, workbench.options().withThreads(1), Progress.cancellation(() -> !isNewest(cache))));
         } catch (CancellationException e) {
             return Optional.empty();
         }

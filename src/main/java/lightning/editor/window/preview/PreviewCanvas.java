@@ -135,7 +135,8 @@ public final class PreviewCanvas extends Region implements AutoCloseable {
                     && !settings.gizmosHiddenProperty().get() && !mouse.canGrab(point.x(), point.y())) {
                 shapes.select(mouse.canvas(), point);
             }
-            if (e.getButton() == MouseButton.SECONDARY && e.isStillSincePress() && !e.isAltDown() && mouse.lightsAt(point.x(), point.y()).isEmpty()) {
+            if (e.getButton() == MouseButton.SECONDARY && e.isStillSincePress() && !e.isAltDown()
+                    && mouse.lightsAt(point.x(), point.y()).isEmpty()) {
                 shapes.showMenu(mouse.canvas(), point, e.getScreenX(), e.getScreenY());
             }
         });
@@ -190,7 +191,8 @@ public final class PreviewCanvas extends Region implements AutoCloseable {
         Scene shown = showsShadows ? previewScene.of(scene, editor.selection().lightName()) : previewScene.of(scene);
         loop.draw(new PreviewLoop.Request(shown, camera.get(), frame.width(), frame.height(),
                 model.picture().viewProperty().get().forOutput(),
-                effects.with(RenderEffect.SHADOWS, showsShadows), isCameraMoving, model.picture().frame() == null ? null : model.picture().frame().geometry()));
+                effects.with(RenderEffect.SHADOWS, showsShadows), isCameraMoving,
+                model.picture().frame() == null ? null : model.picture().frame().geometry()));
     }
 
     private boolean showsShadows() {

@@ -20,7 +20,8 @@ public final class PreviewMenuItems {
      * @param items creates the single items
      */
     public static List<MenuItem> of(PreviewSettings settings, CommandMenuItems items) {
-        return List.of(items.item(Command.HIDE_GIZMOS), sizes(settings, items), navigation(settings, items), items.item(Command.PREVIEW_SHADOWS),
+        return List.of(items.item(Command.HIDE_GIZMOS), sizes(settings, items), navigation(settings, items),
+                items.item(Command.PREVIEW_SHADOWS),
                 items.item(Command.GLOWING_TEXTURES));
     }
 

@@ -132,7 +132,8 @@ final class TracedGizmo extends Pane {
                 PreviewCamera view = view();
                 Viewport viewport = viewport();
                 Viewport.Pixel from = drag.start();
-                Placement placed = DragRounding.round(gizmo, gizmo.drag(handle, view, viewport, from, point, e.isShiftDown()), view, viewport);
+                Placement placed =
+                        DragRounding.round(gizmo, gizmo.drag(handle, view, viewport, from, point, e.isShiftDown()), view, viewport);
                 if (editor.editOrReport(scene -> NodeEdits.setPlacement(scene, gizmo.node().name(), _ -> placed), drag).isEmpty()) {
                     editor.message().show(Snapping.describe(gizmo.node().placement(), placed));
                 }

@@ -292,15 +292,19 @@ class PreviewTest extends EditorFixture {
     }
 
     @Test
-    void openedScene_initiallyShowsAllLights() throws Exception {
+    void openedScene_initiallyHasFramingOfThePicture() throws Exception {
         PreviewCamera own = PreviewCamera.of(model().editor().scene());
-        assertThat(model().previewSettings().cameraProperty().get()).as("all lights are in view").isEqualTo(own);
+        assertThat(model().previewSettings().cameraProperty().get()).isEqualTo(own);
+        assertThat(text("preview-caption")).startsWith("Scene camera · only shadows of lamp");
         String text = Files.readString(folder.resolve("desk.jen")).replace("at -2 2.2 0.5", "at -2 6.2 0.5");
         Path other = Files.writeString(folder.resolve("high.jen"), text);
         robot.interact(() -> editor.files().load(other));
         waitFor("the scene is open", () -> model().editor().document().name().equals("high.jen"));
         waitForPicture();
+        assertThat(model().previewSettings().cameraProperty().get()).isEqualTo(own);
+        click("view-all");
         assertThat(model().previewSettings().cameraProperty().get().distance()).isGreaterThan(own.distance());
+        assertThat(text("preview-caption")).startsWith("Free view");
         assertThat(
                 LightMarker.of(model().editor().scene().lights(), model().previewSettings().cameraProperty().get(), preview().viewport()))
                 .isEmpty();
