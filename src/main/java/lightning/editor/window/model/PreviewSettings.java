@@ -57,14 +57,14 @@ public final class PreviewSettings {
     public void restore(Preferences preferences) {
         glowingTextures.set(preferences.hasValue("preview", GLOWING_TEXTURES));
         gizmoSize.set(preferences.enumValue("gizmos", GizmoSize.NORMAL));
-        shadows.set(!preferences.hasValue("preview shadows", "false"));
+        shadows.set(!preferences.hasValue("preview-shadows", "false"));
         navigation.set(preferences.enumValue("navigation", CameraNavigation.LIGHTNING));
     }
 
     public void save(Preferences preferences) {
         preferences.set("preview", glowingTextures.get() ? GLOWING_TEXTURES : "");
         preferences.set("gizmos", gizmoSize.get().name());
-        preferences.set("preview shadows", shadows.get());
+        preferences.set("preview-shadows", shadows.get());
         preferences.set("navigation", navigation.get().name());
     }
 }

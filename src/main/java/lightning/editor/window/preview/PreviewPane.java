@@ -53,14 +53,17 @@ public final class PreviewPane extends BorderPane implements AutoCloseable {
         stage.getStyleClass().add("canvas");
         header = header();
         footer = footer();
+        header.managedProperty().bind(header.visibleProperty());
+        footer.managedProperty().bind(footer.visibleProperty());
+        setTop(header);
         setCenter(stage);
-        setCompact(false);
+        setBottom(footer);
     }
 
     /** Shows or hides header and footer; without them the pane is an inset of another one. */
     public void setCompact(boolean isCompact) {
-        setTop(isCompact ? null : header);
-        setBottom(isCompact ? null : footer);
+        header.setVisible(!isCompact);
+        footer.setVisible(!isCompact);
         pseudoClassStateChanged(COMPACT, isCompact);
     }
 

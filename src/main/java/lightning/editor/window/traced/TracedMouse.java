@@ -352,7 +352,9 @@ final class TracedMouse implements AutoCloseable {
 
     private void showMenu(PictureView.Pixel pixel, double screenX, double screenY) {
         Frame frame = tracedPicture.frame();
-        if (frame != null) {
+        if (frame == null) {
+            editor.message().show(Messages.tr("The menu opens once the first picture is finished"));
+        } else {
             clickInspector.request(frame, pixel.x(), pixel.y(),
                     report -> menu.show(picture, new PixelMenu.Target(frame, report, gizmo.viewport()), screenX, screenY));
         }
