@@ -214,8 +214,11 @@ public final class SceneEditor {
 
     /** Updates all properties from the workbench. */
     void refresh() {
-        // A message about an earlier state, such as one that was undone since.
-        if (scene() != messageScene && document() == document.get()) {
+        if (document() != document.get()) {
+            // A message about opening the document was shown before.
+            messageScene = scene();
+        } else if (scene() != messageScene) {
+            // A message about an earlier state, such as one that was undone since.
             message.clear();
         }
         document.set(document());

@@ -175,7 +175,7 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         pixelLine.setId("pixel");
         pixelLine.getStyleClass().add("pane-footer");
         pixelLine.setMaxWidth(Double.MAX_VALUE);
-        setOnMouseExited(_ -> clearPixel());
+        pixelLine.hoverProperty().subscribe(_ -> clearPixel());
         setBottom(pixelLine);
         difference.setId("difference");
         difference.selectedProperty().subscribe(_ -> repaint());
