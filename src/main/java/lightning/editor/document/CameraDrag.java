@@ -1,10 +1,12 @@
 package lightning.editor.document;
 
-/** Camera action of a Shift+drag in the preview, chosen by the start of the drag (paper §3.6). */
+/** Camera action of a drag in the preview. With Shift, the start of the drag chooses it (paper §3.6). */
 public enum CameraDrag {
     ZOOM,
     PAN,
-    TRACKBALL;
+    TRACKBALL,
+    /** Turns about the target; the vertical axis stays upright. */
+    ORBIT;
 
     /** Width of the border that starts a trackball drag, as a share of the shorter side. */
     static final double EDGE_SHARE = 0.1;
@@ -32,6 +34,7 @@ public enum CameraDrag {
             case ZOOM -> start.zoom(-down, canvas);
             case PAN -> start.pan(right, -down, canvas);
             case TRACKBALL -> start.trackball(right, -down, canvas);
+            case ORBIT -> start.orbit(right, -down, canvas);
         };
     }
 }

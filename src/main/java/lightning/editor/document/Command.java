@@ -89,6 +89,8 @@ public enum Command {
 
     SELECT_SHAPE(Messages.key("Select Object"), Messages.key("Select the object under the cursor"),
             "mdi2c-cursor-default-click-outline", "", DisabledReasons.NONE),
+    HIDE_SHAPE(Messages.key("Hide Object"), Messages.key("Hide the object under the cursor"), "mdi2e-eye-off-outline", "",
+            DisabledReasons.unlessAnimating()),
     SHOW_SHAPE(Messages.key("Show/Hide Object"), Messages.key("Show or hide the selected object or group"),
             "mdi2e-eye-off-outline", "",
             DisabledReasons.unlessAnimating(DisabledReasons::noShape)),
@@ -108,6 +110,8 @@ public enum Command {
             Messages.key("Choose which objects the light illuminates and which cast its shadows"),
             "mdi2l-link-variant", "", DisabledReasons::noLight),
 
+    SELECT_LIGHT(Messages.key("Select Light"), Messages.key("Select a light by its share of the light under the cursor"),
+            "mdi2l-lightbulb-on-outline", "", DisabledReasons.NONE),
     ADD_LIGHT(Messages.key("Add Light"), Messages.key("Add a light to the scene"), "mdi2l-lightbulb-on-outline", "Shortcut+L",
             DisabledReasons.unlessAnimating(DisabledReasons::tooManyLights)),
     DUPLICATE_LIGHT(Messages.key("Duplicate Light"), Messages.key("Duplicate the selected light"), "mdi2c-content-duplicate",
@@ -330,6 +334,10 @@ public enum Command {
             DisabledReasons.NONE),
     GIZMO_SIZE(Messages.key("Light Handle Size"), Messages.key("Set the size of the light handles"), "mdi2c-cone", "",
             DisabledReasons.NONE),
+    NAVIGATION(Messages.key("Camera Navigation"), Messages.key("Choose the mouse buttons that move the view"), "mdi2m-mouse", "",
+            DisabledReasons.NONE),
+    PREVIEW_SHADOWS(Messages.key("Shadows of Selected Light in Preview"),
+            Messages.key("Show hard shadows of the selected light in the preview"), "mdi2b-box-shadow", "", DisabledReasons.NONE),
     GLOWING_TEXTURES(Messages.key("Self-Illuminated Textures in Preview (1998)"),
             Messages.key("Show textures in the preview without lighting"),
             "mdi2t-texture", "", DisabledReasons.NONE),

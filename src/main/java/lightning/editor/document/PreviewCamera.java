@@ -15,6 +15,8 @@ public final class PreviewCamera {
     /** Rotation of a drag over the whole canvas, in radians. */
     private static final double TURN_PER_CANVAS = Math.PI;
     private static final double MIN_DISTANCE = 1e-4;
+    /** Steepest view of an orbit, in radians from the horizon. */
+    private static final double MAX_ELEVATION = Math.toRadians(89);
     private static final double MAX_DISTANCE = 1e9;
     private static final double MIN_LIGHT_FOV = 2;
     private static final double MAX_LIGHT_FOV = 150;
@@ -139,6 +141,21 @@ public final class PreviewCamera {
         Vec3 axis = up().times(-rightPixels).plus(right().times(upPixels)).normalized();
         Vec3 eye = VectorRotation.rotate(axis, angle, camera.from().minus(camera.to()));
         return moved(camera.to().plus(eye), camera.to(), VectorRotation.rotate(axis, angle, camera.up()));
+    }
+
+    /** Turns the view about the target: sideways about the vertical axis, then up or down to straight above or below. */
+    public PreviewCamera orbit(double rightPixels, double upPixels, Viewport canvas) {
+        double radiansPerPixel = TURN_PER_CANVAS / Math.min(canvas.width(), canvas.height());
+        Vec3 offset = camera.from().minus(camera.to());
+        double elevation = Math.asin(Math.clamp(offset.y() / offset.length(), -1, 1));
+        // From straight above or below, the image's up direction is the azimuth.
+        boolean isSteep = Math.abs(elevation) > MAX_ELEVATION;
+        Vec3 horizontal = isSteep ? up().times(-Math.signum(elevation)) : offset;
+        double azimuth = Math.atan2(horizontal.x(), horizontal.z()) - rightPixels * radiansPerPixel;
+        double tilted = Math.clamp(elevation - upPixels * radiansPerPixel, -MAX_ELEVATION, MAX_ELEVATION);
+        Vec3 eye = new Vec3(Math.cos(tilted) * Math.sin(azimuth), Math.sin(tilted), Math.cos(tilted) * Math.cos(azimuth))
+                .times(offset.length());
+        return rightPixels == 0 && upPixels == 0 ? this : moved(camera.to().plus(eye), camera.to(), Vec3.Y);
     }
 
     private PreviewCamera moved(Vec3 from, Vec3 to, Vec3 up) {

@@ -8,6 +8,7 @@ import lightning.base.math.Vec3;
 import lightning.base.text.DecimalNumber;
 import lightning.base.text.Messages;
 import lightning.scene.Light;
+import lightning.scene.Placement;
 
 /**
  * Snapping of a dragged light: positions to a grid, directions to angle steps, distances to two digits.
@@ -89,6 +90,32 @@ public record Snapping(Light light, String message) {
         return new Vec3(cosElevation * Transform.sinDegrees(azimuth), Transform.sinDegrees(elevation),
                 cosElevation * Transform.cosDegrees(azimuth))
                 .times(v.length());
+    }
+
+    /** Describes a dragged light: its position, its distance from the point that it aims at, or its angles. */
+    public static String describe(Light start, Light dragged, PreviewCamera view) {
+        boolean hasMoved = !start.position().equals(dragged.position());
+        boolean hasTurned = !start.direction().equals(dragged.direction());
+        Vec3 offset = dragged.position().minus(LightManipulation.aimPoint(start, view));
+        return !hasMoved && !hasTurned ? ""
+                : !hasMoved ? angleText(dragged.direction())
+                : Messages.tr("{0}, distance {1}", hasTurned ? angleText(offset) : positionText(dragged.position()),
+                        numberText(offset.length()));
+    }
+
+    /** Describes a dragged object: what changed of its position, its rotation and its scale. */
+    public static String describe(Placement start, Placement dragged) {
+        return !start.position().equals(dragged.position()) ? positionText(dragged.position())
+                : !start.rotation().equals(dragged.rotation()) ? vectorText(Messages.key("rotation {0}° {1}° {2}°"), dragged.rotation())
+                : !start.scale().equals(dragged.scale()) ? vectorText(Messages.key("scale {0} {1} {2}"), dragged.scale()) : "";
+    }
+
+    private static String positionText(Vec3 position) {
+        return vectorText(Messages.key("at {0} {1} {2}"), position);
+    }
+
+    private static String vectorText(String pattern, Vec3 v) {
+        return Messages.tr(pattern, numberText(v.x()), numberText(v.y()), numberText(v.z()));
     }
 
     private static double elevation(Vec3 v) {

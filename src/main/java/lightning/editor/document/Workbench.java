@@ -31,6 +31,7 @@ import lightning.scene.shot.AnimatedScene;
  */
 public final class Workbench implements AutoCloseable {
     private final Runnable changeListener;
+    private volatile RenderOptions renderOptions;
     private final RenderLoop loop;
     private final FileThread files;
     private final ArrayDeque<Runnable> pendingSaves = new ArrayDeque<>();
@@ -67,12 +68,18 @@ public final class Workbench implements AutoCloseable {
         this.files = files;
         autosave = new Autosave(recovery, Autosave.DEFAULT_DELAY, failureListener);
         feed = new RenderFeed(files.windowExecutor(), canvas, this::renderStateChanged);
+        renderOptions = options;
         loop = new RenderLoop(options, feed);
     }
 
     /** Sets a running startup preview before the document is rendered, so that it is not rendered twice. */
     public void setStartupPreview(Future<Optional<CoarsePicture>> preview) {
         loop.setStartupPreview(preview);
+    }
+
+    /** Returns the options of the next render. Callable on any thread. */
+    public RenderOptions options() {
+        return renderOptions;
     }
 
     public OpenDocument document() {
@@ -147,9 +154,21 @@ public final class Workbench implements AutoCloseable {
         changeListener.run();
     }
 
-    /** Opens the unsaved scene of a crashed process: see {@link OpenDocument#recover}. It stays recoverable until it is saved. */
+    /**
+     * Opens the unsaved scene of a crashed process: see {@link OpenDocument#recover}. It stays recoverable until it is saved. If the same
+     * file is open already, its picture is updated as by an edit.
+     */
     public void recover(RecoveryFolder.RecoverableScene recoverable, OpenDocument recovered) {
-        open(recovered);
+        if (recovered.file().equals(document.file()) && recovered.scene().hasSameView(document.scene())) {
+            autosave.discard();
+            document = recovered;
+            isAnimating = false;
+            motionRecorded = false;
+            autosave.documentChanged(document);
+            go();
+        } else {
+            open(recovered);
+        }
         autosave.adopt(recoverable);
     }
 
@@ -368,6 +387,7 @@ public final class Workbench implements AutoCloseable {
 
     /** Changes the options and keeps the cache. */
     public void changeOptions(RenderOptions options) {
+        renderOptions = options;
         sceneInProgress = Optional.of(document.scene());
         loop.changeOptions(options, document.scene());
         changeListener.run();

@@ -127,7 +127,8 @@ public final class Editor implements AutoCloseable {
         PreviewSettings settings = model.previewSettings();
         for (Observable choice : List.of(model.accuracyModeProperty(), model.editor().liveProperty(),
                 settings.glowingTexturesProperty(),
-                settings.gizmoSizeProperty(), model.commands().keyBindings().changesProperty(), model.layout().canvasLayoutProperty(),
+                settings.gizmoSizeProperty(), settings.navigationProperty(), settings.shadowsProperty(),
+                model.commands().keyBindings().changesProperty(), model.layout().canvasLayoutProperty(),
                 model.layout().welcomeAtStartProperty(),
                 model.languageProperty(),
                 model.renderMachines().hostsProperty(), model.renderMachines().certificateProperty(),

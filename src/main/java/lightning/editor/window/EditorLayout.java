@@ -20,6 +20,8 @@ import javafx.scene.layout.VBox;
 import lightning.base.text.Messages;
 import lightning.editor.window.model.WindowLayout;
 import lightning.editor.window.model.WindowLayout.CanvasLayout;
+import lightning.editor.window.preview.PreviewPane;
+import lightning.editor.window.traced.TracedPane;
 import lightning.editor.window.widget.PaneHeader;
 import lightning.editor.window.widget.PictureView;
 
@@ -59,8 +61,8 @@ final class EditorLayout extends BorderPane {
     private final SplitPane sidePanels;
     private final SplitPane mainSplit;
     private final StackPane center;
-    private Node traced;
-    private Node preview;
+    private TracedPane traced;
+    private PreviewPane preview;
     private Node timeline;
     /** Strong reference: the binding notifies its listeners only while it is reachable. */
     private BooleanExpression timelineShown;
@@ -125,6 +127,15 @@ final class EditorLayout extends BorderPane {
         return pane;
     }
 
+    /** Reserves the space of an arrangement before the panes exist, so that the first picture has the right size. */
+    void reserve(CanvasLayout choice) {
+        if (choice.hasInset() || choice.share() == 1) {
+            canvases.getItems().remove(1);
+        } else {
+            canvases.setDividerPositions(choice.share());
+        }
+    }
+
     PictureView picture() {
         return picture;
     }
@@ -138,16 +149,20 @@ final class EditorLayout extends BorderPane {
         return side;
     }
 
-    void showTraced(Node pane) {
+    void showTraced(TracedPane pane) {
         traced = pane;
         canvases.getItems().set(0, pane);
     }
 
     /** Adds all panes except the traced picture. */
-    void setPanes(Node bars, Node previewPane, Node lights, Node properties, Node status) {
+    void setPanes(Node bars, PreviewPane previewPane, Node lights, Node properties, Node status) {
         setId("editor");
         preview = previewPane;
-        canvases.getItems().set(1, preview);
+        if (canvases.getItems().size() == 1) {
+            canvases.getItems().add(preview);
+        } else {
+            canvases.getItems().set(1, preview);
+        }
         sidePanels.getItems().setAll(lights, properties);
         sidePanels.setDividerPositions(LIST_SHARE);
         setTop(bars);
@@ -225,8 +240,14 @@ final class EditorLayout extends BorderPane {
     }
 
     private void showCanvases(CanvasLayout choice) {
-        List<Node> visible = choice.share() == 1 ? List.of(traced) : choice.share() == 0 ? List.of(preview) : List.of(traced, preview);
+        List<Node> visible = choice.share() == 1 || choice.hasInset() ? List.of(traced) : choice.share() == 0 ? List.of(preview)
+                : List.of(traced, preview);
+        traced.setInset(null);
         canvases.getItems().retainAll(visible);
+        preview.setCompact(choice.hasInset());
+        if (choice.hasInset()) {
+            traced.setInset(preview);
+        }
         for (int i = 0; i < visible.size(); i++) {
             if (!canvases.getItems().contains(visible.get(i))) {
                 canvases.getItems().add(i, visible.get(i));

@@ -21,6 +21,7 @@ import lightning.editor.window.model.ErrorMessage;
 import lightning.editor.window.model.Preferences;
 import lightning.editor.window.model.TracedRaster;
 import lightning.editor.window.model.UiLanguage;
+import lightning.editor.window.model.WindowLayout.CanvasLayout;
 import lightning.editor.window.traced.TracedPane;
 import lightning.editor.window.widget.ColorTheme;
 import lightning.editor.window.widget.PictureView;
@@ -125,6 +126,7 @@ public class LightningApp extends Application {
     /** Shows the layout with its loading notes. */
     private void showLayout(Stage stage, Path file, PictureView picture) {
         var newLayout = new EditorLayout(file == null ? EditorPaths.defaultScene() : file, picture);
+        newLayout.reserve(preferences.enumValue("arrangement", CanvasLayout.SIDE_BY_SIDE));
         stage.getScene().setRoot(newLayout);
         PaintCallbacks.afterNextPaint(() -> runIfOpen(stage, () -> {
             layout = newLayout;

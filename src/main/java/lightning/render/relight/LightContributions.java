@@ -69,8 +69,6 @@ public record LightContributions(List<LightContribution> lights, Optional<LightC
         Scene scene = cache.scene();
         Film picture = cache.film();
         Region all = Region.ofFilm(picture);
-        double light = all.luminance(picture);
-        double inRegion = region.luminance(picture);
         List<LightContribution> lights = new ArrayList<>();
         int total = scene.lights().size() + 1;
         Progress silent = progress.cancellationOnly();
@@ -83,8 +81,8 @@ public record LightContributions(List<LightContribution> lights, Optional<LightC
                     continue;
                 }
                 Film share = renderer.lightImage(one.name(), silent);
-                lights.add(new LightContribution(one.name(), true, fraction(all.luminance(share), light),
-                        fraction(region.luminance(share), inRegion),
+                lights.add(new LightContribution(one.name(), true, LightShares.ofContribution(share, picture, all),
+                        LightShares.ofContribution(share, picture, region),
                         without(renderer, Set.of(one.name()), scene, picture, view, silent)));
             }
             Optional<LightContribution> environment = environment(renderer, cache, view, region, silent);
@@ -115,21 +113,11 @@ public record LightContributions(List<LightContribution> lights, Optional<LightC
         if (scene.world().environment().isEmpty()) {
             return Optional.empty();
         }
-        renderer.restore(cache);
-        renderer.render(scene.withWorld(scene.world().withIntensity(0)), progress);
-        Film filmOff = renderer.film();
+        Film filmOff = LightShares.withoutEnvironment(renderer, cache, progress);
         return Optional
-                .of(new LightContribution(ENVIRONMENT, scene.world().intensity() > 0, lostShare(Region.ofFilm(picture), picture, filmOff),
-                        lostShare(region, picture, filmOff), LightContribution.FilmChange.between(picture, filmOff, view)));
-    }
-
-    private static double lostShare(Region region, Film picture, Film filmOff) {
-        double light = region.luminance(picture);
-        return fraction(light - region.luminance(filmOff), light);
-    }
-
-    private static double fraction(double share, double whole) {
-        return whole > 0 ? share / whole : 0;
+                .of(new LightContribution(ENVIRONMENT, scene.world().intensity() > 0,
+                        LightShares.ofLoss(filmOff, picture, Region.ofFilm(picture)),
+                        LightShares.ofLoss(filmOff, picture, region), LightContribution.FilmChange.between(picture, filmOff, view)));
     }
 
     private static LightContribution.FilmChange without(Renderer renderer, Set<String> switchedOff, Scene scene, Film picture,

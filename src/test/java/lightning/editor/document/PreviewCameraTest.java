@@ -163,6 +163,26 @@ public class PreviewCameraTest {
         assertThat(view.camera().to()).isEqualTo(camera.camera().to());
     }
 
+    /** The horizon stays level, as in other programs' turntables. */
+    @Property
+    void orbit_keepsTheDistanceTheTargetAndTheHorizon(@ForAll("cameras") PreviewCamera camera,
+            @ForAll("distances") double right, @ForAll("distances") double up) {
+        PreviewCamera view = camera.orbit(right, up, CANVAS).orbit(1, 0, CANVAS);
+        assertThat(view.distance()).isCloseTo(camera.distance(), within(1e-9 * (1 + camera.distance())));
+        assertThat(view.camera().to()).isEqualTo(camera.camera().to());
+        assertThat(view.right().y()).isCloseTo(0, within(1e-9));
+        assertThat(view.up().y()).isPositive();
+    }
+
+    @Test
+    void orbit_nearSideFollowsTheMouse() {
+        Vec3 near = reset.camera().to().minus(reset.forward().times(0.1));
+        Viewport.Pixel before = CANVAS.project(reset, near);
+        Viewport.Pixel after = CANVAS.project(reset.orbit(30, 20, CANVAS), near);
+        assertThat(after.x()).isGreaterThan(before.x());
+        assertThat(after.y()).isLessThan(before.y());
+    }
+
     @Property
     void pan_whatIsLookedAtFollowsTheMouse(@ForAll("cameras") PreviewCamera camera, @ForAll("canvases") Viewport canvas,
             @ForAll("distances") double right, @ForAll("distances") double up) {

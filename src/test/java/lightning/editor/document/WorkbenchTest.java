@@ -288,6 +288,23 @@ class WorkbenchTest {
         Await.until(() -> fileCount() == 0);
     }
 
+    /** The recovered edit of the open file is an update of its picture, not another first pass. */
+    @Test
+    void recoveredEditOfOpenFile_updatesPicture() throws Exception {
+        workbench.go();
+        awaitIdle();
+        var crashed = new RecoveryFolder(folder.resolve("kept"), "999999999999-1");
+        crashed.store(workbench.document().file(), DeskScene.TEXT.replace("intensity 0.3", "intensity 0.9"));
+        RecoveryFolder.RecoverableScene found = new RecoveryFolder(folder.resolve("kept")).list().getFirst();
+        OpenDocument recovered = OpenDocument.recover(found);
+        workbench.recover(found, recovered);
+        assertThat(workbench.frame()).as("the picture stays").isPresent();
+        awaitIdle();
+        assertThat(DeskScene.light(shownScene(), "sun").intensity()).isEqualTo(0.9);
+        assertThat(workbench.frame().orElseThrow().update().plan()).isInstanceOf(UpdatePlan.Relight.class);
+        assertThat(recovered.history().undoLabel()).hasValueSatisfying(label -> assertThat(label).contains("sun").contains("intensity"));
+    }
+
     private void save(Path file) throws InterruptedException {
         failures.clear();
         workbench.saveAs(file, Set.of(), failures::add);

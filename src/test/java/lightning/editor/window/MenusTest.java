@@ -81,6 +81,10 @@ class MenusTest extends EditorFixture {
         waitFor("the shape's menu is open", () -> items().stream().anyMatch(i -> "Edit Material matt of ball".equals(i.getText())));
         List<MenuItem> all = new ArrayList<>();
         robot.interact(() -> all.addAll(items()));
+        closeWindows();
+        robot.moveTo("#traced-picture").clickOn(MouseButton.SECONDARY);
+        waitFor("the pixel's menu is open", () -> items().stream().anyMatch(i -> "Hide ball".equals(i.getText())));
+        robot.interact(() -> all.addAll(items()));
         robot.interact(() -> model().editor().materialShownProperty().set(false));
         robot.clickOn("#intensity .label", MouseButton.SECONDARY);
         robot.interact(() -> {

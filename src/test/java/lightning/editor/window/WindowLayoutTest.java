@@ -58,6 +58,19 @@ class WindowLayoutTest extends EditorFixture {
     }
 
     @Test
+    void largePicture_hasPreviewAsInset() {
+        arrange(CanvasLayout.PICTURE_LARGE);
+        FastRobot.settle();
+        assertThat(picture().localToScreen(picture().getBoundsInLocal()).contains(preview().localToScreen(preview().getBoundsInLocal())))
+                .isTrue();
+        assertThat(preview().getWidth() / preview().getHeight()).isBetween(1.3, 1.37);
+        arrange(CanvasLayout.SIDE_BY_SIDE);
+        FastRobot.settle();
+        assertThat(preview().getWidth()).isGreaterThan(0.8 * picture().getWidth());
+        assertThat(isVisible("#preview-size")).isTrue();
+    }
+
+    @Test
     void tabOverPicture_togglesPanels() {
         double before = picture().getWidth();
         robot.interact(() -> preview().requestFocus());

@@ -62,6 +62,10 @@ class LightContributionsTest {
                     assertThat(one.regionShare()).isEqualTo(one.imageShare());
                 }
             }
+            LightShares shares = LightShares.of(renderer.cache(), OPTIONS, Progress.NONE);
+            assertThat(shares.lights()).as("the mixer's shares")
+                    .isEqualTo(found.lights().stream().mapToDouble(LightContribution::imageShare).toArray());
+            assertThat(shares.environment()).isEqualTo(found.environment().map(LightContribution::imageShare).orElse(0.0));
             Film dark = new ReferenceTracer(LightContributions.switchOff(scene, found.idleLights())).trace();
             assertThat(LightContribution.FilmChange.between(picture, dark, ViewTransform.DEFAULT)).isEqualTo(found.changeWhenIdleOff());
             assertThat(found.changeWhenIdleOff().isInvisible()).isTrue();

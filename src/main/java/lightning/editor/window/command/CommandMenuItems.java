@@ -127,6 +127,16 @@ public final class CommandMenuItems {
         return item;
     }
 
+    /** Creates an item as {@link #value} does, with a check mark. */
+    public MenuItem checkValue(Command command, String title, boolean isChecked, Runnable action) {
+        var item = new CheckMenuItem(title);
+        item.setMnemonicParsing(false);
+        setAction(item, command, action);
+        item.setSelected(isChecked);
+        item.setDisable(!commands.isEnabled(command));
+        return item;
+    }
+
     /**
      * Creates a check box as {@link #value} does. The menu stays open, so that several boxes can be changed in turn.
      *

@@ -183,7 +183,10 @@ public final class FileActions {
 
     /** Opens edits recovered after a crash. */
     public void recover(RecoveryFolder.RecoverableScene recoverable) {
-        model.files().runConcurrently(() -> OpenDocument.recover(recoverable), recovered -> model.recover(recoverable, recovered),
+        model.files().runConcurrently(() -> OpenDocument.recover(recoverable), recovered -> {
+            model.recover(recoverable, recovered);
+            message.show(Messages.tr("Recovered: {0}", recovered.history().undoLabel().orElse(Messages.tr("no changes"))));
+        },
                 failure -> notices.showFailure(Messages.tr("The edits could not be recovered"), failure));
     }
 

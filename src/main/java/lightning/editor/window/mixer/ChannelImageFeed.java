@@ -4,13 +4,16 @@ import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
+import javafx.animation.PauseTransition;
 import javafx.beans.property.ObjectProperty;
+import javafx.util.Duration;
 import lightning.base.work.Progress;
 import lightning.editor.document.Workbench;
 import lightning.editor.window.model.PaneUpdater;
 import lightning.render.cache.PixelCache;
 import lightning.render.image.ViewTransform;
 import lightning.render.relight.IndirectByLight;
+import lightning.render.relight.LightShares;
 import lightning.render.relight.LightThumbnails;
 
 /** Computes the thumbnails of the mixer's strips. */
@@ -20,10 +23,19 @@ final class ChannelImageFeed implements AutoCloseable {
     static final int HEIGHT = 60;
     /** Maximum time for the indirect light of all lights of a picture, nanoseconds. */
     private static final long INDIRECT_NS = 5_000_000_000L;
+    /** Time without a new picture after which the shares are computed. */
+    private static final Duration SETTLE_DELAY = Duration.millis(300);
 
     private final ObjectProperty<ViewTransform> viewProperty;
     private final PaneUpdater<ChannelImages> feed;
+    /** Computes shares of all pixels. */
+    private final PaneUpdater<LightShares> shares;
+    private final PauseTransition settleTimer = new PauseTransition(SETTLE_DELAY);
     private final Workbench workbench;
+    /** Last thumbnails; null before the first. */
+    private ChannelImages images;
+    /** Last shares; null before the first. */
+    private LightShares lastShares;
     /** Indirect light of the last picture; used on the feed's thread only. */
     private IndirectByLight indirect;
     private volatile ViewTransform view = ViewTransform.DEFAULT;
@@ -40,7 +52,17 @@ final class ChannelImageFeed implements AutoCloseable {
         this.viewProperty = viewProperty;
         this.workbench = workbench;
         feed = new PaneUpdater<>("lightning-mixer", windowExecutor,
-                () -> workbench.cache().flatMap(this::thumbnails).map(shares -> ChannelImages.of(shares, view)), listener);
+                () -> workbench.cache().flatMap(this::thumbnails).map(thumbnails -> ChannelImages.of(thumbnails, view)), newImages -> {
+                    images = newImages;
+                    show(listener);
+                });
+        shares = new PaneUpdater<>("lightning-shares", windowExecutor, () -> workbench.cache().flatMap(this::shares), newShares -> {
+            lastShares = newShares;
+            if (images != null) {
+                show(listener);
+            }
+        });
+        settleTimer.setOnFinished(_ -> shares.request());
     }
 
     /** Returns thumbnails with indirect light, or with direct light if that takes too long; empty if there is a newer picture. */
@@ -57,6 +79,19 @@ final class ChannelImageFeed implements AutoCloseable {
         }
     }
 
+    private void show(Consumer<ChannelImages> listener) {
+        listener.accept(lastShares == null ? images : images.withShares(lastShares));
+    }
+
+    /** Returns the shares of all pixels; empty if there is a newer picture. */
+    private Optional<LightShares> shares(PixelCache cache) {
+        try {
+            return Optional.of(LightShares.of(cache, workbench.options().withThreads(1), Progress.cancellation(() -> !isNewest(cache))));
+        } catch (CancellationException e) {
+            return Optional.empty();
+        }
+    }
+
     private boolean isNewest(PixelCache cache) {
         return workbench.cache().orElse(null) == cache;
     }
@@ -65,11 +100,14 @@ final class ChannelImageFeed implements AutoCloseable {
     void refresh() {
         view = viewProperty.get().forOutput();
         feed.request();
+        settleTimer.playFromStart();
     }
 
     /** Ends the thread; the next refresh starts another. */
     @Override
     public void close() {
+        settleTimer.stop();
+        shares.close();
         feed.close();
     }
 }

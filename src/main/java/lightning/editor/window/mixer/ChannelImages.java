@@ -7,6 +7,7 @@ import java.util.Optional;
 import lightning.editor.document.MixerChannel;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
+import lightning.render.relight.LightShares;
 import lightning.render.relight.LightThumbnails;
 import lightning.scene.Scene;
 
@@ -26,7 +27,7 @@ record ChannelImages(Scene scene, Map<MixerChannel, ChannelImage> images, Channe
      * @param width pixels
      * @param height pixels
      * @param pixels {@code int[width * height]}, opaque 0xFFRRGGBB
-     * @param fraction share of the picture's mean luminance, 0…1; 0 for a black picture
+     * @param fraction share of the picture's light, of the thumbnail's pixels until {@link LightShares} are known; 0 for a black picture
      */
     record ChannelImage(int width, int height, int[] pixels, double fraction) {
         // Immutable by convention: the array is written only before construction.
@@ -41,6 +42,17 @@ record ChannelImages(Scene scene, Map<MixerChannel, ChannelImage> images, Channe
         }
         return new ChannelImages(shares.scene(), images, image(shares, view, shares.image(), totalBrightness),
                 shares.hasAllLight());
+    }
+
+    /** Returns these thumbnails with the shares of the whole picture; unchanged if the shares are those of another one. */
+    ChannelImages withShares(LightShares shares) {
+        if (shares.scene() != scene) {
+            return this;
+        }
+        Map<MixerChannel, ChannelImage> updated = new HashMap<>();
+        images.forEach((channel, image) -> updated.put(channel, new ChannelImage(image.width(), image.height(), image.pixels(),
+                channel instanceof MixerChannel.OfEnvironment ? shares.environment() : shares.ofLights(channel.lightIndices(scene)))));
+        return new ChannelImages(scene, updated, master, hasAllLight);
     }
 
     private static float[] rgb(LightThumbnails shares, MixerChannel channel) {

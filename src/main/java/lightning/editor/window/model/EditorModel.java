@@ -100,6 +100,7 @@ public final class EditorModel implements AutoCloseable {
             layout.timelineShownProperty().set(layout.timelineShownProperty().get() || shown.get());
         });
         commands.setToggle(Command.HIDE_GIZMOS, previewSettings.gizmosHiddenProperty());
+        commands.setToggle(Command.PREVIEW_SHADOWS, previewSettings.shadowsProperty());
         commands.setToggle(Command.GLOWING_TEXTURES, previewSettings.glowingTexturesProperty());
     }
 

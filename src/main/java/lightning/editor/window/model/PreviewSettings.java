@@ -13,8 +13,10 @@ public final class PreviewSettings {
     private static final String GLOWING_TEXTURES = "glowing textures";
 
     private final BooleanProperty glowingTextures = new SimpleBooleanProperty();
+    private final BooleanProperty shadows = new SimpleBooleanProperty(true);
     private final BooleanProperty gizmosHidden = new SimpleBooleanProperty();
     private final ObjectProperty<GizmoSize> gizmoSize = new SimpleObjectProperty<>(GizmoSize.NORMAL);
+    private final ObjectProperty<CameraNavigation> navigation = new SimpleObjectProperty<>(CameraNavigation.LIGHTNING);
     private final ObjectProperty<PreviewCamera> camera = new SimpleObjectProperty<>();
     private final LongProperty frames = new SimpleLongProperty();
 
@@ -32,6 +34,11 @@ public final class PreviewSettings {
         return glowingTextures;
     }
 
+    /** True if the preview shows the shadows of the selected light. */
+    public BooleanProperty shadowsProperty() {
+        return shadows;
+    }
+
     /** True if the lights' wireframes and markers are hidden and cannot be picked. */
     public BooleanProperty gizmosHiddenProperty() {
         return gizmosHidden;
@@ -41,14 +48,23 @@ public final class PreviewSettings {
         return gizmoSize;
     }
 
+    /** Mouse buttons that move the view. */
+    public ObjectProperty<CameraNavigation> navigationProperty() {
+        return navigation;
+    }
+
     /** Restores the settings, except that gizmos are always shown at startup. */
     public void restore(Preferences preferences) {
         glowingTextures.set(preferences.hasValue("preview", GLOWING_TEXTURES));
         gizmoSize.set(preferences.enumValue("gizmos", GizmoSize.NORMAL));
+        shadows.set(!preferences.hasValue("preview-shadows", "false"));
+        navigation.set(preferences.enumValue("navigation", CameraNavigation.LIGHTNING));
     }
 
     public void save(Preferences preferences) {
         preferences.set("preview", glowingTextures.get() ? GLOWING_TEXTURES : "");
         preferences.set("gizmos", gizmoSize.get().name());
+        preferences.set("preview-shadows", shadows.get());
+        preferences.set("navigation", navigation.get().name());
     }
 }

@@ -36,6 +36,8 @@ public final class SceneEditor {
     private final KeySelection keySelection;
     /** Scene of the open animation; null if none is open. */
     private Scene animationScene;
+    /** Scene at the time of the last message, which does not apply to others. */
+    private Scene messageScene;
 
     /** @param previewCamera  camera of the preview; follows the scene's camera between frames while both are equal */
     SceneEditor(Workbench workbench, ObjectProperty<PreviewCamera> previewCamera, FileActivity fileActivity, KeySelection keySelection) {
@@ -44,6 +46,7 @@ public final class SceneEditor {
         this.fileActivity = fileActivity;
         this.keySelection = keySelection;
         selection = new SceneSelection(workbench, editorStateProperty(), materialShown);
+        message.textProperty().subscribe(_ -> messageScene = scene());
         live.addListener((_, _, on) -> {
             workbench.setLive(on);
             setAnimationScene(animationScene);
@@ -219,6 +222,13 @@ public final class SceneEditor {
 
     /** Updates all properties from the workbench. */
     void refresh() {
+        if (document() != document.get()) {
+            // A message about opening the document was shown before.
+            messageScene = scene();
+        } else if (scene() != messageScene) {
+            // A message about an earlier state, such as one that was undone since.
+            message.clear();
+        }
         document.set(document());
         scene.set(scene());
         selection.refresh(scene());

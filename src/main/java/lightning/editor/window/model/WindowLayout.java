@@ -32,6 +32,11 @@ public final class WindowLayout {
             this.share = share;
         }
 
+        /** Returns true if the preview is an inset in a corner of the traced picture. */
+        public boolean hasInset() {
+            return this == PICTURE_LARGE;
+        }
+
         /** Returns the traced picture's share of the width; 1 or 0 if only one of both is shown. */
         public double share() {
             return share;

@@ -18,7 +18,6 @@ record LightMarker(Light light, Viewport.Pixel tip, double angle) {
     /** Distance from the border, pixels. */
     private static final double INSET = 10;
     private static final double TOLERANCE = 14;
-    private static final double FIRST_DISTANCE = 4;
 
     /** Returns the markers of all lights outside the view. */
     static List<LightMarker> of(List<Light> lights, PreviewCamera view, Viewport canvas) {
@@ -59,18 +58,6 @@ record LightMarker(Light light, Viewport.Pixel tip, double angle) {
             }
         }
         return Optional.ofNullable(best).map(LightMarker::light);
-    }
-
-    /**
-     * Returns the initial view of a scene: moves back until it shows all lights that a view from at most {@value #FIRST_DISTANCE} times the
-     * distance can show. Lights farther out keep their markers, because framing them would make the scene too small.
-     */
-    static PreviewCamera firstView(List<Light> lights, PreviewCamera view, Viewport canvas) {
-        List<Light> nearLights = lights.stream().filter(light -> {
-            PreviewCamera zoomedOut = frameLights(List.of(light), view, canvas);
-            return zoomedOut.distance() <= FIRST_DISTANCE * view.distance() && of(List.of(light), zoomedOut, canvas).isEmpty();
-        }).toList();
-        return frameLights(nearLights, view, canvas);
     }
 
     /** Returns the view moved back until it shows all lights; unchanged if it already does. */

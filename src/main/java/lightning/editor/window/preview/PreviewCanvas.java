@@ -23,6 +23,7 @@ import lightning.editor.document.LightGizmo;
 import lightning.editor.document.PreviewCamera;
 import lightning.editor.document.Viewport;
 import lightning.editor.window.command.ShapeMenu;
+import lightning.editor.window.model.CameraNavigation;
 import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.model.ErrorMessage;
 import lightning.editor.window.model.GizmoMouseBinding;
@@ -31,6 +32,8 @@ import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.CanvasSize;
 import lightning.editor.window.widget.PixelImage;
 import lightning.scene.NodeGroup;
+import lightning.scene.Scene;
+import lightning.scene.effects.RenderEffect;
 import lightning.scene.effects.ViewEffects;
 
 /** Canvas of the preview with the lights' wireframes on top; handles mouse and keyboard. */
@@ -56,8 +59,6 @@ public final class PreviewCanvas extends Region implements AutoCloseable {
     private final PauseTransition restTimer = new PauseTransition(REST_DELAY);
     private final ObjectProperty<CanvasSize> size = new SimpleObjectProperty<>(CanvasSize.PICTURE_ASPECT);
     private boolean isCameraMoving;
-    /** True if a scene was opened and its initial view is not set yet. */
-    private boolean needsFirstView;
 
     PreviewCanvas(EditorModel model) {
         this.model = model;
@@ -75,11 +76,11 @@ public final class PreviewCanvas extends Region implements AutoCloseable {
         setAccessibleRole(AccessibleRole.IMAGE_VIEW);
         setAccessibleText(Messages.tr("Preview of the scene and its lights"));
         getChildren().addAll(image, gizmos);
-        editor.documentProperty().subscribe(_ -> needsFirstView = true);
         editor.sceneProperty().subscribe(_ -> requestLayout());
         editor.selection().lightProperty().subscribe(_ -> requestLayout());
         editor.editorStateProperty().map(EditorState::selectedNode).subscribe(_ -> requestLayout());
         model.picture().viewProperty().subscribe(_ -> requestLayout());
+        settings.shadowsProperty().subscribe(_ -> requestLayout());
         settings.glowingTexturesProperty().subscribe(_ -> requestLayout());
         settings.gizmosHiddenProperty().subscribe(_ -> requestLayout());
         settings.gizmoSizeProperty().subscribe(_ -> requestLayout());
@@ -113,7 +114,12 @@ public final class PreviewCanvas extends Region implements AutoCloseable {
         addEventHandler(MouseEvent.MOUSE_PRESSED, e -> {
             requestFocus();
             menu.hide();
-            mouse.press(e.getX() - left(), e.getY() - top(), GizmoMouseBinding.lightDrag(e), e.isShiftDown());
+            CameraNavigation navigation = settings.navigationProperty().get();
+            if (navigation.movesView(e)) {
+                mouse.pressForCamera(e.getX() - left(), e.getY() - top(), navigation.action(e));
+            } else {
+                mouse.press(e.getX() - left(), e.getY() - top(), GizmoMouseBinding.lightDrag(e));
+            }
         });
         addEventHandler(ScrollEvent.SCROLL, e -> {
             if (e.getDeltaY() != 0) {
@@ -125,11 +131,12 @@ public final class PreviewCanvas extends Region implements AutoCloseable {
         addEventHandler(MouseEvent.MOUSE_RELEASED, e -> {
             mouse.release();
             var point = new Viewport.Pixel(e.getX() - left(), e.getY() - top());
-            if (e.getButton() == MouseButton.PRIMARY && e.isStillSincePress() && !e.isShiftDown()
+            if (e.getButton() == MouseButton.PRIMARY && e.isStillSincePress() && !settings.navigationProperty().get().movesView(e)
                     && !settings.gizmosHiddenProperty().get() && !mouse.canGrab(point.x(), point.y())) {
                 shapes.select(mouse.canvas(), point);
             }
-            if (e.getButton() == MouseButton.SECONDARY && e.isStillSincePress() && mouse.lightsAt(point.x(), point.y()).isEmpty()) {
+            if (e.getButton() == MouseButton.SECONDARY && e.isStillSincePress() && !e.isAltDown()
+                    && mouse.lightsAt(point.x(), point.y()).isEmpty()) {
                 shapes.showMenu(mouse.canvas(), point, e.getScreenX(), e.getScreenY());
             }
         });
@@ -172,21 +179,31 @@ public final class PreviewCanvas extends Region implements AutoCloseable {
         gizmos.resize(frame.shownWidth(), frame.shownHeight());
         gizmos.relocate(left(), top());
         mouse.setCanvas(new Viewport(frame.shownWidth(), frame.shownHeight()));
-        if (needsFirstView) {
-            needsFirstView = false;
-            camera.set(
-                    LightMarker.firstView(editor.scene().lights(), camera.get(), mouse.canvas()));
-        }
         gizmos.setVisible(!settings.gizmosHiddenProperty().get());
         List<LightGizmo.Stroke> group =
                 editor.selection().node().filter(NodeGroup.class::isInstance).map(NodeGroup.class::cast).map(g -> GroupBounds
                         .strokes(groupBox.lines(editor.scene(), g), camera.get(), mouse.canvas())).orElse(List.of());
         gizmos.draw(editor.scene(), editor.selection().light(), new GizmoLayer.Marks(group, mouse.handles()), camera.get(),
                 mouse.canvas(), settings.gizmoSizeProperty().get().factor());
-        loop.draw(new PreviewLoop.Request(previewScene.of(editor.scene()), camera.get(), frame.width(), frame.height(),
+        Scene scene = editor.scene();
+        boolean showsShadows = showsShadows();
+        ViewEffects effects = settings.glowingTexturesProperty().get() ? ViewEffects.PREVIEW_1998 : ViewEffects.PREVIEW;
+        Scene shown = showsShadows ? previewScene.of(scene, editor.selection().lightName()) : previewScene.of(scene);
+        loop.draw(new PreviewLoop.Request(shown, camera.get(), frame.width(), frame.height(),
                 model.picture().viewProperty().get().forOutput(),
-                settings.glowingTexturesProperty().get() ? ViewEffects.PREVIEW_1998 : ViewEffects.PREVIEW,
-                isCameraMoving, model.picture().frame() == null ? null : model.picture().frame().geometry()));
+                effects.with(RenderEffect.SHADOWS, showsShadows), isCameraMoving,
+                model.picture().frame() == null ? null : model.picture().frame().geometry()));
+    }
+
+    private boolean showsShadows() {
+        return settings.shadowsProperty().get() && PreviewScene.canShowShadows(editor.scene());
+    }
+
+    /** Returns what the preview shows: its camera, and which shadows. */
+    String caption() {
+        String view = camera.get().equals(PreviewCamera.of(editor.scene())) ? Messages.tr("Scene camera") : Messages.tr("Free view");
+        String light = editor.selection().lightName();
+        return view + " · " + (showsShadows() && !light.isEmpty() ? Messages.tr("only shadows of {0}", light) : Messages.tr("no shadows"));
     }
 
     private void queuePicture(PreviewLoop.Picture picture) {

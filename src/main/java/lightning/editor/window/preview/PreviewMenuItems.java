@@ -1,10 +1,12 @@
 package lightning.editor.window.preview;
 
 import java.util.List;
+import java.util.stream.Stream;
 import javafx.scene.control.Menu;
 import javafx.scene.control.MenuItem;
 import lightning.editor.document.Command;
 import lightning.editor.window.command.CommandMenuItems;
+import lightning.editor.window.model.CameraNavigation;
 import lightning.editor.window.model.GizmoSize;
 import lightning.editor.window.model.PreviewSettings;
 
@@ -18,7 +20,22 @@ public final class PreviewMenuItems {
      * @param items creates the single items
      */
     public static List<MenuItem> of(PreviewSettings settings, CommandMenuItems items) {
-        return List.of(items.item(Command.HIDE_GIZMOS), sizes(settings, items), items.item(Command.GLOWING_TEXTURES));
+        return List.of(items.item(Command.HIDE_GIZMOS), sizes(settings, items), navigation(settings, items),
+                items.item(Command.PREVIEW_SHADOWS),
+                items.item(Command.GLOWING_TEXTURES));
+    }
+
+    private static Menu navigation(PreviewSettings settings, CommandMenuItems items) {
+        Menu menu = items.menu(Command.NAVIGATION);
+        menu.getItems().setAll(navigationChoices(settings, items));
+        return menu;
+    }
+
+    /** Creates an item for each way to move the view by mouse. */
+    static List<MenuItem> navigationChoices(PreviewSettings settings, CommandMenuItems items) {
+        var chosen = settings.navigationProperty();
+        return Stream.of(CameraNavigation.values()).map(navigation -> items.choice(Command.NAVIGATION, "navigation-" + navigation.name(),
+                navigation.toString(), chosen.map(n -> n == navigation), () -> chosen.set(navigation))).toList();
     }
 
     private static Menu sizes(PreviewSettings settings, CommandMenuItems items) {

@@ -12,16 +12,19 @@ import lightning.editor.document.LightGizmo;
 import lightning.editor.document.NodeEdits;
 import lightning.editor.document.NodeGizmo;
 import lightning.editor.document.PreviewCamera;
+import lightning.editor.document.Snapping;
 import lightning.editor.document.Viewport;
 import lightning.editor.window.model.PreviewSettings;
 import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.model.SceneSelection;
 import lightning.scene.Light;
+import lightning.scene.Placement;
 
 /**
  * Mouse drags in the preview (paper §3.2, §3.6), independent of the toolkit's events. The left button rotates the light under the mouse, or
  * orbits it around its target with Ctrl; the middle button moves it along the view axis, the right button in the view plane. The left
- * button also drags a handle of the selected shape. With Shift, every button moves the camera.
+ * button also drags a handle of the selected shape. {@link lightning.editor.window.model.CameraNavigation} decides which drags move the
+ * camera.
  */
 final class PreviewMouse {
     /** Maximum distance of a click from a gizmo, pixels. */
@@ -104,16 +107,11 @@ final class PreviewMouse {
     /**
      * Starts a drag.
      *
-     * @param shift true to move the camera, whatever is at the point
+     * @param dragKind action on a light at the point
      */
-    void press(double x, double y, LightDrag dragKind, boolean shift) {
+    void press(double x, double y, LightDrag dragKind) {
         pressX = x;
         pressY = y;
-        if (shift) {
-            startCamera = camera.get();
-            cameraDrag = null;
-            return;
-        }
         gizmo = handles().orElse(null);
         handle = gizmo == null || dragKind != LightDrag.ROTATE ? null : pick(gizmo, x, y).orElse(null);
         if (handle != null) {
@@ -134,6 +132,18 @@ final class PreviewMouse {
         selection.selectLight(startLight.name());
     }
 
+    /**
+     * Starts a drag of the camera, whatever is at the point.
+     *
+     * @param kind action; empty if the point and the first movement decide
+     */
+    void pressForCamera(double x, double y, Optional<CameraDrag> kind) {
+        pressX = x;
+        pressY = y;
+        startCamera = camera.get();
+        cameraDrag = kind.orElse(null);
+    }
+
     void drag(double x, double y) {
         double right = x - pressX;
         double down = y - pressY;
@@ -146,14 +156,16 @@ final class PreviewMouse {
             PreviewCamera view = camera.get();
             NodeGizmo draggedGizmo = gizmo;
             NodeGizmo.Handle draggedHandle = handle;
-            editor.editOrReport(
-                    scene -> NodeEdits.setPlacement(scene, draggedGizmo.node().name(),
-                            _ -> DragRounding.round(draggedGizmo, draggedGizmo.drag(draggedHandle, view, canvas, from, to), view, canvas)),
-                    gesture);
+            Placement placed = DragRounding.round(draggedGizmo, draggedGizmo.drag(draggedHandle, view, canvas, from, to), view, canvas);
+            if (editor.editOrReport(scene -> NodeEdits.setPlacement(scene, draggedGizmo.node().name(), _ -> placed), gesture).isEmpty()) {
+                editor.message().show(Snapping.describe(draggedGizmo.node().placement(), placed));
+            }
         } else if (startLight != null) {
             PreviewCamera view = camera.get();
             Light moved = DragRounding.round(startLight, lightDrag.apply(startLight, view, canvas, right, -down), view, canvas);
-            editor.editOrReport(scene -> LightEdits.edit(scene, startLight.name(), _ -> moved), gesture);
+            if (editor.editOrReport(scene -> LightEdits.edit(scene, startLight.name(), _ -> moved), gesture).isEmpty()) {
+                editor.message().show(Snapping.describe(startLight, moved, view));
+            }
         }
     }
 

@@ -1,27 +1,38 @@
 package lightning.editor.window.preview;
 
+import javafx.css.PseudoClass;
+import javafx.geometry.Pos;
 import javafx.scene.Node;
 import javafx.scene.control.Label;
 import javafx.scene.control.MenuButton;
 import javafx.scene.control.Tooltip;
 import javafx.scene.layout.BorderPane;
+import javafx.scene.layout.HBox;
+import javafx.scene.layout.Priority;
+import javafx.scene.layout.Region;
 import javafx.scene.layout.StackPane;
 import lightning.base.text.Messages;
 import lightning.editor.document.Command;
 import lightning.editor.document.PreviewCamera;
 import lightning.editor.window.command.CommandButton;
+import lightning.editor.window.command.CommandMenuItems;
 import lightning.editor.window.command.SizeMenu;
+import lightning.editor.window.model.CameraNavigation;
 import lightning.editor.window.model.CommandRegistry;
 import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.model.PreviewSettings;
 import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.PaneHeader;
+import org.kordamp.ikonli.javafx.FontIcon;
 
 /** Interactive preview of all lights in real time, in which lights are moved with the mouse. */
 public final class PreviewPane extends BorderPane implements AutoCloseable {
+    private static final PseudoClass COMPACT = PseudoClass.getPseudoClass("compact");
     private final PreviewSettings settings;
     private final CommandRegistry commands;
     private final PreviewCanvas canvas;
+    private final Node header;
+    private final Node footer;
 
     public PreviewPane(EditorModel model) {
         settings = model.previewSettings();
@@ -38,20 +49,60 @@ public final class PreviewPane extends BorderPane implements AutoCloseable {
         waiting.getStyleClass().add("canvas-note");
         waiting.visibleProperty().bind(canvas.emptyProperty());
         waiting.setMouseTransparent(true);
-        var stage = new StackPane(canvas, waiting);
+        var stage = new StackPane(canvas, waiting, caption(editor));
         stage.getStyleClass().add("canvas");
-        setTop(header());
+        header = header();
+        footer = footer();
+        header.managedProperty().bind(header.visibleProperty());
+        footer.managedProperty().bind(footer.visibleProperty());
+        setTop(header);
         setCenter(stage);
-        var hint =
-                new Label(Messages.tr("Left drag: rotate · Ctrl: orbit · Middle or Alt: dolly · Right: move · Shift: camera"));
-        hint.getStyleClass().add("pane-footer");
-        hint.setMaxWidth(Double.MAX_VALUE);
-        hint.setWrapText(true);
-        setBottom(hint);
+        setBottom(footer);
+    }
+
+    /** Shows or hides header and footer; without them the pane is an inset of another one. */
+    public void setCompact(boolean isCompact) {
+        header.setVisible(!isCompact);
+        footer.setVisible(!isCompact);
+        pseudoClassStateChanged(COMPACT, isCompact);
     }
 
     public PreviewCanvas canvas() {
         return canvas;
+    }
+
+    /** Returns a label that says what the preview shows. */
+    private Node caption(SceneEditor editor) {
+        var caption = new Label();
+        caption.setId("preview-caption");
+        caption.getStyleClass().add("preview-caption");
+        caption.setMouseTransparent(true);
+        Runnable update = () -> caption.setText(canvas.caption());
+        editor.editorStateProperty().subscribe(update);
+        settings.cameraProperty().subscribe(update);
+        settings.shadowsProperty().subscribe(update);
+        StackPane.setAlignment(caption, Pos.BOTTOM_LEFT);
+        return caption;
+    }
+
+    /** Returns the mouse actions and the choice of those that move the camera. */
+    private Node footer() {
+        var hint = new Label();
+        hint.textProperty().bind(settings.navigationProperty().map(CameraNavigation::hint));
+        hint.setWrapText(true);
+        hint.setMaxWidth(Double.MAX_VALUE);
+        HBox.setHgrow(hint, Priority.ALWAYS);
+        var choice = new MenuButton("", new FontIcon(Command.NAVIGATION.icon()));
+        choice.setId("navigation");
+        choice.getStyleClass().addAll("button-icon", "flat", "small");
+        choice.setAccessibleText(Command.NAVIGATION.title());
+        choice.setTooltip(new Tooltip(Command.NAVIGATION.title() + "\n" + Command.NAVIGATION.help() + "."));
+        choice.setMinWidth(Region.USE_PREF_SIZE);
+        choice.getItems().setAll(PreviewMenuItems.navigationChoices(settings, CommandMenuItems.forMenu(commands, "preview-")));
+        var footer = new HBox(hint, choice);
+        footer.setAlignment(Pos.CENTER_LEFT);
+        footer.getStyleClass().add("pane-footer");
+        return footer;
     }
 
     private Node header() {

@@ -5,14 +5,16 @@ import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.scene.Environment;
 import lightning.scene.EnvironmentLight;
+import lightning.scene.LightAttribute;
 import lightning.scene.Material;
 import lightning.scene.Scene;
+import lightning.scene.ShapeLinks;
 import lightning.scene.Stage;
 import lightning.scene.World;
 
 /**
- * Converts a scene for the preview, which has neither reflections nor shadows: adds diffuse color to materials that would be black without
- * reflections, and dims environments that would overexpose the picture without shadows.
+ * Converts a scene for the preview, which has no reflections, and shadows of one light at most: adds diffuse color to materials that would be
+ * black without reflections, dims environments that would overexpose the picture without shadows, and removes other shadows.
  */
 final class PreviewScene {
     /** Remaining metalness of a metal. The rest becomes diffuse, in place of its reflections. */
@@ -28,6 +30,25 @@ final class PreviewScene {
     private List<EnvironmentLight> environmentLights = List.of();
     /** Maximum brightness of a white diffuse surface lit by these lights, over the orientations toward each light. */
     private double maxBrightness;
+
+    /**
+     * Returns the scene to render.
+     *
+     * @param shadowLight name of the only light that casts shadows; empty for none
+     */
+    Scene of(Scene scene, String shadowLight) {
+        return withoutOtherShadows(of(scene), shadowLight);
+    }
+
+    /** Returns true if the preview of a scene can show the shadows of one light: an environment has too many lights with shadows. */
+    static boolean canShowShadows(Scene scene) {
+        return scene.world().environment().isEmpty();
+    }
+
+    private static Scene withoutOtherShadows(Scene scene, String shadowLight) {
+        return scene.withLights(scene.lights().stream()
+                .map(light -> light.name().equals(shadowLight) ? light : LightAttribute.SHADOWED_BY.with(light, ShapeLinks.NONE)).toList());
+    }
 
     Scene of(Scene scene) {
         if (scene.stage() != stage) {

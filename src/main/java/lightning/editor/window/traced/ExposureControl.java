@@ -6,6 +6,7 @@ import javafx.geometry.Pos;
 import javafx.scene.Node;
 import javafx.scene.control.Slider;
 import javafx.scene.control.Tooltip;
+import javafx.scene.input.MouseButton;
 import javafx.scene.input.MouseEvent;
 import javafx.scene.layout.HBox;
 import lightning.base.text.Messages;
@@ -27,6 +28,8 @@ final class ExposureControl extends HBox {
     private static final double KEY_STOPS = 0.25;
     /** Width of the slider's track, pixels: one pixel is about a tenth of a stop. */
     private static final double TRACK_WIDTH = 136;
+    /** Minimum distance of a drag from the press, pixels. Ignores small movements during a double-click. */
+    private static final double DRAG_THRESHOLD = 3;
 
     private final ViewActions views;
     private final StatusMessage message;
@@ -34,6 +37,10 @@ final class ExposureControl extends HBox {
     private boolean isUpdating;
     /** Identifies the drag of the slider; null while it is not dragged. */
     private Object drag;
+    /** True if the last press became a drag: a press soon after it is not a double-click. */
+    private boolean isDrag;
+    private double pressedX;
+    private double startStops;
 
     ExposureControl(ViewActions views, StatusMessage message) {
         this.views = views;
@@ -43,13 +50,10 @@ final class ExposureControl extends HBox {
         slider.setBlockIncrement(KEY_STOPS);
         slider.setMinWidth(TRACK_WIDTH);
         slider.setPrefWidth(TRACK_WIDTH);
-        slider.setOnMouseClicked(e -> {
-            if (e.getClickCount() == 2) {
-                slider.setValue(0);
-            }
-        });
-        slider.addEventFilter(MouseEvent.MOUSE_PRESSED, _ -> drag = new Object());
-        slider.addEventHandler(MouseEvent.MOUSE_RELEASED, _ -> drag = null);
+        // The slider's own mouse handlers would jump to the pointer at the first press of a double-click, which is an edit.
+        slider.addEventFilter(MouseEvent.MOUSE_PRESSED, this::press);
+        slider.addEventFilter(MouseEvent.MOUSE_DRAGGED, this::drag);
+        slider.addEventFilter(MouseEvent.MOUSE_RELEASED, this::release);
         // Dragging sets tenths of a stop; typed values keep all digits.
         slider.valueProperty().subscribe(v -> {
             if (!isUpdating) {
@@ -70,6 +74,35 @@ final class ExposureControl extends HBox {
             isUpdating = false;
             stops.show(now.exposure());
         });
+    }
+
+    private void press(MouseEvent e) {
+        slider.requestFocus();
+        e.consume();
+        if (e.getButton() != MouseButton.PRIMARY) {
+            return;
+        }
+        if (e.getClickCount() == 2 && !isDrag) {
+            set(0, null);
+            return;
+        }
+        drag = new Object();
+        isDrag = false;
+        pressedX = e.getX();
+        startStops = slider.getValue();
+    }
+
+    private void drag(MouseEvent e) {
+        e.consume();
+        isDrag |= drag != null && Math.abs(e.getX() - pressedX) >= DRAG_THRESHOLD;
+        if (drag != null && isDrag) {
+            slider.setValue(startStops + (e.getX() - pressedX) * 2 * MAX_STOPS / TRACK_WIDTH);
+        }
+    }
+
+    private void release(MouseEvent e) {
+        e.consume();
+        drag = null;
     }
 
     private Optional<String> set(double stops, Object gesture) {

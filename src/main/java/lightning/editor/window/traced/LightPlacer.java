@@ -47,6 +47,13 @@ final class LightPlacer {
 
         /** Selects a shadow or its caster. */
         record ShadowTool() implements Tool {}
+
+        /**
+         * Selects the caster of a shadow.
+         *
+         * @param target surface point on which the shadow falls
+         */
+        record CasterTool(ScenePicker.SurfaceHit target) implements Tool {}
     }
 
     /** Drag in progress. */
@@ -66,6 +73,9 @@ final class LightPlacer {
         record ShadowDrag(Light startLight, ScenePicker.SurfaceHit startHit, ScenePicker picker) implements Drag {}
 
         record DistanceDrag(Ring ring, Viewport.Pixel start) implements Drag {}
+
+        /** Drag of the caster's point, whose shadow falls on a fixed point. */
+        record CasterDrag(ScenePicker.SurfaceHit target, ScenePicker picker) implements Drag {}
     }
 
     /**
@@ -185,6 +195,10 @@ final class LightPlacer {
                         place(placing, hit, pointer.canvas(), false);
                     }
                     case Tool.ShadowTool() -> drag = new Drag.ShadowDrag(startLight, hit, picker);
+                    case Tool.CasterTool(ScenePicker.SurfaceHit target) -> {
+                        drag = new Drag.CasterDrag(target, picker);
+                        placeShadow(target, hit, pointer.canvas(), false);
+                    }
                 }
             }, () -> editor.message().show(Messages.tr(NO_SURFACE)));
         }
@@ -206,6 +220,8 @@ final class LightPlacer {
                 drag = new Drag.PlacementDrag(LightPlacement.start(lightAtStart, newGoal, pressHit.point()), picker);
                 drag(pointer, isSnapping);
             }
+            case Drag.CasterDrag(ScenePicker.SurfaceHit target, ScenePicker picker) ->
+                    pointer.pick(picker).ifPresent(hit -> placeShadow(target, hit, pointer.canvas(), isSnapping));
             case Drag.DistanceDrag(Ring startRing, Viewport.Pixel startPosition) -> {
                 Viewport.Pixel center = ringCenter(startRing, pointer.canvas());
                 Vec3 point = startRing.hit().point();
@@ -217,6 +233,23 @@ final class LightPlacer {
                         pointer.canvas(), Optional.empty());
             }
         }
+    }
+
+    /** Places the selected light for a goal at a surface point, in one undo step. */
+    void placeAt(ScenePicker.SurfaceHit hit, Goal goal, Viewport canvas) {
+        clearTool();
+        gesture = new Object();
+        startLight = editor.selection().light();
+        place(LightPlacement.start(startLight, goal, hit.point()), hit, canvas, false);
+    }
+
+    /** Lets the user pick the object whose shadow falls on a surface point. */
+    void pickCaster(ScenePicker.SurfaceHit target) {
+        selectTool(new Tool.CasterTool(target), Messages.tr("Click the object that should cast the shadow there"));
+    }
+
+    private void placeShadow(ScenePicker.SurfaceHit target, ScenePicker.SurfaceHit caster, Viewport canvas, boolean isSnapping) {
+        place(LightPlacement.start(startLight, new Goal.Shadow(caster.point()), target.point()), target, canvas, isSnapping);
     }
 
     private void place(LightPlacement placing, ScenePicker.SurfaceHit hit, Viewport canvas, boolean isSnapping) {

@@ -1,13 +1,17 @@
 package lightning.editor.window.traced;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 import lightning.base.math.Vec3;
 import lightning.base.text.Messages;
+import lightning.render.relight.LightThumbnails;
 import lightning.render.shading.LightReport;
 import lightning.render.shading.PointReport;
 import lightning.render.trace.Geometry;
+import lightning.scene.Light;
 import lightning.scene.ShapeGains;
 
 /**
@@ -43,24 +47,17 @@ record PixelReport(int x, int y, String shape, Vec3 point, Vec3 normal, Vec3 geo
 
     /** Returns the light that contributes most to this pixel; empty if none does. */
     Optional<String> strongest() {
-        LightReport best = null;
-        float maxBrightness = 0;
-        for (LightReport light : lights) {
-            float brightness = brightness(light);
-            if (brightness > maxBrightness) {
-                maxBrightness = brightness;
-                best = light;
-            }
-        }
-        return Optional.ofNullable(best).map(b -> b.light().name());
+        return contributions().stream().filter(c -> c.brightness() > 0).max(Comparator.comparingDouble(Contribution::brightness))
+                .map(c -> c.light().name());
     }
 
-    private static float brightness(LightReport light) {
-        float sum = 0;
-        for (int c = 0; c < 3; c++) {
-            sum += light.diffuse()[c] + light.highlight()[c] + light.sheen()[c];
-        }
-        return sum;
+    private static double brightness(LightReport light) {
+        return luminance(light.diffuse()) + luminance(light.highlight()) + luminance(light.sheen());
+    }
+
+    /** Returns the luminance of linear red, green and blue, as in the light mixer and in the report of light contributions. */
+    private static double luminance(float[] rgb) {
+        return LightThumbnails.brightness(rgb);
     }
 
     /**
@@ -80,43 +77,59 @@ record PixelReport(int x, int y, String shape, Vec3 point, Vec3 normal, Vec3 geo
         return String.format(Messages.locale(), Messages.tr(pattern), v.x(), v.y(), v.z());
     }
 
-    /** Returns the contribution of each light, such as {@code key 64 %}. */
-    List<String> lightLines() {
-        float total = 0;
-        for (LightReport light : lights) {
-            total += brightness(light);
-        }
-        float environmentTotal = 0;
-        for (LightReport environmentLight : environmentLights) {
-            environmentTotal += brightness(environmentLight);
-        }
-        float indirectTotal = indirect == null ? 0 : indirect[0] + indirect[1] + indirect[2];
-        total += environmentTotal + indirectTotal;
+    /**
+     * Contribution of a light to this pixel.
+     *
+     * @param light the light
+     * @param brightness its luminance here; 0 if it does not reach the point
+     * @param text share of the light here, or why there is none: {@code 64 %}, {@code shadowed}
+     */
+    record Contribution(Light light, double brightness, String text) {}
+
+    /** Returns the contribution of each light, in the scene's order. */
+    List<Contribution> contributions() {
+        double total = totalBrightness();
+        return lights.stream().map(light -> new Contribution(light.light(), brightness(light), switch (light.state()) {
+            case DARK -> Messages.tr("dark");
+            case AWAY -> Messages.tr("backfacing");
+            case OUTSIDE -> Messages.tr("outside the cone");
+            case UNLINKED -> Messages.tr("not linked");
+            case SHADOWED -> light.samplesBelowSurface() == light.samples() ? Messages.tr("below the horizon") : Messages.tr("shadowed");
+            case LIT -> percent(brightness(light), total) + samplesText(light) + gainText(light);
+        })).toList();
+    }
+
+    /** Returns the shares of the environment and of indirect light, each only if the scene has it. */
+    List<String> otherLines() {
+        double total = totalBrightness();
         List<String> lines = new ArrayList<>();
-        for (LightReport light : lights) {
-            lines.add(light.light().name() + "  " + switch (light.state()) {
-                case DARK -> Messages.tr("dark");
-                case AWAY -> Messages.tr("backfacing");
-                case OUTSIDE -> Messages.tr("outside the cone");
-                case UNLINKED -> Messages.tr("not linked");
-                case SHADOWED ->
-                        light.samplesBelowSurface() == light.samples() ? Messages.tr("below the horizon") : Messages.tr("shadowed");
-                case LIT -> percent(brightness(light), total) + samplesText(light) + gainText(light);
-            });
-        }
         if (!environmentLights.isEmpty()) {
             long litCount =
                     environmentLights.stream().filter(environmentLight -> environmentLight.state() == LightReport.State.LIT).count();
-            lines.add(Messages.tr("environment  {0}, {1} of {2} samples", percent(environmentTotal, total), litCount,
+            lines.add(Messages.tr("environment  {0}, {1} of {2} samples", percent(environmentBrightness(), total), litCount,
                     environmentLights.size()));
         }
         if (indirect != null) {
-            lines.add(Messages.tr("indirect light  {0}", percent(indirectTotal, total)));
+            lines.add(Messages.tr("indirect light  {0}", percent(luminance(indirect), total)));
         }
         return lines;
     }
 
-    private static String percent(float share, float total) {
+    /** Returns the contribution of each light, such as {@code key 64 %}, then those of {@link #otherLines}. */
+    List<String> lightLines() {
+        return Stream.concat(contributions().stream().map(c -> c.light().name() + "  " + c.text()), otherLines().stream()).toList();
+    }
+
+    private double environmentBrightness() {
+        return environmentLights.stream().mapToDouble(PixelReport::brightness).sum();
+    }
+
+    private double totalBrightness() {
+        return lights.stream().mapToDouble(PixelReport::brightness).sum() + environmentBrightness()
+                + (indirect == null ? 0 : luminance(indirect));
+    }
+
+    private static String percent(double share, double total) {
         return Math.round(100 * share / Math.max(total, Float.MIN_NORMAL)) + " %";
     }
 

@@ -26,6 +26,7 @@ import lightning.editor.window.model.PreviewSettings;
 import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.PictureView;
 import lightning.scene.Light;
+import lightning.scene.Placement;
 
 /**
  * Wireframe of the selected light, or handles of the selected shape, over the traced picture while the mouse is over it. Draggable as in
@@ -131,9 +132,11 @@ final class TracedGizmo extends Pane {
                 PreviewCamera view = view();
                 Viewport viewport = viewport();
                 Viewport.Pixel from = drag.start();
-                editor.editOrReport(scene -> NodeEdits.setPlacement(scene, gizmo.node().name(),
-                        _ -> DragRounding.round(gizmo, gizmo.drag(handle, view, viewport, from, point, e.isShiftDown()), view, viewport)),
-                        drag);
+                Placement placed =
+                        DragRounding.round(gizmo, gizmo.drag(handle, view, viewport, from, point, e.isShiftDown()), view, viewport);
+                if (editor.editOrReport(scene -> NodeEdits.setPlacement(scene, gizmo.node().name(), _ -> placed), drag).isEmpty()) {
+                    editor.message().show(Snapping.describe(gizmo.node().placement(), placed));
+                }
             }
             case LightTarget(Light lightAtStart, LightDrag dragKind) -> {
                 Light moved = dragKind.apply(lightAtStart, view(), viewport(), point.x() - drag.start().x(),
@@ -143,7 +146,8 @@ final class TracedGizmo extends Pane {
                                 : Optional.empty();
                 Light snapped = snap.map(Snapping::light).orElseGet(() -> DragRounding.round(lightAtStart, moved, view(), viewport()));
                 if (editor.editOrReport(scene -> LightEdits.edit(scene, lightAtStart.name(), _ -> snapped), drag).isEmpty()) {
-                    snap.ifPresent(s -> editor.message().show(Messages.tr("Snapped: {0}", s.message())));
+                    editor.message().show(snap.map(s -> Messages.tr("Snapped: {0}", s.message()))
+                            .orElseGet(() -> Snapping.describe(lightAtStart, snapped, view())));
                 }
             }
         }

@@ -7,9 +7,12 @@ import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.ReadOnlyStringProperty;
 import javafx.beans.property.ReadOnlyStringWrapper;
 import javafx.beans.property.SimpleBooleanProperty;
+import javafx.geometry.Bounds;
+import javafx.geometry.Point2D;
 import javafx.scene.Cursor;
 import javafx.scene.Node;
 import javafx.scene.control.Control;
+import javafx.scene.control.TextInputControl;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyEvent;
 import javafx.scene.input.MouseButton;
@@ -18,11 +21,14 @@ import javafx.scene.layout.Pane;
 import javafx.scene.layout.StackPane;
 import javafx.scene.shape.Rectangle;
 import lightning.base.text.Messages;
+import lightning.editor.document.CameraDrag;
 import lightning.editor.loop.Frame;
-import lightning.editor.window.command.ShapeMenu;
+import lightning.editor.loop.RenderState;
+import lightning.editor.window.model.CameraNavigation;
 import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.model.ErrorMessage;
 import lightning.editor.window.model.PicturePointer;
+import lightning.editor.window.model.PreviewSettings;
 import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.model.TracedPicture;
 import lightning.editor.window.model.TracedRaster;
@@ -37,18 +43,24 @@ import lightning.scene.Scene;
  * region, and pans the picture.
  */
 final class TracedMouse implements AutoCloseable {
+    /** Distance of a drag that zooms by a factor of e, pixels. */
+    private static final double ZOOM_PIXELS = 150;
+
     private final SceneEditor editor;
+    private final PreviewSettings settings;
     private final TracedPicture tracedPicture;
     private final PicturePointer picturePart;
     private final Executor windowExecutor;
     private final PictureView picture;
     private final Consumer<PixelReport> onHover;
     private final PixelInspector inspector;
+    /** Inspects clicked pixels: the reports on hovered ones must not replace them. */
+    private final PixelInspector clickInspector;
     private final RegionTracer regionTracer = new RegionTracer();
     private final BooleanProperty regionMode = new SimpleBooleanProperty();
     private final ReadOnlyStringWrapper prompt = new ReadOnlyStringWrapper("");
     private final Rectangle regionFrame = new Rectangle();
-    private final ShapeMenu menu;
+    private final PixelMenu menu;
     private final LightPlacer placer;
     private final TracedGizmo gizmo;
     private final StackPane overlay;
@@ -56,6 +68,8 @@ final class TracedMouse implements AutoCloseable {
     private Consumer<PixelReport> onPick;
     private String pickHint = "";
     private boolean isPanning;
+    /** How the current drag moves the image; null if it does not. */
+    private CameraDrag viewDrag;
     /** True if the user canceled the drag before releasing the button. */
     private boolean isCanceled;
     /** Scene of the last traced region; null before the first. */
@@ -72,14 +86,16 @@ final class TracedMouse implements AutoCloseable {
      */
     TracedMouse(EditorModel model, PictureView picture, Consumer<PixelReport> onHover) {
         editor = model.editor();
+        settings = model.previewSettings();
         tracedPicture = model.picture();
         picturePart = model.picturePointer();
         windowExecutor = model.files().windowExecutor();
         this.picture = picture;
         this.onHover = onHover;
-        menu = new ShapeMenu(editor, model.materials(), model.commands());
         inspector = new PixelInspector(windowExecutor);
+        clickInspector = new PixelInspector(windowExecutor);
         placer = LightPlacer.register(editor, model.commands());
+        menu = new PixelMenu(model, placer);
         gizmo = new TracedGizmo(editor, model.previewSettings(), picture, placer);
         overlay = new StackPane(gizmo, new Pane(regionFrame));
         overlay.setMouseTransparent(true);
@@ -97,6 +113,7 @@ final class TracedMouse implements AutoCloseable {
             updatePrompt();
         });
         picturePart.regionRequestProperty().subscribe(_ -> updatePrompt());
+        tracedPicture.renderStateProperty().map(RenderState::frame).subscribe(this::followFrame);
         picture.sceneProperty().subscribe(scene -> {
             if (scene != null) {
                 scene.addEventFilter(KeyEvent.KEY_PRESSED, this::handleKey);
@@ -122,6 +139,18 @@ final class TracedMouse implements AutoCloseable {
     }
 
     private void handleKey(KeyEvent e) {
+        if (e.getCode() == KeyCode.CONTEXT_MENU || e.getCode() == KeyCode.F10 && e.isShiftDown()) {
+            PicturePointer.Pixel pixel = picturePart.pixelProperty().get();
+            if (pixel != null && !(picture.getScene().getFocusOwner() instanceof TextInputControl)) {
+                Bounds bounds = picture.pictureBoundsProperty().getValue();
+                double scale = bounds.getWidth() / tracedPicture.frame().scene().picture().width();
+                Point2D at = picture.localToScreen(bounds.getMinX() + (pixel.x() + 0.5) * scale,
+                        bounds.getMinY() + (pixel.y() + 0.5) * scale);
+                showMenu(new PictureView.Pixel(pixel.x(), pixel.y()), at.getX(), at.getY());
+                e.consume();
+            }
+            return;
+        }
         if (e.getCode() != KeyCode.ESCAPE) {
             return;
         }
@@ -196,6 +225,17 @@ final class TracedMouse implements AutoCloseable {
                 .ifPresentOrElse(p -> hoverPixel(frame, p), this::clearHover);
     }
 
+    /** Inspects the pixel under the pointer again in a new picture. */
+    private void followFrame(Frame frame) {
+        PicturePointer.Pixel pixel = picturePart.pixelProperty().get();
+        if (frame != null && pixel != null && picture.isHover()) {
+            PictureSettings size = frame.scene().picture();
+            if (pixel.x() < size.width() && pixel.y() < size.height()) {
+                hoverPixel(frame, new PictureView.Pixel(pixel.x(), pixel.y()));
+            }
+        }
+    }
+
     private void hoverPixel(Frame frame, PictureView.Pixel p) {
         picturePart.pixelProperty().set(new PicturePointer.Pixel(p.x(), p.y()));
         inspector.request(frame, p.x(), p.y(), report -> {
@@ -217,6 +257,10 @@ final class TracedMouse implements AutoCloseable {
         pressY = e.getY();
         lastX = pressX;
         lastY = pressY;
+        viewDrag = viewDrag(e);
+        if (viewDrag != null) {
+            return;
+        }
         boolean primary = e.getButton() == MouseButton.PRIMARY && !e.isAltDown() && !isPanning;
         boolean isPlacing = onPick == null && !placer.promptProperty().get().isEmpty();
         boolean isFree = prompt.get().isEmpty() && !isPanning && !picture.wipe().isVisible();
@@ -224,6 +268,13 @@ final class TracedMouse implements AutoCloseable {
         if (isFree && !placerTook) {
             gizmo.press(e);
         }
+    }
+
+    /** Returns how a press moves the image as the user's camera navigation moves the view; null if it does not. */
+    private CameraDrag viewDrag(MouseEvent press) {
+        CameraNavigation navigation = settings.navigationProperty().get();
+        // Shift snaps drags in the traced picture.
+        return navigation.movesView(press) ? navigation.action(press).orElse(null) : null;
     }
 
     private LightPlacer.Pointer pointer(MouseEvent e) {
@@ -234,6 +285,17 @@ final class TracedMouse implements AutoCloseable {
         if (isCanceled) {
             return;
         }
+        if (viewDrag != null) {
+            if (viewDrag == CameraDrag.ZOOM) {
+                picture.zoomBy(Math.exp((lastY - e.getY()) / ZOOM_PIXELS), pressX, pressY);
+            } else {
+                picture.pan(e.getX() - lastX, e.getY() - lastY);
+            }
+            lastX = e.getX();
+            lastY = e.getY();
+            return;
+        }
+        hover(e);
         if (gizmo.isDragging()) {
             gizmo.drag(e);
             return;
@@ -259,6 +321,10 @@ final class TracedMouse implements AutoCloseable {
     }
 
     private void handleRelease(MouseEvent e) {
+        if (viewDrag != null) {
+            viewDrag = null;
+            return;
+        }
         boolean wasDragged = gizmo.isDragging() && !e.isStillSincePress();
         gizmo.release();
         if (placer.isDragging()) {
@@ -280,14 +346,17 @@ final class TracedMouse implements AutoCloseable {
         } else if (e.isStillSincePress() && e.getButton() == MouseButton.PRIMARY && placer.promptProperty().get().isEmpty()) {
             click(e);
         } else if (e.isStillSincePress() && e.getButton() == MouseButton.SECONDARY) {
-            showMenu(e);
+            picture.pixel(e.getX(), e.getY()).ifPresent(p -> showMenu(p, e.getScreenX(), e.getScreenY()));
         }
     }
 
-    private void showMenu(MouseEvent e) {
-        if (tracedPicture.frame() != null) {
-            picture.pixel(e.getX(), e.getY()).ifPresent(p -> inspector.request(tracedPicture.frame(), p.x(), p.y(),
-                    report -> menu.show(picture, report.shape(), e.getScreenX(), e.getScreenY())));
+    private void showMenu(PictureView.Pixel pixel, double screenX, double screenY) {
+        Frame frame = tracedPicture.frame();
+        if (frame == null) {
+            editor.message().show(Messages.tr("The menu opens once the first picture is finished"));
+        } else {
+            clickInspector.request(frame, pixel.x(), pixel.y(),
+                    report -> menu.show(picture, new PixelMenu.Target(frame, report, gizmo.viewport()), screenX, screenY));
         }
     }
 
@@ -322,7 +391,7 @@ final class TracedMouse implements AutoCloseable {
         if (tracedPicture.frame() == null) {
             return;
         }
-        picture.pixel(e.getX(), e.getY()).ifPresent(p -> inspector.request(tracedPicture.frame(), p.x(), p.y(), report -> {
+        picture.pixel(e.getX(), e.getY()).ifPresent(p -> clickInspector.request(tracedPicture.frame(), p.x(), p.y(), report -> {
             if (onPick == null) {
                 report.strongest().ifPresent(editor.selection()::selectLight);
             } else if (report.point() == null) {
@@ -344,6 +413,7 @@ final class TracedMouse implements AutoCloseable {
     @Override
     public void close() {
         inspector.close();
+        clickInspector.close();
         regionTracer.close();
     }
 }

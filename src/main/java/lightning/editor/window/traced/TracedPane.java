@@ -2,6 +2,7 @@ package lightning.editor.window.traced;
 
 import java.util.Optional;
 import javafx.application.Platform;
+import javafx.beans.binding.Bindings;
 import javafx.geometry.Insets;
 import javafx.geometry.Pos;
 import javafx.scene.Node;
@@ -38,6 +39,7 @@ import lightning.editor.window.widget.PictureView;
 import lightning.render.image.DifferenceImage;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
+import lightning.scene.PictureSettings;
 import lightning.scene.VisibleState;
 import org.kordamp.ikonli.javafx.FontIcon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignC;
@@ -50,6 +52,12 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
     /** Empty report with its two lines, so that the picture keeps its size. */
     private static final String NO_PIXEL = " \n ";
 
+    /** Width of the inset as a share of the pane's. */
+    private static final double INSET_SHARE = 0.3;
+
+    private final StackPane stage = new StackPane();
+    /** Pane in the corner of the picture; null if there is none. */
+    private Region inset;
     private final SceneEditor editor;
     private final TracedPicture traced;
     private final CommandRegistry commands;
@@ -144,7 +152,12 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         promptLabel.setMouseTransparent(true);
         promptLabel.textProperty().bind(mouse.promptProperty().map(p -> p.isEmpty() ? "" : Messages.tr("{0}  ·  Esc to finish", p)));
         promptLabel.visibleProperty().bind(mouse.promptProperty().isNotEmpty());
-        StackPane.setAlignment(promptLabel, Pos.TOP_CENTER);
+        promptLabel.managedProperty().bind(promptLabel.visibleProperty());
+        var notes = new VBox(promptLabel, new PictureMessage(editor.message().textProperty()));
+        notes.getStyleClass().add("picture-notes");
+        notes.setMouseTransparent(true);
+        notes.setMaxSize(Region.USE_PREF_SIZE, Region.USE_PREF_SIZE);
+        StackPane.setAlignment(notes, Pos.TOP_CENTER);
         Node legend = new StopLegend(traced.viewProperty());
         StackPane.setAlignment(legend, Pos.BOTTOM_RIGHT);
         StackPane.setMargin(legend, BADGE_INSETS);
@@ -154,15 +167,15 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         var view = traced.viewProperty();
         commands.setToggle(Command.MARK_CLIPPING, view.map(ViewTransform::marksClipping),
                 () -> view.set(view.get().withMarksClipping(!view.get().marksClipping())));
-        var stage = new StackPane(waitingLabel, picture, mouse.overlay(), badges, lookBadge, lightsCard, legend, clipping, progress,
-                promptLabel);
+        stage.getChildren().setAll(waitingLabel, picture, mouse.overlay(), badges, lookBadge, lightsCard, legend, clipping, progress,
+                notes);
         stage.getStyleClass().add("canvas");
         setTop(header());
         setCenter(stage);
         pixelLine.setId("pixel");
         pixelLine.getStyleClass().add("pane-footer");
         pixelLine.setMaxWidth(Double.MAX_VALUE);
-        setOnMouseExited(_ -> clearPixel());
+        pixelLine.hoverProperty().subscribe(_ -> clearPixel());
         setBottom(pixelLine);
         difference.setId("difference");
         difference.selectedProperty().subscribe(_ -> repaint());
@@ -170,6 +183,33 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         editor.editorStateProperty().subscribe(_ -> updateBadges());
         traced.renderStateProperty().subscribe(_ -> updateBadges());
         picture.showNote("");
+    }
+
+    /**
+     * Shows a pane in the picture's upper right corner, at the picture's aspect ratio.
+     *
+     * @param pane pane of the preview; null for none
+     */
+    public void setInset(Region pane) {
+        if (inset != null) {
+            inset.maxWidthProperty().unbind();
+            inset.maxHeightProperty().unbind();
+            inset.setMaxSize(Region.USE_COMPUTED_SIZE, Region.USE_COMPUTED_SIZE);
+            stage.getChildren().remove(inset);
+        }
+        inset = pane;
+        if (pane != null) {
+            var width = stage.widthProperty().multiply(INSET_SHARE);
+            pane.maxWidthProperty().bind(width);
+            pane.maxHeightProperty().bind(width.divide(
+                    Bindings.createDoubleBinding(() -> aspect(editor.scene().picture()), editor.sceneProperty())));
+            StackPane.setAlignment(pane, Pos.TOP_RIGHT);
+            stage.getChildren().add(stage.getChildren().indexOf(lookBadge), pane);
+        }
+    }
+
+    private static double aspect(PictureSettings picture) {
+        return (double) picture.width() / picture.height();
     }
 
     /** Creates the view of the picture. */
@@ -254,7 +294,7 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
 
     /** Keeps the last report while the mouse is over the report itself: its tooltip shows the text that does not fit. */
     private void clearPixel() {
-        if (!isHover() && lightsCard.getText().isEmpty()) {
+        if (!pixelLine.isHover() && lightsCard.getText().isEmpty()) {
             pixelLine.setText(NO_PIXEL);
             pixelLine.setTooltip(null);
         }
@@ -287,7 +327,8 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         if (isUpdating || state.pendingMessage().isEmpty()) {
             return "";
         }
-        return state.hasPendingEdits() ? Messages.tr("Out of date. Render (F5)")
+        boolean isInProgress = state.sceneInProgress().filter(s -> VisibleState.isSame(s, state.scene())).isPresent();
+        return state.hasPendingEdits() ? isInProgress ? coarseNote() : Messages.tr("Out of date. Render (F5)")
                 : state.sceneInProgress().isPresent() ? StatusText.stage(RenderActivity.Stage.SAMPLES)
                 : Messages.tr("Not anti-aliased");
     }

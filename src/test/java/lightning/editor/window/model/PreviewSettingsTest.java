@@ -48,6 +48,15 @@ class PreviewSettingsTest {
     }
 
     @Test
+    void navigation_isRestored() {
+        for (CameraNavigation navigation : CameraNavigation.values()) {
+            var look = new PreviewSettings();
+            look.navigationProperty().set(navigation);
+            assertThat(reload(look).navigationProperty().get()).isEqualTo(navigation);
+        }
+    }
+
+    @Test
     void hiddenGizmos_areShownInTheNextRun() {
         var look = new PreviewSettings();
         look.gizmosHiddenProperty().set(true);

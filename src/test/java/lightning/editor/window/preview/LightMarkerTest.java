@@ -2,23 +2,18 @@ package lightning.editor.window.preview;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import lightning.base.math.Vec3;
-import lightning.editor.document.OpenDocument;
 import lightning.editor.document.PreviewCamera;
 import lightning.editor.document.Viewport;
 import lightning.scene.Camera;
 import lightning.scene.Light;
 import lightning.scene.LightType;
-import lightning.scene.Scene;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.DoubleRange;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
 
 class LightMarkerTest {
     private static final PreviewCamera VIEW = new PreviewCamera(new Camera(new Vec3(0, 0, 10), Vec3.ZERO, Vec3.Y, 40));
@@ -85,32 +80,5 @@ class LightMarkerTest {
     void framing_lightsInView_keepsView() {
         assertThat(LightMarker.frameLights(List.of(lightAt(0, 0, 0)), VIEW, CANVAS)).isEqualTo(VIEW);
         assertThat(LightMarker.frameLights(List.of(), VIEW, CANVAS)).isEqualTo(VIEW);
-    }
-
-    @ParameterizedTest
-    @ValueSource(strings = {"balls", "bird", "desk", "house", "night", "orange", "spaceship"})
-    void firstView_ofShippedScenes_showsAllLights(String name) throws Exception {
-        Scene scene = OpenDocument.open(Path.of("scenes", name + ".jen")).scene();
-        var canvas = new Viewport(400.0 * scene.picture().width() / scene.picture().height(), 400);
-        PreviewCamera first = LightMarker.firstView(scene.lights(), PreviewCamera.of(scene), canvas);
-        assertThat(LightMarker.of(scene.lights(), first, canvas)).isEmpty();
-    }
-
-    @Test
-    void veryDistantLight_doesNotShrinkFirstView() {
-        Light lamp = lightAt(4, 3, 0);
-        Light star = lightAt(1e6, 1e6, 0);
-        PreviewCamera withoutStar = LightMarker.firstView(List.of(lamp), VIEW, CANVAS);
-        assertThat(LightMarker.of(List.of(lamp), withoutStar, CANVAS)).isEmpty();
-        assertThat(LightMarker.firstView(List.of(lamp, star), VIEW, CANVAS)).isEqualTo(withoutStar);
-        assertThat(LightMarker.of(List.of(lamp, star), withoutStar, CANVAS)).hasSize(1);
-    }
-
-    @Property
-    void firstView_isFromAtMostFourTimesTheDistanceAndAStep(@ForAll @DoubleRange(min = -99, max = 99) double x,
-            @ForAll @DoubleRange(min = -99, max = 99) double y, @ForAll @DoubleRange(min = -99, max = 99) double z) {
-        PreviewCamera first = LightMarker.firstView(List.of(lightAt(x, y, z), lightAt(0, 1, 0)), VIEW, CANVAS);
-        assertThat(first.distance()).isBetween(10.0, 4 * 10 * Math.exp(0.1));
-        assertThat(first.forward()).isEqualTo(VIEW.forward());
     }
 }

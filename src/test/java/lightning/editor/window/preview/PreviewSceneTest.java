@@ -12,6 +12,7 @@ import lightning.scene.Camera;
 import lightning.scene.Environment;
 import lightning.scene.EnvironmentMap;
 import lightning.scene.Light;
+import lightning.scene.LightAttribute;
 import lightning.scene.LightRig;
 import lightning.scene.LightType;
 import lightning.scene.Material;
@@ -20,6 +21,7 @@ import lightning.scene.Placement;
 import lightning.scene.Scene;
 import lightning.scene.ShadingModel;
 import lightning.scene.Shape;
+import lightning.scene.ShapeLinks;
 import lightning.scene.Solid;
 import lightning.scene.Stage;
 import lightning.scene.World;
@@ -41,6 +43,16 @@ class PreviewSceneTest {
 
     private static Light environmentLight() {
         return Light.of("lamp", LightType.POINT).withPosition(new Vec3(3, 3, 6));
+    }
+
+    @Test
+    void shadows_areThoseOfOneLight() {
+        Light key = environmentLight().withName("key");
+        Scene scene = ball(Material.of("matt"), World.DEFAULT, environmentLight(), key);
+        Scene shown = new PreviewScene().of(scene, "key");
+        assertThat(shown.light("key").orElseThrow()).isEqualTo(key);
+        assertThat(LightAttribute.SHADOWED_BY.get(shown.light("lamp").orElseThrow())).isEqualTo(ShapeLinks.NONE);
+        assertThat(PreviewScene.canShowShadows(scene)).isTrue();
     }
 
     @Test

@@ -20,6 +20,7 @@ import lightning.editor.document.NodeGizmo;
 import lightning.editor.document.PreviewCamera;
 import lightning.editor.window.EditorFixture;
 import lightning.editor.window.FastRobot;
+import lightning.editor.window.model.CameraNavigation;
 import lightning.editor.window.model.GizmoSize;
 import lightning.scene.Light;
 import lightning.scene.SceneNode;
@@ -51,6 +52,27 @@ class PreviewTest extends EditorFixture {
                     MouseButton.PRIMARY, 1, key == KeyCode.SHIFT, false, key == KeyCode.ALT, false, true, false, false, true,
                     false, false, null));
         });
+    }
+
+    @Test
+    void altNavigation_orbitsCameraOverALight() {
+        robot.interact(() -> model().previewSettings().navigationProperty().set(CameraNavigation.ALT));
+        PreviewCamera before = model().previewSettings().cameraProperty().get();
+        Light light = light("stage");
+        dragHolding(KeyCode.ALT, toScreen(light.position()), 40, -10);
+        assertThat(model().previewSettings().cameraProperty().get()).isEqualTo(before.orbit(40, 10, preview().viewport()))
+                .isNotEqualTo(before);
+        assertThat(light("stage")).isEqualTo(light);
+    }
+
+    @Test
+    void middleNavigation_orbitsCamera() {
+        robot.interact(() -> model().previewSettings().navigationProperty().set(CameraNavigation.MIDDLE));
+        PreviewCamera before = model().previewSettings().cameraProperty().get();
+        Light light = light("lamp");
+        drag(light, MouseButton.MIDDLE, 40, 10);
+        assertThat(model().previewSettings().cameraProperty().get()).isEqualTo(before.orbit(40, -10, preview().viewport()));
+        assertThat(light("lamp")).isEqualTo(light);
     }
 
     @Test
@@ -270,15 +292,19 @@ class PreviewTest extends EditorFixture {
     }
 
     @Test
-    void openedScene_initiallyShowsAllLights() throws Exception {
+    void openedScene_initiallyHasFramingOfThePicture() throws Exception {
         PreviewCamera own = PreviewCamera.of(model().editor().scene());
-        assertThat(model().previewSettings().cameraProperty().get()).as("all lights are in view").isEqualTo(own);
+        assertThat(model().previewSettings().cameraProperty().get()).isEqualTo(own);
+        assertThat(text("preview-caption")).startsWith("Scene camera · only shadows of lamp");
         String text = Files.readString(folder.resolve("desk.jen")).replace("at -2 2.2 0.5", "at -2 6.2 0.5");
         Path other = Files.writeString(folder.resolve("high.jen"), text);
         robot.interact(() -> editor.files().load(other));
         waitFor("the scene is open", () -> model().editor().document().name().equals("high.jen"));
         waitForPicture();
+        assertThat(model().previewSettings().cameraProperty().get()).isEqualTo(own);
+        click("view-all");
         assertThat(model().previewSettings().cameraProperty().get().distance()).isGreaterThan(own.distance());
+        assertThat(text("preview-caption")).startsWith("Free view");
         assertThat(
                 LightMarker.of(model().editor().scene().lights(), model().previewSettings().cameraProperty().get(), preview().viewport()))
                 .isEmpty();

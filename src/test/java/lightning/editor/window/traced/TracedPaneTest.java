@@ -219,6 +219,27 @@ class TracedPaneTest extends EditorFixture {
         assertThat(robot.lookup("#exposure").<Slider>query().getValue()).isZero();
     }
 
+    /** The presses of a double-click next to the thumb are no edits themselves. */
+    @Test
+    void exposureDoubleClick_resetsInOneUndoStep() {
+        robot.interact(() -> robot.lookup("#exposure").<Slider>query().setValue(2));
+        robot.doubleClickOn(robot.lookup("#exposure").<Slider>query());
+        assertThat(model().editor().scene().picture().view().exposure()).isZero();
+        click("undo");
+        assertThat(model().editor().scene().picture().view().exposure()).isEqualTo(2);
+    }
+
+    /** A hand moves a little between the presses. */
+    @Test
+    void exposureDoubleClick_ignoresSmallMovements() {
+        Slider slider = robot.lookup("#exposure").query();
+        robot.interact(() -> slider.setValue(2));
+        robot.moveTo(slider).press(MouseButton.PRIMARY).moveBy(1, 0).release(MouseButton.PRIMARY).clickOn(MouseButton.PRIMARY);
+        assertThat(model().editor().scene().picture().view().exposure()).isIn(0.0, 2.0);
+        click("undo");
+        assertThat(model().editor().scene().picture().view().exposure()).isIn(0.0, 2.0);
+    }
+
     @Test
     void curve_isEditOfScene() {
         choose("view-agx");

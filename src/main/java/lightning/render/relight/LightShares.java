@@ -1,0 +1,76 @@
+package lightning.render.relight;
+
+import java.util.concurrent.CancellationException;
+import lightning.base.work.Progress;
+import lightning.render.cache.PixelCache;
+import lightning.render.image.Film;
+import lightning.render.relight.tile.RenderOptions;
+import lightning.scene.Light;
+import lightning.scene.Scene;
+
+/**
+ * Shares of the lights in a picture. A light's share is the luminance of its contribution divided by the luminance of the picture, both
+ * summed over all pixels, with reflections and indirect light. The share of the environment is what the picture loses without it, its visible
+ * background included. This is the only measure of shares: the light mixer and the report of light contributions show it.
+ *
+ * @param scene       scene of the picture
+ * @param lights      share of each light, in the scene's order; {@code double[lights]}
+ * @param environment share of the environment; 0 if the scene has none
+ */
+public record LightShares(Scene scene, double[] lights, double environment) {
+    // Immutable by convention: the array is written only before construction.
+
+    /**
+     * Composes the shares from a cache. Casts no ray, except for finer samples where the environment has an edge.
+     *
+     * @param cache    cache of a finished picture; not modified
+     * @param options  options of its render
+     * @param progress counts lights
+     * @throws CancellationException if {@code progress} requested cancellation
+     */
+    public static LightShares of(PixelCache cache, RenderOptions options, Progress progress) {
+        Scene scene = cache.scene();
+        var all = LightContributions.Region.ofFilm(cache.film());
+        double[] shares = new double[scene.lights().size()];
+        try (Renderer renderer = new Renderer(options)) {
+            for (int l = 0; l < shares.length; l++) {
+                progress.report(l, shares.length);
+                Light light = scene.lights().get(l);
+                if (scene.isActive(light)) {
+                    renderer.restore(cache);
+                    shares[l] = ofContribution(renderer.lightImage(light.name(), progress.cancellationOnly()), cache.film(), all);
+                }
+            }
+            return new LightShares(scene, shares, scene.world().environment().isEmpty() ? 0
+                    : ofLoss(withoutEnvironment(renderer, cache, progress.cancellationOnly()), cache.film(), all));
+        }
+    }
+
+    /** Returns the share of a contribution in a region of a picture; 0 if the region is black. */
+    static double ofContribution(Film contribution, Film picture, LightContributions.Region region) {
+        double whole = region.luminance(picture);
+        return whole > 0 ? region.luminance(contribution) / whole : 0;
+    }
+
+    /** Returns the share that a region of a picture loses in another picture; 0 if the region is black. */
+    static double ofLoss(Film without, Film picture, LightContributions.Region region) {
+        double whole = region.luminance(picture);
+        return whole > 0 ? (whole - region.luminance(without)) / whole : 0;
+    }
+
+    /** Renders the picture without its environment. */
+    static Film withoutEnvironment(Renderer renderer, PixelCache cache, Progress progress) {
+        renderer.restore(cache);
+        renderer.render(cache.scene().withWorld(cache.scene().world().withIntensity(0)), progress);
+        return renderer.film();
+    }
+
+    /** Returns the summed shares of several lights. */
+    public double ofLights(int... indices) {
+        double sum = 0;
+        for (int index : indices) {
+            sum += lights[index];
+        }
+        return sum;
+    }
+}
