@@ -29,10 +29,13 @@ class AttributePropertiesTest {
     /** Material of a shape in the studio scene. */
     private static final String MATT = "matt";
     /** Titles, or keywords of scene files, that differ from the name of their component. */
-    private static final Map<String, String> KEYWORDS = Map.of("World.lightCount", "lamps", "Transmission.color", "transparency",
-            "BumpMapping.normalMap", "normals", "AlphaCutout.map", "cutout", "Light.angle", "cone half-angle",
-            "Light.dropoff", "edge falloff", "Light.doors", "barn doors", "Light.profile", "IES profile",
-            "AreaShape.up", "roll axis", "Transmission.ior", "IOR");
+    private static final Map<String, String> KEYWORDS = Map.ofEntries(Map.entry("World.lightCount", "lamps"),
+            Map.entry("Transmission.color", "transparency"), Map.entry("BumpMapping.normalMap", "normals"),
+            Map.entry("AlphaCutout.map", "cutout"), Map.entry("Light.angle", "cone half-angle"),
+            Map.entry("Light.dropoff", "edge falloff"), Map.entry("Light.doors", "barn doors"),
+            Map.entry("Light.profile", "IES profile"), Map.entry("AreaShape.up", "roll axis"), Map.entry("Transmission.ior", "IOR"),
+            Map.entry("Contribution.diffuse", "diffuse gain"), Map.entry("Contribution.specular", "specular gain"),
+            Map.entry("Contribution.gains", "gains on objects"));
 
     @Provide
     Arbitrary<Changed<Light>> lights() {
@@ -72,7 +75,7 @@ class AttributePropertiesTest {
     private static Stream<String> names(RecordComponent component) {
         return component.getType() == AreaShape.class || component.getType() == BumpMapping.class
                 || component.getType() == Transmission.class
-                || component.getType() == AlphaCutout.class
+                || component.getType() == AlphaCutout.class || component.getType() == Contribution.class
                         ? components(component.getType().asSubclass(Record.class)).stream() : Stream.of(keyword(component));
     }
 
@@ -112,7 +115,7 @@ class AttributePropertiesTest {
         Scene scene = StudioScene.of(LightType.SPOT).withLight(changed.before());
         Scene pasted = LightEdits.pasteSettings(scene, StudioScene.KEY, changed.after()).sceneOr(scene);
         boolean isExcluded = List.of(LightAttribute.POSITION, LightAttribute.DIRECTION, LightAttribute.ON, LightAttribute.SOLO,
-                LightAttribute.ILLUMINATES, LightAttribute.SHADOWED_BY)
+                LightAttribute.ILLUMINATES, LightAttribute.SHADOWED_BY, LightAttribute.GAINS)
                 .contains(changed.attribute());
         assertThat(pasted.lights()).containsExactly(isExcluded ? changed.before() : changed.after());
     }
