@@ -35,7 +35,9 @@ class AttributePropertiesTest {
                     entry("BumpMapping.normalMap", "normals"), entry("AlphaCutout.map", "cutout"), entry("Light.angle", "cone half-angle"),
                     entry("Light.dropoff", "edge falloff"), entry("Light.doors", "barn doors"), entry("Light.profile", "IES profile"),
                     entry("AreaShape.up", "roll axis"), entry("Transmission.ior", "IOR"),
-                    entry("Emission.unit", "intensity unit"));
+                    entry("Emission.unit", "intensity unit"),
+                    entry("Contribution.diffuse", "diffuse gain"), entry("Contribution.specular", "specular gain"),
+                    entry("Contribution.gains", "gains on objects"));
 
     @Provide
     Arbitrary<Changed<Light>> lights() {
@@ -79,7 +81,7 @@ class AttributePropertiesTest {
         }
         return component.getType() == AreaShape.class || component.getType() == Emission.class || component.getType() == BumpMapping.class
                 || component.getType() == Transmission.class
-                || component.getType() == AlphaCutout.class
+                || component.getType() == AlphaCutout.class || component.getType() == Contribution.class
                         ? components(component.getType().asSubclass(Record.class)).stream() : Stream.of(keyword(component));
     }
 
@@ -119,7 +121,7 @@ class AttributePropertiesTest {
         Scene scene = StudioScene.of(LightType.SPOT).withLight(changed.before());
         Scene pasted = LightEdits.pasteSettings(scene, StudioScene.KEY, changed.after()).sceneOr(scene);
         boolean isExcluded = List.of(LightAttribute.POSITION, LightAttribute.DIRECTION, LightAttribute.ON, LightAttribute.SOLO,
-                LightAttribute.ILLUMINATES, LightAttribute.SHADOWED_BY)
+                LightAttribute.ILLUMINATES, LightAttribute.SHADOWED_BY, LightAttribute.GAINS)
                 .contains(changed.attribute());
         assertThat(pasted.lights()).containsExactly(isExcluded ? changed.before() : changed.after());
     }

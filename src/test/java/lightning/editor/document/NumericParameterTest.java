@@ -120,10 +120,11 @@ class NumericParameterTest {
     }
 
     @Test
-    void directionalLight_hasColorIntensityDirectionSpreadAndLinksOnly() {
+    void directionalLight_hasColorIntensityDirectionSpreadLinksAndGainsOnly() {
         assertThat(LightAttribute.ALL.stream().filter(a -> a.term(LightType.DIRECTIONAL).isPresent()).toList())
                 .isEqualTo(List.of(LightAttribute.COLOR, LightAttribute.INTENSITY, LightAttribute.DIRECTION, LightAttribute.SPREAD,
-                        LightAttribute.SAMPLES, LightAttribute.ILLUMINATES, LightAttribute.SHADOWED_BY));
+                        LightAttribute.SAMPLES, LightAttribute.ILLUMINATES, LightAttribute.SHADOWED_BY, LightAttribute.CASTS_SHADOWS,
+                        LightAttribute.DIFFUSE, LightAttribute.SPECULAR, LightAttribute.GAINS));
         assertThat(DeskScene.parameter("attenuation constant").disabledReason(scene, scene.light("sun")))
                 .contains("a directional light has no attenuation");
     }
