@@ -54,7 +54,7 @@ class TracedPaneTest extends EditorFixture {
     @Test
     void hover_showsShapeAndLightShares() {
         robot.moveTo(pixel(32, 24));
-        waitFor("the text is shown", () -> text("pixel").contains("ball"));
+        waitFor("the text is shown", () -> text("pixel").startsWith("32, 24  ball"));
         Film film = model().picture().frame().film();
         int shown = ViewTransform.DEFAULT.pack(film.red(32, 24), film.green(32, 24), film.blue(32, 24));
         double luminance = 0.2126 * film.red(32, 24) + 0.7152 * film.green(32, 24) + 0.0722 * film.blue(32, 24);
