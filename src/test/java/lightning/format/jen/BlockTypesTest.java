@@ -101,7 +101,7 @@ class BlockTypesTest {
                 case Value.LinkSet(ShapeLinks links) -> assertThat(links.isAll()).isTrue();
                 case Value.Nested n -> throw new AssertionError(n);
                 case Value.Absent a ->
-                        assertThat(p.name()).isIn("texture", "cutout", "bump", "normal_map", "gobo", "profile", "environment", "bank",
+                        assertThat(p.name()).isIn("texture", "cutout", "bump", "normal_map", "gobo", "profile", "environment", "bank", "bulb",
                                 "indirect",
                                 BlockTypes.FILE, BlockTypes.PART);
             }
