@@ -34,7 +34,8 @@ class NumericParameterTest {
                 World.ATTRIBUTES, Camera.ATTRIBUTES, SceneNode.ATTRIBUTES).flatMap(List::stream);
         assertThat(all.filter(a -> a.kind() instanceof NumericKind<?>))
                 .allSatisfy(a -> assertThat(((NumericKind<?>) a.kind()).unit())
-                        .isEqualTo(a.unit().contains("degrees") ? NumberUnit.DEGREES : NumberUnit.FACTOR));
+                        .isEqualTo(a.unit().contains("degrees") ? NumberUnit.DEGREES
+                                : a.unit().equals("stops") ? NumberUnit.STOPS : a.unit().equals("kelvin") ? NumberUnit.KELVIN : NumberUnit.FACTOR));
         assertThat(NumericParameter.of(LightAttribute.DOORS)).hasSize(4).allMatch(d -> d.measure() == NumberUnit.DEGREES);
         assertThat(NumericParameter.ENVIRONMENT_ROTATION.measure()).isEqualTo(NumberUnit.DEGREES);
         assertThat(NumericParameter.AMBIENCE.measure()).isEqualTo(NumberUnit.FACTOR);
@@ -122,9 +123,10 @@ class NumericParameterTest {
     @Test
     void directionalLight_hasColorIntensityDirectionSpreadLinksAndGainsOnly() {
         assertThat(LightAttribute.ALL.stream().filter(a -> a.term(LightType.DIRECTIONAL).isPresent()).toList())
-                .isEqualTo(List.of(LightAttribute.COLOR, LightAttribute.INTENSITY, LightAttribute.DIRECTION, LightAttribute.SPREAD,
-                        LightAttribute.SAMPLES, LightAttribute.ILLUMINATES, LightAttribute.SHADOWED_BY, LightAttribute.CASTS_SHADOWS,
-                        LightAttribute.DIFFUSE, LightAttribute.SPECULAR, LightAttribute.GAINS));
+                .isEqualTo(List.of(LightAttribute.COLOR, LightAttribute.INTENSITY, LightAttribute.EXPOSURE, LightAttribute.UNIT,
+                        LightAttribute.TEMPERATURE, LightAttribute.DIRECTION, LightAttribute.SPREAD,
+                        LightAttribute.SAMPLES, LightAttribute.ILLUMINATES, LightAttribute.SHADOWED_BY,
+                        LightAttribute.CASTS_SHADOWS, LightAttribute.DIFFUSE, LightAttribute.SPECULAR, LightAttribute.GAINS));
         assertThat(DeskScene.parameter("attenuation constant").disabledReason(scene, scene.light("sun")))
                 .contains("a directional light has no attenuation");
     }
@@ -133,14 +135,14 @@ class NumericParameterTest {
     void noSelection_onlySceneParametersCanChange() {
         for (NumericParameter dial : NumericParameter.ALL) {
             assertThat(dial.disabledReason(scene, Optional.empty()).isEmpty())
-                    .isEqualTo(dial == NumericParameter.AMBIENCE || dial == NumericParameter.DEPTH);
+                    .isEqualTo(dial == NumericParameter.AMBIENCE || dial == NumericParameter.METERS || dial == NumericParameter.DEPTH);
         }
     }
 
     @ParameterizedTest
     @FieldSource("lightning.editor.document.NumericParameter#ALL")
     void setValue_changesOnlyThatValue(NumericParameter dial) {
-        double other = Math.min(dial.value(scene, "key") == 5 ? 6 : 5, dial.range().max());
+        double other = Math.clamp(dial.value(scene, "key") == 5 ? 6 : 5, dial.range().min(), dial.range().max());
         Scene edited = DeskScene.sceneOf(dial.set(scene, "key", other));
         assertThat(dial.value(edited, "key")).isEqualTo(other);
         assertThat(DeskScene.sceneOf(dial.set(edited, "key", dial.value(scene, "key")))).isEqualTo(scene);

@@ -55,7 +55,7 @@ class PropertyPaneTest {
             "position", "direction", "ambience");
     private static final List<String> SCENE_NUMBERS =
             List.of("ambience", "environment-intensity", "environment-rotation", "environment-samples",
-                    "environment-shadow-smoothing");
+                    "environment-shadow-smoothing", "meters-per-unit");
 
     @TempDir
     private Path folder;
@@ -222,8 +222,9 @@ class PropertyPaneTest {
                 .filter(d -> d != NumericParameter.DEPTH && !d.title().startsWith("environment") && !others.contains(d.title())
                         && !List.of("red", "green", "blue").contains(d.title()))
                 .toList()) {
-            type(robot, dial.id(), "1.5");
-            assertThat(dial.value(model.editor().scene(), TestEditors.SPOT)).as(dial.title()).isEqualTo(1.5);
+            String value = dial.range().min() > 1.5 ? "3200" : "1.5";
+            type(robot, dial.id(), value);
+            assertThat(dial.value(model.editor().scene(), TestEditors.SPOT)).as(dial.title()).isEqualTo(Double.parseDouble(value));
         }
     }
 
