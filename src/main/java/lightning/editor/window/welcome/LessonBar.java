@@ -23,8 +23,8 @@ public final class LessonBar extends HBox implements AutoCloseable {
     private final EditorModel model;
     private final Label title = new Label();
     private final Label text = new Label();
-    private final Button next = new Button();
-    private final Button end = new Button();
+    private final Button next = new Button(Messages.tr("Skip Step"));
+    private final Button end = new Button(Messages.tr("End Lesson"));
     private final EventHandler<MouseEvent> mouseListener = this::trackMouse;
     private Lesson lesson;
     /** Null while no lesson runs. */
