@@ -68,6 +68,7 @@ public final class Editor implements AutoCloseable {
         }
         savePreferencesOnChange();
         EditorStage.show(stage, startup.frame(), preferences, maxWidth, maxHeight);
+        window.showPanelWindows();
         window.focus();
     }
 
@@ -121,6 +122,7 @@ public final class Editor implements AutoCloseable {
         for (Observable choice : List.of(model.accuracyModeProperty(), model.editor().liveProperty(),
                 settings.glowingTexturesProperty(),
                 settings.gizmoSizeProperty(), model.commands().keyBindings().changesProperty(), model.layout().canvasLayoutProperty(),
+                model.layout().panelsProperty(),
                 model.languageProperty(),
                 model.renderMachines().hostsProperty(), model.renderMachines().certificateProperty(),
                 model.commands().toggleState(Command.LIGHT_THEME).orElseThrow())) {

@@ -11,18 +11,17 @@ import javafx.stage.Stage;
 import javafx.stage.Window;
 import lightning.editor.document.Command;
 import lightning.editor.window.command.CommandKeys;
-import lightning.editor.window.contribution.ContributionPane;
-import lightning.editor.window.cue.CuePane;
 import lightning.editor.window.measure.AccuracyPane;
 import lightning.editor.window.measure.EffectsPane;
 import lightning.editor.window.measure.IndirectAccuracyPane;
-import lightning.editor.window.measure.ScopesPane;
-import lightning.editor.window.mixer.MixerPane;
 import lightning.editor.window.model.CommandRegistry;
 import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.widget.PanelWindow;
 
-/** Secondary windows of the editor. Each is open at most once and has the title of the command that opens it. */
+/**
+ * Secondary windows of the editor for panels that cannot be docked. Each is open at most once and has the title of the command that opens
+ * it.
+ */
 final class PanelWindows implements AutoCloseable {
     private static final Map<Command, PanelSpec> PANELS = Map.of(
             Command.ACCURACY_PANEL,
@@ -31,13 +30,7 @@ final class PanelWindows implements AutoCloseable {
             new PanelSpec(760, 680,
                     m -> new EffectsPane(m.editor(), m.workbench(), m.accuracyModeProperty(), m.pictureDisplay().effectsProperty())),
             Command.INDIRECT_ACCURACY, new PanelSpec(920, 470, m -> new IndirectAccuracyPane(m.editor(), m.accuracyModeProperty())),
-            Command.KEYS, new PanelSpec(880, 720, m -> new ShortcutsPane(m.commands())),
-            Command.SCOPES, new PanelSpec(540, 540, m -> new ScopesPane(m.picture(), m.files().windowExecutor())),
-            Command.HISTORY_PANEL, new PanelSpec(380, 560, m -> new HistoryPane(m.editor(), m.workbench())),
-            Command.UPDATES_PANEL, new PanelSpec(1200, 420, m -> new UpdatesPane(m.updates())),
-            Command.MIXER, new PanelSpec(1000, 460, m -> new MixerPane(m.editor(), m.picture(), m.workbench(), m.files().windowExecutor())),
-            Command.CUES, new PanelSpec(820, 640, m -> new CuePane(m.editor(), m.picture(), m.files())),
-            Command.CONTRIBUTIONS, new PanelSpec(680, 480, ContributionPane::new));
+            Command.KEYS, new PanelSpec(880, 720, m -> new ShortcutsPane(m.commands())));
 
     private final EditorModel model;
     private final Supplier<Window> owner;

@@ -100,7 +100,7 @@ class SmallWindowTest extends EditorFixture {
         ScrollPane scroll = robot.lookup("#properties .scroll-pane").query();
         robot.interact(() -> scroll.setVvalue(1));
         FastRobot.settle();
-        Node last = robot.lookup("#environment-shadow-smoothing").query();
+        Node last = List.copyOf(robot.lookup("#properties .section").queryAllAs(Node.class)).getLast();
         assertThat(screenBounds(scroll)).as(screenBounds(last) + " is in it").matches(b -> b.contains(screenBounds(last)));
         assertThat(window()).as(screenBounds(last) + " is in it").matches(b -> b.contains(screenBounds(last)));
     }

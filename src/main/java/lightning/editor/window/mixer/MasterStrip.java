@@ -59,6 +59,11 @@ final class MasterStrip extends VBox {
         }
     }
 
+    /** Hides what a low mixer has no room for. */
+    void setDetail(StripDetail detail) {
+        thumbnail.setDetail(detail);
+    }
+
     void show(ChannelImages images) {
         thumbnail.show(Optional.of(images.master()));
     }

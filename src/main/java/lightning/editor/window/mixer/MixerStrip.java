@@ -1,6 +1,7 @@
 package lightning.editor.window.mixer;
 
 import java.util.Optional;
+import java.util.regex.Pattern;
 import javafx.css.PseudoClass;
 import javafx.scene.control.Button;
 import javafx.scene.control.Label;
@@ -36,6 +37,9 @@ final class MixerStrip extends VBox {
     private static final PseudoClass DROP_TARGET = PseudoClass.getPseudoClass("drop");
     private static final PseudoClass DRAGGED = PseudoClass.getPseudoClass("dragged");
 
+    /** Character at which a name can continue on another line. */
+    private static final Pattern SEPARATOR = Pattern.compile("[\\s-]");
+
     private final MixerModel model;
     private final MixerChannel channel;
     private final Label name = new Label();
@@ -47,6 +51,7 @@ final class MixerStrip extends VBox {
     private final NumberField stops;
     private final DisabledReason stopsReason;
     private final NumberField intensity;
+    private final HBox intensityRow;
     private final Button color = new Button();
     private final ToggleButton solo = new ToggleButton("S");
     private final ToggleButton mute = new ToggleButton("M");
@@ -61,7 +66,8 @@ final class MixerStrip extends VBox {
         name.setText(id);
         // Similar names often differ only at their ends.
         name.setTextOverrun(OverrunStyle.CENTER_ELLIPSIS);
-        name.setWrapText(true);
+        // A single word would be broken at any letter.
+        name.setWrapText(SEPARATOR.matcher(id).find());
         name.setTooltip(new Tooltip(id));
         if (channel instanceof MixerChannel.OfLightGroup) {
             getStyleClass().add("bank-strip");
@@ -107,7 +113,16 @@ final class MixerStrip extends VBox {
         faderRow.getStyleClass().add("throw");
         HBox.setHgrow(fader, Priority.ALWAYS);
         VBox.setVgrow(faderRow, Priority.ALWAYS);
-        getChildren().addAll(head, thumbnail, faderRow, stopsRow, row("×", intensity), switches);
+        intensityRow = row("×", intensity);
+        getChildren().addAll(head, thumbnail, faderRow, stopsRow, intensityRow, switches);
+    }
+
+    /** Hides what a low mixer has no room for. */
+    void setDetail(StripDetail detail) {
+        thumbnail.setDetail(detail);
+        boolean hasIntensity = detail != StripDetail.FADER_ONLY;
+        intensityRow.setVisible(hasIntensity);
+        intensityRow.setManaged(hasIntensity);
     }
 
     private static HBox row(String caption, NumberField field) {

@@ -11,26 +11,23 @@ import javafx.scene.layout.HBox;
 import lightning.base.text.Messages;
 import lightning.base.text.NumberUnit;
 import lightning.editor.document.StepRange;
-import lightning.editor.window.model.ErrorMessage;
 import lightning.editor.window.model.StatusMessage;
 import lightning.editor.window.model.ViewActions;
 import lightning.editor.window.widget.NumberField;
 import lightning.editor.window.widget.NumberSetting;
-import lightning.scene.SceneLimits;
 import org.kordamp.ikonli.javafx.FontIcon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignB;
 
 /** Exposure of the scene's view in stops, as a slider and a number field. */
 final class ExposureControl extends HBox {
-    private static final double MAX_STOPS = 8;
-    private static final StepRange STEPS = new StepRange(0.1, -MAX_STOPS, MAX_STOPS);
+    private static final StepRange STEPS = ViewActions.EXPOSURE_RANGE;
     private static final double KEY_STOPS = 0.25;
     /** Width of the slider's track, pixels: one pixel is about a tenth of a stop. */
     private static final double TRACK_WIDTH = 136;
 
     private final ViewActions views;
     private final StatusMessage message;
-    private final Slider slider = new Slider(-MAX_STOPS, MAX_STOPS, 0);
+    private final Slider slider = new Slider(STEPS.min(), STEPS.max(), 0);
     private boolean isUpdating;
     /** Identifies the drag of the slider; null while it is not dragged. */
     private Object drag;
@@ -73,12 +70,8 @@ final class ExposureControl extends HBox {
     }
 
     private Optional<String> set(double stops, Object gesture) {
-        try {
-            SceneLimits.checkRange("exposure", stops, -MAX_STOPS, MAX_STOPS);
-        } catch (IllegalArgumentException e) {
-            message.show(ErrorMessage.of(e));
-            return Optional.of(e.getMessage());
-        }
-        return views.setExposure(stops, gesture);
+        Optional<String> refusal = views.setExposure(stops, gesture);
+        refusal.ifPresent(message::show);
+        return refusal;
     }
 }
