@@ -39,8 +39,8 @@ final class EditorLayout extends BorderPane {
     /** Approximate height of a pane's header, pixels. Reserves its space, so that little moves when it is added. */
     static final double HEADER_HEIGHT = 36;
     static final double FOOTER_HEIGHT = 38;
-    /** Approximate width that fits all controls of the traced picture in one row, pixels. */
-    private static final double SINGLE_ROW_WIDTH = 589;
+    /** Approximate width that fits the main controls of the traced picture in one row, pixels. */
+    private static final double SINGLE_ROW_WIDTH = 310;
     private static final double EXTRA_ROW_HEIGHT = 30;
     /** Width of the divider between two panes, pixels. */
     static final double DIVIDER_WIDTH = 4;

@@ -5,7 +5,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
+import javafx.event.Event;
+import javafx.event.EventType;
 import javafx.geometry.Bounds;
+import javafx.geometry.Point2D;
 import javafx.scene.Node;
 import javafx.scene.Parent;
 import javafx.scene.control.Labeled;
@@ -14,6 +17,7 @@ import javafx.scene.control.SplitPane;
 import javafx.scene.control.TabPane;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.MouseButton;
+import javafx.scene.input.MouseEvent;
 import javafx.stage.Stage;
 import javafx.stage.Window;
 import lightning.editor.document.Command;
@@ -154,17 +158,31 @@ class DockedPanelsTest extends EditorFixture {
         waitFor("the window is open again", () -> panelWindows().size() == 1);
     }
 
+    /** Sends a mouse event to the tabs at a position of the screen. */
+    private void mouse(EventType<MouseEvent> type, Point2D screen) {
+        Node dock = robot.lookup("#tab-mixer").query().getParent();
+        Point2D scene = stage.getScene().getRoot().screenToLocal(screen);
+        robot.interact(() -> Event.fireEvent(dock, new MouseEvent(type, scene.getX(), scene.getY(), screen.getX(), screen.getY(),
+                MouseButton.PRIMARY, 1, false, false, false, false, true, false, false, false, false, false, null)));
+    }
+
+    private void dragMixer(Point2D to) {
+        Bounds tab = bounds("#tab-mixer");
+        mouse(MouseEvent.MOUSE_PRESSED, new Point2D(tab.getCenterX(), tab.getCenterY()));
+        mouse(MouseEvent.MOUSE_DRAGGED, to);
+        assertThat(robot.lookup(".dock-target").query().isVisible()).as("the target is marked").isTrue();
+        mouse(MouseEvent.MOUSE_RELEASED, to);
+        FastRobot.settle();
+    }
+
     @Test
     void draggedTab_movesToOtherDockAndOut() {
         run(Command.MIXER);
         Bounds picture = bounds("#traced-picture");
-        robot.moveTo("#tab-mixer").press(MouseButton.PRIMARY);
-        robot.moveTo(picture.getMinX() + 20, picture.getCenterY());
-        waitFor("the target is marked", () -> robot.lookup(".dock-target").query().isVisible());
-        robot.release(MouseButton.PRIMARY);
-        waitFor("the mixer is at the left", () -> panels().front(PanelPlace.LEFT).filter(Command.MIXER::equals).isPresent());
-        robot.moveTo("#tab-mixer").press(MouseButton.PRIMARY);
-        robot.moveTo("#lights").release(MouseButton.PRIMARY);
+        dragMixer(new Point2D(picture.getMinX() + 20, picture.getCenterY()));
+        assertThat(panels().front(PanelPlace.LEFT)).contains(Command.MIXER);
+        Bounds lights = bounds("#lights");
+        dragMixer(new Point2D(lights.getCenterX(), lights.getCenterY()));
         waitFor("the mixer has a window", () -> panelWindows().size() == 1);
     }
 

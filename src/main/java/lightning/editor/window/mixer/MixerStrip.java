@@ -107,7 +107,8 @@ final class MixerStrip extends VBox {
         var switches = new HBox(color, solo, mute);
         switches.getStyleClass().add("switches");
         if (channel instanceof MixerChannel.OfEnvironment) {
-            switches.getChildren().forEach(part -> part.setVisible(false));
+            color.setVisible(false);
+            solo.setVisible(false);
         }
         var faderRow = new HBox(meter, fader);
         faderRow.getStyleClass().add("throw");
@@ -165,7 +166,8 @@ final class MixerStrip extends VBox {
 
     private void toggleMute() {
         boolean on = !mute.isSelected();
-        model.editSelected(channel, (scene, c) -> c.withOn(scene, on), null);
+        model.editSelected(channel, (scene, c) -> on && c instanceof MixerChannel.OfEnvironment && !c.isOn(scene)
+                ? c.withIntensity(scene, model.environmentIntensity()) : c.withOn(scene, on), null);
         show(model.editor().scene());
     }
 
@@ -193,6 +195,9 @@ final class MixerStrip extends VBox {
             type.setIconCode(icon);
         }
         double v = channel.intensity(scene);
+        if (channel instanceof MixerChannel.OfEnvironment && v > 0) {
+            model.setEnvironmentIntensity(v);
+        }
         double stopsValue = MixerEdits.stops(v);
         fader.show(stopsValue);
         intensity.show(v);

@@ -61,12 +61,13 @@ public final class PreviewPane extends BorderPane implements AutoCloseable {
         sizes.setTooltip(new Tooltip(Messages.tr("Preview Resolution")));
         sizes.getItems().setAll(SizeMenu.previewSizeItems(commands, canvas.sizeProperty()));
         canvas.sizeProperty().subscribe(v -> sizes.setText(Messages.tr(v.title())));
-        return new PaneHeader(Messages.tr("Preview"), sizes, CommandButton.viewButton(commands, Command.VIEW_ALL, Messages.tr("Frame All")),
+        CommandButton frameAll = CommandButton.viewButton(commands, Command.VIEW_ALL, Messages.tr("Frame All"));
+        return new PaneHeader(Messages.tr("Preview"), sizes, frameAll,
                 CommandButton.viewButton(commands, Command.VIEW_X, Messages.tr("Side")),
                 CommandButton.viewButton(commands, Command.VIEW_Y, Messages.tr("Top")),
                 CommandButton.viewButton(commands, Command.VIEW_Z, Messages.tr("Camera")),
                 CommandButton.viewButton(commands, Command.HIDE_GIZMOS),
-                CommandButton.viewButton(commands, Command.LOOK_THROUGH_LIGHT));
+                CommandButton.viewButton(commands, Command.LOOK_THROUGH_LIGHT)).withOptional(sizes, frameAll);
     }
 
     private void setCamera(PreviewCamera camera) {

@@ -87,7 +87,7 @@ final class IndirectRows extends VBox {
                     quantity.check(attribute.title(), v);
                     return attribute.with(settings, quantity.with(attribute.get(settings), 0, v));
                 }, gesture)));
-        widget.setId("world-" + attribute.id());
+        widget.setId("world-indirect-" + attribute.name());
         return widget;
     }
 

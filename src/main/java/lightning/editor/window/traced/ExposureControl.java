@@ -25,6 +25,13 @@ final class ExposureControl extends HBox {
     /** Width of the slider's track, pixels: one pixel is about a tenth of a stop. */
     private static final double TRACK_WIDTH = 136;
 
+    private static final double NARROW_WIDTH = 72;
+    private static final double GAP = 4;
+    /** Width that a narrow slider saves, pixels. */
+    static final double NARROW_SAVING = TRACK_WIDTH - NARROW_WIDTH;
+    /** Width that hiding a narrow slider saves, pixels. */
+    static final double SLIDER_SAVING = NARROW_WIDTH + GAP;
+
     private final ViewActions views;
     private final StatusMessage message;
     private final Slider slider = new Slider(STEPS.min(), STEPS.max(), 0);
@@ -38,8 +45,7 @@ final class ExposureControl extends HBox {
         slider.setId("exposure");
         slider.setAccessibleText(Messages.tr("Exposure"));
         slider.setBlockIncrement(KEY_STOPS);
-        slider.setMinWidth(TRACK_WIDTH);
-        slider.setPrefWidth(TRACK_WIDTH);
+        setNarrow(false);
         slider.setOnMouseClicked(e -> {
             if (e.getClickCount() == 2) {
                 slider.setValue(0);
@@ -59,7 +65,7 @@ final class ExposureControl extends HBox {
         Tooltip.install(this, new Tooltip(
                 Messages.tr("Exposure of the view in stops (double-click to reset).\nSaved in the scene; the lights do not change.")));
         setAlignment(Pos.CENTER);
-        setSpacing(4);
+        setSpacing(GAP);
         getChildren().setAll(List.<Node>of(new FontIcon(MaterialDesignB.BRIGHTNESS_6), slider, stops));
         views.viewProperty().subscribe(now -> {
             isUpdating = true;
@@ -67,6 +73,18 @@ final class ExposureControl extends HBox {
             isUpdating = false;
             stops.show(now.exposure());
         });
+    }
+
+    /** Makes the slider shorter; it still sets tenths of a stop, by more than one for each pixel. */
+    void setNarrow(boolean narrow) {
+        slider.setMinWidth(narrow ? NARROW_WIDTH : TRACK_WIDTH);
+        slider.setPrefWidth(narrow ? NARROW_WIDTH : TRACK_WIDTH);
+    }
+
+    /** Leaves only the number field. */
+    void setSliderHidden(boolean hidden) {
+        slider.setVisible(!hidden);
+        slider.setManaged(!hidden);
     }
 
     private Optional<String> set(double stops, Object gesture) {

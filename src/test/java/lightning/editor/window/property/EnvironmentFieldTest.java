@@ -129,4 +129,20 @@ class EnvironmentFieldTest extends EditorFixture {
         waitFor("the strip is laid out", () -> name.getWidth() > 0);
         assertThat(name.getWidth()).isGreaterThanOrEqualTo(name.prefWidth(-1));
     }
+
+    @Test
+    void muteInMixer_restoresIntensity() throws IOException {
+        writeEnvironmentMap("dusk.hdr");
+        choose("dusk.hdr");
+        waitFor("the file is read", () -> choiceText().equals("dusk.hdr"));
+        type("environment-intensity", "2.5");
+        floatPanels();
+        robot.push(KeyCode.F4);
+        waitFor("the strip exists", () -> robot.lookup("#mute-environment").tryQuery().isPresent());
+        click("mute-environment");
+        assertThat(world().intensity()).isZero();
+        click("mute-environment");
+        assertThat(world().intensity()).isEqualTo(2.5);
+        assertThat(isShown("solo-environment")).as("the environment has no solo").isFalse();
+    }
 }
