@@ -52,6 +52,7 @@ final class MixerStrip extends VBox {
     private final DisabledReason stopsReason;
     private final NumberField intensity;
     private final HBox intensityRow;
+    private final HBox stopsRow;
     private final Button color = new Button();
     private final ToggleButton solo = new ToggleButton("S");
     private final ToggleButton mute = new ToggleButton("M");
@@ -81,7 +82,7 @@ final class MixerStrip extends VBox {
                 NumberSetting.of("stops", new StepRange(0.1, MIN_STOPS, MixerEdits.stops(channel.maxIntensity())),
                         (v, gesture) -> setIntensity(MixerEdits.intensityOfStops(v), gesture)));
         stops.setId("stops-" + id);
-        var stopsRow = row(Messages.tr("stops"), stops);
+        stopsRow = row(Messages.tr("stops"), stops);
         stopsReason = new DisabledReason(stopsRow, stops, Messages.tr("Intensity in stops (0 = intensity 1, +1 = twice as bright)"));
         intensity = new NumberField(Messages.tr("{0} intensity", id),
                 NumberSetting.of("intensity", new StepRange(0.1, 0, channel.maxIntensity()), this::setIntensity));
@@ -121,9 +122,13 @@ final class MixerStrip extends VBox {
     /** Hides what a low mixer has no room for. */
     void setDetail(StripDetail detail) {
         thumbnail.setDetail(detail);
-        boolean hasIntensity = detail != StripDetail.FADER_ONLY;
-        intensityRow.setVisible(hasIntensity);
-        intensityRow.setManaged(hasIntensity);
+        setShown(intensityRow, detail.includes(StripDetail.NO_THUMBNAIL));
+        setShown(stopsRow, detail.includes(StripDetail.NO_INTENSITY));
+    }
+
+    private static void setShown(HBox part, boolean shown) {
+        part.setVisible(shown);
+        part.setManaged(shown);
     }
 
     private static HBox row(String caption, NumberField field) {

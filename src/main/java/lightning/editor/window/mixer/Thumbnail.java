@@ -32,8 +32,8 @@ final class Thumbnail extends VBox {
     void setDetail(StripDetail detail) {
         frame.setVisible(detail == StripDetail.FULL);
         frame.setManaged(detail == StripDetail.FULL);
-        setVisible(detail != StripDetail.FADER_ONLY);
-        setManaged(detail != StripDetail.FADER_ONLY);
+        setVisible(detail.includes(StripDetail.NO_THUMBNAIL));
+        setManaged(detail.includes(StripDetail.NO_THUMBNAIL));
     }
 
     void show(Optional<ChannelImages.ChannelImage> channelImage) {

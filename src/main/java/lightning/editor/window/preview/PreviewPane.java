@@ -19,6 +19,9 @@ import lightning.editor.window.widget.PaneHeader;
 
 /** Interactive preview of all lights in real time, in which lights are moved with the mouse. */
 public final class PreviewPane extends BorderPane implements AutoCloseable {
+    /** Minimum height of a pane with a hint on the mouse, pixels. */
+    private static final double MIN_HINT_HEIGHT = 330;
+
     private final PreviewSettings settings;
     private final CommandRegistry commands;
     private final PreviewCanvas canvas;
@@ -47,6 +50,9 @@ public final class PreviewPane extends BorderPane implements AutoCloseable {
         hint.getStyleClass().add("pane-footer");
         hint.setMaxWidth(Double.MAX_VALUE);
         hint.setWrapText(true);
+        // In a low pane the picture needs the room more.
+        hint.visibleProperty().bind(heightProperty().greaterThan(MIN_HINT_HEIGHT));
+        hint.managedProperty().bind(hint.visibleProperty());
         setBottom(hint);
     }
 
@@ -62,12 +68,12 @@ public final class PreviewPane extends BorderPane implements AutoCloseable {
         sizes.getItems().setAll(SizeMenu.previewSizeItems(commands, canvas.sizeProperty()));
         canvas.sizeProperty().subscribe(v -> sizes.setText(Messages.tr(v.title())));
         CommandButton frameAll = CommandButton.viewButton(commands, Command.VIEW_ALL, Messages.tr("Frame All"));
-        return new PaneHeader(Messages.tr("Preview"), sizes, frameAll,
-                CommandButton.viewButton(commands, Command.VIEW_X, Messages.tr("Side")),
-                CommandButton.viewButton(commands, Command.VIEW_Y, Messages.tr("Top")),
-                CommandButton.viewButton(commands, Command.VIEW_Z, Messages.tr("Camera")),
+        CommandButton side = CommandButton.viewButton(commands, Command.VIEW_X, Messages.tr("Side"));
+        CommandButton top = CommandButton.viewButton(commands, Command.VIEW_Y, Messages.tr("Top"));
+        CommandButton camera = CommandButton.viewButton(commands, Command.VIEW_Z, Messages.tr("Camera"));
+        return new PaneHeader(Messages.tr("Preview"), sizes, frameAll, side, top, camera,
                 CommandButton.viewButton(commands, Command.HIDE_GIZMOS),
-                CommandButton.viewButton(commands, Command.LOOK_THROUGH_LIGHT)).withOptional(sizes, frameAll);
+                CommandButton.viewButton(commands, Command.LOOK_THROUGH_LIGHT)).withOptional(sizes, frameAll, top, side, camera);
     }
 
     private void setCamera(PreviewCamera camera) {
