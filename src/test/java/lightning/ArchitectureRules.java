@@ -126,6 +126,7 @@ final class ArchitectureRules {
             row("editor.window.preview", WINDOW),
             row("editor.window.animation", WINDOW + " editor.document.motion"),
             row("editor.window.timeline", WINDOW + " shot shot.cluster shot.movie"),
+            row("editor.window.dock", WINDOW),
             row("editor.window.measure", WINDOW),
             row("editor.window.mixer", WINDOW),
             row("editor.window.contribution", WINDOW),
@@ -134,8 +135,8 @@ final class ArchitectureRules {
             row("editor.window.welcome", WINDOW),
             row("editor.window",
                     WINDOW + " format format.exchange editor.window.property editor.window.traced editor.window.preview editor.window.animation"
-                            + " editor.window.timeline editor.window.measure editor.window.mixer editor.window.contribution editor.window.link"
-                            + " editor.window.cue editor.window.welcome"),
+                            + " editor.window.timeline editor.window.dock editor.window.measure editor.window.mixer editor.window.contribution"
+                            + " editor.window.link editor.window.cue editor.window.welcome"),
             row("cli",
                     ENGINE + " base.file scene.shot format format.hdr format.jen format.exr format.image format.layer format.pov format.exchange"
                             + " shot shot.cluster shot.movie bench.accuracy bench bench.report"),

@@ -59,9 +59,7 @@ public final class SceneDiff {
         addLights(new LightMatcher(before.lights(), after.lights()));
         addLightGroups(before.rig(), after.rig());
         for (SceneAttribute<World, ?> attribute : World.ATTRIBUTES) {
-            if (attribute != World.BACKGROUND) {
-                change(attribute, before.world(), after.world()).ifPresent(this::addPart);
-            }
+            change(attribute, before.world(), after.world()).ifPresent(this::addPart);
         }
         if (!before.picture().equals(after.picture())) {
             change(PictureSettings.DEPTH, before.picture(), after.picture()).ifPresent(this::addPart);
@@ -71,8 +69,7 @@ public final class SceneDiff {
             addView(before.picture().view(), after.picture().view());
         }
         boolean describable = addMaterials(before, after) & addNodes(before, after);
-        boolean hasOtherChanges = !describable || !before.withPicture(after.picture()).hasSameView(after)
-                || !before.world().background().equals(after.world().background());
+        boolean hasOtherChanges = !describable || !before.withPicture(after.picture()).hasSameView(after);
         if (hasOtherChanges || parts.isEmpty()) {
             parts.add(Messages.tr("the scene"));
         }

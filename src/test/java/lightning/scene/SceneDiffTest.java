@@ -35,7 +35,7 @@ class SceneDiffTest {
                 .isEqualTo("indirect bounces 2 → 3, indirect background off → on");
         assertThat(diffTo(scene.withPicture(scene.picture().withView(new ViewSettings(ViewCurve.AGX, 0.5)))))
                 .isEqualTo("view transform srgb → agx, view exposure 0 → 0.5");
-        assertThat(diffTo(scene.withWorld(scene.world().withBackground(Rgb.WHITE)))).isEqualTo("the scene");
+        assertThat(diffTo(scene.withWorld(scene.world().withBackground(Rgb.WHITE)))).isEqualTo("background 0 0 0 → 1 1 1");
     }
 
     @Test

@@ -123,21 +123,21 @@ public sealed interface MixerChannel {
                 ? scene.withLight(LightAttribute.TEMPERATURE.with(LightEdits.light(scene, name), kelvin)) : scene;
     }
 
-    /** Tests if the channel is on; the environment always is. */
+    /** Tests if the channel is on; the environment is unless its intensity is 0. */
     default boolean isOn(Scene scene) {
         return switch (this) {
             case OfLight(String name) -> LightEdits.light(scene, name).on();
             case OfLightGroup(String name) -> LightGroupEdits.lightGroup(scene, name).on();
-            case OfEnvironment _ -> true;
+            case OfEnvironment _ -> scene.world().intensity() > 0;
         };
     }
 
-    /** Returns the scene with the channel on or off. */
+    /** Returns the scene with the channel on or off. The environment is off at intensity 0, and comes on at 1. */
     default Scene withOn(Scene scene, boolean v) {
         return switch (this) {
             case OfLight(String name) -> scene.withLight(LightEdits.light(scene, name).withOn(v));
             case OfLightGroup(String name) -> scene.withRig(scene.rig().with(LightGroupEdits.lightGroup(scene, name).withOn(v)));
-            case OfEnvironment _ -> scene;
+            case OfEnvironment _ -> isOn(scene) == v ? scene : withIntensity(scene, v ? 1 : 0);
         };
     }
 
@@ -164,7 +164,7 @@ public sealed interface MixerChannel {
         return switch (this) {
             case OfLight(String name) -> scene.isActive(LightEdits.light(scene, name));
             case OfLightGroup(String name) -> scene.lights().stream().anyMatch(l -> l.lightGroup().equals(name) && scene.isActive(l));
-            case OfEnvironment _ -> scene.rig().effectiveLights().stream().noneMatch(l -> l.solo() && l.on());
+            case OfEnvironment _ -> isOn(scene) && scene.rig().effectiveLights().stream().noneMatch(l -> l.solo() && l.on());
         };
     }
 

@@ -68,6 +68,7 @@ public final class Editor implements AutoCloseable {
         }
         savePreferencesOnChange();
         EditorStage.show(stage, startup.frame(), preferences, maxWidth, maxHeight);
+        window.showPanelWindows();
         window.focus();
     }
 
@@ -129,7 +130,7 @@ public final class Editor implements AutoCloseable {
                 settings.glowingTexturesProperty(),
                 settings.gizmoSizeProperty(), settings.navigationProperty(), settings.shadowsProperty(),
                 model.commands().keyBindings().changesProperty(), model.layout().canvasLayoutProperty(),
-                model.layout().welcomeAtStartProperty(),
+                model.layout().welcomeAtStartProperty(), model.layout().panelsProperty(),
                 model.languageProperty(),
                 model.renderMachines().hostsProperty(), model.renderMachines().certificateProperty(),
                 model.commands().toggleState(Command.LIGHT_THEME).orElseThrow())) {

@@ -2,9 +2,7 @@ package lightning.editor.window;
 
 import java.nio.file.Path;
 import java.util.List;
-import java.util.function.Supplier;
 import javafx.beans.binding.Bindings;
-import javafx.beans.binding.BooleanExpression;
 import javafx.geometry.Insets;
 import javafx.geometry.Orientation;
 import javafx.geometry.Pos;
@@ -18,6 +16,9 @@ import javafx.scene.layout.Region;
 import javafx.scene.layout.StackPane;
 import javafx.scene.layout.VBox;
 import lightning.base.text.Messages;
+import lightning.editor.window.dock.DockSlot;
+import lightning.editor.window.dock.TabDrag;
+import lightning.editor.window.model.PanelPlace;
 import lightning.editor.window.model.WindowLayout;
 import lightning.editor.window.model.WindowLayout.CanvasLayout;
 import lightning.editor.window.preview.PreviewPane;
@@ -33,17 +34,17 @@ final class EditorLayout extends BorderPane {
     /** Share of the window's width that the two picture panes take. */
     static final double CANVAS_SHARE = 0.74;
     private static final double LIST_SHARE = 0.36;
-    /** Initial height of the timeline, pixels; {@link #MAX_TIMELINE_SHARE} limits it further. */
-    private static final double TIMELINE_HEIGHT = 200;
-    private static final double MAX_TIMELINE_SHARE = 0.4;
+    /** Initial sizes of the docks, pixels. */
+    private static final double LOWER_DOCK_HEIGHT = 290;
+    private static final double LEFT_DOCK_WIDTH = 300;
     /** Approximate height of menu bar and tool bar, pixels. Reserves their space, so that little moves when they are added. */
     static final double BARS_HEIGHT = 72;
     static final double STATUS_HEIGHT = 27;
     /** Approximate height of a pane's header, pixels. Reserves its space, so that little moves when it is added. */
     static final double HEADER_HEIGHT = 36;
     static final double FOOTER_HEIGHT = 38;
-    /** Approximate width that fits all controls of the traced picture in one row, pixels. */
-    private static final double SINGLE_ROW_WIDTH = 589;
+    /** Approximate width that fits the main controls of the traced picture in one row, pixels. */
+    private static final double SINGLE_ROW_WIDTH = 310;
     private static final double EXTRA_ROW_HEIGHT = 30;
     /** Width of the divider between two panes, pixels. */
     static final double DIVIDER_WIDTH = 4;
@@ -56,18 +57,18 @@ final class EditorLayout extends BorderPane {
 
     private final PictureView picture;
     private final SplitPane canvases;
-    /** Picture panes with the timeline below. */
+    /** Left dock and picture panes. */
+    private final SplitPane upperArea;
+    /** Left dock and picture panes, with the lower dock below. */
     private final SplitPane workArea;
     private final SplitPane sidePanels;
     private final SplitPane mainSplit;
     private final StackPane center;
     private TracedPane traced;
     private PreviewPane preview;
-    private Node timeline;
-    /** Strong reference: the binding notifies its listeners only while it is reachable. */
-    private BooleanExpression timelineShown;
-    /** Divider position of the timeline; 0 before the timeline is first shown. */
-    private double timelineDivider;
+    private Node properties;
+    /** Divider position of the lists before their pane took the whole height. */
+    private double listDivider = LIST_SHARE;
     /** Divider position of the side panels before they were hidden. */
     private double sideDivider = CANVAS_SHARE;
 
@@ -85,7 +86,8 @@ final class EditorLayout extends BorderPane {
         canvases = new SplitPane(tracedPlaceholder(reading), placeholder(Messages.tr("Preview"), reading));
         sidePanels = new SplitPane(sidePlaceholder(reading));
         sidePanels.setOrientation(Orientation.VERTICAL);
-        workArea = new SplitPane(canvases);
+        upperArea = new SplitPane(canvases);
+        workArea = new SplitPane(upperArea);
         workArea.setOrientation(Orientation.VERTICAL);
         mainSplit = new SplitPane(workArea, sidePanels);
         mainSplit.setDividerPositions(CANVAS_SHARE);
@@ -163,53 +165,33 @@ final class EditorLayout extends BorderPane {
         } else {
             canvases.getItems().set(1, preview);
         }
+        this.properties = properties;
         sidePanels.getItems().setAll(lights, properties);
         sidePanels.setDividerPositions(LIST_SHARE);
         setTop(bars);
         setBottom(status);
     }
 
-    /**
-     * Shows the timeline below the pictures while it is switched on and the panels are not hidden. Creates it on first use.
-     *
-     * @return action that creates the timeline ahead of time
-     */
-    Runnable addTimeline(WindowLayout arrangement, Supplier<Node> factory) {
-        Runnable create = () -> {
-            if (timeline == null) {
-                timeline = factory.get();
-                SplitPane.setResizableWithParent(timeline, false);
-            }
-        };
-        var shown = arrangement.timelineShownProperty().and(arrangement.panelsHiddenProperty().not());
-        timelineShown = shown;
-        shown.subscribe(on -> {
-            if (on) {
-                create.run();
-            }
-            if (on && workArea.getItems().size() == 1) {
-                // Without this layout pass, the split pane would give the new pane only its minimum height.
-                applyCss();
-                layout();
-                workArea.getItems().add(timeline);
-                if (timelineDivider > 0) {
-                    workArea.setDividerPositions(timelineDivider);
-                } else {
-                    workArea.heightProperty().subscribe(_ -> placeTimelineDivider());
-                }
-            } else if (!on && workArea.getItems().size() == 2) {
-                timelineDivider = workArea.getDividerPositions()[0];
-                workArea.getItems().remove(timeline);
-            }
-        });
-        return create;
+    /** Shows the docks while they have open panels and the panels are not hidden. */
+    void addDocks(WindowLayout arrangement, DockedPanels panels) {
+        addDock(arrangement, PanelPlace.LEFT, new DockSlot(upperArea, panels.left(), 0, arrangement.dockSizeProperty(PanelPlace.LEFT),
+                LEFT_DOCK_WIDTH));
+        addDock(arrangement, PanelPlace.BELOW, new DockSlot(workArea, panels.below(), 1, arrangement.dockSizeProperty(PanelPlace.BELOW),
+                LOWER_DOCK_HEIGHT));
+        panels.bind();
+        var target = new Region();
+        var drag = new TabDrag(workArea, target, panels::drop);
+        drag.attach(panels.left());
+        drag.attach(panels.below());
+        center.getChildren().add(target);
     }
 
-    private void placeTimelineDivider() {
-        if (timelineDivider == 0 && workArea.getHeight() > 0 && workArea.getItems().size() == 2) {
-            timelineDivider = 1 - Math.min(MAX_TIMELINE_SHARE, TIMELINE_HEIGHT / workArea.getHeight());
-            workArea.setDividerPositions(timelineDivider);
-        }
+    private static void addDock(WindowLayout arrangement, PanelPlace place, DockSlot slot) {
+        Runnable update = () -> slot
+                .setShown(!arrangement.panelsHiddenProperty().get() && !arrangement.panelsProperty().get().openIn(place).isEmpty());
+        arrangement.panelsProperty().subscribe(update);
+        arrangement.panelsHiddenProperty().subscribe(update);
+        update.run();
     }
 
     /** Shows a page over everything right of the traced picture, or over part of the picture if the rest is narrower than the page. */
@@ -217,13 +199,13 @@ final class EditorLayout extends BorderPane {
         page.setMaxHeight(Double.MAX_VALUE);
         StackPane.setAlignment(page, Pos.CENTER_RIGHT);
         page.maxWidthProperty().bind(Bindings.createDoubleBinding(this::pageWidth, traced.boundsInParentProperty(),
-                canvases.widthProperty(), center.widthProperty()));
+                canvases.boundsInParentProperty(), upperArea.boundsInParentProperty(), center.widthProperty()));
         center.getChildren().add(page);
     }
 
     private double pageWidth() {
         boolean isTracedVisible = canvases.getItems().size() == 2 && canvases.getItems().contains(traced);
-        double right = isTracedVisible ? traced.getBoundsInParent().getMaxX() : 0;
+        double right = isTracedVisible ? center.sceneToLocal(traced.localToScene(traced.getBoundsInLocal())).getMaxX() : 0;
         return Math.max(Math.min(MIN_PAGE_WIDTH, center.getWidth()),
                 center.getWidth() - Math.max(right, center.getWidth() * MIN_LEFT_SHARE));
     }
@@ -242,6 +224,11 @@ final class EditorLayout extends BorderPane {
     private void showCanvases(CanvasLayout choice) {
         List<Node> visible = choice.share() == 1 || choice.hasInset() ? List.of(traced) : choice.share() == 0 ? List.of(preview)
                 : List.of(traced, preview);
+        Node focusOwner = getScene() == null ? null : getScene().getFocusOwner();
+        if (focusOwner != null && canvases.getItems().stream().anyMatch(c -> !visible.contains(c) && isIn(focusOwner, c))) {
+            // The toolkit would focus the first button of the tool bar, which the next key would press.
+            canvases.requestFocus();
+        }
         traced.setInset(null);
         canvases.getItems().retainAll(visible);
         preview.setCompact(choice.hasInset());
@@ -256,6 +243,21 @@ final class EditorLayout extends BorderPane {
         if (visible.size() == 2) {
             canvases.setDividerPositions(choice.share());
         }
+    }
+
+    /** Gives the lists' pane the whole height of the side panels, or shares it with the properties. */
+    void showLists(boolean wholeHeight) {
+        if (wholeHeight && sidePanels.getItems().contains(properties)) {
+            listDivider = sidePanels.getDividerPositions()[0];
+            sidePanels.getItems().remove(properties);
+        } else if (!wholeHeight && !sidePanels.getItems().contains(properties)) {
+            sidePanels.getItems().add(properties);
+            sidePanels.setDividerPositions(listDivider);
+        }
+    }
+
+    private static boolean isIn(Node node, Node ancestor) {
+        return node != null && (node == ancestor || isIn(node.getParent(), ancestor));
     }
 
     private void hidePanels(boolean hidden) {

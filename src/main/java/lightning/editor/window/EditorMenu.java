@@ -50,7 +50,7 @@ final class EditorMenu extends MenuBar {
                 Command.HISTORY_PANEL,
                 SEPARATOR,
                 Command.COPY_SETTINGS,
-                Command.PASTE_SETTINGS, SEPARATOR, Command.PICK_MATERIAL);
+                Command.PASTE_SETTINGS, SEPARATOR, Command.PICK_MATERIAL, Command.EDIT_WORLD);
         Menu light =
                 menu(Messages.tr("Light"), Command.ADD_LIGHT, Command.DUPLICATE_LIGHT, Command.DELETE_LIGHT, SEPARATOR, Command.NEW_BANK,
                         Command.DELETE_BANK, SEPARATOR, Command.RENAME_LIGHT,
@@ -144,10 +144,15 @@ final class EditorMenu extends MenuBar {
         add(view, SEPARATOR, Command.TRACED_FIT, Command.TRACED_ONE_TO_ONE, Command.TRACED_ZOOM_IN, Command.TRACED_ZOOM_OUT, Command.REGION,
                 SEPARATOR, Command.VIEW_X, Command.VIEW_Y, Command.VIEW_Z, Command.VIEW_ALL, SEPARATOR);
         view.getItems().addAll(PreviewMenuItems.of(model.previewSettings(), items));
-        view.getItems().addAll(new SeparatorMenuItem(), canvases());
+        view.getItems().addAll(new SeparatorMenuItem(), canvases(), arrangement());
         add(view, Command.HIDE_PANELS, Command.FULL_SCREEN, SEPARATOR, Command.LIGHT_THEME);
         view.getItems().add(languages());
         return view;
+    }
+
+    private Menu arrangement() {
+        return menu(Messages.tr("Arrangement"), Command.ARRANGE_LIGHT, Command.ARRANGE_COMPARE, Command.ARRANGE_SHOT, SEPARATOR,
+                Command.NEXT_PANEL, Command.PREVIOUS_PANEL, SEPARATOR, Command.FLOAT_PANEL, Command.MOVE_PANEL, Command.CLOSE_PANEL);
     }
 
     private Menu canvases() {

@@ -30,22 +30,20 @@ import lightning.editor.window.property.ListTabs;
 import lightning.editor.window.property.SidePane;
 import lightning.editor.window.timeline.Playback;
 import lightning.editor.window.timeline.ShotExportWindow;
-import lightning.editor.window.timeline.TimelinePane;
 import lightning.editor.window.welcome.LessonBar;
 
 /** Content of the editor's window: traced picture, preview, and the lists and properties next to them. */
 public final class EditorWindow implements AutoCloseable {
-    private final Runnable createTimeline;
     private final EditorLayout layout;
     private final PreviewPane preview;
     private final FileActions files;
     private final PanelWindows panels;
+    private final DockedPanels docks;
     private final VBox bars;
     private final EditorMenu menu;
     private final SidePane side;
     private final LessonBar lessons;
-    /** Null before it is first shown. */
-    private TimelinePane timeline;
+    private final ListTabs lists;
     private final BooleanProperty fullScreen = new SimpleBooleanProperty();
 
     /** Adds all panes to a layout that already contains the traced picture. */
@@ -58,7 +56,7 @@ public final class EditorWindow implements AutoCloseable {
         model.commands().setAction(Command.ABOUT, () -> AboutDialog.show(notices));
         AnimationWindow.registerCommands(model, this::window);
         model.commands().setToggle(Command.FULL_SCREEN, fullScreen, this::toggleFullScreen);
-        var playback = new Playback(model.editor(), model.picture(), model.commands());
+        docks = new DockedPanels(model, this::window, new Playback(model.editor(), model.picture(), model.commands()));
         model.commands().setAction(Command.EXPORT_SHOT, () -> new ShotExportWindow(model, window()).show());
         menu = new EditorMenu(model, files);
         model.commands().setAction(Command.PALETTE, () -> CommandPalette.open(window(), menu, model.commands()));
@@ -69,13 +67,13 @@ public final class EditorWindow implements AutoCloseable {
         bars = new VBox(menu, tools, lessons);
         new WelcomePage(layout, model, files, lessons, this::focus);
         side = new SidePane(model);
-        layout.setPanes(bars, preview, new ListTabs(model.editor(), model.commands()), side,
-                new StatusBar(model.editor(), model.picture(), model.commands()));
+        lists = new ListTabs(model);
+        layout.setPanes(bars, preview, lists, side, new StatusBar(model.editor(), model.picture(), model.commands()));
+        lists.worldShownProperty().subscribe(layout::showLists);
         layout.bindTo(model.layout());
-        createTimeline = layout.addTimeline(model.layout(), () -> {
-            timeline = new TimelinePane(model, playback);
-            return timeline;
-        });
+        layout.addDocks(model.layout(), docks);
+        new PanelFocus(this::window, List.of(preview.canvas(), lists, side, docks.left(), docks.below()))
+                .registerCommands(model.commands());
         layout.addEventFilter(KeyEvent.KEY_PRESSED, e -> {
             if (e.getCode() == KeyCode.TAB && !e.isShiftDown() && !e.isControlDown() && !e.isAltDown() && layout.isOverPictures()) {
                 // A focused button of a hidden panel would pass its focus on to another control, to which Tab would belong.
@@ -104,6 +102,11 @@ public final class EditorWindow implements AutoCloseable {
     /** Adds a bar below the tool bar. */
     void addBar(Node bar) {
         bars.getChildren().add(bar);
+    }
+
+    /** Shows panels in windows of their own. The editor's window must be open. */
+    void showPanelWindows() {
+        docks.showWindows();
     }
 
     /** Gives the preview the keyboard focus. */
@@ -135,7 +138,7 @@ public final class EditorWindow implements AutoCloseable {
 
     /** Returns steps that create panels ahead of their first use. */
     Stream<Runnable> preloadSteps() {
-        return Stream.of(side.preloadSteps(), menu.preloadSteps(), panels.preloadSteps(), Stream.of(createTimeline))
+        return Stream.of(side.preloadSteps(), lists.preloadSteps(), menu.preloadSteps(), panels.preloadSteps(), docks.preloadSteps())
                 .flatMap(Function.identity());
     }
 
@@ -150,9 +153,7 @@ public final class EditorWindow implements AutoCloseable {
     public void close() {
         lessons.close();
         panels.close();
-        if (timeline != null) {
-            timeline.close();
-        }
+        docks.close();
         preview.close();
     }
 }

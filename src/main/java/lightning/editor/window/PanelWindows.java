@@ -11,36 +11,28 @@ import javafx.stage.Stage;
 import javafx.stage.Window;
 import lightning.editor.document.Command;
 import lightning.editor.window.command.CommandKeys;
-import lightning.editor.window.contribution.ContributionPane;
-import lightning.editor.window.cue.CuePane;
 import lightning.editor.window.link.LinkPane;
 import lightning.editor.window.measure.AccuracyPane;
 import lightning.editor.window.measure.EffectsPane;
 import lightning.editor.window.measure.IndirectAccuracyPane;
-import lightning.editor.window.measure.ScopesPane;
-import lightning.editor.window.mixer.MixerPane;
 import lightning.editor.window.model.CommandRegistry;
 import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.widget.PanelWindow;
 
-/** Secondary windows of the editor. Each is open at most once and has the title of the command that opens it. */
+/**
+ * Secondary windows of the editor for panels that cannot be docked. Each is open at most once and has the title of the command that opens
+ * it.
+ */
 final class PanelWindows implements AutoCloseable {
-    private static final Map<Command, PanelSpec> PANELS = Map.ofEntries(
-            Map.entry(Command.ACCURACY_PANEL, new PanelSpec(960, 760,
-                    m -> new AccuracyPane(m.workbench(), m.editor().editorStateProperty(), m.picture().viewProperty()))),
-            Map.entry(Command.EFFECTS_PANEL, new PanelSpec(760, 680,
-                    m -> new EffectsPane(m.editor(), m.workbench(), m.accuracyModeProperty(), m.pictureDisplay().effectsProperty()))),
-            Map.entry(Command.INDIRECT_ACCURACY,
-                    new PanelSpec(920, 470, m -> new IndirectAccuracyPane(m.editor(), m.accuracyModeProperty()))),
-            Map.entry(Command.KEYS, new PanelSpec(880, 720, m -> new ShortcutsPane(m.commands()))),
-            Map.entry(Command.SCOPES, new PanelSpec(540, 540, m -> new ScopesPane(m.picture(), m.files().windowExecutor()))),
-            Map.entry(Command.HISTORY_PANEL, new PanelSpec(380, 560, m -> new HistoryPane(m.editor(), m.workbench()))),
-            Map.entry(Command.UPDATES_PANEL, new PanelSpec(1200, 420, m -> new UpdatesPane(m.updates()))),
-            Map.entry(Command.MIXER, new PanelSpec(1000, 460,
-                    m -> new MixerPane(m.editor(), m.picture(), m.workbench(), m.files().windowExecutor()))),
-            Map.entry(Command.CUES, new PanelSpec(820, 640, m -> new CuePane(m.editor(), m.picture(), m.files()))),
-            Map.entry(Command.CONTRIBUTIONS, new PanelSpec(680, 480, ContributionPane::new)),
-            Map.entry(Command.LIGHT_LINKS, new PanelSpec(760, 520, m -> new LinkPane(m.editor(), m.files().windowExecutor()))));
+    private static final Map<Command, PanelSpec> PANELS = Map.of(
+            Command.ACCURACY_PANEL,
+            new PanelSpec(960, 760, m -> new AccuracyPane(m.workbench(), m.editor().editorStateProperty(), m.picture().viewProperty())),
+            Command.EFFECTS_PANEL,
+            new PanelSpec(760, 680,
+                    m -> new EffectsPane(m.editor(), m.workbench(), m.accuracyModeProperty(), m.pictureDisplay().effectsProperty())),
+            Command.INDIRECT_ACCURACY, new PanelSpec(920, 470, m -> new IndirectAccuracyPane(m.editor(), m.accuracyModeProperty())),
+            Command.KEYS, new PanelSpec(880, 720, m -> new ShortcutsPane(m.commands())),
+            Command.LIGHT_LINKS, new PanelSpec(760, 520, m -> new LinkPane(m.editor(), m.files().windowExecutor())));
 
     private final EditorModel model;
     private final Supplier<Window> owner;

@@ -35,7 +35,8 @@ class NumericParameterTest {
         assertThat(all.filter(a -> a.kind() instanceof NumericKind<?>))
                 .allSatisfy(a -> assertThat(((NumericKind<?>) a.kind()).unit())
                         .isEqualTo(a.unit().contains("degrees") ? NumberUnit.DEGREES
-                                : a.unit().equals("stops") ? NumberUnit.STOPS : a.unit().equals("kelvin") ? NumberUnit.KELVIN : NumberUnit.FACTOR));
+                                : a.unit().equals("stops") ? NumberUnit.STOPS : a.unit().equals("kelvin") ? NumberUnit.KELVIN
+                                : NumberUnit.FACTOR));
         assertThat(NumericParameter.of(LightAttribute.DOORS)).hasSize(4).allMatch(d -> d.measure() == NumberUnit.DEGREES);
         assertThat(NumericParameter.ENVIRONMENT_ROTATION.measure()).isEqualTo(NumberUnit.DEGREES);
         assertThat(NumericParameter.AMBIENCE.measure()).isEqualTo(NumberUnit.FACTOR);

@@ -18,6 +18,7 @@ class ClosedEditorTest extends EditorFixture {
     @Test
     void otherWindows_closeBeforeEditor() {
         List<Window> closed = new ArrayList<>();
+        floatPanels();
         robot.interact(() -> {
             model().commands().run(Command.MIXER);
             model().commands().run(Command.HISTORY_PANEL);

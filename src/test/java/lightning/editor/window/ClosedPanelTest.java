@@ -3,11 +3,9 @@ package lightning.editor.window;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Arrays;
-import java.util.List;
 import java.util.Set;
 import java.util.stream.Collectors;
 import javafx.scene.image.ImageView;
-import javafx.stage.Window;
 import lightning.editor.document.Command;
 import lightning.editor.document.DeskScene;
 import org.junit.jupiter.api.Test;
@@ -23,10 +21,6 @@ class ClosedPanelTest extends EditorFixture {
 
     private static boolean runs(String name) {
         return threads().stream().anyMatch(t -> t.getName().equals(name));
-    }
-
-    private void closePanels() {
-        robot.interact(() -> List.copyOf(Window.getWindows()).stream().filter(w -> w != stage).forEach(Window::hide));
     }
 
     private void open(Command... panels) {
@@ -73,6 +67,7 @@ class ClosedPanelTest extends EditorFixture {
                 () -> threads().stream().noneMatch(t -> t.getName().startsWith("lightning-render")));
         Set<Thread> others = threads();
         open();
+        floatPanels();
         open(Command.MIXER, Command.SCOPES, Command.CONTRIBUTIONS, Command.CUES, Command.HISTORY_PANEL, Command.UPDATES_PANEL,
                 Command.EFFECTS_PANEL, Command.ACCURACY_PANEL, Command.INDIRECT_ACCURACY, Command.KEYS, Command.TIMELINE);
         robot.moveTo("#traced-picture");

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.concurrent.TimeUnit;
@@ -13,6 +14,7 @@ import javafx.geometry.Point2D;
 import javafx.scene.Node;
 import javafx.scene.control.Labeled;
 import javafx.stage.Stage;
+import javafx.stage.Window;
 import lightning.base.math.Vec3;
 import lightning.base.work.Await;
 import lightning.editor.document.Command;
@@ -21,6 +23,8 @@ import lightning.editor.document.RecoveryFolder;
 import lightning.editor.document.Viewport;
 import lightning.editor.window.command.FilePrompt;
 import lightning.editor.window.model.EditorModel;
+import lightning.editor.window.model.PanelArrangement;
+import lightning.editor.window.model.PanelPlace;
 import lightning.editor.window.model.Preferences;
 import lightning.editor.window.preview.PreviewCanvas;
 import lightning.editor.window.widget.ColorTheme;
@@ -161,6 +165,25 @@ public abstract class EditorFixture {
     public Point2D toScreen(Vec3 point) {
         Viewport canvas = preview().viewport();
         return preview().toScreen(canvas.project(model().previewSettings().cameraProperty().get(), point));
+    }
+
+    /** Makes all panels open in windows of their own. */
+    public void floatPanels() {
+        robot.interact(() -> {
+            PanelArrangement floating = PanelArrangement.INITIAL;
+            for (PanelArrangement.Slot slot : PanelArrangement.INITIAL.slots()) {
+                floating = floating.move(slot.panel(), PanelPlace.WINDOW);
+            }
+            model().layout().panelsProperty().set(floating.closeAll());
+        });
+    }
+
+    /** Closes all panels, docked or not, and all secondary windows. */
+    public void closePanels() {
+        robot.interact(() -> {
+            model().layout().panelsProperty().set(model().layout().panelsProperty().get().closeAll());
+            List.copyOf(Window.getWindows()).stream().filter(w -> w != stage).forEach(Window::hide);
+        });
     }
 
     /** Asserts that every displayed pixel of the canvas equals that of a film. */

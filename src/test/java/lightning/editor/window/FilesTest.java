@@ -445,6 +445,7 @@ class FilesTest extends EditorFixture {
 
     @Test
     void message_isOwnedByTheWindowThatAsked() {
+        floatPanels();
         robot.interact(() -> model().commands().run(Command.HISTORY_PANEL));
         Stage panel =
                 Window.getWindows().stream().filter(w -> w != stage && w.isShowing()).map(Stage.class::cast).findFirst().orElseThrow();

@@ -28,6 +28,9 @@ class HistoryPaneTest extends EditorFixture {
     }
 
     private void type(String widget, String text) {
+        if (widget.equals("ambience")) {
+            robot.interact(() -> model().commands().run(Command.EDIT_WORLD));
+        }
         TextTyping.replace(robot, robot.lookup("#" + widget + " .number-field").<TextField>query(), text).push(KeyCode.ENTER);
     }
 

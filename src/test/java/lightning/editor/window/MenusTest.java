@@ -89,9 +89,12 @@ class MenusTest extends EditorFixture {
         robot.clickOn("#intensity .label", MouseButton.SECONDARY);
         robot.interact(() -> {
             all.addAll(items());
-            Stream.of(Command.ACCURACY_PANEL, Command.EFFECTS_PANEL, Command.KEYS, Command.MAKE_ANIMATION).forEach(model().commands()::run);
+            Stream.of(Command.ACCURACY_PANEL, Command.EFFECTS_PANEL, Command.KEYS, Command.MAKE_ANIMATION)
+                    .forEach(model().commands()::run);
             all.addAll(items());
         });
+        robot.interact(() -> model().commands().run(Command.EDIT_WORLD));
+        robot.interact(() -> all.addAll(items()));
         return all;
     }
 

@@ -23,6 +23,7 @@ import lightning.editor.document.LightEdits;
 import lightning.editor.window.widget.ColorTheme;
 import lightning.editor.window.widget.Contrast;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
 /** Accessibility of the secondary windows, and of the main window in both themes: contrast, and use without a mouse. */
@@ -33,6 +34,11 @@ class PanelAccessibilityTest extends EditorFixture {
             Command.HISTORY_PANEL, Command.UPDATES_PANEL, Command.MIXER, Command.CUES, Command.CONTRIBUTIONS, Command.LIGHT_LINKS,
             Command.MAKE_ANIMATION,
             Command.PALETTE, Command.ABOUT);
+
+    @BeforeEach
+    void openPanelsInWindows() {
+        floatPanels();
+    }
 
     @AfterEach
     void closeWindows() {
@@ -53,7 +59,7 @@ class PanelAccessibilityTest extends EditorFixture {
     }
 
     private void closePanel() {
-        robot.interact(() -> panels().forEach(Window::hide));
+        closePanels();
     }
 
     private static Stream<Node> nodes(Node node) {

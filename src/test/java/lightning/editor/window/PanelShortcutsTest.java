@@ -13,6 +13,7 @@ import javafx.stage.Window;
 import lightning.editor.document.Command;
 import lightning.editor.document.DeskScene;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
 /** The commands' shortcuts work in the secondary windows as in the main window. */
@@ -20,6 +21,11 @@ class PanelShortcutsTest extends EditorFixture {
     private static final List<Command> PANELS =
             List.of(Command.ACCURACY_PANEL, Command.INDIRECT_ACCURACY, Command.EFFECTS_PANEL, Command.KEYS, Command.SCOPES,
                     Command.HISTORY_PANEL, Command.UPDATES_PANEL, Command.MIXER, Command.CUES, Command.CONTRIBUTIONS, Command.LIGHT_LINKS);
+
+    @BeforeEach
+    void openPanelsInWindows() {
+        floatPanels();
+    }
 
     @AfterEach
     void closeWindows() {

@@ -22,11 +22,7 @@ abstract class TextClippingFixture extends EditorFixture {
 
     @AfterEach
     void closeWindows() {
-        robot.interact(this::hideWindows);
-    }
-
-    private void hideWindows() {
-        List.copyOf(Window.getWindows()).stream().filter(window -> window != stage).forEach(Window::hide);
+        closePanels();
     }
 
     /** Asserts that no text is clipped. */
@@ -59,7 +55,7 @@ abstract class TextClippingFixture extends EditorFixture {
             if (panel == Command.PALETTE) {
                 checkWindow("the longest commands", () -> robot.lookup("#palette-query").<TextField>query().setText("2 ×"));
             }
-            robot.interact(this::hideWindows);
+            closePanels();
         }
         assertThat(clippedTexts).isEmpty();
     }

@@ -101,20 +101,24 @@ class WindowLayoutTest extends EditorFixture {
         FastRobot.settle();
     }
 
+    private SplitPane picturesAndDocks() {
+        return (SplitPane) robot.lookup("#dock-below").query().getParent().getParent();
+    }
+
     private double timeline() {
         return robot.lookup("#timeline").<Region>query().getHeight();
     }
 
     @Test
-    void timeline_shownFirst_fitsItsRows() {
+    void timeline_shownFirst_leavesMostOfTheHeight() {
         showTimeline(true);
-        assertThat(timeline()).isBetween(198.0, 200.0);
+        assertThat(timeline()).isGreaterThan(198).isLessThan(0.5 * picturesAndDocks().getHeight());
     }
 
     @Test
     void timeline_shownAgain_keepsHeight() {
         showTimeline(true);
-        robot.interact(() -> ((SplitPane) robot.lookup("#timeline").query().getParent().getParent()).setDividerPositions(0.5));
+        robot.interact(() -> picturesAndDocks().setDividerPositions(0.6));
         FastRobot.settle();
         double left = timeline();
         showTimeline(false);

@@ -102,8 +102,9 @@ class BlockTypesTest {
                 case Value.Gains _ -> throw new AssertionError("gains are absent by default");
                 case Value.Nested n -> throw new AssertionError(n);
                 case Value.Absent a ->
-                        assertThat(p.name()).isIn("texture", "cutout", "bump", "normal_map", "gobo", "profile", "environment", "bank", "bulb",
-                                "gains",                                "indirect",
+                        assertThat(p.name()).isIn("texture", "cutout", "bump", "normal_map", "gobo", "profile", "environment", "bank",
+                                "bulb",
+                                "gains", "indirect",
                                 BlockTypes.FILE, BlockTypes.PART);
             }
         }));

@@ -1,5 +1,6 @@
 package lightning.editor.window.measure;
 
+import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Executor;
 import javafx.scene.control.Label;
@@ -18,7 +19,10 @@ import lightning.render.image.ViewTransform;
 /** Histogram and waveform of the displayed picture, computed on a dedicated thread. Only the newest picture is computed. */
 public final class ScopesPane extends VBox {
     private static final int HEIGHT = 160;
-    private static final int WIDTH = 512;
+    private static final double WIDTH = 512;
+    private static final double MIN_WIDTH = 160;
+    /** Total width of the margins, pixels. */
+    private static final double MARGINS = 28;
 
     private final TracedPicture picture;
     private final PaneUpdater<ScopeImages> feed;
@@ -40,6 +44,10 @@ public final class ScopesPane extends VBox {
         getStyleClass().addAll("panel", "scopes");
         clippingLabel.setId("scopes-cut");
         getChildren().setAll(new Label(Messages.tr("Histogram")), histogram, clippingLabel, new Label(Messages.tr("Waveform")), waveform);
+        setMinWidth(MIN_WIDTH + MARGINS);
+        for (ImageView view : List.of(histogram, waveform)) {
+            view.fitWidthProperty().bind(widthProperty().map(w -> Math.clamp(w.doubleValue() - MARGINS, MIN_WIDTH, WIDTH)));
+        }
         VisibilityListener.attach(this, this::subscribe);
     }
 
@@ -47,7 +55,6 @@ public final class ScopesPane extends VBox {
         var view = new ImageView();
         view.setId(id);
         view.setAccessibleText(text);
-        view.setFitWidth(WIDTH);
         view.setFitHeight(id.equals("histogram") ? HEIGHT : Scopes.CODES);
         view.setSmooth(false);
         return view;

@@ -1,9 +1,11 @@
 package lightning.editor.window.mixer;
 
+import java.util.List;
 import java.util.Optional;
 import javafx.scene.control.Label;
 import javafx.scene.control.Tooltip;
 import javafx.scene.layout.Priority;
+import javafx.scene.layout.Region;
 import javafx.scene.layout.VBox;
 import lightning.base.text.Messages;
 import lightning.editor.document.StepRange;
@@ -18,6 +20,7 @@ final class MasterStrip extends VBox {
     private final Thumbnail thumbnail = new Thumbnail(Messages.tr("master"));
     private final Fader fader;
     private final NumberField stops;
+    private final Label note = new Label(Messages.tr("stops"));
 
     MasterStrip(MixerModel model) {
         this.model = model;
@@ -32,7 +35,6 @@ final class MasterStrip extends VBox {
         stops.setTooltip(new Tooltip(Messages.tr("Exposure offset for all lights and the environment, in stops")));
         stops.show(0);
         VBox.setVgrow(fader, Priority.ALWAYS);
-        var note = new Label(Messages.tr("stops"));
         note.getStyleClass().add("part");
         getChildren().addAll(name, thumbnail, fader, stops, note);
     }
@@ -56,6 +58,16 @@ final class MasterStrip extends VBox {
             model.endDrag();
             fader.show(0);
             stops.show(0);
+        }
+    }
+
+    /** Hides what a low mixer has no room for. */
+    void setDetail(StripDetail detail) {
+        thumbnail.setDetail(detail);
+        boolean hasStops = detail.includes(StripDetail.NO_INTENSITY);
+        for (Region part : List.of(stops, note)) {
+            part.setVisible(hasStops);
+            part.setManaged(hasStops);
         }
     }
 

@@ -28,6 +28,8 @@ final class MixerModel {
     private final BooleanProperty relative = new SimpleBooleanProperty(true);
     private final ReadOnlyObjectWrapper<Set<MixerChannel>> selected = new ReadOnlyObjectWrapper<>(Set.of());
     private MixerChannel anchor;
+    /** Environment's intensity before it was muted. */
+    private double environmentIntensity = 1;
     /** Scene before the current drag; null without a drag. */
     private Scene sceneBeforeDrag;
 
@@ -73,6 +75,16 @@ final class MixerModel {
         int from = Math.max(0, shown.indexOf(anchor));
         int to = shown.indexOf(channel);
         setSelected(shown.subList(Math.min(from, to), Math.max(from, to) + 1));
+    }
+
+    /** Returns the environment's intensity before it was muted. */
+    double environmentIntensity() {
+        return environmentIntensity;
+    }
+
+    /** Remembers the intensity to which the environment returns after it is muted. */
+    void setEnvironmentIntensity(double intensity) {
+        environmentIntensity = intensity;
     }
 
     /** Replaces the selection. */

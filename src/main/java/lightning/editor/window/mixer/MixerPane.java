@@ -53,6 +53,7 @@ public final class MixerPane extends VBox {
     private final Label count = new Label();
     /** Says what the thumbnails lack; empty if nothing. */
     private final Label lightNote = new Label();
+    private StripDetail detail = StripDetail.FULL;
     private ChannelImages images;
     private Frame lastFrame;
 
@@ -82,13 +83,29 @@ public final class MixerPane extends VBox {
         getChildren().addAll(toolBar(), body);
         addEventHandler(KeyEvent.KEY_PRESSED, this::handleKey);
         model.selectedProperty().subscribe(_ -> updateSelection());
+        heightProperty().map(height -> StripDetail.of(height.doubleValue())).subscribe(this::setDetail);
         VisibilityListener.attach(this, this::subscribe);
+    }
+
+    /** Returns true if the focus is in the mixer, which then was opened by the user. */
+    private boolean hasFocus(Node owner) {
+        return owner == null || owner == this || owner.getParent() != null && hasFocus(owner.getParent());
+    }
+
+    private void setDetail(StripDetail newDetail) {
+        detail = newDetail;
+        master.setDetail(detail);
+        strips.values().forEach(strip -> strip.setDetail(detail));
     }
 
     /** Starts to observe the scene and the picture. */
     private Subscription subscribe() {
         // Focuses a fader rather than the search field. Deferred, because the scroll pane adds its content only when it is styled.
-        windowExecutor.execute(() -> shownStrips().stream().findFirst().ifPresent(strip -> strip.fader().requestFocus()));
+        windowExecutor.execute(() -> {
+            if (getScene() != null && hasFocus(getScene().getFocusOwner())) {
+                shownStrips().stream().findFirst().ifPresent(strip -> strip.fader().requestFocus());
+            }
+        });
         return Subscription.combine(editor.sceneProperty().subscribe(this::show),
                 picture.renderStateProperty().subscribe(state -> updateFrame(state.frame())),
                 picture.viewProperty().subscribe(_ -> feed.refresh()),
@@ -180,6 +197,7 @@ public final class MixerPane extends VBox {
         next.ifPresent(channel -> {
             var strip = new MixerStrip(model, channel);
             strips.put(channel, strip);
+            strip.setDetail(detail);
             strip.show(editor.scene());
             strip.setSelected(model.isSelected(channel));
             showPicture(strip);

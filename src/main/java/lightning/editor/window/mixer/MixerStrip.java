@@ -1,6 +1,7 @@
 package lightning.editor.window.mixer;
 
 import java.util.Optional;
+import java.util.regex.Pattern;
 import javafx.css.PseudoClass;
 import javafx.scene.control.Button;
 import javafx.scene.control.Label;
@@ -36,6 +37,9 @@ final class MixerStrip extends VBox {
     private static final PseudoClass DROP_TARGET = PseudoClass.getPseudoClass("drop");
     private static final PseudoClass DRAGGED = PseudoClass.getPseudoClass("dragged");
 
+    /** Character at which a name can continue on another line. */
+    private static final Pattern SEPARATOR = Pattern.compile("[\\s-]");
+
     private final MixerModel model;
     private final MixerChannel channel;
     private final Label name = new Label();
@@ -47,6 +51,8 @@ final class MixerStrip extends VBox {
     private final NumberField stops;
     private final DisabledReason stopsReason;
     private final NumberField intensity;
+    private final HBox intensityRow;
+    private final HBox stopsRow;
     private final Button color = new Button();
     private final ToggleButton solo = new ToggleButton("S");
     private final ToggleButton mute = new ToggleButton("M");
@@ -61,7 +67,8 @@ final class MixerStrip extends VBox {
         name.setText(id);
         // Similar names often differ only at their ends.
         name.setTextOverrun(OverrunStyle.CENTER_ELLIPSIS);
-        name.setWrapText(true);
+        // A single word would be broken at any letter.
+        name.setWrapText(SEPARATOR.matcher(id).find());
         name.setTooltip(new Tooltip(id));
         if (channel instanceof MixerChannel.OfLightGroup) {
             getStyleClass().add("bank-strip");
@@ -75,7 +82,7 @@ final class MixerStrip extends VBox {
                 NumberSetting.of("stops", new StepRange(0.1, MIN_STOPS, MixerEdits.stops(channel.maxIntensity())),
                         (v, gesture) -> setIntensity(MixerEdits.intensityOfStops(v), gesture)));
         stops.setId("stops-" + id);
-        var stopsRow = row(Messages.tr("stops"), stops);
+        stopsRow = row(Messages.tr("stops"), stops);
         stopsReason = new DisabledReason(stopsRow, stops, Messages.tr("Intensity in stops (0 = intensity 1, +1 = twice as bright)"));
         intensity = new NumberField(Messages.tr("{0} intensity", id),
                 NumberSetting.of("intensity", new StepRange(0.1, 0, channel.maxIntensity()), this::setIntensity));
@@ -101,13 +108,27 @@ final class MixerStrip extends VBox {
         var switches = new HBox(color, solo, mute);
         switches.getStyleClass().add("switches");
         if (channel instanceof MixerChannel.OfEnvironment) {
-            switches.getChildren().forEach(part -> part.setVisible(false));
+            color.setVisible(false);
+            solo.setVisible(false);
         }
         var faderRow = new HBox(meter, fader);
         faderRow.getStyleClass().add("throw");
         HBox.setHgrow(fader, Priority.ALWAYS);
         VBox.setVgrow(faderRow, Priority.ALWAYS);
-        getChildren().addAll(head, thumbnail, faderRow, stopsRow, row("×", intensity), switches);
+        intensityRow = row("×", intensity);
+        getChildren().addAll(head, thumbnail, faderRow, stopsRow, intensityRow, switches);
+    }
+
+    /** Hides what a low mixer has no room for. */
+    void setDetail(StripDetail detail) {
+        thumbnail.setDetail(detail);
+        setShown(intensityRow, detail.includes(StripDetail.NO_THUMBNAIL));
+        setShown(stopsRow, detail.includes(StripDetail.NO_INTENSITY));
+    }
+
+    private static void setShown(HBox part, boolean shown) {
+        part.setVisible(shown);
+        part.setManaged(shown);
     }
 
     private static HBox row(String caption, NumberField field) {
@@ -150,7 +171,8 @@ final class MixerStrip extends VBox {
 
     private void toggleMute() {
         boolean on = !mute.isSelected();
-        model.editSelected(channel, (scene, c) -> c.withOn(scene, on), null);
+        model.editSelected(channel, (scene, c) -> on && c instanceof MixerChannel.OfEnvironment && !c.isOn(scene)
+                ? c.withIntensity(scene, model.environmentIntensity()) : c.withOn(scene, on), null);
         show(model.editor().scene());
     }
 
@@ -178,6 +200,9 @@ final class MixerStrip extends VBox {
             type.setIconCode(icon);
         }
         double v = channel.intensity(scene);
+        if (channel instanceof MixerChannel.OfEnvironment && v > 0) {
+            model.setEnvironmentIntensity(v);
+        }
         double stopsValue = MixerEdits.stops(v);
         fader.show(stopsValue);
         intensity.show(v);

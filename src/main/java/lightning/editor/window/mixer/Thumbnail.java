@@ -13,18 +13,27 @@ import lightning.editor.window.widget.PixelImage;
 final class Thumbnail extends VBox {
     private final ImageView image = new ImageView();
     private final Label percentage = new Label("–");
+    private final StackPane frame;
     private int[] pixels;
 
     Thumbnail(String id) {
         getStyleClass().add("thumbnail");
         image.setId("thumbnail-" + id);
-        var frame = new StackPane(image);
+        frame = new StackPane(image);
         frame.setMinSize(ChannelImageFeed.WIDTH, ChannelImageFeed.HEIGHT);
         frame.setMaxSize(ChannelImageFeed.WIDTH, ChannelImageFeed.HEIGHT);
         frame.getStyleClass().add("thumbnail-frame");
         percentage.setId("part-" + id);
         percentage.getStyleClass().add("part");
         getChildren().addAll(frame, percentage);
+    }
+
+    /** Hides the image in a low mixer. */
+    void setDetail(StripDetail detail) {
+        frame.setVisible(detail == StripDetail.FULL);
+        frame.setManaged(detail == StripDetail.FULL);
+        setVisible(detail.includes(StripDetail.NO_THUMBNAIL));
+        setManaged(detail.includes(StripDetail.NO_THUMBNAIL));
     }
 
     void show(Optional<ChannelImages.ChannelImage> channelImage) {

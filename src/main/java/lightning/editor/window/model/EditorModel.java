@@ -93,6 +93,7 @@ public final class EditorModel implements AutoCloseable {
         LightCameraToggle.register(commands, editor, previewSettings.cameraProperty());
         commands.setToggle(Command.LIVE, editor.liveProperty());
         commands.setToggle(Command.HIDE_PANELS, layout.panelsHiddenProperty());
+        layout.registerPresets(commands);
         commands.setToggle(Command.TIMELINE, layout.timelineShownProperty());
         commands.setToggle(Command.FILM_STRIP, layout.filmStripShownProperty(), () -> {
             var shown = layout.filmStripShownProperty();

@@ -4,14 +4,19 @@ import java.util.Optional;
 import java.util.function.UnaryOperator;
 import javafx.beans.property.ObjectProperty;
 import lightning.editor.document.EditOutcome;
+import lightning.editor.document.StepRange;
 import lightning.render.image.DisplayCurve;
 import lightning.render.image.ViewTransform;
 import lightning.render.relight.SceneView;
 import lightning.scene.Scene;
+import lightning.scene.SceneLimits;
 import lightning.scene.ViewSettings;
 
 /** Edits of the scene's view transform, and the false colors of the window, which no scene and no preference stores. */
 public final class ViewActions {
+    /** Exposures that the editor sets, stops. */
+    public static final StepRange EXPOSURE_RANGE = new StepRange(0.1, -8, 8);
+
     private final SceneEditor editor;
     private final TracedPicture picture;
 
@@ -39,6 +44,11 @@ public final class ViewActions {
      * @param gesture  object that identifies one drag, which is one undo step; null for a separate step
      */
     public Optional<String> setExposure(double stops, Object gesture) {
+        try {
+            SceneLimits.checkRange("exposure", stops, EXPOSURE_RANGE.min(), EXPOSURE_RANGE.max());
+        } catch (IllegalArgumentException e) {
+            return Optional.of(e.getMessage());
+        }
         return edit(view -> view.withExposure(stops), gesture);
     }
 

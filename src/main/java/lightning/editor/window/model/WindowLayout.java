@@ -1,20 +1,30 @@
 package lightning.editor.window.model;
 
+import java.util.Map;
 import java.util.function.Supplier;
 import javafx.beans.property.BooleanProperty;
+import javafx.beans.property.DoubleProperty;
 import javafx.beans.property.ObjectProperty;
 import javafx.beans.property.SimpleBooleanProperty;
+import javafx.beans.property.SimpleDoubleProperty;
 import javafx.beans.property.SimpleObjectProperty;
 import lightning.base.text.Messages;
+import lightning.editor.document.Command;
 import lightning.editor.document.PictureArea;
 
 /** Layout of the window: sizes and visibility of pictures, panels and timeline. */
 public final class WindowLayout {
+    /** Maximum size of a dock, pixels. A larger stored value is an invalid preference. */
+    private static final double MAX_DOCK_SIZE = 32_768;
+
     private final ObjectProperty<CanvasLayout> canvasLayout = new SimpleObjectProperty<>(CanvasLayout.SIDE_BY_SIDE);
     private final BooleanProperty panelsHidden = new SimpleBooleanProperty();
 
     private final BooleanProperty welcomeAtStart = new SimpleBooleanProperty(true);
     private Supplier<PictureArea> pictureArea = () -> PictureArea.DEFAULT;
+    private final ObjectProperty<PanelArrangement> panels = new SimpleObjectProperty<>(PanelArrangement.INITIAL);
+    private final Map<PanelPlace, DoubleProperty> dockSizes =
+            Map.of(PanelPlace.LEFT, new SimpleDoubleProperty(), PanelPlace.BELOW, new SimpleDoubleProperty());
     private final BooleanProperty timelineShown = new SimpleBooleanProperty();
     private final BooleanProperty filmStripShown = new SimpleBooleanProperty();
 
@@ -48,6 +58,34 @@ public final class WindowLayout {
         }
     }
 
+    /** Creates the layout with both pictures and no panel. */
+    public WindowLayout() {
+        panels.subscribe(now -> timelineShown.set(now.isShown(Command.TIMELINE)));
+        timelineShown.subscribe(on -> {
+            PanelArrangement now = panels.get();
+            if (on != now.isShown(Command.TIMELINE)) {
+                panels.set(on ? now.open(Command.TIMELINE) : now.close(Command.TIMELINE));
+            }
+        });
+    }
+
+    /** Makes the commands apply their presets. */
+    void registerPresets(CommandRegistry commands) {
+        for (ArrangementPreset preset : ArrangementPreset.values()) {
+            commands.setAction(preset.command(), () -> preset.apply(this));
+        }
+    }
+
+    /** Places of the panels. */
+    public ObjectProperty<PanelArrangement> panelsProperty() {
+        return panels;
+    }
+
+    /** Width of the left dock or height of the lower one, pixels; 0 for the default. */
+    public DoubleProperty dockSizeProperty(PanelPlace dock) {
+        return dockSizes.get(dock);
+    }
+
     public ObjectProperty<CanvasLayout> canvasLayoutProperty() {
         return canvasLayout;
     }
@@ -57,7 +95,7 @@ public final class WindowLayout {
         return panelsHidden;
     }
 
-    /** True if the timeline is shown. Initially true for scenes with a shot. */
+    /** True if the timeline is open and not behind another panel. Initially true for scenes with a shot. */
     public BooleanProperty timelineShownProperty() {
         return timelineShown;
     }
@@ -86,11 +124,15 @@ public final class WindowLayout {
     public void restore(Preferences preferences) {
         canvasLayout.set(preferences.enumValue("arrangement", CanvasLayout.SIDE_BY_SIDE));
         welcomeAtStart.set(!preferences.hasValue("welcome", "false"));
+        dockSizes.forEach((dock, size) -> size.set(preferences.number("dock." + dock.name(), 0, MAX_DOCK_SIZE, 0)));
+        panels.set(PanelArrangement.parse(preferences.text("panels", "")));
     }
 
     /**  */
     public void save(Preferences preferences) {
         preferences.set("arrangement", canvasLayout.get().name());
         preferences.set("welcome", welcomeAtStart.get());
+        dockSizes.forEach((dock, size) -> preferences.set("dock." + dock.name(), size.get()));
+        preferences.set("panels", panels.get().format());
     }
 }

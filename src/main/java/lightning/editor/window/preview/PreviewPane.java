@@ -28,6 +28,9 @@ import org.kordamp.ikonli.javafx.FontIcon;
 /** Interactive preview of all lights in real time, in which lights are moved with the mouse. */
 public final class PreviewPane extends BorderPane implements AutoCloseable {
     private static final PseudoClass COMPACT = PseudoClass.getPseudoClass("compact");
+    /** Minimum height of a pane with a hint on the mouse, pixels. */
+    private static final double MIN_HINT_HEIGHT = 330;
+
     private final PreviewSettings settings;
     private final CommandRegistry commands;
     private final PreviewCanvas canvas;
@@ -55,6 +58,8 @@ public final class PreviewPane extends BorderPane implements AutoCloseable {
         footer = footer();
         header.managedProperty().bind(header.visibleProperty());
         footer.managedProperty().bind(footer.visibleProperty());
+        // In a low pane the picture needs the room more.
+        footer.visibleProperty().bind(heightProperty().greaterThan(MIN_HINT_HEIGHT).and(header.visibleProperty()));
         setTop(header);
         setCenter(stage);
         setBottom(footer);
@@ -63,7 +68,6 @@ public final class PreviewPane extends BorderPane implements AutoCloseable {
     /** Shows or hides header and footer; without them the pane is an inset of another one. */
     public void setCompact(boolean isCompact) {
         header.setVisible(!isCompact);
-        footer.setVisible(!isCompact);
         pseudoClassStateChanged(COMPACT, isCompact);
     }
 
@@ -112,12 +116,13 @@ public final class PreviewPane extends BorderPane implements AutoCloseable {
         sizes.setTooltip(new Tooltip(Messages.tr("Preview Resolution")));
         sizes.getItems().setAll(SizeMenu.previewSizeItems(commands, canvas.sizeProperty()));
         canvas.sizeProperty().subscribe(v -> sizes.setText(Messages.tr(v.title())));
-        return new PaneHeader(Messages.tr("Preview"), sizes, CommandButton.viewButton(commands, Command.VIEW_ALL, Messages.tr("Frame All")),
-                CommandButton.viewButton(commands, Command.VIEW_X, Messages.tr("Side")),
-                CommandButton.viewButton(commands, Command.VIEW_Y, Messages.tr("Top")),
-                CommandButton.viewButton(commands, Command.VIEW_Z, Messages.tr("Camera")),
+        CommandButton frameAll = CommandButton.viewButton(commands, Command.VIEW_ALL, Messages.tr("Frame All"));
+        CommandButton side = CommandButton.viewButton(commands, Command.VIEW_X, Messages.tr("Side"));
+        CommandButton top = CommandButton.viewButton(commands, Command.VIEW_Y, Messages.tr("Top"));
+        CommandButton camera = CommandButton.viewButton(commands, Command.VIEW_Z, Messages.tr("Camera"));
+        return new PaneHeader(Messages.tr("Preview"), sizes, frameAll, side, top, camera,
                 CommandButton.viewButton(commands, Command.HIDE_GIZMOS),
-                CommandButton.viewButton(commands, Command.LOOK_THROUGH_LIGHT));
+                CommandButton.viewButton(commands, Command.LOOK_THROUGH_LIGHT)).withOptional(sizes, frameAll, top, side, camera);
     }
 
     private void setCamera(PreviewCamera camera) {

@@ -78,7 +78,7 @@ final class FileField<F extends FileAsset> extends StackPane {
     private record WorldOwner(SceneAttribute<World, Optional<Environment>> attribute) implements Owner<Environment> {
         @Override
         public String text(EditorState now) {
-            return attribute.format(now.scene().world());
+            return Messages.tr(attribute.format(now.scene().world()));
         }
 
         @Override

@@ -32,7 +32,7 @@ import lightning.scene.LightAttribute.Section;
 import lightning.scene.NumericKind;
 import lightning.scene.ValueKind;
 
-/** Property editor of the selected light and the scene (paper §3.2, Figure 5). */
+/** Property editor of the selected light (paper §3.2, Figure 5). */
 public final class PropertyPane extends VBox {
     private static final String NO_LIGHT = Messages.key("no light is selected");
 
@@ -100,16 +100,7 @@ public final class PropertyPane extends VBox {
                 Stream.of(Section.COLOR, Section.CONE, Section.AREA, Section.ATTENUATION, Section.PLACE, Section.CONTRIBUTION,
                         Section.LINKS)
                         .map(this::section),
-                Stream.of(SectionLayout.section(Messages.tr("Light Group"), groupSection),
-                        SectionLayout.section(Messages.tr("Scene"), parameterWidget(NumericParameter.AMBIENCE),
-                                parameterWidget(NumericParameter.METERS),
-                                SectionLayout.caption(Messages.tr("Environment")),
-                                FileField.forWorld(editor, commands, files, visibleState),
-                                new EnvironmentPicture(editor, visibleState),
-                                parameterWidget(NumericParameter.ENVIRONMENT_INTENSITY),
-                                parameterWidget(NumericParameter.ENVIRONMENT_ROTATION),
-                                parameterWidget(NumericParameter.ENVIRONMENT_LAMPS),
-                                parameterWidget(NumericParameter.ENVIRONMENT_SOFTNESS))))
+                Stream.of(SectionLayout.section(Messages.tr("Light Group"), groupSection)))
                 .flatMap(s -> s)
                 .toArray(Node[]::new));
         setVgrow(scroll, Priority.ALWAYS);

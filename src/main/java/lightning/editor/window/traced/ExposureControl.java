@@ -12,28 +12,32 @@ import javafx.scene.layout.HBox;
 import lightning.base.text.Messages;
 import lightning.base.text.NumberUnit;
 import lightning.editor.document.StepRange;
-import lightning.editor.window.model.ErrorMessage;
 import lightning.editor.window.model.StatusMessage;
 import lightning.editor.window.model.ViewActions;
 import lightning.editor.window.widget.NumberField;
 import lightning.editor.window.widget.NumberSetting;
-import lightning.scene.SceneLimits;
 import org.kordamp.ikonli.javafx.FontIcon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignB;
 
 /** Exposure of the scene's view in stops, as a slider and a number field. */
 final class ExposureControl extends HBox {
-    private static final double MAX_STOPS = 8;
-    private static final StepRange STEPS = new StepRange(0.1, -MAX_STOPS, MAX_STOPS);
+    private static final StepRange STEPS = ViewActions.EXPOSURE_RANGE;
     private static final double KEY_STOPS = 0.25;
     /** Width of the slider's track, pixels: one pixel is about a tenth of a stop. */
     private static final double TRACK_WIDTH = 136;
     /** Minimum distance of a drag from the press, pixels. Ignores small movements during a double-click. */
     private static final double DRAG_THRESHOLD = 3;
 
+    private static final double NARROW_WIDTH = 72;
+    private static final double GAP = 4;
+    /** Width that a narrow slider saves, pixels. */
+    static final double NARROW_SAVING = TRACK_WIDTH - NARROW_WIDTH;
+    /** Width that hiding a narrow slider saves, pixels. */
+    static final double SLIDER_SAVING = NARROW_WIDTH + GAP;
+
     private final ViewActions views;
     private final StatusMessage message;
-    private final Slider slider = new Slider(-MAX_STOPS, MAX_STOPS, 0);
+    private final Slider slider = new Slider(STEPS.min(), STEPS.max(), 0);
     private boolean isUpdating;
     /** Identifies the drag of the slider; null while it is not dragged. */
     private Object drag;
@@ -48,8 +52,7 @@ final class ExposureControl extends HBox {
         slider.setId("exposure");
         slider.setAccessibleText(Messages.tr("Exposure"));
         slider.setBlockIncrement(KEY_STOPS);
-        slider.setMinWidth(TRACK_WIDTH);
-        slider.setPrefWidth(TRACK_WIDTH);
+        setNarrow(false);
         // The slider's own mouse handlers would jump to the pointer at the first press of a double-click, which is an edit.
         slider.addEventFilter(MouseEvent.MOUSE_PRESSED, this::press);
         slider.addEventFilter(MouseEvent.MOUSE_DRAGGED, this::drag);
@@ -66,7 +69,7 @@ final class ExposureControl extends HBox {
         Tooltip.install(this, new Tooltip(
                 Messages.tr("Exposure of the view in stops (double-click to reset).\nSaved in the scene; the lights do not change.")));
         setAlignment(Pos.CENTER);
-        setSpacing(4);
+        setSpacing(GAP);
         getChildren().setAll(List.<Node>of(new FontIcon(MaterialDesignB.BRIGHTNESS_6), slider, stops));
         views.viewProperty().subscribe(now -> {
             isUpdating = true;
@@ -96,7 +99,7 @@ final class ExposureControl extends HBox {
         e.consume();
         isDrag |= drag != null && Math.abs(e.getX() - pressedX) >= DRAG_THRESHOLD;
         if (drag != null && isDrag) {
-            slider.setValue(startStops + (e.getX() - pressedX) * 2 * MAX_STOPS / TRACK_WIDTH);
+            slider.setValue(startStops + (e.getX() - pressedX) * (STEPS.max() - STEPS.min()) / slider.getMinWidth());
         }
     }
 
@@ -105,13 +108,21 @@ final class ExposureControl extends HBox {
         drag = null;
     }
 
+    /** Makes the slider shorter; it still sets tenths of a stop, by more than one for each pixel. */
+    void setNarrow(boolean narrow) {
+        slider.setMinWidth(narrow ? NARROW_WIDTH : TRACK_WIDTH);
+        slider.setPrefWidth(narrow ? NARROW_WIDTH : TRACK_WIDTH);
+    }
+
+    /** Leaves only the number field. */
+    void setSliderHidden(boolean hidden) {
+        slider.setVisible(!hidden);
+        slider.setManaged(!hidden);
+    }
+
     private Optional<String> set(double stops, Object gesture) {
-        try {
-            SceneLimits.checkRange("exposure", stops, -MAX_STOPS, MAX_STOPS);
-        } catch (IllegalArgumentException e) {
-            message.show(ErrorMessage.of(e));
-            return Optional.of(e.getMessage());
-        }
-        return views.setExposure(stops, gesture);
+        Optional<String> refusal = views.setExposure(stops, gesture);
+        refusal.ifPresent(message::show);
+        return refusal;
     }
 }

@@ -228,11 +228,13 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         var zoom = new HBox(CommandButton.iconButton(commands, Command.TRACED_FIT),
                 CommandButton.iconButton(commands, Command.TRACED_ONE_TO_ONE));
         zoom.setAlignment(Pos.CENTER);
+        var exposure = new ExposureControl(views, editor.message());
         return new PaneHeader(Messages.tr("Ray traced"), difference, CommandButton.iconButton(commands, Command.ONLY_SELECTED), snapshot(),
                 compareBox,
-                new ExposureControl(views, editor.message()), viewMenu(),
+                exposure, viewMenu(),
                 CommandButton.iconButton(commands, Command.REGION),
-                zoom);
+                zoom).withNarrow(ExposureControl.NARROW_SAVING, exposure::setNarrow).withOptional(zoom)
+                .withNarrow(ExposureControl.SLIDER_SAVING, exposure::setSliderHidden);
     }
 
     private MenuButton viewMenu() {

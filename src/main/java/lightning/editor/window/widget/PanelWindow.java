@@ -10,17 +10,23 @@ import javafx.scene.layout.StackPane;
 import javafx.stage.Screen;
 import javafx.stage.Stage;
 import javafx.stage.Window;
+import javafx.stage.WindowEvent;
 
 /** Non-modal window of a panel; Escape closes it. */
 public class PanelWindow extends Stage {
     /** Distance from the corner of the editor's window, pixels. */
     private static final double MARGIN = 16;
+    /** Distance from the lower edge of the editor's window, pixels: its messages stay visible. */
+    private static final double BOTTOM_MARGIN = 40;
+
+    private final Region pane;
 
     /**
      * @param width  pixels
      * @param height  pixels
      */
     public PanelWindow(Window owner, String title, Region pane, double width, double height) {
+        this.pane = pane;
         initOwner(owner);
         setTitle(title);
         // Small screens scroll the content. The root must not be a control, which would lack part of the theme.
@@ -32,7 +38,7 @@ public class PanelWindow extends Stage {
         Scene content = ColorTheme.scene(new StackPane(scroll), Math.min(width, screen.getWidth()), Math.min(height, screen.getHeight()));
         content.addEventHandler(KeyEvent.KEY_PRESSED, event -> {
             if (event.getCode() == KeyCode.ESCAPE) {
-                close();
+                fireEvent(new WindowEvent(this, WindowEvent.WINDOW_CLOSE_REQUEST));
                 event.consume();
             }
         });
@@ -42,8 +48,13 @@ public class PanelWindow extends Stage {
         setOnShown(_ -> {
             // Covers the properties, so that the traced picture stays visible.
             setX(Math.max(owner.getX(), owner.getX() + owner.getWidth() - getWidth() - MARGIN));
-            setY(Math.max(owner.getY(), owner.getY() + owner.getHeight() - getHeight() - MARGIN));
+            setY(Math.max(owner.getY(), owner.getY() + owner.getHeight() - getHeight() - BOTTOM_MARGIN));
             WindowPlacement.fit(this);
         });
+    }
+
+    /** Returns the content. */
+    public Region pane() {
+        return pane;
     }
 }

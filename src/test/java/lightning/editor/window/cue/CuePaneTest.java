@@ -36,6 +36,7 @@ class CuePaneTest extends EditorFixture {
     /** Saves two looks, of which the second is applied. */
     private void saveTwoCues() {
         day = model().editor().scene();
+        floatPanels();
         robot.push(KeyCode.SHIFT, KeyCode.F4);
         saveCue("day");
         robot.interact(() -> model().editor().edit(s -> LightEdits.edit(s, "lamp", l -> l.withColor(new Rgb(0.1, 0.1, 0.5)))));

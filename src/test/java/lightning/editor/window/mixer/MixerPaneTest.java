@@ -37,6 +37,7 @@ class MixerPaneTest extends EditorFixture {
     @BeforeEach
     void openMixer() {
         first = model().editor().scene();
+        floatPanels();
         robot.push(KeyCode.F4);
         waitFor("the strips have thumbnails", () -> robot.lookup("#thumbnail-stage").<ImageView>query().getImage() != null);
     }

@@ -24,10 +24,16 @@ import lightning.editor.window.EditorFixture;
 import lightning.scene.Environment;
 import lightning.scene.Scene;
 import lightning.scene.World;
+import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.testfx.util.WaitForAsyncUtils;
 
 class EnvironmentFieldTest extends EditorFixture {
+    @BeforeEach
+    void showWorld() {
+        robot.interact(() -> model().commands().run(Command.EDIT_WORLD));
+    }
+
     private MenuButton choice() {
         return robot.lookup("#environment").query();
     }
@@ -127,10 +133,9 @@ class EnvironmentFieldTest extends EditorFixture {
     }
 
     @Test
-    void environmentNumbers_withoutEnvironment_areDisabled() throws IOException {
+    void environmentNumbers_withoutEnvironment_areNotShown() throws IOException {
         Stream.of("intensity", "rotation", "samples", "shadow-smoothing").map(n -> robot.lookup("#environment-" + n).<Node>query())
-                .forEach(dial -> assertThat(robot.from(dial).lookup((Node n) -> n instanceof TextField).<Node>query().isDisabled())
-                        .isTrue());
+                .forEach(dial -> assertThat(dial.getParent().isVisible()).isFalse());
         writeEnvironmentMap("dusk.hdr");
         choose("dusk.hdr");
         waitFor("the file is read", () -> choiceText().equals("dusk.hdr"));
@@ -163,9 +168,26 @@ class EnvironmentFieldTest extends EditorFixture {
         writeEnvironmentMap("red_dusk.hdr");
         choose("red_dusk.hdr");
         waitFor("the file is read", () -> choiceText().equals("red_dusk.hdr"));
+        floatPanels();
         robot.push(KeyCode.F4);
         Label name = robot.from(robot.lookup("#strip-head-environment").<Node>query()).lookup((Node n) -> n instanceof Label).query();
         waitFor("the strip is laid out", () -> name.getWidth() > 0);
         assertThat(name.getWidth()).isGreaterThanOrEqualTo(name.prefWidth(-1));
+    }
+
+    @Test
+    void muteInMixer_restoresIntensity() throws IOException {
+        writeEnvironmentMap("dusk.hdr");
+        choose("dusk.hdr");
+        waitFor("the file is read", () -> choiceText().equals("dusk.hdr"));
+        type("environment-intensity", "2.5");
+        floatPanels();
+        robot.push(KeyCode.F4);
+        waitFor("the strip exists", () -> robot.lookup("#mute-environment").tryQuery().isPresent());
+        click("mute-environment");
+        assertThat(world().intensity()).isZero();
+        click("mute-environment");
+        assertThat(world().intensity()).isEqualTo(2.5);
+        assertThat(isShown("solo-environment")).as("the environment has no solo").isFalse();
     }
 }
