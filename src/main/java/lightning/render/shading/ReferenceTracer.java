@@ -36,6 +36,7 @@ public final class ReferenceTracer {
     private final Geometry geometry;
     private final MaterialTable materials;
     private final WeightedLight[] lights;
+    private final boolean forEdges;
     private final ShadowRayTarget[] targets;
     /** Shadow ray targets of area light samples. */
     private final Map<Vec3, ShadowRayTarget> sampleTargets = new HashMap<>();
@@ -61,6 +62,7 @@ public final class ReferenceTracer {
     /** @param forEdges true for the colors by which anti-aliasing decides ({@link EdgeColors}) */
     private ReferenceTracer(Scene scene, Scene mirrored, boolean forEdges) {
         this.scene = scene;
+        this.forEdges = forEdges;
         mirrorTracer = scene == mirrored ? this : new ReferenceTracer(mirrored, mirrored, forEdges);
         geometry = new Geometry(scene);
         materials = geometry.materials();
@@ -239,7 +241,7 @@ public final class ReferenceTracer {
         List<String> names = new ArrayList<>(scene.stage().enclosingGroups(shape).stream().map(NodeGroup::name).toList());
         names.add(shape);
         return names.reversed().stream().flatMap(name -> light.contribution().gains().get(name).stream()).findFirst()
-                .map(gain -> (float) light.limitedGain(gain)).orElse(1f);
+                .map(gain -> (float) light.limitedGain(gain)).map(gain -> forEdges ? LightWeight.nearestPowerOfTwo(gain) : gain).orElse(1f);
     }
 
     /** Returns the terms of a point light. */

@@ -2,10 +2,16 @@ package lightning.render.relight;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.nio.file.Path;
 import java.util.List;
+import lightning.base.work.Progress;
+import lightning.format.jen.JenException;
+import lightning.format.jen.JenReader;
+import lightning.render.image.FilmAssert;
 import lightning.render.relight.plan.LightUpdate;
 import lightning.render.relight.plan.ReflectionMode;
 import lightning.render.relight.tile.MirrorStorage;
+import lightning.render.relight.tile.RenderOptions;
 import lightning.render.shading.ReferenceTracer;
 import lightning.sample.StudioScene;
 import lightning.scene.Contribution;
@@ -141,6 +147,25 @@ class LightGainWorkTest {
             var film = studio.renderer().film();
             return java.util.stream.IntStream.range(0, film.width() * film.height())
                     .mapToObj(i -> film.red(i % film.width(), i / film.width())).toList();
+        }
+    }
+
+    /** Edges are found from rounded gains, like weights. */
+    @Test
+    void gainsThatAreNoPowersOfTwo_smoothTheEdgesOfTheReference() throws JenException {
+        Scene scene = JenReader.read("""
+                jen 1
+                picture { size 40 24  antialias edges  samples 3 }
+                camera { from 0 1 6  to 0 0 0 }
+                material white { diffuse 0.8 0.7 0.6 }
+                plane floor { material white  at 0 -1 0  scale 14 1 14 }
+                sphere ball { material white }
+                sphere small { material white  at 1.5 0 0  scale 0.4 0.4 0.4 }
+                light key point { at 3 4 3  gains "ball" 0.4 "small" 0.7 "floor" 0.75 }
+                """, "edges.jen", Path.of("")).scene();
+        try (Renderer renderer = new Renderer(RenderOptions.DEFAULT.withThreads(1))) {
+            renderer.render(scene, Progress.NONE);
+            FilmAssert.assertSameBits(renderer.film(), new ReferenceTracer(scene).trace(), "gains at edges");
         }
     }
 }
