@@ -13,6 +13,7 @@ import javafx.application.Platform;
 import javafx.geometry.Bounds;
 import javafx.geometry.Rectangle2D;
 import javafx.scene.Node;
+import javafx.scene.Parent;
 import javafx.scene.image.PixelReader;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.MouseButton;
@@ -59,7 +60,8 @@ public final class FirstMinutes {
                 } catch (Throwable e) {
                     e.printStackTrace();
                 }
-                Platform.exit();
+                // A dialog still waits for an answer.
+                Runtime.getRuntime().halt(0);
             });
         }
     }
@@ -85,14 +87,15 @@ public final class FirstMinutes {
         command(editor, Command.ARRANGE_COMPARE);
         Thread.sleep(DRAW_MS);
         capture("arrangement for comparing");
-        onWindow(() -> editor.window().openDropped(List.of(model)));
+        // The choice waits for an answer.
+        Platform.runLater(() -> editor.window().openDropped(List.of(model)));
         Thread.sleep(10 * DRAW_MS);
         capture("model with a choice of lighting");
     }
 
     /** Drags a fader down in small steps, and waits for the exact picture. */
     private void dragFader(Editor editor) throws Exception {
-        Bounds thumb = screenBounds(node("#mixer .slider .thumb"));
+        Bounds thumb = screenBounds(((Parent) node("#fader-her_spot")).getChildrenUnmodifiable().getLast());
         double x = thumb.getCenterX();
         double y = thumb.getCenterY();
         onWindow(() -> {
