@@ -14,6 +14,7 @@ import javafx.geometry.Bounds;
 import javafx.geometry.Rectangle2D;
 import javafx.scene.Node;
 import javafx.scene.Parent;
+import javafx.scene.control.Button;
 import javafx.scene.image.PixelReader;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.MouseButton;
@@ -89,6 +90,9 @@ public final class FirstMinutes {
         capture("arrangement for comparing");
         // The choice waits for an answer.
         Platform.runLater(() -> editor.window().openDropped(List.of(model)));
+        Thread.sleep(2 * DRAW_MS);
+        capture("question about unsaved changes");
+        fire("Don't Save");
         Thread.sleep(10 * DRAW_MS);
         capture("model with a choice of lighting");
     }
@@ -140,6 +144,16 @@ public final class FirstMinutes {
         onWindow(() -> {
             robot.mouseMove(at.getCenterX(), at.getCenterY());
             robot.mouseClick(button);
+            return null;
+        });
+    }
+
+    /** Presses a button of a dialog. */
+    private static void fire(String text) throws Exception {
+        onWindow(() -> {
+            Window.getWindows().stream().flatMap(window -> window.getScene().getRoot().lookupAll(".button").stream())
+                    .filter(node -> node instanceof Button button && text.equals(button.getText())).findFirst()
+                    .ifPresent(button -> Platform.runLater(((Button) button)::fire));
             return null;
         });
     }

@@ -3,7 +3,7 @@ package lightning.scene;
 import io.soabase.recordbuilder.core.RecordBuilder;
 
 /**
- * What a light does to surfaces, apart from its own brightness.
+ * Effect of a light on surfaces, apart from its own brightness.
  *
  * @param castsShadows false if no shape blocks or tints the light, so that it casts no shadow rays
  * @param diffuse      factor of its diffuse contributions, also in indirect light

@@ -4,7 +4,7 @@ import io.soabase.recordbuilder.core.RecordBuilder;
 import lightning.base.math.Rgb;
 
 /**
- * What multiplies a light's color and intensity: exposure, unit and color temperature. {@link LightAttribute} has their ranges.
+ * Factors of a light's color and intensity: exposure, unit and color temperature. {@link LightAttribute} has their ranges.
  *
  * @param exposure    stops: each doubles the light
  * @param unit        unit of the intensity

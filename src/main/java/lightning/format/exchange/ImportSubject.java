@@ -5,7 +5,7 @@ import java.util.stream.Stream;
 import lightning.base.math.Vec3;
 
 /**
- * What an imported file contains.
+ * Contents of an imported file.
  *
  * @param min lowest corner of the bounding box of all objects, scene units
  * @param max highest corner

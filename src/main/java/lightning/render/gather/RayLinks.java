@@ -21,7 +21,7 @@ public final class RayLinks {
     private final PathMemory memory;
     private int rays;
     private long[] keys = {};
-    /** What each ray hit while links are built. */
+    /** Kind of each ray's hit while links are built. */
     private byte[] hit = {};
     /** Surfel of each ray; the number of surfels if it hits nothing; larger numbers for surfels without glow. */
     private RayNumbers surfel = new RayNumbers(0, 1);

@@ -68,7 +68,7 @@ final class TracedMouse implements AutoCloseable {
     private Consumer<PixelReport> onPick;
     private String pickHint = "";
     private boolean isPanning;
-    /** How the current drag moves the image; null if it does not. */
+    /** Motion of the image during the current drag; null if the drag does not move it. */
     private CameraDrag viewDrag;
     /** True if the user canceled the drag before releasing the button. */
     private boolean isCanceled;
