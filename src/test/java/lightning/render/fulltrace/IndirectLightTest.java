@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import lightning.base.math.Rgb;
+import lightning.base.math.Vec3;
 import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
 import lightning.format.jen.JenException;
@@ -14,6 +15,7 @@ import lightning.format.jen.JenReader;
 import lightning.render.image.Film;
 import lightning.sample.IndirectScenes;
 import lightning.scene.IndirectSettings;
+import lightning.scene.Light;
 import lightning.scene.Scene;
 import lightning.scene.World;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -26,6 +28,11 @@ class IndirectLightTest {
      * to 2⁻²⁴ of at most 1. Other sums here are exact.
      */
     private static final float FILTER_ROUNDING = 2 * 192 * 0x1p-24f;
+    /**
+     * Roundings of a value: at each of at most three bounces 64 rays and 6 factors, then a filter of at most 256 points with its weights,
+     * eight points of a row, and 20 at each of five levels.
+     */
+    private static final double SUM_ROUNDING = (3 * 70 + 2 * 256 + 16 + 100) * 0x1p-24;
 
     private static Film trace(Scene scene) {
         try (WorkerPool workers = new WorkerPool(1)) {
@@ -72,6 +79,21 @@ class IndirectLightTest {
             expected[i] *= 2;
         }
         assertThat(twice.toScanlines()).isEqualTo(expected);
+    }
+
+    /** Each value is a sum of products of values of at least 0, so roundings add up relative to the value. */
+    @ParameterizedTest
+    @ValueSource(strings = {"room", "mirror ball", "glass ball", "textures"})
+    void twoLights_giveTheSumOfTheirPictures(String name) {
+        Scene scene = withoutBackground(IndirectScenes.all().get(name));
+        Light other = scene.lights().getFirst().withName("second").withPosition(new Vec3(-0.6, 0.3, 0.5)).withColor(new Rgb(0.3, 0.9, 2));
+        float[] first = trace(scene).toScanlines();
+        float[] second = trace(scene.withLights(List.of(other))).toScanlines();
+        float[] both = trace(scene.withLights(List.of(scene.lights().getFirst(), other))).toScanlines();
+        for (int i = 0; i < both.length; i++) {
+            double sum = (double) first[i] + second[i];
+            assertThat((double) both[i]).isCloseTo(sum, within(SUM_ROUNDING * (both[i] + sum)));
+        }
     }
 
     @ParameterizedTest
