@@ -78,7 +78,9 @@ class VisibleStateTest {
     /** Checks that the normal form renders the same image in every bit. */
     @Property(tries = 60)
     void visibleState_rendersSamePicture(@ForAll("sessions") EditSession session) {
-        Scene any = session.scenes().getLast();
+        Scene last = session.scenes().getLast();
+        // Bulbs find their lights by name.
+        Scene any = last.withMaterials(last.materials().stream().map(m -> m.withBulb(Bulb.NONE)).toList());
         Scene plain = new Scene(any.picture(), any.camera(), any.world(), any.materials(), any.nodes(),
                 VisibleState.of(any).lights().stream().map(l -> l.withName("unlike_" + l.name())).toList());
         try (var workers = new WorkerPool(1)) {

@@ -18,6 +18,7 @@ import lightning.render.relight.tile.TileRecomposer;
 import lightning.render.shading.WeightedLight;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.SamplePositions;
+import lightning.scene.Bulb;
 import lightning.scene.Light;
 import lightning.scene.Scene;
 import lightning.scene.Stage;
@@ -42,7 +43,9 @@ public final class LightImage {
             lights.add(l.name().equals(light) && scene.isActive(l) ? l : l.withOn(false));
         }
         Stage stage =
-                scene.stage().withMaterials(scene.materials().stream().map(m -> m.glow().isBlack() ? m : m.withGlow(Rgb.BLACK)).toList());
+                scene.stage().withMaterials(scene.materials().stream()
+                        .map(m -> m.glow().isBlack() && m.bulb().light().isEmpty() ? m : m.withGlow(Rgb.BLACK).withBulb(Bulb.NONE))
+                        .toList());
         return new Scene(scene.picture(), scene.camera(), new World(0, Rgb.BLACK), stage, scene.rig().withLights(lights));
     }
 

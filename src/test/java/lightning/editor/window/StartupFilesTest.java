@@ -4,11 +4,13 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import javafx.scene.control.Button;
 import javafx.stage.Stage;
 import lightning.sample.Slow;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.api.io.TempDir;
+import org.testfx.api.FxRobot;
 import org.testfx.framework.junit5.Start;
 import org.testfx.framework.junit5.Stop;
 
@@ -44,7 +46,9 @@ class StartupFilesTest {
     }
 
     @Test
-    void foreignFile_createsSceneNextToIt() throws Exception {
+    void foreignFile_createsSceneNextToIt(FxRobot robot) throws Exception {
+        TestEditors.await(() -> robot.lookup("#lighting-studio").tryQuery().isPresent());
+        robot.interact(() -> robot.lookup("#lighting-studio").<Button>query().fire());
         TestEditors.await(() -> editor != null && editor.model().editor().document().name().equals("tri.jen"));
         assertThat(folder.resolve("tri.jen")).exists();
     }

@@ -66,7 +66,7 @@ record PaletteEntry(Command command, String title, String menuPath, Optional<Str
     private static OptionalInt score(PaletteEntry entry, String query) {
         OptionalInt titleScore = FuzzyMatch.score(query, entry.title());
         if (titleScore.isPresent()) {
-            return OptionalInt.of(1000 + titleScore.getAsInt());
+            return OptionalInt.of((entry.title().equalsIgnoreCase(query.strip()) ? 2000 : 1000) + titleScore.getAsInt());
         }
         OptionalInt pathScore = FuzzyMatch.score(query, entry.menuPath() + " " + entry.title());
         return pathScore.isPresent() || query.strip().length() < 3 ? pathScore : FuzzyMatch.containsWords(query, entry.command().help());

@@ -32,7 +32,7 @@ public final class CommandRegistry {
         return editorState;
     }
 
-    /**  */
+    /** Returns the keys of the commands. */
     public KeyBindings keyBindings() {
         return keyBindings;
     }

@@ -46,7 +46,7 @@ public final class GizmoPainter {
                 .forEach(handle -> drawLines(g, NodeGizmo.strokes(handle, camera, canvas), color(handle), HANDLE_WIDTH, outlineWidth));
     }
 
-    /**  */
+    /** Returns the color of a handle. */
     private static Color color(NodeGizmo.Handle handle) {
         return switch (handle.action()) {
             case MOVE, ROTATE -> AXES.get(handle.axis());

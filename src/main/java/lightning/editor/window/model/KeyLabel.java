@@ -14,7 +14,7 @@ public final class KeyLabel extends KeyCombination {
 
     private final KeyCombination key;
 
-    /**  */
+    /** Creates a label of a key combination. */
     public KeyLabel(KeyCombination key) {
         super(key.getShift(), key.getControl(), key.getAlt(), key.getMeta(), key.getShortcut());
         this.key = key;

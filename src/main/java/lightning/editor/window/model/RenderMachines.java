@@ -18,13 +18,13 @@ public final class RenderMachines {
         return certificate;
     }
 
-    /**  */
+    /** Reads the machines from the preferences. */
     public void restore(Preferences preferences) {
         hosts.set(preferences.text("machines", ""));
         certificate.set(preferences.text("certificate", ""));
     }
 
-    /**  */
+    /** Stores the machines in the preferences. */
     public void save(Preferences preferences) {
         preferences.set("machines", hosts.get());
         preferences.set("certificate", certificate.get());

@@ -120,15 +120,16 @@ public final class WindowLayout {
         pictureArea = source;
     }
 
-    /** Restores the arrangement. Panels are always shown at startup. */
+    /** Restores the arrangement. Panels are always shown at startup; the timeline is if the document has a shot. */
     public void restore(Preferences preferences) {
         canvasLayout.set(preferences.enumValue("arrangement", CanvasLayout.SIDE_BY_SIDE));
         welcomeAtStart.set(!preferences.hasValue("welcome", "false"));
         dockSizes.forEach((dock, size) -> size.set(preferences.number("dock." + dock.name(), 0, MAX_DOCK_SIZE, 0)));
-        panels.set(PanelArrangement.parse(preferences.text("panels", "")));
+        PanelArrangement stored = PanelArrangement.parse(preferences.text("panels", ""));
+        panels.set(timelineShown.get() ? stored.open(Command.TIMELINE) : stored.close(Command.TIMELINE));
     }
 
-    /**  */
+    /** Stores the arrangement. */
     public void save(Preferences preferences) {
         preferences.set("arrangement", canvasLayout.get().name());
         preferences.set("welcome", welcomeAtStart.get());

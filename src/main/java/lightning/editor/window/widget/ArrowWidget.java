@@ -31,7 +31,7 @@ public final class ArrowWidget extends VBox {
         disabledReason = new DisabledReason(this, row);
     }
 
-    /**  */
+    /** Shows a value. */
     public void show(double value) {
         field.show(value);
     }

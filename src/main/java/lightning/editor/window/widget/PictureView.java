@@ -89,7 +89,7 @@ public final class PictureView extends Region {
         return empty.getReadOnlyProperty();
     }
 
-    /**  */
+    /** Removes the picture. */
     public void clear() {
         buffer = null;
         empty.set(true);

@@ -50,7 +50,7 @@ public final class VectorField extends VBox {
         row.getChildren().addAll(label, field);
     }
 
-    /**  */
+    /** Shows a vector. */
     public void show(Vec3 v) {
         value = v;
         fields.get(0).show(v.x());

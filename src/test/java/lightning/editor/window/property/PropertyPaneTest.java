@@ -124,7 +124,7 @@ class PropertyPaneTest {
     }
 
     private static List<Node> inputs(Node controls) {
-        return Stream.of(".combo-box", ".menu-button", ".text-field").flatMap(css -> controls.lookupAll(css).stream()).toList();
+        return Stream.of(".combo-box", ".menu-button", ".text-field", "#gains").flatMap(css -> controls.lookupAll(css).stream()).toList();
     }
 
     @Test

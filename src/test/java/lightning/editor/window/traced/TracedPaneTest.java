@@ -22,7 +22,9 @@ import lightning.editor.document.DeskScene;
 import lightning.editor.document.LightEdits;
 import lightning.editor.document.NumericParameter;
 import lightning.editor.window.EditorFixture;
+import lightning.editor.window.FastRobot;
 import lightning.editor.window.model.AccuracyMode;
+import lightning.editor.window.model.WindowLayout.CanvasLayout;
 import lightning.editor.window.widget.PictureView;
 import lightning.editor.window.widget.TextTyping;
 import lightning.format.image.CubeLutReader;
@@ -190,6 +192,7 @@ class TracedPaneTest extends EditorFixture {
     /** Dragging by one pixel changes the exposure by at most a quarter of a stop. */
     @Test
     void exposureSlider_isWideEnough() {
+        widenPane();
         Slider slider = robot.lookup("#exposure").query();
         assertThat((slider.getMax() - slider.getMin()) / slider.getWidth()).isLessThan(0.12);
         robot.drag(slider, MouseButton.PRIMARY).dropBy(4, 0);
@@ -212,6 +215,7 @@ class TracedPaneTest extends EditorFixture {
 
     @Test
     void exposureDrag_isOneUndoStep() {
+        widenPane();
         robot.drag(robot.lookup("#exposure").<Slider>query(), MouseButton.PRIMARY).moveBy(10, 0).moveBy(10, 0).dropBy(10, 0);
         assertThat(model().editor().scene().picture().view().exposure()).isGreaterThan(0.5);
         click("undo");
@@ -222,6 +226,7 @@ class TracedPaneTest extends EditorFixture {
     /** The presses of a double-click next to the thumb are no edits themselves. */
     @Test
     void exposureDoubleClick_resetsInOneUndoStep() {
+        widenPane();
         robot.interact(() -> robot.lookup("#exposure").<Slider>query().setValue(2));
         robot.doubleClickOn(robot.lookup("#exposure").<Slider>query());
         assertThat(model().editor().scene().picture().view().exposure()).isZero();
@@ -441,10 +446,17 @@ class TracedPaneTest extends EditorFixture {
 
     @Test
     void actualSize_mapsPixelsOneToOne() {
+        widenPane();
         click("traced-one-to-one");
         PictureView picture = robot.lookup("#traced-picture").query();
         assertThat(picture.magnification()).isEqualTo(1);
         click("traced-fit");
         assertThat(picture.magnification()).isGreaterThan(2);
+    }
+
+    /** A narrow pane leaves out some controls of its header. */
+    private void widenPane() {
+        robot.interact(() -> model().layout().canvasLayoutProperty().set(CanvasLayout.PICTURE_ALONE));
+        FastRobot.settle();
     }
 }
