@@ -207,9 +207,11 @@ final class MaterialPane extends VBox {
     }
 
     private Row bulb(ValueKind.NameKind kind) {
-        var box = new BulbBox(editor, kind, light -> editor.editOrReport(scene -> MaterialEdits.setBulb(scene, shownName, light)));
+        var box = new NameChoice(editor, MaterialAttribute.BULB.id(), MaterialAttribute.BULB.title(), kind,
+                light -> editor.editOrReport(scene -> MaterialEdits.setBulb(scene, shownName, light)));
         Node node = labeled(SectionLayout.title(MaterialAttribute.BULB.title()), box, box.box());
-        return new Row(MaterialAttribute.BULB, node, box::setDisabledReason, m -> box.show(m.bulb().light()), box::showNothing, () -> {});
+        return new Row(MaterialAttribute.BULB, node, box::setDisabledReason, m -> box.show(editor.scene(), m.bulb().light()),
+                () -> box.show(editor.scene(), null), () -> {});
     }
 
     private static Node labeled(String title, AttributeChoiceBox<?> box) {

@@ -10,24 +10,25 @@ import javafx.util.StringConverter;
 import lightning.base.text.Messages;
 import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.DisabledReason;
-import lightning.scene.MaterialAttribute;
 import lightning.scene.Scene;
 import lightning.scene.ValueKind;
 
-/** Combo box for the light whose bulb a material is, including none. */
-final class BulbBox extends StackPane {
-    private final SceneEditor editor;
+/** Combo box for a name in the scene, including none. */
+class NameChoice extends StackPane {
     private final ValueKind.NameKind kind;
     private final ComboBox<String> box = new ComboBox<>();
     private final DisabledReason disabledReason;
     private boolean isUpdating;
 
-    /** @param onChosen receives the name of the light, empty for none */
-    BulbBox(SceneEditor editor, ValueKind.NameKind kind, Consumer<String> onChosen) {
-        this.editor = editor;
+    /**
+     * @param id       of the box
+     * @param title    title of the attribute, for screen readers
+     * @param onChosen receives the name, empty for none
+     */
+    NameChoice(SceneEditor editor, String id, String title, ValueKind.NameKind kind, Consumer<String> onChosen) {
         this.kind = kind;
-        box.setId(MaterialAttribute.BULB.id());
-        box.setAccessibleText(Messages.tr(MaterialAttribute.BULB.title()));
+        box.setId(id);
+        box.setAccessibleText(Messages.tr(title));
         box.setMaxWidth(Double.MAX_VALUE);
         box.setConverter(new StringConverter<>() {
             @Override
@@ -45,7 +46,7 @@ final class BulbBox extends StackPane {
                 onChosen.accept(now);
             }
         });
-        box.setOnShowing(_ -> showNames(editor.scene(), box.getValue()));
+        box.setOnShowing(_ -> show(editor.scene(), box.getValue()));
         getChildren().add(box);
         disabledReason = new DisabledReason(this, box, Messages.tr(kind.help()));
     }
@@ -54,16 +55,13 @@ final class BulbBox extends StackPane {
         return box;
     }
 
-    /** Shows the name of a light, empty for none. */
-    void show(String light) {
-        showNames(editor.scene(), light);
-    }
-
-    void showNothing() {
-        showNames(editor.scene(), null);
-    }
-
-    private void showNames(Scene scene, String value) {
+    /**
+     * Shows a name.
+     *
+     * @param scene its names can be chosen
+     * @param value empty for none, null for nothing
+     */
+    void show(Scene scene, String value) {
         List<String> names = Stream.concat(Stream.of(""), kind.names().apply(scene).stream()).toList();
         isUpdating = true;
         if (!box.getItems().equals(names)) {
