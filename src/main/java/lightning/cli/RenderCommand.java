@@ -4,6 +4,7 @@ import java.util.concurrent.Callable;
 import lightning.base.work.WorkerPool;
 import lightning.format.exr.ExrType;
 import lightning.format.image.ImageFormat;
+import lightning.format.layer.ExrContent;
 import lightning.format.layer.LayeredExrWriter;
 import lightning.render.engine.choice.Engines;
 import lightning.render.fulltrace.TraditionalTracer;
@@ -94,8 +95,8 @@ final class RenderCommand implements Callable<Integer> {
             var update = renderer.render(scene, bar);
             if (layers) {
                 long start = System.nanoTime();
-                LayeredExrWriter file = new LayeredExrWriter(renderer.cache(), renderer.options().engines(),
-                        output.bits() == Short.SIZE ? ExrType.HALF : ExrType.FLOAT);
+                LayeredExrWriter file = new LayeredExrWriter(renderer.cache(), renderer.options().engines(), ExrContent.layers(
+                        output.bits() == Short.SIZE ? ExrType.HALF : ExrType.FLOAT), java.util.Optional.empty());
                 try (WorkerPool workers = new WorkerPool(threads.count()); ProgressBar writing = new ProgressBar(console, "writing")) {
                     file.write(output.file(), renderer.options().memory() - renderer.bytes(), workers, writing);
                 }

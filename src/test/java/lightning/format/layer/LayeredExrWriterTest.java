@@ -13,6 +13,7 @@ import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import lightning.base.math.Ray;
 import lightning.base.math.Rgb;
@@ -183,7 +184,7 @@ class LayeredExrWriterTest {
         try (Renderer renderer = new Renderer(RenderOptions.DEFAULT.withThreads(1))) {
             renderer.render(scene, Progress.NONE);
             ExrValues file = writeFile(renderer, ExrType.FLOAT);
-            assertThat(file.list("lightning/sum")).containsExactly("background", "ambient", "emission", "key.diffuse", "key.specular",
+            assertThat(file.list("lightning/sum")).containsExactly("background", "ambient", "emission", "key_diffuse", "key_specular",
                     "reflections", "rounding");
             List<String> materials = file.list("lightning/materials");
             for (int i = 0; i < file.width * file.height; i++) {
@@ -237,10 +238,10 @@ class LayeredExrWriterTest {
         try (Renderer renderer = new Renderer(RenderOptions.DEFAULT.withThreads(1))) {
             renderer.render(odd, Progress.NONE);
             ExrValues file = writeFile(renderer, ExrType.HALF);
-            assertThat(file.list("lightning/sum")).containsExactly("background", "ambient", "key.diffuse", "key.specular",
-                    "_2nd_rim_light.diffuse", "_2nd_rim_light.specular", "_2nd_rim_light_2.diffuse", "_2nd_rim_light_2.specular",
-                    "Key_2.diffuse", "Key_2.specular", "reflections");
-            assertThat(file.map("lightning/lights")).containsEntry("_2nd_rim_light.diffuse", "2nd rim.light");
+            assertThat(file.list("lightning/sum")).containsExactly("background", "ambient", "key_diffuse", "key_specular",
+                    "_2nd_rim_light_diffuse", "_2nd_rim_light_specular", "_2nd_rim_light_2_diffuse", "_2nd_rim_light_2_specular",
+                    "Key_2_diffuse", "Key_2_specular", "reflections");
+            assertThat(file.map("lightning/lights")).containsEntry("_2nd_rim_light_diffuse", "2nd rim.light");
             assertThat(List.copyOf(file.values.keySet())).contains("R", "key.diffuse.R", "N.X", "P.Z", "Z").isSorted();
         }
     }
@@ -249,7 +250,7 @@ class LayeredExrWriterTest {
     void canceledExport_leavesNoFile() {
         try (Renderer renderer = new Renderer(RenderOptions.DEFAULT.withThreads(1)); WorkerPool workers = new WorkerPool(1)) {
             renderer.render(StudioScene.of(LightType.POINT), Progress.NONE);
-            LayeredExrWriter file = new LayeredExrWriter(renderer.cache(), renderer.options().engines(), ExrType.HALF);
+            LayeredExrWriter file = new LayeredExrWriter(renderer.cache(), renderer.options().engines(), ExrContent.layers(ExrType.HALF), Optional.empty());
             assertThatThrownBy(() -> file.write(folder.resolve("a.exr"), Long.MAX_VALUE, workers, new Progress() {
                 @Override
                 public void report(int done, int total) {}
@@ -267,7 +268,7 @@ class LayeredExrWriterTest {
     void exportBeyondMemoryLimit_isRejected() {
         try (Renderer renderer = new Renderer(RenderOptions.DEFAULT.withThreads(1)); WorkerPool workers = new WorkerPool(1)) {
             renderer.render(StudioScene.of(LightType.POINT), Progress.NONE);
-            LayeredExrWriter file = new LayeredExrWriter(renderer.cache(), renderer.options().engines(), ExrType.HALF);
+            LayeredExrWriter file = new LayeredExrWriter(renderer.cache(), renderer.options().engines(), ExrContent.layers(ExrType.HALF), Optional.empty());
             assertThatIOException()
                     .isThrownBy(() -> file.write(folder.resolve("a.exr"), file.bytesToWrite(1) - 1, workers, Progress.NONE))
                     .withMessageContaining("GB of memory to write");
@@ -278,7 +279,7 @@ class LayeredExrWriterTest {
     private static ExrValues writeFile(Renderer renderer, ExrType type) throws IOException {
         Path file = Files.createTempFile("layers", ".exr");
         try (WorkerPool workers = new WorkerPool(2)) {
-            new LayeredExrWriter(renderer.cache(), renderer.options().engines(), type).write(file, Long.MAX_VALUE, workers, Progress.NONE);
+            new LayeredExrWriter(renderer.cache(), renderer.options().engines(), ExrContent.layers(type), Optional.empty()).write(file, Long.MAX_VALUE, workers, Progress.NONE);
             return new ExrValues(file);
         } finally {
             Files.delete(file);
@@ -296,7 +297,7 @@ class LayeredExrWriterTest {
             try (ExrReader reader = new ExrReader(file)) {
                 width = reader.header().width();
                 height = reader.header().height();
-                attributes = new HashMap<>(reader.header().attributes());
+                attributes = new HashMap<>(reader.header().texts());
                 List<String> names = reader.header().channels().stream().map(ExrChannel::name).toList();
                 names.forEach(name -> values.put(name, new float[width * height]));
                 List<float[]> columns = new ArrayList<>(values.values());

@@ -17,6 +17,7 @@ import lightning.editor.window.model.StatusMessage;
 import lightning.format.exr.ExrType;
 import lightning.format.image.ImageFile;
 import lightning.format.jen.JenFile;
+import lightning.format.layer.ExrContent;
 import lightning.format.layer.LayeredExrWriter;
 import lightning.render.cache.PixelCache;
 import lightning.render.image.ViewTransform;
@@ -77,7 +78,7 @@ final class PictureExport {
             ImageFile.write(file, frame.film(), view, kind.bits());
             return;
         }
-        var layers = new LayeredExrWriter(cache, RenderOptions.DEFAULT.engines(), kind.bits() == Short.SIZE ? ExrType.HALF : ExrType.FLOAT);
+        var layers = new LayeredExrWriter(cache, RenderOptions.DEFAULT.engines(), ExrContent.layers(kind.bits() == Short.SIZE ? ExrType.HALF : ExrType.FLOAT), java.util.Optional.empty());
         try (var workers = new WorkerPool(WorkerPool.processorCount())) {
             layers.write(file, HeapBudget.availableBytes() - MemoryEstimate.usedBytes(cache), workers,
                     new FileProgressMessage(file, model.fileActivity(), model.files().windowExecutor(), message));
