@@ -29,12 +29,13 @@ final class LayerChannels implements ChannelSource {
     /**
      * @param cache cache of a finished image
      * @param type HALF or FLOAT; halves have no residual layer
+     * @param all true for layers of lights that are off too
      */
-    LayerChannels(PixelCache cache, ExrType type) {
+    LayerChannels(PixelCache cache, ExrType type, boolean all) {
         this.cache = cache;
         this.type = type;
         film = cache.film();
-        layers = Layer.of(cache.scene());
+        layers = Layer.of(cache.scene(), all);
         names = LayerNames.of(layers);
     }
 

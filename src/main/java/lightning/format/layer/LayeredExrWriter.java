@@ -50,8 +50,8 @@ public final class LayeredExrWriter {
         this.engines = engines;
         film = cache.film();
         sources.add(new FilmChannels(film, content.type()));
-        if (content.hasLayers()) {
-            LayerChannels layers = new LayerChannels(cache, content.type());
+        if (content.layers() != ExrContent.Layers.NONE) {
+            LayerChannels layers = new LayerChannels(cache, content.type(), content.layers() == ExrContent.Layers.ALL);
             sources.add(layers);
             sources.add(new SurfaceChannels(cache, content.type()));
             layerCount = layers.layerNames().size();

@@ -56,7 +56,8 @@ public final class SceneMetadata {
         double half = camera.fov() / 2;
         double height = 2 * Transform.sinDegrees(half) / Transform.cosDegrees(half);
         double width = height * picture.width() / picture.height();
-        attributes.put("worldToCamera", matrix(column(right, from, 0), column(up, from, 0), column(forward, from, 0), new double[] {0, 0, 0, 1}));
+        attributes.put("worldToCamera",
+                matrix(column(right, from, 0), column(up, from, 0), column(forward, from, 0), new double[] {0, 0, 0, 1}));
         Vec3 x = right.times(1 / width).plus(forward.times(0.5));
         Vec3 y = up.times(-1 / height).plus(forward.times(0.5));
         attributes.put("worldToNDC", matrix(column(x, from, 0), column(y, from, 0), column(forward, from, -1), column(forward, from, 0)));

@@ -242,7 +242,7 @@ class LayeredExrWriterTest {
                     "_2nd_rim_light_diffuse", "_2nd_rim_light_specular", "_2nd_rim_light_2_diffuse", "_2nd_rim_light_2_specular",
                     "Key_2_diffuse", "Key_2_specular", "reflections");
             assertThat(file.map("lightning/lights")).containsEntry("_2nd_rim_light_diffuse", "2nd rim.light");
-            assertThat(List.copyOf(file.values.keySet())).contains("R", "key.diffuse.R", "N.X", "P.Z", "Z").isSorted();
+            assertThat(List.copyOf(file.values.keySet())).contains("R", "key_diffuse.R", "N.X", "P.Z", "Z").isSorted();
         }
     }
 
@@ -250,7 +250,8 @@ class LayeredExrWriterTest {
     void canceledExport_leavesNoFile() {
         try (Renderer renderer = new Renderer(RenderOptions.DEFAULT.withThreads(1)); WorkerPool workers = new WorkerPool(1)) {
             renderer.render(StudioScene.of(LightType.POINT), Progress.NONE);
-            LayeredExrWriter file = new LayeredExrWriter(renderer.cache(), renderer.options().engines(), ExrContent.layers(ExrType.HALF), Optional.empty());
+            LayeredExrWriter file =
+                    new LayeredExrWriter(renderer.cache(), renderer.options().engines(), ExrContent.layers(ExrType.HALF), Optional.empty());
             assertThatThrownBy(() -> file.write(folder.resolve("a.exr"), Long.MAX_VALUE, workers, new Progress() {
                 @Override
                 public void report(int done, int total) {}
@@ -268,7 +269,8 @@ class LayeredExrWriterTest {
     void exportBeyondMemoryLimit_isRejected() {
         try (Renderer renderer = new Renderer(RenderOptions.DEFAULT.withThreads(1)); WorkerPool workers = new WorkerPool(1)) {
             renderer.render(StudioScene.of(LightType.POINT), Progress.NONE);
-            LayeredExrWriter file = new LayeredExrWriter(renderer.cache(), renderer.options().engines(), ExrContent.layers(ExrType.HALF), Optional.empty());
+            LayeredExrWriter file =
+                    new LayeredExrWriter(renderer.cache(), renderer.options().engines(), ExrContent.layers(ExrType.HALF), Optional.empty());
             assertThatIOException()
                     .isThrownBy(() -> file.write(folder.resolve("a.exr"), file.bytesToWrite(1) - 1, workers, Progress.NONE))
                     .withMessageContaining("GB of memory to write");
@@ -279,7 +281,8 @@ class LayeredExrWriterTest {
     private static ExrValues writeFile(Renderer renderer, ExrType type) throws IOException {
         Path file = Files.createTempFile("layers", ".exr");
         try (WorkerPool workers = new WorkerPool(2)) {
-            new LayeredExrWriter(renderer.cache(), renderer.options().engines(), ExrContent.layers(type), Optional.empty()).write(file, Long.MAX_VALUE, workers, Progress.NONE);
+            new LayeredExrWriter(renderer.cache(), renderer.options().engines(), ExrContent.layers(type), Optional.empty()).write(file,
+                    Long.MAX_VALUE, workers, Progress.NONE);
             return new ExrValues(file);
         } finally {
             Files.delete(file);

@@ -78,7 +78,8 @@ final class PictureExport {
             ImageFile.write(file, frame.film(), view, kind.bits());
             return;
         }
-        var layers = new LayeredExrWriter(cache, RenderOptions.DEFAULT.engines(), ExrContent.layers(kind.bits() == Short.SIZE ? ExrType.HALF : ExrType.FLOAT), java.util.Optional.empty());
+        var layers = new LayeredExrWriter(cache, RenderOptions.DEFAULT.engines(),
+                ExrContent.layers(kind.bits() == Short.SIZE ? ExrType.HALF : ExrType.FLOAT), java.util.Optional.empty());
         try (var workers = new WorkerPool(WorkerPool.processorCount())) {
             layers.write(file, HeapBudget.availableBytes() - MemoryEstimate.usedBytes(cache), workers,
                     new FileProgressMessage(file, model.fileActivity(), model.files().windowExecutor(), message));
