@@ -109,8 +109,8 @@ final class LayerOptions {
                 hasLayers && content.matteLevels() > 0 ? " and mattes" : "", cache.scene().picture().width(),
                 cache.scene().picture().height(), (System.nanoTime() - start) / 1e6);
         if (writer.crowdedPixels() > 0) {
-            console.warn("%s: %s more than %d objects or materials, which are missing in the mattes; --cryptomatte-levels %d keeps all",
-                    file, writer.crowdedPixels() == 1 ? "1 pixel shows" : writer.crowdedPixels() + " pixels show", levels,
+            console.warn("%s: %s with too many objects or materials for %s; --cryptomatte-levels=%s has room for all", file,
+                    Console.count(writer.crowdedPixels(), "pixel"), Console.count(levels, "level"),
                     writer.maxIds() + writer.maxIds() % 2);
         }
     }

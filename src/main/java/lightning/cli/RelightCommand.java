@@ -45,7 +45,7 @@ import picocli.CommandLine.Option;
             "  lightning relight scenes/bird.jen -o b.png --case color --then --delete sun",
             "  lightning relight scenes/bird.jen -o feet.png --case position-feet --verify",
             "  lightning relight scenes/balls.jen -o b.png --set material:jade.shininess=5",
-            "  lightning relight scenes/bird.jen -o step-%%d.png --set sun.intensity=2 --then --delete sun",
+            "  lightning relight scenes/bird.jen -o %%d.png --case color --then --delete sun",
             "  lightning relight scenes/bird.jen -o new.png --delete sun --save new.jen"})
 final class RelightCommand implements Callable<Integer> {
     /** Limit for the warm-up of one group's timing, in milliseconds of own work. */

@@ -15,6 +15,7 @@ import lightning.format.exr.ExrAttribute;
 import lightning.format.exr.ExrChannel;
 import lightning.format.exr.ExrChunk;
 import lightning.format.exr.ExrHeader;
+import lightning.format.exr.ExrType;
 import lightning.format.exr.ExrWriter;
 import lightning.render.cache.PixelCache;
 import lightning.render.engine.EngineChoice;
@@ -68,6 +69,16 @@ public final class LayeredExrWriter {
                 attributes);
         List<String> names = header.channels().stream().map(ExrChannel::name).toList();
         indices = sources.stream().map(source -> source.channels().stream().mapToInt(c -> names.indexOf(c.name())).toArray()).toList();
+    }
+
+    /**
+     * Creates a writer for an image with its layers.
+     *
+     * @param cache cache of a finished image
+     * @param type type of colors and normals, HALF or FLOAT; a file of halves has no residual layer
+     */
+    public LayeredExrWriter(PixelCache cache, EngineChoice engines, ExrType type) {
+        this(cache, engines, ExrContent.layers(type), Optional.empty());
     }
 
     /** Returns the number of color layers, without the image. */

@@ -13,7 +13,6 @@ import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import lightning.base.math.Ray;
 import lightning.base.math.Rgb;
@@ -251,7 +250,7 @@ class LayeredExrWriterTest {
         try (Renderer renderer = new Renderer(RenderOptions.DEFAULT.withThreads(1)); WorkerPool workers = new WorkerPool(1)) {
             renderer.render(StudioScene.of(LightType.POINT), Progress.NONE);
             LayeredExrWriter file =
-                    new LayeredExrWriter(renderer.cache(), renderer.options().engines(), ExrContent.layers(ExrType.HALF), Optional.empty());
+                    new LayeredExrWriter(renderer.cache(), renderer.options().engines(), ExrType.HALF);
             assertThatThrownBy(() -> file.write(folder.resolve("a.exr"), Long.MAX_VALUE, workers, new Progress() {
                 @Override
                 public void report(int done, int total) {}
@@ -270,7 +269,7 @@ class LayeredExrWriterTest {
         try (Renderer renderer = new Renderer(RenderOptions.DEFAULT.withThreads(1)); WorkerPool workers = new WorkerPool(1)) {
             renderer.render(StudioScene.of(LightType.POINT), Progress.NONE);
             LayeredExrWriter file =
-                    new LayeredExrWriter(renderer.cache(), renderer.options().engines(), ExrContent.layers(ExrType.HALF), Optional.empty());
+                    new LayeredExrWriter(renderer.cache(), renderer.options().engines(), ExrType.HALF);
             assertThatIOException()
                     .isThrownBy(() -> file.write(folder.resolve("a.exr"), file.bytesToWrite(1) - 1, workers, Progress.NONE))
                     .withMessageContaining("GB of memory to write");
@@ -281,7 +280,7 @@ class LayeredExrWriterTest {
     private static ExrValues writeFile(Renderer renderer, ExrType type) throws IOException {
         Path file = Files.createTempFile("layers", ".exr");
         try (WorkerPool workers = new WorkerPool(2)) {
-            new LayeredExrWriter(renderer.cache(), renderer.options().engines(), ExrContent.layers(type), Optional.empty()).write(file,
+            new LayeredExrWriter(renderer.cache(), renderer.options().engines(), type).write(file,
                     Long.MAX_VALUE, workers, Progress.NONE);
             return new ExrValues(file);
         } finally {
