@@ -7,8 +7,10 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Stream;
 import lightning.base.math.Ray;
 import lightning.base.math.Vec3;
 import lightning.base.work.Progress;
@@ -170,6 +172,28 @@ class CompositingTest {
 
     private static List<Float> floats(JsonNode numbers) {
         return numbers.values().stream().map(n -> (float) n.asDouble()).toList();
+    }
+
+    /** Nuke drops leading digits of each part of a name and joins the parts by underscores; Blender reads 63 characters. */
+    @Test
+    void channelNames_areDistinctInNukeAndBlender() throws IOException {
+        Scene studio = StudioScene.of(LightType.POINT);
+        Light key = studio.light(StudioScene.KEY).orElseThrow();
+        List<Light> lights = new ArrayList<>();
+        for (String name : List.of("key", "Key", "key.diffuse", "key_diffuse", "1", "2", "12key", "ä", "ö", "a".repeat(60), "a".repeat(61),
+                "environment", "ambient", "N", "CryptoObject00", "rounding", "R")) {
+            lights.add(key.withName(name));
+        }
+        Path file = folder.resolve("a.exr");
+        write(studio.withLights(lights), new ExrContent(ExrType.FLOAT, ExrContent.Layers.LIT, 64), Optional.empty(), file);
+        try (ExrReader reader = new ExrReader(file)) {
+            List<String> names = reader.header().channels().stream().map(ExrChannel::name).toList();
+            assertThat(names).allMatch(name -> name.length() <= 63);
+            assertThat(names).filteredOn(name -> name.endsWith("_diffuse.R")).hasSize(lights.size());
+            assertThat(names).extracting(name -> String.join("_",
+                    Stream.of(name.split("\\.")).map(part -> part.replaceAll("^[0-9]+", "").replaceAll("[^A-Za-z0-9]", "_")).toList())
+                    .toLowerCase(Locale.ROOT)).doesNotHaveDuplicates();
+        }
     }
 
     /** Names as long as Lightning allows, equal in many characters, and names of Blender's and Nuke's own layers. */

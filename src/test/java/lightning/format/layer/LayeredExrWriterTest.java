@@ -249,8 +249,7 @@ class LayeredExrWriterTest {
     void canceledExport_leavesNoFile() {
         try (Renderer renderer = new Renderer(RenderOptions.DEFAULT.withThreads(1)); WorkerPool workers = new WorkerPool(1)) {
             renderer.render(StudioScene.of(LightType.POINT), Progress.NONE);
-            LayeredExrWriter file =
-                    new LayeredExrWriter(renderer.cache(), renderer.options().engines(), ExrType.HALF);
+            LayeredExrWriter file = new LayeredExrWriter(renderer.cache(), renderer.options().engines(), ExrType.HALF);
             assertThatThrownBy(() -> file.write(folder.resolve("a.exr"), Long.MAX_VALUE, workers, new Progress() {
                 @Override
                 public void report(int done, int total) {}
@@ -268,8 +267,7 @@ class LayeredExrWriterTest {
     void exportBeyondMemoryLimit_isRejected() {
         try (Renderer renderer = new Renderer(RenderOptions.DEFAULT.withThreads(1)); WorkerPool workers = new WorkerPool(1)) {
             renderer.render(StudioScene.of(LightType.POINT), Progress.NONE);
-            LayeredExrWriter file =
-                    new LayeredExrWriter(renderer.cache(), renderer.options().engines(), ExrType.HALF);
+            LayeredExrWriter file = new LayeredExrWriter(renderer.cache(), renderer.options().engines(), ExrType.HALF);
             assertThatIOException()
                     .isThrownBy(() -> file.write(folder.resolve("a.exr"), file.bytesToWrite(1) - 1, workers, Progress.NONE))
                     .withMessageContaining("GB of memory to write");
@@ -280,8 +278,7 @@ class LayeredExrWriterTest {
     private static ExrValues writeFile(Renderer renderer, ExrType type) throws IOException {
         Path file = Files.createTempFile("layers", ".exr");
         try (WorkerPool workers = new WorkerPool(2)) {
-            new LayeredExrWriter(renderer.cache(), renderer.options().engines(), type).write(file,
-                    Long.MAX_VALUE, workers, Progress.NONE);
+            new LayeredExrWriter(renderer.cache(), renderer.options().engines(), type).write(file, Long.MAX_VALUE, workers, Progress.NONE);
             return new ExrValues(file);
         } finally {
             Files.delete(file);

@@ -10,9 +10,11 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
+import java.util.stream.IntStream;
 import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
 import lightning.format.exr.ExrChannel;
@@ -141,8 +143,8 @@ class MatteChannelsTest {
         }
     }
 
-    private static java.util.stream.IntStream range(int end) {
-        return java.util.stream.IntStream.range(0, end);
+    private static IntStream range(int end) {
+        return IntStream.range(0, end);
     }
 
     /** Mattes read from a file. */
@@ -198,7 +200,7 @@ class MatteChannelsTest {
             Map<String, Float> coverages = new LinkedHashMap<>();
             float last = Float.POSITIVE_INFINITY;
             for (int level = 0; level < levels; level++) {
-                String prefix = layer + String.format("%02d", level / 2) + ".";
+                String prefix = layer + String.format(Locale.ROOT, "%02d", level / 2) + ".";
                 float id = values.get(prefix + (level % 2 == 0 ? "R" : "B"))[pixel];
                 float coverage = values.get(prefix + (level % 2 == 0 ? "G" : "A"))[pixel];
                 assertThat(coverage).isLessThanOrEqualTo(last);
