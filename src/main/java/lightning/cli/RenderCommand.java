@@ -27,7 +27,7 @@ import picocli.CommandLine.Spec;
             "  lightning render scenes/bird.jen -o bird.png",
             "  lightning render scenes/bird.jen -o big.png --size 1920x1080 --exposure 0.5",
             "  lightning render scenes/bird.jen -o layers.exr --layers --bits 32",
-            "  lightning render scenes/bird.jen -o bird.exr --cryptomatte mattes.exr --antialias every",
+            "  lightning render scenes/bird.jen -o bird.png --cryptomatte mattes.exr",
             "  lightning render scenes/bird.jen -o exact.pfm --depth 0 --traditional"})
 final class RenderCommand implements Callable<Integer> {
     private final Console console;

@@ -42,7 +42,7 @@ import picocli.CommandLine.Option;
             "Examples:",
             "  lightning shot render scenes/dusk.jen -o frames",
             "  lightning shot render scenes/dusk.jen --frames 1-24 -o frames --resume",
-            "  lightning shot render scenes/dusk.jen -o dusk.exr --layers --cryptomatte mattes.exr",
+            "  lightning shot render scenes/dusk.jen -o a.exr --layers --cryptomatte a.exr",
             "  lightning shot render scenes/dusk.jen -o dusk.mp4 --view filmic"})
 final class ShotRenderCommand implements Callable<Integer> {
     private final Console console;
