@@ -96,7 +96,8 @@ final class ArchitectureRules {
             row("format.jen", "base.text base.math base.work base.file scene scene.shot format.mesh format format.ies format.hdr"),
             row("format.exr", "base.text"),
             row("format.image", "base.text base.work base.file render.image format.exr"),
-            row("format.layer", ENGINE + " base.file format.exr"),
+            row("format.matte", "scene format.exr"),
+            row("format.layer", ENGINE + " base.file format.exr format.matte"),
             row("format.pov", "base.math base.file scene render.image format.image"),
             row("format.exchange",
                     "base.text base.math base.work base.file scene render.image render.trace render.fulltrace format.mesh"
