@@ -7,7 +7,8 @@ import lightning.shot.cluster.wire.Message;
 
 /** Binary format of film tiles: for each tile all red, all green, all blue, as big-endian floats. */
 final class FilmTiles {
-    private static final int TILE_BYTES = 3 * Film.TILE_PIXELS * Float.BYTES;
+    /** Bytes of a tile. */
+    static final int TILE_BYTES = 3 * Film.TILE_PIXELS * Float.BYTES;
     /** Maximum number of tiles in one message. */
     static final int MAX_TILES = Message.PART_BYTES / TILE_BYTES;
 

@@ -26,6 +26,8 @@ final class RemoteFrameHost implements FrameHost {
     private final String name;
     private final AssetTransfer assetTransfer;
     private final Consumer<Message> send;
+    private final ContentSender contentSender;
+    private final PartSize tileBytes = new PartSize();
     private final AtomicLong calls = new AtomicLong();
     private final PendingRequests<Long, Message> updateRequests = new PendingRequests<>();
     private final PendingRequests<TileRange, byte[]> tileRequests = new PendingRequests<>();
@@ -43,6 +45,7 @@ final class RemoteFrameHost implements FrameHost {
         this.name = name;
         this.assetTransfer = assets;
         this.send = send;
+        contentSender = new ContentSender(assets, send);
     }
 
     @Override
@@ -113,13 +116,10 @@ final class RemoteFrameHost implements FrameHost {
         Downscale size = Downscale.fit(update.width(), update.height(), maxWidth, maxHeight);
         Film film = Film.black(size.width(), size.height());
         try {
-            for (int first = 0; first < film.tileCount(); first += FilmTiles.MAX_TILES) {
-                int firstTile = first;
-                int count = Math.min(FilmTiles.MAX_TILES, film.tileCount() - first);
-                byte[] tiles = tileRequests.request(new TileRange(update.call(), maxWidth, maxHeight, first),
-                        () -> send.accept(new Message.RequestTiles(id, update.call(), frame, maxWidth, maxHeight, firstTile, count)),
-                        Thread.currentThread()::isInterrupted);
-                if (!FilmTiles.decode(tiles, film, first, count)) {
+            int count;
+            for (int first = 0; first < film.tileCount(); first += count) {
+                count = Math.clamp(tileBytes.bytes() / FilmTiles.TILE_BYTES, 1, film.tileCount() - first);
+                if (!FilmTiles.decode(requestTiles(frame, update.call(), maxWidth, maxHeight, first, count), film, first, count)) {
                     return Optional.empty();
                 }
             }
@@ -129,12 +129,20 @@ final class RemoteFrameHost implements FrameHost {
         }
     }
 
+    private byte[] requestTiles(int frame, long call, int maxWidth, int maxHeight, int first, int count) {
+        long start = System.nanoTime();
+        byte[] tiles = tileRequests.request(new TileRange(call, maxWidth, maxHeight, first),
+                () -> send.accept(new Message.RequestTiles(id, call, frame, maxWidth, maxHeight, first, count)),
+                Thread.currentThread()::isInterrupted);
+        tileBytes.adapt(tiles.length + FilmTiles.TILE_BYTES, System.nanoTime() - start);
+        return tiles;
+    }
+
     void handle(Message message) {
         switch (message) {
             case Message.FrameUpdated m -> updateRequests.complete(m.call(), m);
             case Message.UpdateFailed m -> updateRequests.complete(m.call(), m);
-            case Message.RequestContent m ->
-                    send.accept(new Message.ContentPart(id, m.hash(), m.offset(), assetTransfer.readPart(m.hash(), m.offset())));
+            case Message.RequestContent m -> contentSender.request(m);
             case Message.FilmTileData m ->
                     tileRequests.complete(new TileRange(m.call(), m.maxWidth(), m.maxHeight(), m.firstTile()), m.bytes());
             case Message.FilmUnavailable m -> tileRequests.completeAll(piece -> piece.call() == m.call(), new byte[0]);
@@ -146,6 +154,7 @@ final class RemoteFrameHost implements FrameHost {
 
     /** Marks the node as lost; waiting callers fail. */
     HostLostException disconnect() {
+        contentSender.close();
         updateRequests.close();
         tileRequests.close();
         return lost(null);

@@ -1,5 +1,6 @@
 package lightning.shot.cluster;
 
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -53,11 +54,16 @@ final class RevisionReader {
     }
 
     private byte[] readManifest(ContentHash hash, int bytes) throws IOException {
-        byte[] manifest = parts.read(hash, 0);
-        if (manifest.length != bytes || !ContentHash.of(manifest).equals(hash)) {
-            throw new InvalidContentException(
-                    "expected a manifest of " + bytes + " bytes with its hash, found " + manifest.length + " bytes");
+        var manifest = new ByteArrayOutputStream();
+        byte[] part = parts.read(hash, 0);
+        while (part.length > 0 && manifest.size() + part.length <= Math.min(bytes, SceneManifest.MAX_BYTES)) {
+            manifest.writeBytes(part);
+            part = manifest.size() < bytes ? parts.read(hash, manifest.size()) : new byte[0];
         }
-        return manifest;
+        if (part.length > 0 || manifest.size() != bytes || !ContentHash.of(manifest.toByteArray()).equals(hash)) {
+            throw new InvalidContentException("expected a manifest of " + bytes + " bytes with its hash, found "
+                    + (manifest.size() + part.length) + " bytes");
+        }
+        return manifest.toByteArray();
     }
 }

@@ -13,6 +13,8 @@ import java.util.TreeMap;
 public record SceneManifest(Content text, SortedMap<String, Content> files) {
     /** More than a scene may have. */
     public static final int MAX_FILES = 1000;
+    /** Maximum bytes of an encoded manifest. */
+    public static final int MAX_BYTES = 1 << 20;
     private static final int NAME_BYTES = 800;
 
     /**
@@ -22,7 +24,7 @@ public record SceneManifest(Content text, SortedMap<String, Content> files) {
      */
     public record Content(ContentHash hash, long bytes) {}
 
-    /** Encodes the manifest, at most {@link Message#PART_BYTES}. */
+    /** Encodes the manifest, at most {@value #MAX_BYTES} bytes. */
     public byte[] encode() {
         var out = new WireWriter();
         out.unsignedByte(MessageCodec.VERSION).hash(text.hash()).int64(text.bytes()).int32(files.size());
