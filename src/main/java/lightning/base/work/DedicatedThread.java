@@ -30,14 +30,19 @@ public final class DedicatedThread {
         return Executors.newSingleThreadExecutor(factory(name));
     }
 
+    /** Like {@link #sequentialExecutor}, with threads of {@link #lowPriorityFactory}. */
+    public static ExecutorService lowPriorityExecutor(String name) {
+        return Executors.newSingleThreadExecutor(lowPriorityFactory(name));
+    }
+
     /**
-     * Like {@link #sequentialExecutor}, but with low operating-system priority, also for the threads that its tasks start: {@link
+     * Returns a factory of threads with one name and low operating-system priority, also for the threads that their tasks start: {@link
      * LowPriority}.
      */
-    public static ExecutorService lowPriorityExecutor(String name) {
-        return Executors.newSingleThreadExecutor(task -> create(name, () -> {
+    public static ThreadFactory lowPriorityFactory(String name) {
+        return task -> create(name, () -> {
             LowPriority.apply();
             task.run();
-        }));
+        });
     }
 }

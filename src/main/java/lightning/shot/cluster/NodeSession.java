@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.UUID;
 import java.util.concurrent.CancellationException;
+import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.RejectedExecutionException;
@@ -23,6 +24,7 @@ import lightning.shot.FrameHost;
 import lightning.shot.FrameRejectedException;
 import lightning.shot.FrameUpdate;
 import lightning.shot.HostLostException;
+import lightning.shot.ShotRevision;
 import lightning.shot.cluster.wire.ContentHash;
 import lightning.shot.cluster.wire.Message;
 import lightning.shot.cluster.wire.WireException;
@@ -41,6 +43,11 @@ final class NodeSession implements AutoCloseable {
     private final RevisionReader reader;
     private final PendingRequests<ContentKey, byte[]> contentRequests = new PendingRequests<>();
     private final ExecutorService callExecutor = Executors.newCachedThreadPool(DedicatedThread.factory("lightning-node"));
+    /**
+     * Traces with low priority, so that a node with busy processors still answers. Only these threads: JGroups' virtual threads would
+     * inherit the priority of a thread that wakes them.
+     */
+    private final ExecutorService tracingExecutor = Executors.newCachedThreadPool(DedicatedThread.lowPriorityFactory("lightning-tracing"));
     private final ExecutorService filmExecutor = DedicatedThread.sequentialExecutor("lightning-films");
     private final Map<Long, AtomicBoolean> runningCalls = new HashMap<>();
     private final Map<Long, Message> answers = new LinkedHashMap<>();
@@ -130,7 +137,7 @@ final class NodeSession implements AutoCloseable {
             if (isSuperseded(request)) {
                 throw new CancellationException();
             }
-            FrameUpdate update = host.update(request.frame(), revision, Progress.cancellation(canceled::get));
+            FrameUpdate update = trace(request.frame(), revision, canceled);
             synchronized (this) {
                 shownCalls.put(request.frame(), request.call());
             }
@@ -139,6 +146,22 @@ final class NodeSession implements AutoCloseable {
             return new Message.FrameUpdated(id, request.call(), update.traced(), update.plan(), update.rays(), update.nanoseconds(),
                     film.width(),
                     film.height(), usage.memoryBytes(), usage.diskBytes());
+        }
+    }
+
+    private FrameUpdate trace(int frame, ShotRevision revision, AtomicBoolean canceled) throws HostLostException {
+        try {
+            return tracingExecutor.submit(() -> host.update(frame, revision, Progress.cancellation(canceled::get))).get();
+        } catch (InterruptedException e) {
+            canceled.set(true);
+            throw new CancellationException();
+        } catch (ExecutionException e) {
+            switch (e.getCause()) {
+                case HostLostException cause -> throw cause;
+                case RuntimeException cause -> throw cause;
+                case Error cause -> throw cause;
+                case Throwable cause -> throw new IllegalStateException(cause);
+            }
         }
     }
 
@@ -225,6 +248,7 @@ final class NodeSession implements AutoCloseable {
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         } finally {
+            tracingExecutor.shutdown();
             host.close();
         }
     }

@@ -12,15 +12,26 @@ import java.util.Collections;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.UUID;
 import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import lightning.base.work.Await;
+import lightning.base.work.NiceValue;
+import lightning.base.work.Progress;
+import lightning.render.image.Film;
 import lightning.render.relight.tile.RenderOptions;
+import lightning.shot.CacheUsage;
+import lightning.shot.FrameHost;
+import lightning.shot.FrameRejectedException;
+import lightning.shot.FrameUpdate;
+import lightning.shot.HostLostException;
 import lightning.shot.LocalFrameHost;
+import lightning.shot.ShotRevision;
 import lightning.shot.cluster.wire.ContentHash;
 import lightning.shot.cluster.wire.Message;
 import lightning.shot.cluster.wire.MessageCodec;
@@ -29,6 +40,8 @@ import lightning.shot.cluster.wire.WireException;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Tests a node's handling of messages that no coordinator sends. */
@@ -46,6 +59,7 @@ final class RenderNodeTest {
 
     private final LocalNetwork network = new LocalNetwork(1, 0);
     private final List<String> log = Collections.synchronizedList(new ArrayList<>());
+    private volatile Runnable beforeUpdate = () -> {};
     private RenderNode node;
     private Peer peer;
 
@@ -104,10 +118,50 @@ final class RenderNodeTest {
         }
     }
 
+    /** Host that runs {@link #beforeUpdate} before each update. */
+    private final class HookedHost implements FrameHost {
+        private final FrameHost host;
+
+        HookedHost(FrameHost host) {
+            this.host = host;
+        }
+
+        @Override
+        public FrameUpdate update(int frame, ShotRevision revision, Progress progress) throws HostLostException {
+            beforeUpdate.run();
+            return host.update(frame, revision, progress);
+        }
+
+        @Override
+        public Optional<Film> film(int frame) {
+            return host.film(frame);
+        }
+
+        @Override
+        public void focus(int frame) {
+            host.focus(frame);
+        }
+
+        @Override
+        public void drop(int frame) {
+            host.drop(frame);
+        }
+
+        @Override
+        public CacheUsage usage() {
+            return host.usage();
+        }
+
+        @Override
+        public void close() {
+            host.close();
+        }
+    }
+
     @BeforeEach
     void start() throws Exception {
         node = new RenderNode(network.addEndpoint(), new RenderNode.Settings("r", 1, 1 << 30, folder.resolve("own"),
-                () -> new LocalFrameHost(RenderOptions.DEFAULT.withThreads(1), 1 << 28), log::add));
+                () -> new HookedHost(new LocalFrameHost(RenderOptions.DEFAULT.withThreads(1), 1 << 28)), log::add));
         node.start();
         peer = new Peer(network.addEndpoint());
         peer.contents.put(ContentHash.of(TEXT), TEXT);
@@ -222,6 +276,25 @@ final class RenderNodeTest {
     void requestInUnknownSession_isAnswered() throws Exception {
         peer.send(new Message.FocusFrame(new UUID(9, 9), 1));
         assertThat(peer.await(Message.CloseSession.class).session()).isEqualTo(new UUID(9, 9));
+    }
+
+    /** JGroups' threads run before tracing threads, and do not inherit their priority. */
+    @Test
+    @EnabledOnOs(OS.LINUX)
+    void frames_areTracedWithLowPriority() throws Exception {
+        var sender = new CompletableFuture<Integer>();
+        network.observe(bytes -> {
+            if (LocalNetwork.decode(bytes) instanceof Message.UpdateFailed) {
+                sender.complete(NiceValue.ofThread());
+            }
+        });
+        beforeUpdate = () -> {
+            throw new FrameRejectedException("nice " + NiceValue.ofThread());
+        };
+        peer.sendUpdate(1, Map.of(), text());
+        assertThat(peer.await(Message.UpdateFailed.class).message())
+                .isEqualTo("nice " + Math.min(NiceValue.MAX, NiceValue.ofThread() + 10));
+        assertThat(sender.get(Await.TIMEOUT_SECONDS, TimeUnit.SECONDS)).isEqualTo(NiceValue.ofThread());
     }
 
     @Test
