@@ -28,6 +28,7 @@ import tools.jackson.databind.JsonNode;
 @Timeout(value = Await.TIMEOUT_SECONDS, unit = TimeUnit.SECONDS)
 class ServerTest {
     static final String SCENE = """
+            jen 1
             picture { size 70 50 depth 2 }
             camera { from 0 1 -5 to 0 0 0 }
             world { ambience 0.1 background 0.1 0.2 0.3 }
@@ -36,11 +37,11 @@ class ServerTest {
             material floor { diffuse 0.7 0.7 0.6 }
             material mirror { diffuse 0.2 0.2 0.2 reflective 0.6 0.6 0.6 shininess 40 }
             plane ground { at 0 -1 0 material floor }
-            sphere ball { at 0 0 0 radius 1 material mirror }
+            sphere ball { at 0 0 0 scale 1 1 1 material mirror }
             """;
     /** Large enough to be canceled. */
-    private static final String LARGE = SCENE.replace("size 70 50", "size 3000 3000 antialias every samples 4");
-    private static final ServerOptions OPTIONS = new ServerOptions(2, 500_000_000);
+    private static final String LARGE = SCENE.replace("size 70 50", "size 1500 1500");
+    private static final ServerOptions OPTIONS = new ServerOptions(2, 900_000_000);
 
     @TempDir
     private Path folder;
@@ -292,8 +293,11 @@ class ServerTest {
 
     @Test
     void memoryOfOtherScenes_counts() throws Exception {
-        try (Server small = new Server(new ServerOptions(1, 12_000_000)); TestClient other = new TestClient(small)) {
-            String scene = SCENE.replace("size 70 50", "size 256 256");
+        String scene = SCENE.replace("size 70 50", "size 256 256");
+        client.open(scene);
+        client.request("render", "'scene':1");
+        long bytes = client.request("list", "").get("scenes").get(0).get("bytes").asLong();
+        try (Server small = new Server(new ServerOptions(1, bytes * 3 / 2)); TestClient other = new TestClient(small)) {
             other.open(scene);
             other.open(scene);
             other.request("render", "'scene':1");
