@@ -1,12 +1,13 @@
 package lightning.serve;
 
 import java.io.IOException;
+import java.net.ConnectException;
 import java.net.StandardProtocolFamily;
 import java.net.UnixDomainSocketAddress;
 import java.nio.channels.Channels;
 import java.nio.channels.ServerSocketChannel;
 import java.nio.channels.SocketChannel;
-import java.nio.file.FileSystemException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
@@ -20,6 +21,8 @@ import lightning.base.work.DedicatedThread;
 /** Unix domain socket that only the user of this process can connect to. The file of the socket is removed at the end. */
 public final class SocketListener implements AutoCloseable {
     static final int MAX_CLIENTS = 32;
+    /** The systems' own limits are 103 and 107; the socket is created in a folder with a slightly longer path. */
+    private static final int MAX_PATH = 80;
 
     private final Server server;
     private final Path path;
@@ -39,15 +42,16 @@ public final class SocketListener implements AutoCloseable {
      * @throws IOException if the path is in use or cannot be created; the message is a sentence for the user
      */
     public static SocketListener start(Server server, Path path) throws IOException {
+        check(path);
         removeStale(path);
         // Bound in a folder of the user's own, so that it is never open to others, not even before its mode is set.
-        Path folder = path.toAbsolutePath().resolveSibling(".lightning-" + ProcessHandle.current().pid());
+        Path folder = path.resolveSibling(".lightning-" + ProcessHandle.current().pid());
         Path hidden = folder.resolve("s");
         ServerSocketChannel channel = ServerSocketChannel.open(StandardProtocolFamily.UNIX);
         boolean complete = false;
         try {
             PrivateFolder.restrict(folder);
-            bind(channel, hidden, path);
+            channel.bind(UnixDomainSocketAddress.of(hidden));
             var view = Files.getFileAttributeView(hidden, PosixFileAttributeView.class);
             if (view != null) {
                 view.setPermissions(PosixFilePermissions.fromString("rw-------"));
@@ -66,13 +70,14 @@ public final class SocketListener implements AutoCloseable {
         }
     }
 
-    private static void bind(ServerSocketChannel channel, Path hidden, Path path) throws IOException {
-        try {
-            channel.bind(UnixDomainSocketAddress.of(hidden));
-        } catch (FileSystemException e) {
-            throw e;
-        } catch (IOException e) {
-            throw new IOException(Quote.path(path) + ": cannot create the socket (" + e.getMessage() + "); choose a shorter path", e);
+    private static void check(Path path) throws IOException {
+        Path folder = path.toAbsolutePath().getParent();
+        if (folder == null || !Files.isDirectory(folder)) {
+            throw new IOException(Quote.path(path) + ": folder not found");
+        }
+        int bytes = path.toString().getBytes(StandardCharsets.UTF_8).length;
+        if (bytes > MAX_PATH) {
+            throw new IOException(Quote.path(path) + ": the path of a socket may have at most " + MAX_PATH + " bytes, found " + bytes);
         }
     }
 
@@ -85,7 +90,7 @@ public final class SocketListener implements AutoCloseable {
         }
         try (SocketChannel _ = SocketChannel.open(UnixDomainSocketAddress.of(path))) {
             throw new IOException(Quote.path(path) + ": another server uses this socket");
-        } catch (java.net.ConnectException e) {
+        } catch (ConnectException e) {
             Files.delete(path);
         }
     }
