@@ -2,30 +2,32 @@ package lightning.serve;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
-import java.util.concurrent.TimeUnit;
-import lightning.base.work.Await;
-import lightning.format.jen.JenDocument;
-import lightning.format.jen.JenException;
+import java.util.stream.Stream;
 import lightning.format.jen.JenReader;
 import lightning.format.jen.PropertyEdit;
 import lightning.format.jen.PropertyQuery;
 import lightning.sample.EditSession;
+import lightning.sample.SessionExporter;
 import lightning.scene.Light;
 import lightning.scene.LightAttribute;
 import lightning.scene.Material;
 import lightning.scene.MaterialAttribute;
 import lightning.scene.Scene;
+import lightning.scene.SceneNode;
 import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.EdgeCasesMode;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
-import org.junit.jupiter.api.Timeout;
+import net.jqwik.api.statistics.Statistics;
+import net.jqwik.api.statistics.StatisticsReport;
 import tools.jackson.databind.node.ObjectNode;
 
 /** Tests that after any sequence of requests the served picture has the bits of a fresh full trace of the edited scene. */
@@ -56,7 +58,6 @@ class ServedPictureTest {
     }
 
     @Property(tries = 100, edgeCases = EdgeCasesMode.NONE)
-    @Timeout(value = Await.TIMEOUT_SECONDS, unit = TimeUnit.SECONDS)
     void everyServedPicture_equalsAFullTrace(@ForAll("steps") List<String> steps) throws Exception {
         Path folder = Path.of("").toAbsolutePath();
         try (Server server = new Server(new ServerOptions(2, 500_000_000)); TestClient client = new TestClient(server)) {
@@ -108,57 +109,67 @@ class ServedPictureTest {
         return EditSession.sessions();
     }
 
-    /** Random scenes and random edits of lights and materials, written in words: the same picture as the scene's own edit. */
+    /** Random scenes of every kind, with random edits of lights, materials and objects in words. */
     @Property(tries = 60, edgeCases = EdgeCasesMode.NONE)
-    @Timeout(value = Await.TIMEOUT_SECONDS, unit = TimeUnit.SECONDS)
+    @StatisticsReport(onFailureOnly = true)
     void editsOfRandomScenes_equalFullTraces(@ForAll("sessions") EditSession session) throws Exception {
-        List<Scene> scenes = session.scenes();
-        String text = JenDocument.of(scenes.getFirst()).text();
-        Scene current;
-        try {
-            current = JenReader.read(text, "text", Path.of("").toAbsolutePath()).scene();
-        } catch (JenException e) {
-            // Made textures and meshes have no files.
-            return;
-        }
+        Path folder = Files.createTempDirectory("lightning-serve");
         try (Server server = new Server(new ServerOptions(1, 500_000_000)); TestClient client = new TestClient(server)) {
-            client.open(text);
-            for (Scene target : scenes.subList(1, scenes.size())) {
-                List<String> edits = differences(current, target);
-                if (!edits.isEmpty()) {
-                    ObjectNode fields = JsonLines.JSON.createObjectNode();
-                    edits.forEach(fields.putArray("edits")::add);
-                    String body = fields.toString();
-                    Scene edited = current;
-                    boolean isValid = true;
-                    for (String edit : edits) {
-                        Optional<Scene> next = edited(edited, edit, Path.of("").toAbsolutePath());
-                        isValid &= next.isPresent();
-                        edited = next.orElse(edited);
-                    }
-                    String request = "'scene':1," + body.substring(1, body.length() - 1);
-                    if (isValid) {
-                        client.request("set", request);
-                        current = edited;
-                    } else {
-                        client.refused("set", request);
-                    }
-                    assertThat(client.picture(1, "")).isEqualTo(ServerTest.trace(current).toScanlines());
+            int count = session.scenes().size();
+            SessionExporter.write(folder, session.scenes());
+            client.request("open", "'file':'" + file(folder, 0) + "'");
+            Scene current = JenReader.read(file(folder, 0)).scene();
+            for (int k = 1; k < count; k++) {
+                List<String> edits = differences(current, JenReader.read(file(folder, k)).scene());
+                if (edits.isEmpty()) {
+                    continue;
+                }
+                ObjectNode fields = JsonLines.JSON.createObjectNode().put("scene", 1);
+                edits.forEach(fields.putArray("edits")::add);
+                Optional<Scene> edited = Optional.of(current);
+                for (String edit : edits) {
+                    edited = edited.flatMap(scene -> edited(scene, edit, folder));
+                }
+                if (edited.isPresent()) {
+                    client.request("set", fields);
+                    current = edited.get();
+                } else {
+                    client.refused("set", fields);
+                }
+                Statistics.label("edits").collect(edited.isPresent() ? "applied" : "refused");
+                assertThat(client.picture(1, "")).isEqualTo(ServerTest.trace(current).toScanlines());
+            }
+        } finally {
+            try (Stream<Path> files = Files.list(folder)) {
+                for (Path file : files.toList()) {
+                    Files.delete(file);
                 }
             }
+            Files.delete(folder);
         }
     }
 
-    /** Returns edits for the attributes of lights and materials by which two scenes differ. */
+    private static Path file(Path folder, int number) {
+        return folder.resolve(String.format(Locale.ROOT, "%02d.jen", number));
+    }
+
+    /** Returns edits for the attributes of lights, materials and objects by which two scenes differ. */
     private static List<String> differences(Scene from, Scene to) {
         List<String> edits = new ArrayList<>();
         for (Light light : to.lights()) {
-            from.light(light.name()).ifPresent(before -> LightAttribute.ALL.stream().map(LightAttribute::name)
-                    .forEach(name -> addDifference(from, to, name(light.name()) + "." + name, edits)));
+            if (from.light(light.name()).isPresent()) {
+                LightAttribute.ALL.forEach(a -> addDifference(from, to, name(light.name()) + "." + a.name(), edits));
+            }
         }
         for (Material material : to.materials()) {
-            from.material(material.name()).ifPresent(before -> MaterialAttribute.ALL.stream().map(MaterialAttribute::name)
-                    .forEach(name -> addDifference(from, to, "material:" + name(material.name()) + "." + name, edits)));
+            if (from.material(material.name()).isPresent()) {
+                MaterialAttribute.ALL.forEach(a -> addDifference(from, to, "material:" + name(material.name()) + "." + a.name(), edits));
+            }
+        }
+        for (SceneNode node : to.nodes()) {
+            if (from.stage().node(node.name()).isPresent()) {
+                List.of("at", "rotate", "scale", "visible").forEach(p -> addDifference(from, to, name(node.name()) + "." + p, edits));
+            }
         }
         return edits;
     }

@@ -83,6 +83,26 @@ final class TestClient implements AutoCloseable {
         return answer.get("result");
     }
 
+    /** Sends a request with these fields, as {@link #request(String, String)} does. */
+    JsonNode request(String method, ObjectNode fields) throws IOException {
+        JsonNode answer = answer(send(method, fields));
+        assertThat(answer.has("error")).as(answer.toString()).isFalse();
+        return answer.get("result");
+    }
+
+    /** Sends a request with these fields and returns its error. */
+    JsonNode refused(String method, ObjectNode fields) throws IOException {
+        JsonNode answer = answer(send(method, fields));
+        assertThat(answer.has("error")).as(answer.toString()).isTrue();
+        return answer.get("error");
+    }
+
+    private int send(String method, ObjectNode fields) throws IOException {
+        lastId++;
+        sendLine(fields.deepCopy().put("id", lastId).put("method", method).toString());
+        return lastId;
+    }
+
     /** Sends a request and returns its error. */
     JsonNode refused(String method, String fields) throws IOException {
         JsonNode answer = answer(send(method, fields));
