@@ -52,7 +52,8 @@ def open(
     connection = client if client is not None else own
     assert connection is not None
     try:
-        path = None if file is None else os.path.abspath(file)
+        # The program finds its own scenes by names such as scenes/bird.jen in any folder.
+        path = None if file is None else os.path.abspath(file) if os.path.exists(file) else os.fspath(file)
         content = connection.request("open", file=path, text=text)
     except BaseException:
         if own:

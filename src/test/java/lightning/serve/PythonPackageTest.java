@@ -72,7 +72,7 @@ class PythonPackageTest {
 
     @Test
     void package_isInstalledByPip() throws IOException {
-        PythonPrograms.require("pip", "setuptools");
+        PythonPrograms.require("pip", "setuptools", "wheel");
         // pip writes next to the sources that it builds.
         Path copy = Files.createDirectory(folder.resolve("sources"));
         Files.copy(PACKAGE.resolve("pyproject.toml"), copy.resolve("pyproject.toml"));
@@ -86,5 +86,21 @@ class PythonPackageTest {
                 "--disable-pip-version-check", "--target", folder.resolve("installed").toString(), copy.toString()));
         assertThat(folder.resolve("installed/lightning_relight/client.py")).exists();
         assertThat(folder.resolve("installed/lightning_relight/py.typed")).exists();
+    }
+
+    @Test
+    void notebook_runs() throws IOException {
+        PythonPrograms.require("numpy", "nbclient", "ipykernel");
+        String text = PythonPrograms.output(folder, List.of("-B", Path.of("src/test/python/run_notebook.py").toAbsolutePath().toString(),
+                PACKAGE.toString(), JsonLines.JSON.writeValueAsString(notebookProgram()),
+                PACKAGE.resolve("notebooks/edit_loop.ipynb").toString()));
+        assertThat(text).contains("gives a mean of 0.150", "of feet", "after them: 0.150");
+    }
+
+    /** Returns the command with the program's folder, whose scenes the notebook opens. */
+    private static List<String> notebookProgram() {
+        List<String> command = new ArrayList<>(program());
+        command.add(1, "-Dlightning.home=" + Path.of("").toAbsolutePath());
+        return command;
     }
 }
