@@ -84,7 +84,9 @@ final class SceneSession {
         ObjectNode content = editing.open(request.fields());
         usedBytes = MeshMemory.bytes(scene());
         publish();
-        return content.put(Method.SCENE, number);
+        ObjectNode result = JsonLines.JSON.createObjectNode().put(Method.SCENE, number);
+        result.setAll(content);
+        return result;
     }
 
     private ObjectNode edit(Request request) throws Exception {
