@@ -81,7 +81,8 @@ final class PictureRequest {
         var rows = new FloatRows(film, region);
         if (hasMemory) {
             SharedMemoryFile memory = session.sharedPictures().file(request.client(), memoryPath, rows.bytes());
-            rows.write(memory, session.server().writers(), canceled);
+            // A picture that is half overwritten would be neither the old one nor the new one.
+            rows.write(memory, session.server().writers());
             describe(memory, result.putObject("memory"));
         }
         if (file.isPresent()) {

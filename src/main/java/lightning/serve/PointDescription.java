@@ -50,10 +50,12 @@ final class PointDescription {
         // Transparent surfaces split rays in two, recursively: hundreds for a pixel.
         double minimum = at.backSide() == null ? 0 : MIN_SHARE;
         if (report.reflected() != null) {
-            describeRay(node, "reflected", report.reflected(), parts.reflectedPart(report.reflected().color()), report.color(), share, minimum);
+            describeRay(node, "reflected", report.reflected(), parts.reflectedPart(report.reflected().color()), report.color(), share,
+                    minimum);
         }
         if (report.refracted() != null) {
-            describeRay(node, "refracted", report.refracted(), parts.refractedPart(report.refracted().color()), report.color(), share, minimum);
+            describeRay(node, "refracted", report.refracted(), parts.refractedPart(report.refracted().color()), report.color(), share,
+                    minimum);
         }
         return node;
     }

@@ -10,14 +10,15 @@ import lightning.base.work.DedicatedThread;
 import lightning.editor.document.OpenDocument;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.UpdateResult;
+import lightning.render.relight.tile.RenderOptions;
 import lightning.render.trace.MeshMemory;
-import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
 import tools.jackson.databind.node.ObjectNode;
 
 /** Open scene: its document, its renderer with the cache, and a thread that runs its requests in order. */
 final class SceneSession {
     private static final long END_SECONDS = 3;
+    private static final long UNKNOWN = -1;
 
     private final Server server;
     /** Client whose end closes the scene; null if it stays open. */
@@ -28,17 +29,18 @@ final class SceneSession {
     private final SceneEditing editing = new SceneEditing();
     private final int number;
     private boolean isClosed;
-    private volatile long usedBytes;
-    /** Document's file and size, for other threads; null until it is loaded. */
+    /** Bytes of cache and meshes; −1 if they are not known since the last update. */
+    private volatile long usedBytes = UNKNOWN;
+    /** Document's file and scene, for other threads; null until it is loaded. */
     private volatile Description description;
 
-    private record Description(Path file, int width, int height) {}
+    private record Description(Path file, Scene scene) {}
 
     SceneSession(Server server, int number, Client owner) {
         this.server = server;
         this.number = number;
         this.owner = owner;
-        renderer = new Renderer(server.renderOptions(this));
+        renderer = new Renderer(RenderOptions.DEFAULT);
         sharedPictures = new SharedPictures(server);
     }
 
@@ -82,8 +84,8 @@ final class SceneSession {
 
     private ObjectNode open(Request request) throws Exception {
         ObjectNode content = editing.open(request.fields());
-        usedBytes = MeshMemory.bytes(scene());
         publish();
+        usedBytes = UNKNOWN;
         ObjectNode result = JsonLines.JSON.createObjectNode().put(Method.SCENE, number);
         result.setAll(content);
         return result;
@@ -96,8 +98,7 @@ final class SceneSession {
     }
 
     private void publish() {
-        PictureSettings picture = scene().picture();
-        description = new Description(document().file(), picture.width(), picture.height());
+        description = new Description(document().file(), scene());
     }
 
     OpenDocument document() {
@@ -120,9 +121,17 @@ final class SceneSession {
         return sharedPictures;
     }
 
-    /** Returns the bytes of its cache and meshes. */
+    /** Returns the bytes of its cache and meshes. Call only in the turn of a scene. */
     long usedBytes() {
+        if (usedBytes == UNKNOWN) {
+            usedBytes = countBytes();
+        }
         return usedBytes;
+    }
+
+    /** Takes milliseconds for large pictures, so an edit must not wait for it. */
+    private long countBytes() {
+        return description == null ? 0 : MeshMemory.bytes(description.scene) + renderer.bytes();
     }
 
     /**
@@ -140,7 +149,7 @@ final class SceneSession {
             renderer.setOptions(options.withMemory(options.memory() - reserved));
             return renderer.renderOrClear(scene(), request.progress());
         } finally {
-            usedBytes = MeshMemory.bytes(scene()) + renderer.bytes();
+            usedBytes = UNKNOWN;
             server.turn().release(request);
         }
     }
@@ -152,8 +161,8 @@ final class SceneSession {
             return Optional.empty();
         }
         ObjectNode node = JsonLines.JSON.createObjectNode().put(Method.SCENE, number).put("file", known.file.toString());
-        node.putArray("size").add(known.width).add(known.height);
-        return Optional.of(node.put("bytes", usedBytes).put("keep", owner == null));
+        node.putArray("size").add(known.scene.picture().width()).add(known.scene.picture().height());
+        return Optional.of(node.put("bytes", usedBytes == UNKNOWN ? countBytes() : usedBytes).put("keep", owner == null));
     }
 
     /** Closes the scene if this client has opened it, after its requests. */

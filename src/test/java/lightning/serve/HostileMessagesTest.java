@@ -56,12 +56,13 @@ class HostileMessagesTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"nonsense", "{", "[]", "null", "1", "\"text\"", "{}", "{\"method\":\"list\"}", "{\"id\":null,\"method\":\"list\"}",
-        "{\"id\":1.5,\"method\":\"list\"}", "{\"id\":[1],\"method\":\"list\"}", "{\"id\":true,\"method\":\"list\"}",
-        "{\"id\":99999999999999999999999,\"method\":\"list\"}", "{\"id\":1e400,\"method\":\"list\"}",
-        "{\"id\":5,\"method\":\"undo\",\"scene\":1} {\"id\":6}", "{\"id\":5,\"method\":\"undo\",\"scene\":1,\"scene\":1}",
-        "{\"id\":5,\"method\":\"undo\",\"scene\":1,}", "{\"id\":5,'method':\"undo\",\"scene\":1}", "{\"id\":NaN}",
-        "\u0000\u0001\u0002", "GET / HTTP/1.1"})
+    @ValueSource(
+            strings = {"nonsense", "{", "[]", "null", "1", "\"text\"", "{}", "{\"method\":\"list\"}", "{\"id\":null,\"method\":\"list\"}",
+                "{\"id\":1.5,\"method\":\"list\"}", "{\"id\":[1],\"method\":\"list\"}", "{\"id\":true,\"method\":\"list\"}",
+                "{\"id\":99999999999999999999999,\"method\":\"list\"}", "{\"id\":1e400,\"method\":\"list\"}",
+                "{\"id\":5,\"method\":\"undo\",\"scene\":1} {\"id\":6}", "{\"id\":5,\"method\":\"undo\",\"scene\":1,\"scene\":1}",
+                "{\"id\":5,\"method\":\"undo\",\"scene\":1,}", "{\"id\":5,'method':\"undo\",\"scene\":1}", "{\"id\":NaN}",
+                "\u0000\u0001\u0002", "GET / HTTP/1.1"})
     void lineThatIsNoRequest_isRefused(String line) throws IOException {
         client.sendLine(line);
         assertBadMessage();

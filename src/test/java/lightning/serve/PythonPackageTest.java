@@ -67,7 +67,7 @@ class PythonPackageTest {
         PythonPrograms.require("json");
         assertThat(PythonPrograms.output(folder, List.of("-B", "-S", "-c",
                 "import sys; sys.path.insert(0, '" + PACKAGE + "'); import lightning_relight; print('numpy' in sys.modules)")))
-                        .isEqualTo("False\n");
+                .isEqualTo("False\n");
     }
 
     @Test

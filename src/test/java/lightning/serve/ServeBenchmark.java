@@ -34,7 +34,8 @@ final class ServeBenchmark {
         for (Case edit : cases) {
             double[] editor = inProcess(scene, args[1], threads, edit);
             double[][] served = served(scene, args[1], threads, edit);
-            System.out.printf(Locale.ROOT, "%s %s %s: editor %.1f ms; served in memory %.1f ms, of it update %.1f, writing %.1f%n", args[0], args[1],
+            System.out.printf(Locale.ROOT, "%s %s %s: editor %.1f ms; served in memory %.1f ms, of it update %.1f, writing %.1f%n", args[0],
+                    args[1],
                     edit.name, median(editor), median(served[0]), median(served[1]), median(served[2]));
         }
     }
@@ -63,8 +64,9 @@ final class ServeBenchmark {
 
     private static double[][] served(Path file, String size, int threads, Case edit) throws IOException {
         List<String> command = new ArrayList<>(List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString()));
-        command.addAll(List.of("-Xmx1200m", "-Xms1200m", "--add-modules", "jdk.incubator.vector", "--enable-native-access=ALL-UNNAMED", "-cp",
-                System.getProperty("java.class.path"), "lightning.Main", "serve", "--threads", "" + threads));
+        command.addAll(
+                List.of("-Xmx1200m", "-Xms1200m", "--add-modules", "jdk.incubator.vector", "--enable-native-access=ALL-UNNAMED", "-cp",
+                        System.getProperty("java.class.path"), "lightning.Main", "serve", "--threads", "" + threads));
         Process process = new ProcessBuilder(command).redirectError(ProcessBuilder.Redirect.DISCARD).start();
         double[][] times = new double[3][ROUNDS];
         try (BufferedWriter to = process.outputWriter(); BufferedReader from = process.inputReader()) {
@@ -73,7 +75,8 @@ final class ServeBenchmark {
             ask(to, from, "{'id':1,'method':'render','scene':1,'memory':true}");
             for (int i = -WARM_UP; i < ROUNDS; i++) {
                 long start = System.nanoTime();
-                to.write(("{'id':1,'method':'set','scene':1,'edits':'" + (i % 2 == 0 ? edit.first : edit.second) + "'}\n").replace('\'', '"'));
+                to.write(("{'id':1,'method':'set','scene':1,'edits':'" + (i % 2 == 0 ? edit.first : edit.second) + "'}\n").replace('\'',
+                        '"'));
                 to.write("{'id':2,'method':'render','scene':1,'memory':true}\n".replace('\'', '"'));
                 to.flush();
                 from.readLine();

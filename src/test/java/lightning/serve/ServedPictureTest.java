@@ -37,8 +37,10 @@ class ServedPictureTest {
             "key.type=directional", "key.type=point", "key.angle=2#", "key.area=disc", "key.radius=0.#", "key.on=no", "key.on=yes",
             "fill.direction=# -# #", "fill.color=# # #", "fill.casts_shadows=no", "fill.illuminates=ball", "fill.illuminates=all",
             "material:floor.diffuse=# # #", "material:mirror.reflective=# # #", "material:mirror.shininess=1#",
-            "material:floor.reflective=# 0 #", "ball.at=# # #", "ball.scale=# 1 #", "ball.visible=no", "ball.visible=yes", "ball.material=floor",
-            "world.ambience=#", "world.background=# # #", "camera.from=# 1 -5", "picture.depth=3", "picture.depth=0", "picture.antialias=edges",
+            "material:floor.reflective=# 0 #", "ball.at=# # #", "ball.scale=# 1 #", "ball.visible=no", "ball.visible=yes",
+            "ball.material=floor",
+            "world.ambience=#", "world.background=# # #", "camera.from=# 1 -5", "picture.depth=3", "picture.depth=0",
+            "picture.antialias=edges",
             "picture.antialias=off", "picture.size=40 33", "picture.size=70 50", "picture.exposure=#", "undo", "undo", "redo", "render");
 
     @Provide

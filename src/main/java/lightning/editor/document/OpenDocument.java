@@ -71,7 +71,8 @@ public final class OpenDocument {
 
     /** Returns this document with its current content but without its history, so that many edits do not fill the memory. */
     public OpenDocument withoutHistory() {
-        OpenDocument fresh = new OpenDocument(new SavedScene(file(), saved.state(), savedDocument().withAnimatedScene(content())), untitled);
+        OpenDocument fresh =
+                new OpenDocument(new SavedScene(file(), saved.state(), savedDocument().withAnimatedScene(content())), untitled);
         fresh.showFrame(frame);
         return fresh;
     }
