@@ -10,6 +10,7 @@ import java.net.UnixDomainSocketAddress;
 import java.nio.ByteBuffer;
 import java.nio.channels.Channels;
 import java.nio.channels.SocketChannel;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -84,14 +85,14 @@ class ServeCommandTest {
         try (BufferedReader from = process.inputReader()) {
             assertThat(from.readLine()).contains("s.sock: waiting for clients");
             try (var channel = SocketChannel.open(UnixDomainSocketAddress.of(socket));
-                    var answers = new BufferedReader(new InputStreamReader(Channels.newInputStream(channel)))) {
+                    var answers = new BufferedReader(new InputStreamReader(Channels.newInputStream(channel), StandardCharsets.UTF_8))) {
                 channel.write(ByteBuffer.wrap("""
                         {"id":1,"method":"open","file":"scenes/balls.jen"}
                         {"id":2,"method":"set","scene":1,"edits":"picture.size=20 20"}
                         {"id":3,"method":"render","scene":1,"memory":true}
                         {"id":4,"method":"set","scene":1,"edits":"picture.size=1500 1000"}
                         {"id":5,"method":"render","scene":1,"progress":true}
-                        """.getBytes()));
+                        """.getBytes(StandardCharsets.UTF_8)));
                 String line = answers.readLine();
                 String path = "";
                 while (!line.contains("progress")) {
