@@ -6,6 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import java.util.Set;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.LinkedBlockingQueue;
@@ -70,7 +71,7 @@ final class AnswerBenchmark {
             Thread.sleep(5);
         }
         Arrays.sort(times, 0, n);
-        System.out.printf("%-16s %5d answers, median %.2f ms, 95 %% %.2f, 99 %% %.2f, longest %.1f%n", name, n, times[n / 2],
+        System.out.printf(Locale.ROOT, "%-16s %5d answers, median %.2f ms, 95 %% %.2f, 99 %% %.2f, longest %.1f%n", name, n, times[n / 2],
                 times[n * 95 / 100], times[n * 99 / 100], times[n - 1]);
     }
 
