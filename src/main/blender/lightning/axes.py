@@ -3,15 +3,21 @@
 
 import math
 
+import numpy
 from mathutils import Matrix, Vector
 
 TO_LIGHTNING = Matrix(((1, 0, 0, 0), (0, 0, 1, 0), (0, -1, 0, 0), (0, 0, 0, 1)))
 TO_BLENDER = TO_LIGHTNING.transposed()
 
 
+def number(value: float) -> float:
+    """Returns the shortest decimal number that is the same single-precision number, as Blender stores it."""
+    return float(str(numpy.float32(value))) + 0.0
+
+
 def vector(v) -> list[float]:
     """Returns a Blender vector in Lightning's axes."""
-    return [v[0], v[2], -v[1]]
+    return [number(v[0]), number(v[2]), number(-v[1])]
 
 
 def blender_vector(v) -> Vector:
@@ -40,5 +46,5 @@ def light_matrix(position, direction, up) -> Matrix:
 
 
 def degrees(radians: float) -> float:
-    """Returns degrees, rounded to the nine digits that Blender's floats cannot exceed."""
-    return float(f"{math.degrees(radians):.9g}")
+    """Returns degrees, rounded to the seven digits that Blender's floats have."""
+    return float(f"{math.degrees(radians):.7g}")

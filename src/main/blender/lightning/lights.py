@@ -66,11 +66,11 @@ def describe(obj, groups: dict, messages: list[str]) -> dict:
     scale = matrix.to_scale()
     result = {
         "type": {"POINT": "point", "SPOT": "spot", "SUN": "directional"}.get(light.type, _area_type(light)),
-        "color": [_ratio(c * e * k, g) for c, e, k, g in zip(light.color, color, correction, group.get("color", [1, 1, 1]))],
-        "intensity": _ratio(max(light.energy * strength * _area_factor(light, scale), 0) * PER_WATT[light.type],
+        "color": [_ratio(axes.number(c) * e * k, g) for c, e, k, g in zip(light.color, color, correction, group.get("color", [1, 1, 1]))],
+        "intensity": _ratio(max(axes.number(light.energy) * strength * _area_factor(light, scale), 0) * PER_WATT[light.type],
                             group.get("intensity", 1)),
-        "exposure": light.exposure,
-        "temperature": kelvin,
+        "exposure": axes.number(light.exposure),
+        "temperature": axes.number(kelvin),
         "at": axes.vector(matrix.translation),
         "direction": axes.vector(-matrix.col[2].to_3d().normalized()),
         "up": axes.vector(matrix.col[1].to_3d().normalized()),
@@ -79,13 +79,15 @@ def describe(obj, groups: dict, messages: list[str]) -> dict:
         "illuminates": linking.to_names(obj.light_linking.receiver_collection),
         "shadowed_by": linking.to_names(obj.light_linking.blocker_collection),
         "casts_shadows": light.use_shadow,
-        "diffuse": light.diffuse_factor,
-        "specular": light.specular_factor,
+        "diffuse": axes.number(light.diffuse_factor),
+        "specular": axes.number(light.specular_factor),
     }
     if light.energy < 0:
         messages.append(f"{obj.name}: a negative strength became 0")
     if light.type in ("POINT", "SPOT"):
-        result["radius"] = light.shadow_soft_size
+        if light.use_soft_falloff and light.shadow_soft_size > 0:
+            messages.append(f"{obj.name}: Cycles darkens its soft falloff near the light, Lightning does not")
+        result["radius"] = axes.number(light.shadow_soft_size)
     if light.type == "SPOT":
         result["angle"] = axes.degrees(light.spot_size / 2)
         result["dropoff"] = 0
@@ -95,11 +97,11 @@ def describe(obj, groups: dict, messages: list[str]) -> dict:
     if light.type == "AREA":
         width, height = light.size * scale.x, (light.size_y if light.shape in ("RECTANGLE", "ELLIPSE") else light.size) * scale.y
         if result["type"] == "disc":
-            result["radius"] = math.sqrt(width * height) / 2
+            result["radius"] = axes.number(math.sqrt(width * height) / 2)
             if not math.isclose(width, height, rel_tol=1e-5):
                 messages.append(f"{obj.name}: an ellipse became a disc of the same area")
         else:
-            result["width"], result["height"] = width, height
+            result["width"], result["height"] = axes.number(width), axes.number(height)
         if light.spread < math.radians(179.9):
             messages.append(f"{obj.name}: the beam spread of an area light is not sent")
     return result
@@ -123,7 +125,7 @@ def _area_factor(light, scale) -> float:
         return area * (math.pi / 4 if light.shape in ("DISK", "ELLIPSE") else 1)
     if light.type == "SUN":
         return math.pi * math.sin(light.angle / 2) ** 2 if light.angle > 0 else 1
-    return math.pi * light.shadow_soft_size ** 2 if light.shadow_soft_size > 0 else 1
+    return 4 * math.pi * light.shadow_soft_size ** 2 if light.shadow_soft_size > 0 else 4
 
 
 def _emission(light, name: str, messages: list[str]) -> tuple[list[float], float]:
@@ -183,6 +185,8 @@ def receive(obj, settings: dict, groups: dict, messages: list[str]) -> None:
 
     light = obj.data
     kind = settings["type"]
+    if settings != before and (obj.animation_data or light.animation_data):
+        messages.append(f"{obj.name}: its keyframes in Blender stay, and override what was edited")
     if changed("type") and (light.type != TYPES[kind] or _area_type(light) != kind):
         light.type = TYPES[kind]
         light = obj.data

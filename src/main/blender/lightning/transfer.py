@@ -7,9 +7,15 @@ from pathlib import Path
 
 import bpy
 
-from . import gltf, lights, materials, program, shot, world
+from . import axes, gltf, lights, materials, program, shot, world
 
 PROPERTY = "lightning"
+# Lightning's curves for Blender's view transforms.
+VIEWS = {"AgX": "agx", "Filmic": "filmic", "Standard": "srgb", "Raw": "linear"}
+
+
+# Parts of messages of the import that say nothing new: Lightning has no clipping planes.
+EXPECTED = ("written;", "znear of cameras", "zfar of cameras")
 
 
 def memory(scene) -> dict:
@@ -36,14 +42,10 @@ def send(context, target: Path, overwrite: bool = False) -> list[str]:
     materials.add_glass(root, shown, messages)
     root.setdefault("extras", {})[PROPERTY] = _settings(context, target, lamps, shown, remembered, messages)
     gltf.write(model, root, rest)
-    messages += [_without_path(line, model) for line in program.run("import", str(model), "-o", str(target), "--light-units", "candela",
-                                                                  "--indirect", "off") if "written" not in line]
+    lines = program.run("import", str(model), "-o", str(target), "--light-units", "candela", "--indirect", "off")
+    messages += [line.removeprefix(f"{model}: ") for line in lines if not any(text in line for text in EXPECTED)]
     _remember(scene, target, lamps)
     return messages
-
-
-def _without_path(line: str, path: Path) -> str:
-    return line.removeprefix(f"{path}: ")
 
 
 def _export_model(path: Path) -> None:
@@ -58,7 +60,7 @@ def _settings(context, target: Path, lamps: list, shown: list, remembered: dict,
     used = dict.fromkeys(obj.lightgroup for obj in lamps if obj.lightgroup)
     settings = {
         "version": 1,
-        "picture": {"size": shot.size(scene)},
+        "picture": _picture(scene, messages),
         "world": remembered.get("world", {}) | world.send(scene.world, target.parent, target.stem, messages),
         "banks": [{"name": name, **groups.get(name, {})} for name in used],
         "lights": [lights.send(obj, groups, messages) for obj in lamps],
@@ -74,6 +76,15 @@ def _settings(context, target: Path, lamps: list, shown: list, remembered: dict,
                 target.with_name(name).write_bytes(profile.encode("ascii"))
     settings["shot"] = shot.record(context, shown, {obj: obj.name for obj in lamps}, groups, messages)
     return settings
+
+
+def _picture(scene, messages: list[str]) -> dict:
+    view = scene.view_settings
+    result = {"size": shot.size(scene), "exposure": axes.number(view.exposure)}
+    if view.view_transform in VIEWS:
+        return result | {"view": VIEWS[view.view_transform]}
+    messages.append(f"the view transform {view.view_transform} is not sent")
+    return result
 
 
 def _remember(scene, target: Path, lamps: list) -> None:

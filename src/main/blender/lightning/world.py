@@ -8,6 +8,8 @@ from pathlib import Path
 import bpy
 import numpy
 
+from . import axes
+
 # Lightning looks up the center of an environment along -z, Blender along x.
 BASE_ROTATION = -90.0
 MAX_PIXELS = 8388608
@@ -20,7 +22,7 @@ def send(world, folder: Path, stem: str, messages: list[str]) -> dict:
     background = _background(world)
     if background is None:
         return result
-    strength = background.inputs["Strength"].default_value
+    strength = axes.number(background.inputs["Strength"].default_value)
     texture = _texture(background)
     name = f"{stem}-world.hdr"
     if texture is not None and texture.image is not None:
@@ -29,7 +31,7 @@ def send(world, folder: Path, stem: str, messages: list[str]) -> dict:
     if background.inputs["Color"].is_linked:
         messages.append("world: only a color or an environment texture is sent")
         return result
-    color = [max(c, 0) for c in background.inputs["Color"].default_value[:3]]
+    color = [axes.number(max(c, 0)) for c in background.inputs["Color"].default_value[:3]]
     brightest = max(color)
     if brightest * strength > 0:
         # The brightest channel has all of the format's 255 steps.
@@ -81,7 +83,7 @@ def _rotation(texture, messages: list[str]) -> float:
     x, y, z = node.inputs["Rotation"].default_value
     if abs(x) > 1e-6 or abs(y) > 1e-6:
         messages.append("world: only the rotation about z is sent")
-    return BASE_ROTATION + math.degrees(z if node.vector_type == "TEXTURE" else -z)
+    return BASE_ROTATION + axes.degrees(z if node.vector_type == "TEXTURE" else -z)
 
 
 def _mapping(tree, texture):

@@ -63,6 +63,8 @@ final class SceneAssembler {
     World world = World.DEFAULT;
     /** Assumed units of the lights' numbers, if the file does not define them. */
     Optional<LightUnits> units = Optional.empty();
+    /** True if the file defines all lights of the scene, even none. */
+    boolean isLit;
     /** Animation of the scene; empty if the file has none. */
     Optional<Shot> shot = Optional.empty();
     private final Path source;
@@ -185,7 +187,7 @@ final class SceneAssembler {
     ImportedScene build() throws MeshException {
         try {
             Camera view = camera.orElseGet(this::defaultCamera);
-            boolean hasLights = !lights.isEmpty();
+            boolean hasLights = !lights.isEmpty() || isLit;
             if (!hasLights) {
                 addComment(ImportedScene.ADDED_LIGHT_COMMENT);
                 notes.add(ImportedScene.ADDED_LIGHT);

@@ -12,6 +12,8 @@ import lightning.scene.LightGroup;
 import lightning.scene.LightType;
 import lightning.scene.ShapeGains;
 import lightning.scene.ShapeLinks;
+import lightning.scene.ViewCurve;
+import lightning.scene.ViewSettings;
 import lightning.scene.World;
 import tools.jackson.databind.JsonNode;
 
@@ -33,15 +35,16 @@ final class SceneExtras {
     }
 
     /**
-     * Sets the scene's picture size, world, light groups, lights and animation. Lights count only if the file has none of its own, so that
+     * Sets the scene's picture size and view, world, light groups, lights and animation. Lights count only if the file has none of its own, so that
      * lights that were exported into it later win.
      *
      * @param nodeNames names in the scene of the file's nodes
      */
     void apply(SceneAssembler assembler, Map<String, String> nodeNames) {
-        readSize(assembler);
+        readPicture(assembler);
         assembler.world = AttributeJson.read(json.path("world"), assembler.world, World.ATTRIBUTES, assembler::hasOrCopiesFile,
                 _ -> noteUnusable(assembler));
+        assembler.isLit = json.path("lights").isArray();
         if (assembler.lights.isEmpty()) {
             Set<String> groups = new HashSet<>();
             for (JsonNode group : json.path("banks")) {
@@ -60,12 +63,15 @@ final class SceneExtras {
         assembler.notes.add("scene settings that cannot be restored");
     }
 
-    private void readSize(SceneAssembler assembler) {
-        JsonNode size = json.path("picture").path("size");
+    private void readPicture(SceneAssembler assembler) {
+        JsonNode in = json.path("picture");
+        JsonNode size = in.path("size");
         try {
             if (size.size() == 2) {
                 assembler.picture = assembler.picture.withSize(size.get(0).asInt(0), size.get(1).asInt(0));
             }
+            ViewSettings view = new ViewSettings(ViewCurve.SRGB, in.path("exposure").asDouble(0));
+            assembler.picture = assembler.picture.withView(in.has("view") ? view.withCurve(ViewCurve.of(in.get("view").asString(""))) : view);
         } catch (IllegalArgumentException e) {
             noteUnusable(assembler);
         }
