@@ -18,7 +18,7 @@ def record(context, objects: list, names: dict, groups: dict, messages: list[str
     scene = context.scene
     result = {"frames": [max(scene.frame_start, 0), max(scene.frame_end, scene.frame_start, 0)],
               "rate": scene.render.fps / scene.render.fps_base, "tracks": []}
-    meshes = [obj for obj in objects if obj.type != "LIGHT"]
+    meshes = [obj for obj in objects if obj.type not in ("LIGHT", "CAMERA", "EMPTY", "ARMATURE", "LATTICE", "SPEAKER", "LIGHT_PROBE")]
     for obj in meshes:
         keys = getattr(obj.data, "shape_keys", None)
         if any(m.type in DEFORMING for m in obj.modifiers) or keys is not None and keys.animation_data:

@@ -97,7 +97,8 @@ final class BlenderCommand implements Callable<Integer> {
             }
         }
         return newest.orElseThrow(() -> new BadInputException(Console.text(
-                "%s: expected the settings of Blender %s or newer, found none; start Blender once, or name its folder of extensions", settings,
+                "%s: expected the settings of Blender %s or newer, found none; start Blender once, or name its folder of extensions",
+                settings,
                 MIN_VERSION))).resolve("extensions").resolve("user_default");
     }
 

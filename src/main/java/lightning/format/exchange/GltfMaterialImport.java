@@ -93,7 +93,8 @@ final class GltfMaterialImport {
         if (!(glass.factor() > 0)) {
             return transmission.withOpacity(material, SceneAssembler.clamp(m.opacity(), 1));
         }
-        assembler.notes.add("transparent materials without a volume (KHR_materials_volume), imported as thin sheets", glass.isThin() ? 1 : 0);
+        assembler.notes.add("transparent materials without a volume (KHR_materials_volume), imported as thin sheets",
+                glass.isThin() ? 1 : 0);
         assembler.notes.add("rough transmission of materials, imported as sharp",
                 material.roughness() > MAX_MIRROR_ROUGHNESS ? 1 : 0);
         Material transmissive = transmission.withTransmission(material, SceneAssembler.clamp(glass.factor(), 1), material.base(),

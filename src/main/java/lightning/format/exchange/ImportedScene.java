@@ -39,7 +39,8 @@ import lightning.scene.shot.Shot;
  * @param notes omitted or approximated features with their counts
  * @param subject what the file contains
  */
-public record ImportedScene(Scene unscaledScene, Optional<Shot> shot, Set<String> restored, Optional<LightUnits> units, List<String> comments, Path sceneFile,
+public record ImportedScene(Scene unscaledScene, Optional<Shot> shot, Set<String> restored, Optional<LightUnits> units,
+        List<String> comments, Path sceneFile,
         List<AssetCopy> copies,
         Map<String, Integer> notes, ImportSubject subject) {
     /** Notes about what replaces missing parts of the file. */
@@ -96,7 +97,8 @@ public record ImportedScene(Scene unscaledScene, Optional<Shot> shot, Set<String
     /** Returns this scene with indirect light of the default settings. */
     ImportedScene withIndirect() {
         return new ImportedScene(
-                unscaledScene.withPicture(unscaledScene.picture().withIndirect(Optional.of(IndirectSettings.DEFAULT))), shot, restored, units,
+                unscaledScene.withPicture(unscaledScene.picture().withIndirect(Optional.of(IndirectSettings.DEFAULT))), shot, restored,
+                units,
                 comments, sceneFile, copies, notes, subject);
     }
 
@@ -114,7 +116,8 @@ public record ImportedScene(Scene unscaledScene, Optional<Shot> shot, Set<String
         Map<String, Integer> newNotes = new HashMap<>(notes);
         newNotes.remove(ADDED_LIGHT);
         newNotes.remove(ADDED_CAMERA);
-        return new ImportedScene(lit, shot.map(s -> validTracks(s, lit)), Set.of(), Optional.empty(), List.copyOf(newComments), sceneFile, copies, Map.copyOf(newNotes),
+        return new ImportedScene(lit, shot.map(s -> validTracks(s, lit)), Set.of(), Optional.empty(), List.copyOf(newComments), sceneFile,
+                copies, Map.copyOf(newNotes),
                 subject);
     }
 
@@ -122,7 +125,8 @@ public record ImportedScene(Scene unscaledScene, Optional<Shot> shot, Set<String
     public ImportedScene withSmoothEdges() {
         PictureSettings picture = unscaledScene.picture();
         return picture.sampling().isSupersampled() ? this
-                : new ImportedScene(unscaledScene.withPicture(picture.withSampling(SMOOTH)), shot, restored, units, comments, sceneFile, copies,
+                : new ImportedScene(unscaledScene.withPicture(picture.withSampling(SMOOTH)), shot, restored, units, comments, sceneFile,
+                        copies,
                         notes, subject);
     }
 
@@ -157,7 +161,8 @@ public record ImportedScene(Scene unscaledScene, Optional<Shot> shot, Set<String
         comments.forEach(line -> header.append("# ").append(line).append('\n'));
         units.ifPresent(chosenUnits -> header.append(chosenUnits.comment()).append('\n'));
         Scene written = scene();
-        return header + shot.map(s -> JenWriter.write(written, s)).orElseGet(() -> JenWriter.write(written)).substring(FORMAT_LINE.length());
+        return header
+                + shot.map(s -> JenWriter.write(written, s)).orElseGet(() -> JenWriter.write(written)).substring(FORMAT_LINE.length());
     }
 
     /**

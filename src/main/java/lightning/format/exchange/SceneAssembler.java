@@ -196,7 +196,8 @@ final class SceneAssembler {
             Stage stage = new Stage(List.copyOf(materials), List.copyOf(nodes));
             Scene scene = new Scene(picture, view, world, stage,
                     LightRig.of(lights.stream().map(light -> withValidLinks(light, stage)).toList(), lightGroups));
-            return new ImportedScene(scene, shot.map(s -> withValidTracks(s, scene)), Set.copyOf(restoredLights), units, List.copyOf(comments), sceneFile,
+            return new ImportedScene(scene, shot.map(s -> withValidTracks(s, scene)), Set.copyOf(restoredLights), units,
+                    List.copyOf(comments), sceneFile,
                     List.copyOf(copies.values()),
                     Map.copyOf(notes.counts()), new ImportSubject(bounds.min(), bounds.max(), camera.isPresent(), hasLights));
         } catch (IllegalArgumentException e) {

@@ -71,7 +71,8 @@ final class SceneExtras {
                 assembler.picture = assembler.picture.withSize(size.get(0).asInt(0), size.get(1).asInt(0));
             }
             ViewSettings view = new ViewSettings(ViewCurve.SRGB, in.path("exposure").asDouble(0));
-            assembler.picture = assembler.picture.withView(in.has("view") ? view.withCurve(ViewCurve.of(in.get("view").asString(""))) : view);
+            assembler.picture =
+                    assembler.picture.withView(in.has("view") ? view.withCurve(ViewCurve.of(in.get("view").asString(""))) : view);
         } catch (IllegalArgumentException e) {
             noteUnusable(assembler);
         }

@@ -156,7 +156,8 @@ final class ShotExtras {
     }
 
     private void addVectors(TrackTarget target, String attribute, List<Integer> frames, List<Vec3> values) {
-        if (values.stream().distinct().count() > 1) {
+        double size = values.stream().mapToDouble(Vec3::maxAbs).max().orElse(0);
+        if (values.stream().anyMatch(v -> v.minus(values.getFirst()).maxAbs() > TOLERANCE * Math.max(1, size))) {
             List<Keyframe> keys = new ArrayList<>();
             for (int i = 0; i < frames.size(); i++) {
                 Vec3 v = values.get(i);
