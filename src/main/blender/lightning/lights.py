@@ -85,8 +85,6 @@ def describe(obj, groups: dict, messages: list[str]) -> dict:
     if light.energy < 0:
         messages.append(f"{obj.name}: a negative strength became 0")
     if light.type in ("POINT", "SPOT"):
-        if light.use_soft_falloff and light.shadow_soft_size > 0:
-            messages.append(f"{obj.name}: Cycles darkens its soft falloff near the light, Lightning does not")
         result["radius"] = axes.number(light.shadow_soft_size)
     if light.type == "SPOT":
         result["angle"] = axes.degrees(light.spot_size / 2)

@@ -12,6 +12,7 @@ import java.util.stream.Stream;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipInputStream;
 import lightning.base.file.AtomicFile;
+import lightning.base.file.RegularFile;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 
@@ -40,7 +41,7 @@ final class BlenderCommand implements Callable<Integer> {
     private String folder;
 
     BlenderCommand(Console console) {
-        this(console, System.getenv(), Path.of(System.getProperty("user.home")));
+        this(console, System.getenv(), Path.of(System.getenv().getOrDefault("HOME", System.getProperty("user.home"))));
     }
 
     /**
@@ -119,7 +120,7 @@ final class BlenderCommand implements Callable<Integer> {
 
     private static void unpack(Path zip, Path target) throws IOException {
         Files.createDirectories(target);
-        try (var in = new ZipInputStream(Files.newInputStream(zip))) {
+        try (var in = new ZipInputStream(RegularFile.open(zip, "the Blender add-on"))) {
             for (ZipEntry entry = in.getNextEntry(); entry != null; entry = in.getNextEntry()) {
                 Path file = target.resolve(entry.getName()).normalize();
                 if (!entry.isDirectory() && file.startsWith(target)) {
