@@ -87,6 +87,26 @@ both.data.materials.append(wall)
 both.data.materials.append(leaf)
 both.data.polygons[0].material_index = 1
 
+# What a render does not show: an object of an excluded collection, and one that is switched off. Their lights are off.
+excluded = bpy.data.collections.new("excluded")
+scene.collection.children.link(excluded)
+excluded.objects.link(bpy.data.objects.new("Excluded", cube.data))
+away = sample.add_light("POINT", "Away", (1, 2, 3))
+scene.collection.objects.unlink(away)
+excluded.objects.link(away)
+bpy.context.view_layer.layer_collection.children["excluded"].exclude = True
+off = bpy.data.objects.new("Off", cube.data)
+off.hide_render = True
+scene.collection.objects.link(off)
+
+# Instances of a collection.
+collection = bpy.data.collections.new("pots")
+collection.objects.link(bpy.data.objects.new("Pot", cube.data))
+for x in (20, 30):
+    empty = bpy.data.objects.new("Pots", None)
+    empty.instance_type, empty.instance_collection, empty.location = "COLLECTION", collection, (x, 0, 0)
+    scene.collection.objects.link(empty)
+
 # A second camera is active, in a portrait picture; everything moves.
 data = bpy.data.cameras.new("Closeup")
 data.lens = 70

@@ -46,10 +46,16 @@ for name, light in sent.items():
 
 # Edited in Lightning: changed, switched off and on, added, deleted.
 edits = ["--set", "Key.intensity=2", "--set", "Key.at=0 5 0", "--set", "Spot.on=no", "--set", "Sun.on=yes",
-         "--set", "Disc.radius=1", "--set", "Soft Box.illuminates=only \"Cube\"", "--set", "keys.intensity=0.5", "--delete", "Square",
+         "--set", "Disc.radius=1", "--set", "Soft Box.illuminates=only \"Cube\"", "--set", "keys.intensity=0.5",
+         "--set", "world.intensity=0.2", "--set", "world.rotation=-45", "--delete", "Square",
          "--add", "rim rect intensity=4 at=0 2 -5 direction=0 0 1 width=2 height=3 falloff=inverse_square"]
 subprocess.run([PROGRAM, "relight", FILE, "-o", str(sample.FOLDER / "a.png"), "--size", "24x16", "--no-savings", "--save", FILE, *edits],
                check=True)
+try:
+    bpy.ops.lightning.send(filepath=FILE)
+    raise AssertionError("a scene that was edited was overwritten")
+except RuntimeError as e:
+    assert "get its lights first" in str(e), e
 call(bpy.ops.lightning.get_lights)
 edited = lights()
 pi = 3.141592653589793
@@ -72,4 +78,8 @@ bpy.context.view_layer.objects["Key"].data.energy *= 2
 call(bpy.ops.lightning.send)
 words = open(FILE, encoding="utf-8").read().split("light Key", 1)[1].split()
 assert abs(float(words[words.index("intensity") + 1]) - 4) <= 4 * PRECISION
+
+# The world's strength follows Lightning's intensity: one color, whose brightest channel has 255 steps.
+strength = bpy.context.scene.world.node_tree.nodes["Background"].inputs["Strength"].default_value
+assert abs(strength * 0.05087608844041824 * 256 / 255 - 0.2) <= PRECISION, strength
 print("all lights are equal")

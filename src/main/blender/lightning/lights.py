@@ -62,7 +62,7 @@ def describe(obj, groups: dict, messages: list[str]) -> dict:
     kelvin = min(max(light.temperature, temperature.LOWEST), temperature.HIGHEST) if light.use_temperature else temperature.NEUTRAL
     correction = temperature.correction(light, kelvin) if light.use_temperature else [1, 1, 1]
     color, strength = _emission(light, obj.name, messages)
-    matrix = obj.matrix_world
+    matrix = placement(obj)
     scale = matrix.to_scale()
     result = {
         "type": {"POINT": "point", "SPOT": "spot", "SUN": "directional"}.get(light.type, _area_type(light)),
@@ -139,6 +139,13 @@ def _emission(light, name: str, messages: list[str]) -> tuple[list[float], float
     return list(color[:3]), 1 if node.inputs["Strength"].is_linked else node.inputs["Strength"].default_value
 
 
+def placement(obj):
+    """Returns the world transform of an object; Blender does not compute it for objects that the view layer excludes."""
+    if obj.name in bpy.context.view_layer.objects or obj.parent is not None:
+        return obj.matrix_world
+    return obj.matrix_basis
+
+
 def is_on(obj) -> bool:
     """Returns whether a render shows an object: it and a collection that contains it are switched on."""
     return not obj.hide_render and _is_shown(obj, bpy.context.view_layer.layer_collection)
@@ -192,7 +199,7 @@ def receive(obj, settings: dict, groups: dict, messages: list[str]) -> None:
             light.shape = "RECTANGLE" if kind == "rect" else "DISK"
         before = {}
     if changed("at", "direction", "up") and obj.parent is None and not obj.constraints:
-        scale = obj.matrix_world.to_scale()
+        scale = placement(obj).to_scale()
         _place(obj, settings, before)
         obj.scale = scale
     elif changed("at", "direction", "up"):
@@ -226,18 +233,18 @@ def receive(obj, settings: dict, groups: dict, messages: list[str]) -> None:
 def _place(obj, settings: dict, before: dict) -> None:
     if settings["type"] == "point" and before:
         # A point has no direction: its rotation stays.
-        matrix = obj.matrix_world.copy()
+        matrix = placement(obj).copy()
         matrix.translation = axes.blender_vector(settings["at"])
     elif settings["type"] == "directional" and before:
         matrix = axes.light_matrix(settings["at"], settings["direction"], settings["up"])
-        matrix.translation = obj.matrix_world.translation
+        matrix.translation = placement(obj).translation
     else:
         matrix = axes.light_matrix(settings["at"], settings["direction"], settings["up"])
     obj.matrix_world = matrix
 
 
 def _receive_shape(obj, light, settings: dict, changed, messages: list[str]) -> None:
-    scale = obj.matrix_world.to_scale()
+    scale = placement(obj).to_scale()
     if light.type in ("POINT", "SPOT") and changed("type", "radius"):
         light.shadow_soft_size = settings["radius"]
     if light.type == "SPOT":
@@ -292,5 +299,5 @@ def _receive_strength(obj, light, settings: dict, before: dict, groups: dict, me
         intensity /= max(constant + linear + quadratic, 1) if constant or linear else quadratic or 1
         if constant or linear:
             messages.append(f"{obj.name}: its falloff is not inverse-square; Blender's light is equal at distance 1")
-    factor = PER_WATT[light.type] * _area_factor(light, obj.matrix_world.to_scale()) * strength
+    factor = PER_WATT[light.type] * _area_factor(light, placement(obj).to_scale()) * strength
     light.energy = intensity * group["intensity"] / factor if factor > 0 else 0

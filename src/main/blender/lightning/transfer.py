@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Sends a scene to Lightning, and gets its lights back."""
 
+import hashlib
 import json
 import tempfile
 from pathlib import Path
@@ -19,25 +20,28 @@ EXPECTED = ("written;", "znear of cameras", "zfar of cameras")
 
 
 def memory(scene) -> dict:
-    """Returns what a scene remembers of Lightning: light groups, world and the scene file's text."""
+    """Returns what a scene remembers of Lightning: light groups, world and the digest of the scene file."""
     try:
         return json.loads(scene.get(PROPERTY, "{}"))
     except ValueError:
         return {}
 
 
+def _digest(file: Path) -> str:
+    return hashlib.sha256(file.read_bytes()).hexdigest()
+
+
 def send(context, target: Path, overwrite: bool = False) -> list[str]:
     """Writes a .jen file with everything that a render of the scene shows. Returns messages for the user."""
     scene = context.scene
     remembered = memory(scene)
-    text = target.read_text(encoding="utf-8") if target.is_file() else None
-    if text is not None and not overwrite and remembered.get("text") != text:
+    if target.is_file() and not overwrite and remembered.get("digest") != _digest(target):
         raise program.ProgramError(f"{target.name} was not sent from here, or has changed since: get its lights first, or overwrite it")
     messages: list[str] = []
     model = target.with_suffix(".glb")
-    lamps = [obj for obj in context.view_layer.objects if obj.type == "LIGHT"]
+    lamps = [obj for obj in scene.objects if obj.type == "LIGHT"]
     shown = [obj for obj in context.view_layer.objects if obj.type != "LIGHT" and lights.is_on(obj)]
-    _export_model(model)
+    _export_model(scene, model)
     root, rest = gltf.read(model)
     materials.add_glass(root, shown, messages)
     root.setdefault("extras", {})[PROPERTY] = _settings(context, target, lamps, shown, remembered, messages)
@@ -48,7 +52,19 @@ def send(context, target: Path, overwrite: bool = False) -> list[str]:
     return messages
 
 
-def _export_model(path: Path) -> None:
+def _export_model(scene, path: Path) -> None:
+    """Exports what a render shows: the exporter would add objects of excluded collections."""
+    hidden = [obj for obj in scene.objects if not obj.hide_render and not lights.is_on(obj)]
+    try:
+        for obj in hidden:
+            obj.hide_render = True
+        _export(path)
+    finally:
+        for obj in hidden:
+            obj.hide_render = False
+
+
+def _export(path: Path) -> None:
     bpy.ops.export_scene.gltf(filepath=str(path), export_format="GLB", use_renderable=True, use_active_scene=True, export_apply=True,
                               export_cameras=True, export_lights=False, export_extras=False, export_animations=False,
                               export_skins=False, export_morph=False, export_hierarchy_flatten_objs=True, export_tangents=False)
@@ -95,7 +111,7 @@ def _remember(scene, target: Path, lamps: list) -> None:
     for obj in lamps:
         if obj.name in by_name:
             lights.store(obj, obj.name, by_name[obj.name], groups)
-    scene[PROPERTY] = json.dumps({"banks": groups, "world": exported["world"], "text": target.read_text(encoding="utf-8")})
+    scene[PROPERTY] = json.dumps({"banks": groups, "world": exported["world"], "digest": _digest(target)})
 
 
 def export(source: Path) -> dict:
@@ -113,7 +129,7 @@ def get_lights(context, source: Path, remove: bool = True) -> list[str]:
     exported = export(source)
     groups = {group.pop("name"): group for group in exported["banks"]}
     known = {}
-    for obj in context.view_layer.objects:
+    for obj in scene.objects:
         if obj.type == "LIGHT":
             known[lights.stored(obj).get("name", obj.name)] = obj
     received = []
@@ -131,7 +147,7 @@ def get_lights(context, source: Path, remove: bool = True) -> list[str]:
     for obj, settings in received:
         lights.store(obj, settings["name"], settings, groups)
     world.receive(scene.world, exported["world"], memory(scene).get("world", {}), messages)
-    scene[PROPERTY] = json.dumps({"banks": groups, "world": exported["world"], "text": source.read_text(encoding="utf-8")})
+    scene[PROPERTY] = json.dumps({"banks": groups, "world": exported["world"], "digest": _digest(source)})
     if any(settings["solo"] for settings in exported["lights"]) or any(group["solo"] for group in groups.values()):
         messages.append("solo lights: Blender shows the others too")
     for name, group in groups.items():
