@@ -1,6 +1,7 @@
 package lightning.cli;
 
 import java.io.IOException;
+import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -26,9 +27,11 @@ import picocli.CommandLine.Option;
         footer = {
             "Examples:",
             "  lightning blender --install",
-            "  lightning blender --install ~/.config/blender/5.0/extensions/user_default"})
+            "  lightning blender"})
 final class BlenderCommand implements Callable<Integer> {
     private static final String ADD_ON = "lightning";
+    /** Folder of the add-on in a checkout of the sources, which has no zip. */
+    private static final Path SOURCES = Path.of("src", "main", "blender", ADD_ON);
     /** Oldest version that the add-on runs in, as in its manifest. */
     private static final double MIN_VERSION = 4.5;
 
@@ -58,12 +61,14 @@ final class BlenderCommand implements Callable<Integer> {
     @Override
     public Integer call() throws Exception {
         String program = System.getProperty("lightning.home");
-        Path zip = Path.of(program == null ? "target/lightning" : program).resolve("blender").resolve("lightning-blender.zip");
-        if (!Files.isRegularFile(zip)) {
-            throw new BadInputException(Console.text("%s: expected the Blender add-on, found no file; mvn package builds it", zip));
+        Path root = Path.of(program == null ? "" : program).toAbsolutePath();
+        Path zip = root.resolve("blender").resolve("lightning-blender.zip");
+        Path sources = root.resolve(SOURCES);
+        if (!Files.isRegularFile(zip) && !Files.isDirectory(sources)) {
+            throw new BadInputException(Console.text("%s: expected the Blender add-on, found no file", zip));
         }
         if (folder == null) {
-            console.print("%s", zip);
+            console.print("%s", Files.isRegularFile(zip) ? zip : sources);
             return ExitCode.OK;
         }
         Path extensions = folder.isEmpty() ? userFolder() : Path.of(folder);
@@ -71,9 +76,12 @@ final class BlenderCommand implements Callable<Integer> {
             throw new BadInputException(Console.text("%s: expected a folder of Blender extensions, found none", extensions));
         }
         Path target = extensions.resolve(ADD_ON);
-        unpack(zip, target);
-        String launcher = Optional.ofNullable(System.getProperty("jpackage.app-path"))
-                .orElse(zip.resolveSibling("../bin/lightning").toAbsolutePath().normalize().toString());
+        if (Files.isRegularFile(zip)) {
+            unpack(zip, target);
+        } else {
+            copy(sources, target);
+        }
+        String launcher = Optional.ofNullable(System.getProperty("jpackage.app-path")).orElse(root.resolve("bin/lightning").toString());
         write(target.resolve("program.txt"), (launcher + "\n").getBytes(StandardCharsets.UTF_8));
         console.print("%s: installed; enable Lightning in Blender under Edit > Preferences > Add-ons", target);
         return ExitCode.OK;
@@ -126,6 +134,17 @@ final class BlenderCommand implements Callable<Integer> {
                 if (!entry.isDirectory() && file.startsWith(target)) {
                     Files.createDirectories(file.getParent());
                     write(file, in.readAllBytes());
+                }
+            }
+        }
+    }
+
+    private static void copy(Path sources, Path target) throws IOException {
+        Files.createDirectories(target);
+        try (Stream<Path> files = Files.list(sources)) {
+            for (Path file : files.filter(Files::isRegularFile).toList()) {
+                try (InputStream in = RegularFile.open(file, "the Blender add-on")) {
+                    write(target.resolve(file.getFileName()), in.readAllBytes());
                 }
             }
         }

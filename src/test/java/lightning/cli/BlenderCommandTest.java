@@ -72,6 +72,18 @@ class BlenderCommandTest {
     }
 
     @Test
+    void checkoutOfSources_isCopied() throws Exception {
+        Files.delete(folder.resolve("program/blender/lightning-blender.zip"));
+        Path extensions = Files.createDirectory(folder.resolve("extensions"));
+        assertThatExceptionOfType(BadInputException.class).isThrownBy(() -> installed(Map.of(), "--install", extensions.toString()))
+                .withMessageEndingWith("lightning-blender.zip: expected the Blender add-on, found no file");
+        System.setProperty(HOME, Path.of("").toAbsolutePath().toString());
+        installed(Map.of(), "--install", extensions.toString());
+        assertThat(extensions.resolve("lightning/blender_manifest.toml")).hasSameTextualContentAs(
+                Path.of("src/main/blender/lightning/blender_manifest.toml"));
+    }
+
+    @Test
     @EnabledOnOs(OS.LINUX)
     void newestBlender_isFound() throws Exception {
         for (String version : new String[] {"3.6", "4.5", "5.0", "cache"}) {
