@@ -100,7 +100,7 @@ final class ArchitectureRules {
             row("format.layer", ENGINE + " base.file format.exr format.matte"),
             row("format.pov", "base.math base.file scene render.image format.image"),
             row("format.exchange",
-                    "base.text base.math base.work base.file scene render.image render.trace render.fulltrace format.mesh"
+                    "base.text base.math base.work base.file scene scene.shot render.image render.trace render.fulltrace format.mesh"
                             + " format.mesh.ply format.mesh.obj format.gltf format.nff format format.jen"),
             row("shot",
                     "base.text base.work base.file scene scene.shot render.column render.image render.trace render.shading render.cache"
