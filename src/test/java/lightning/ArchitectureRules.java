@@ -41,7 +41,7 @@ final class ArchitectureRules {
     private static final String WINDOW = DOCUMENT + " editor.window.widget editor.window.model editor.window.command";
 
     /** Groups from the bottom up: a package imports from its own group and from those before it. */
-    private static final List<String> GROUPS = List.of("base", "scene", "render", "format", "shot", "bench", "editor", "cli");
+    private static final List<String> GROUPS = List.of("base", "scene", "render", "format", "shot", "bench", "editor", "serve", "cli");
 
     /** Packages from the bottom up. */
     private static final List<Layer> LAYERS = List.of(
@@ -138,9 +138,10 @@ final class ArchitectureRules {
                     WINDOW + " format format.exchange editor.window.property editor.window.traced editor.window.preview editor.window.animation"
                             + " editor.window.timeline editor.window.dock editor.window.measure editor.window.mixer editor.window.contribution"
                             + " editor.window.link editor.window.cue editor.window.welcome"),
+            row("serve", DOCUMENT + " format.exr format.layer"),
             row("cli",
                     ENGINE + " base.file scene.shot format format.hdr format.jen format.exr format.image format.layer format.pov format.exchange"
-                            + " shot shot.cluster shot.movie bench.accuracy bench bench.report"),
+                            + " shot shot.cluster shot.movie bench.accuracy bench bench.report serve"),
             row("", "editor.window cli"));
 
     /** @param dependencies packages that it may import, in addition to itself */

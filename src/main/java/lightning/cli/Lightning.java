@@ -30,6 +30,7 @@ public final class Lightning {
         COMMANDS.put("relight", RelightCommand::new);
         COMMANDS.put("shot", Lightning::createShotCommand);
         COMMANDS.put("node", NodeCommand::new);
+        COMMANDS.put("serve", ServeCommand::new);
         COMMANDS.put("explain", ExplainCommand::new);
         COMMANDS.put("import", ImportCommand::new);
         COMMANDS.put("export", ExportCommand::new);
