@@ -23,6 +23,9 @@ import lightning.scene.IndirectSettings;
 import lightning.scene.PictureSettings;
 import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
+import lightning.scene.shot.Shot;
+import lightning.scene.shot.Track;
+import lightning.scene.shot.TrackTarget;
 
 /**
  * Scene converted from another program's file, not written yet.
@@ -36,10 +39,12 @@ import lightning.scene.Scene;
  * @param copies files to copy next to it
  * @param notes omitted or approximated features with their counts
  * @param subject what the file contains
+ * @param shot animation of the scene; empty if the file has none
+ * @param closingComments comment lines at the end of the scene file
  */
 public record ImportedScene(Scene unscaledScene, Set<String> restored, Optional<LightUnits> units, List<String> comments, Path sceneFile,
         List<AssetCopy> copies,
-        Map<String, Integer> notes, ImportSubject subject) {
+        Map<String, Integer> notes, ImportSubject subject, Optional<Shot> shot, List<String> closingComments) {
     /** Notes about what replaces missing parts of the file. */
     static final String ADDED_LIGHT = "no lights in the file; added one";
     static final String ADDED_CAMERA = "no cameras in the file; added one";
@@ -88,14 +93,15 @@ public record ImportedScene(Scene unscaledScene, Set<String> restored, Optional<
     /** Returns this scene with other light units, or this object if the file defines its units. */
     public ImportedScene inUnits(LightUnits newUnits) {
         return units.isEmpty() ? this
-                : new ImportedScene(unscaledScene, restored, Optional.of(newUnits), comments, sceneFile, copies, notes, subject);
+                : new ImportedScene(unscaledScene, restored, Optional.of(newUnits), comments, sceneFile, copies, notes, subject, shot,
+                        closingComments);
     }
 
     /** Returns this scene with indirect light of the default settings. */
     ImportedScene withIndirect() {
         return new ImportedScene(
                 unscaledScene.withPicture(unscaledScene.picture().withIndirect(Optional.of(IndirectSettings.DEFAULT))), restored, units,
-                comments, sceneFile, copies, notes, subject);
+                comments, sceneFile, copies, notes, subject, shot, closingComments);
     }
 
     /**
@@ -113,7 +119,12 @@ public record ImportedScene(Scene unscaledScene, Set<String> restored, Optional<
         newNotes.remove(ADDED_LIGHT);
         newNotes.remove(ADDED_CAMERA);
         return new ImportedScene(lit, Set.of(), Optional.empty(), List.copyOf(newComments), sceneFile, copies, Map.copyOf(newNotes),
-                subject);
+                subject, shot.map(s -> s.withTracks(s.tracks().stream().filter(t -> remains(t, lit)).toList())), closingComments);
+    }
+
+    /** Returns whether an animated object is in a scene with other lights, and a camera still the file's. */
+    private boolean remains(Track track, Scene lit) {
+        return track.target().existsIn(lit) && (!track.target().equals(TrackTarget.CAMERA) || lit.camera().equals(unscaledScene.camera()));
     }
 
     /** Returns this scene with smooth edges. */
@@ -121,7 +132,7 @@ public record ImportedScene(Scene unscaledScene, Set<String> restored, Optional<
         PictureSettings picture = unscaledScene.picture();
         return picture.sampling().isSupersampled() ? this
                 : new ImportedScene(unscaledScene.withPicture(picture.withSampling(SMOOTH)), restored, units, comments, sceneFile, copies,
-                        notes, subject);
+                        notes, subject, shot, closingComments);
     }
 
     /** Returns whether the scene has indirect light. */
@@ -142,7 +153,10 @@ public record ImportedScene(Scene unscaledScene, Set<String> restored, Optional<
         var header = new StringBuilder(FORMAT_LINE);
         comments.forEach(line -> header.append("# ").append(line).append('\n'));
         units.ifPresent(chosenUnits -> header.append(chosenUnits.comment()).append('\n'));
-        return header + JenWriter.write(scene()).substring(FORMAT_LINE.length());
+        String blocks = shot.isPresent() ? JenWriter.write(scene(), shot.get()) : JenWriter.write(scene());
+        var footer = new StringBuilder(closingComments.isEmpty() ? "" : "\n");
+        closingComments.forEach(line -> footer.append("# ").append(line).append('\n'));
+        return header + blocks.substring(FORMAT_LINE.length()) + footer;
     }
 
     /**

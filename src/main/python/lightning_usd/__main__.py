@@ -1,0 +1,39 @@
+"""Describes a USD stage for Lightning: `python lightning_usd shot.usda folder`.
+
+Writes `stage.json` and `arrays.bin` into the folder, or `error.txt` with one sentence. Needs the package usd-core.
+"""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+NO_USD = 3
+FAILED = 2
+
+
+def main(source: str, folder: str) -> int:
+    """Returns the exit code: 0, FAILED, or NO_USD without usd-core."""
+    try:
+        from pxr import Usd  # noqa: F401
+    except ImportError:
+        return NO_USD
+    from output import StageError
+    from stage import describe
+
+    try:
+        describe(source, Path(folder))
+        return 0
+    except StageError as error:
+        message = str(error)
+    except (MemoryError, RecursionError):
+        message = "is too large for the memory of the converter"
+    except Exception as error:  # usd-core raises its own kinds for damaged content
+        lines = [line.strip() for line in str(error).splitlines() if line.strip()]
+        message = "cannot be read by usd-core: " + (lines[-1] if lines else type(error).__name__)
+    (Path(folder) / "error.txt").write_text(message, encoding="utf-8")
+    return FAILED
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1], sys.argv[2]))

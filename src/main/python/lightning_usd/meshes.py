@@ -1,0 +1,106 @@
+"""Meshes and simple solids."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from output import Output
+from pxr import Sdf, Usd, UsdGeom, Vt
+
+SOLIDS = {"Sphere", "Cube", "Cylinder", "Cylinder_1", "Cone", "Capsule", "Capsule_1", "Plane"}
+
+
+def identity(prim: Usd.Prim) -> Sdf.Path:
+    """Returns the same path for all instances of a prim."""
+    return prim.GetPrimInPrototype().GetPath() if prim.IsInstanceProxy() else prim.GetPath()
+
+
+def solid(prim: Usd.Prim, time: Usd.TimeCode) -> dict[str, Any]:
+    """Returns a simple solid, with sizes in its own space."""
+    result: dict[str, Any] = {"type": str(prim.GetTypeName()).removesuffix("_1")}
+    for name in ("size", "radius", "height", "width", "length", "radiusTop", "radiusBottom"):
+        attribute = prim.GetAttribute(name)
+        if attribute:
+            result[name] = float(attribute.Get(time))
+    if prim.GetAttribute("axis"):
+        result["axis"] = str(prim.GetAttribute("axis").Get())
+    return result
+
+
+class Meshes:
+    """All meshes of a stage; instances share one."""
+
+    def __init__(self, out: Output, time: Usd.TimeCode) -> None:
+        self.out = out
+        self.time = time
+        self.all: list[dict[str, Any]] = []
+        self.known: dict[tuple[Any, ...], int] = {}
+
+    def of(self, mesh: UsdGeom.Mesh, materials: Any, material: int) -> int:
+        """Returns the index of a mesh; -1 if it has no faces."""
+        prim = mesh.GetPrim()
+        coordinates = materials.coordinates(material)
+        key = (identity(prim), coordinates, material < 0)
+        if key not in self.known:
+            self.known[key] = self.add(mesh, coordinates, material < 0)
+        return self.known[key]
+
+    def add(self, mesh: UsdGeom.Mesh, coordinates: str, colored: bool) -> int:
+        """Adds a mesh."""
+        prim, out = mesh.GetPrim(), self.out
+        points = mesh.GetPointsAttr().Get(self.time)
+        counts = mesh.GetFaceVertexCountsAttr().Get(self.time)
+        indices = mesh.GetFaceVertexIndicesAttr().Get(self.time)
+        if not points or not counts or not indices:
+            out.note("meshes without faces")
+            return -1
+        scheme = str(mesh.GetSubdivisionSchemeAttr().Get())
+        result: dict[str, Any] = {
+            "name": prim.GetName(), "path": str(prim.GetPath()),
+            "points": out.array(points), "counts": out.array(counts), "indices": out.array(indices),
+            "left": mesh.GetOrientationAttr().Get() == UsdGeom.Tokens.leftHanded,
+            "smooth": scheme in ("catmullClark", "loop"),
+        }
+        holes = mesh.GetHoleIndicesAttr().Get(self.time)
+        if holes:
+            result["holes"] = out.array(holes)
+        if scheme in ("catmullClark", "loop"):
+            out.note("subdivision surfaces, imported as their control meshes")
+        if mesh.GetPointsAttr().ValueMightBeTimeVarying():
+            out.note("deforming meshes, at the first frame")
+        api = UsdGeom.PrimvarsAPI(prim)
+        normals = api.GetPrimvar("normals")
+        if normals and normals.HasAuthoredValue():
+            self.attach(result, "normals", normals.Get(self.time), normals.GetIndices(self.time), str(normals.GetInterpolation()), Vt.Vec3fArray)
+        elif mesh.GetNormalsAttr().HasAuthoredValue():
+            self.attach(result, "normals", mesh.GetNormalsAttr().Get(self.time), None, str(mesh.GetNormalsInterpolation()), Vt.Vec3fArray)
+        uv = self.texture_coordinates(api, coordinates)
+        if uv:
+            self.attach(result, "uv", uv.Get(self.time), uv.GetIndices(self.time), str(uv.GetInterpolation()), Vt.Vec2fArray)
+        color = api.FindPrimvarWithInheritance("displayColor")
+        if colored and color and color.HasValue() and color.GetInterpolation() != "constant":
+            self.attach(result, "colors", color.Get(self.time), color.GetIndices(self.time), str(color.GetInterpolation()), Vt.Vec3fArray)
+        self.all.append(result)
+        return len(self.all) - 1
+
+    def attach(self, result: dict[str, Any], name: str, values: Any, indices: Any, interpolation: str, kind: Any) -> None:
+        """Adds values of vertices or faces."""
+        if not values:
+            return
+        try:
+            entry = {"values": self.out.array(values if isinstance(values, kind) else kind(values)), "interpolation": interpolation}
+        except (TypeError, ValueError, RuntimeError):
+            self.out.note(f"{name} of meshes that are of another type")
+            return
+        if indices:
+            entry["indices"] = self.out.array(indices)
+        result[name] = entry
+
+    @staticmethod
+    def texture_coordinates(api: UsdGeom.PrimvarsAPI, wanted: str) -> Any:
+        """Returns the primvar of texture coordinates: the wanted one, a usual one, or any."""
+        for name in (wanted, "st", "UVMap", "uv", "st0", "map1"):
+            primvar = api.FindPrimvarWithInheritance(name) if name else None
+            if primvar and primvar.HasValue():
+                return primvar
+        return next((p for p in api.GetPrimvarsWithValues() if p.GetTypeName() == Sdf.ValueTypeNames.TexCoord2fArray), None)
