@@ -80,16 +80,15 @@ def linked_nodes(prim: Usd.Prim, nodes: list[dict[str, Any]], out: Output) -> di
         root = collection.GetIncludeRootAttr()
         if not includes and not excludes and root.Get() is not False:
             continue
-        query = collection.ComputeMembershipQuery()
-        if query.HasExpression():
+        if not includes and not excludes and collection.GetMembershipExpressionAttr().Get():
             out.note("light links by expressions")
             continue
-        result[key] = selection(query, nodes)
+        result[key] = selection(collection.ComputeMembershipQuery(), nodes, root.Get() is not False)
     return result
 
 
-def selection(query: Usd.CollectionMembershipQuery, nodes: list[dict[str, Any]]) -> dict[str, Any]:
-    """Returns the shortest list of nodes, of all that show something, that is included or excluded as a whole."""
+def selection(query: Usd.CollectionMembershipQuery, nodes: list[dict[str, Any]], with_root: bool) -> dict[str, Any]:
+    """Returns the list of nodes, of all that show something, that is included as a whole, or excluded if the root is included."""
     shows = [any(key in node for key in ("mesh", "solid", "instances")) for node in nodes]
     # Bits: 1 for an included object in the node, 2 for an excluded one. Children follow their parents in the list.
     state = [0] * len(nodes)
@@ -101,6 +100,4 @@ def selection(query: Usd.CollectionMembershipQuery, nodes: list[dict[str, Any]])
     own = [i for i, node in enumerate(nodes) if node["parent"] != -2]
     def tops(wanted: int) -> list[int]:
         return [i for i in own if state[i] == wanted and (nodes[i]["parent"] < 0 or state[nodes[i]["parent"]] != wanted)]
-    included, excluded = tops(1), tops(2)
-    only = len(included) <= len(excluded)
-    return {"only": only, "nodes": included if only else excluded}
+    return {"only": not with_root, "nodes": tops(2 if with_root else 1)}

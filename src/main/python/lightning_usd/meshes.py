@@ -7,7 +7,7 @@ from typing import Any
 from output import Output
 from pxr import Sdf, Usd, UsdGeom, Vt
 
-SOLIDS = {"Sphere", "Cube", "Cylinder", "Cylinder_1", "Cone", "Capsule", "Capsule_1", "Plane"}
+SOLIDS = {"Sphere", "Cylinder", "Cylinder_1", "Cone", "Capsule", "Capsule_1", "Plane"}
 
 
 def identity(prim: Usd.Prim) -> Sdf.Path:
@@ -43,6 +43,19 @@ class Meshes:
         key = (identity(prim), coordinates, material < 0)
         if key not in self.known:
             self.known[key] = self.add(mesh, coordinates, material < 0)
+        return self.known[key]
+
+    def cube(self, prim: Usd.Prim) -> int:
+        """Returns the index of a cube."""
+        half = float(prim.GetAttribute("size").Get(self.time)) / 2
+        key = ("cube", half)
+        if key not in self.known:
+            corners = [(x, y, z) for x in (-half, half) for y in (-half, half) for z in (-half, half)]
+            faces = [0, 1, 3, 2, 4, 6, 7, 5, 0, 4, 5, 1, 2, 3, 7, 6, 0, 2, 6, 4, 1, 5, 7, 3]
+            self.known[key] = len(self.all)
+            self.all.append({"name": "cube", "path": str(prim.GetPath()), "points": self.out.array(Vt.Vec3fArray(corners)),
+                             "counts": self.out.array(Vt.IntArray([4] * 6)), "indices": self.out.array(Vt.IntArray(faces)),
+                             "left": False, "smooth": False})
         return self.known[key]
 
     def add(self, mesh: UsdGeom.Mesh, coordinates: str, colored: bool) -> int:

@@ -57,6 +57,7 @@ class Walk:
             "up": str(UsdGeom.GetStageUpAxis(self.stage)),
             "meters": float(UsdGeom.GetStageMetersPerUnit(self.stage)),
             "frames": None if not frames else [frames[0] - first_shift, frames[1] - first_shift, float(self.stage.GetTimeCodesPerSecond())],
+            "shift": first_shift,
             "cameras": [self.over_time(prim, camera, frames) for prim in cameras],
             "lights": [self.describe_light(prim, frames) for prim in self.lights],
             "nodes": self.nodes,
@@ -151,6 +152,10 @@ class Walk:
                 node["mesh"] = mesh
                 node["material"] = material if material >= 0 else self.materials.display(prim)
                 node["subsets"] = self.materials.subsets(prim)
+        elif kind == "Cube":
+            node["mesh"] = self.meshes.cube(prim)
+            material = self.materials.of(prim)
+            node["material"] = material if material >= 0 else self.materials.display(prim)
         elif kind in SOLIDS:
             node["solid"] = solid(prim, self.time)
             material = self.materials.of(prim)

@@ -16,8 +16,8 @@ import lightning.scene.shot.TrackTarget;
 
 /** Keyframes of attributes whose values are known at every frame. Frames on a straight line between two others get none. */
 final class FrameTracks {
-    /** Largest distance from the line, as a share of the values, which have nine digits. */
-    private static final double TOLERANCE = 1e-8;
+    /** Largest distance from the line, as a share of the values: stages have floats, of about seven digits. */
+    private static final double TOLERANCE = 1e-6;
 
     private final int first;
 

@@ -55,6 +55,7 @@ final class UsdImport {
     private ImportedScene assemble() throws IOException, MeshException {
         root.get("notes").node().properties().forEach(e -> assembler.notes.add(e.getKey(), Math.max(0, e.getValue().asInt(0))));
         UsdPaths.addAxis(assembler, hasZUp);
+        UsdPaths.addShift(assembler, root.get("shift").integer(-Shot.MAX_FRAME, 0, 0));
         nodes = new UsdNodes(assembler, stage, upright, firstFrame);
         nodes.build();
         tracks.addAll(nodes.tracks());

@@ -1,6 +1,8 @@
 package lightning.format.exchange;
 
 import java.io.IOException;
+import java.math.BigDecimal;
+import java.math.MathContext;
 import java.nio.file.Path;
 import java.util.Optional;
 import lightning.base.math.Rgb;
@@ -27,6 +29,7 @@ import lightning.scene.SceneLimits;
  * {@link UsdLightExport} inverts it.
  */
 final class UsdLightImport {
+    private static final MathContext DIGITS = new MathContext(12);
     private static final double SHARE_OF_SCALES = 1e-4;
 
     private final SceneAssembler assembler;
@@ -166,7 +169,7 @@ final class UsdLightImport {
         double stops = Math.clamp(exposure, -Emission.MAX_EXPOSURE, Emission.MAX_EXPOSURE);
         double intensity = tidy(in.get("intensity").number(1)) * light.intensity() * Math.pow(2, exposure - stops);
         notes.add("negative intensities of lights", intensity < 0 ? 1 : 0);
-        return light.withColor(color(color)).withIntensity(SceneAssembler.clamp(intensity, SceneLimits.MAX_INTENSITY))
+        return light.withColor(color(color)).withIntensity(SceneAssembler.clamp(shortened(intensity), SceneLimits.MAX_INTENSITY))
                 .withEmission(light.emission().withExposure(stops).withTemperature(tidy(allowed)))
                 .withOn(!in.get("hidden").bool(false))
                 .withContribution(Contribution.DEFAULT.withCastsShadows(in.get("shadows").bool(true))
@@ -226,6 +229,11 @@ final class UsdLightImport {
 
     private static Vec3 tidy(Vec3 v) {
         return new Vec3(rounded(v.x()), rounded(v.y()), rounded(v.z()));
+    }
+
+    /** Rounds a product of floats to more digits than they have. */
+    private static double shortened(double v) {
+        return Double.isFinite(v) ? new BigDecimal(v).round(DIGITS).doubleValue() : v;
     }
 
     /** Rounds to about nine digits. */

@@ -37,6 +37,7 @@ final class UsdNodes {
     private final Map<Integer, String> names = new HashMap<>();
     private final List<Track> tracks = new ArrayList<>();
     private final UsdParts parts;
+    private boolean[] shows;
     private long visits;
 
     UsdNodes(SceneAssembler assembler, UsdStage stage, Transform upright, int firstFrame) throws MeshException {
@@ -60,6 +61,11 @@ final class UsdNodes {
             }
         }
         parts.read(nodes);
+        shows = new boolean[nodes.size()];
+        for (int i = nodes.size() - 1; i >= 0; i--) {
+            JsonValue in = nodes.element(i);
+            shows[i] = in.get("instances").isPresent() || parts.count(in) > 0 || children.get(i).stream().anyMatch(child -> shows[child]);
+        }
         for (int i : roots) {
             assembler.nodes.addAll(build(i, Transform.IDENTITY, upright, 0, 0, true));
         }
@@ -93,6 +99,9 @@ final class UsdNodes {
         if (++visits > 2L * SceneLimits.MAX_SHAPES) {
             throw nodes.problem("must have at most " + SceneLimits.MAX_SHAPES + " objects, with all instances");
         }
+        if (!shows[index]) {
+            return List.of();
+        }
         if (depth > MAX_DEPTH) {
             assembler.notes.add("objects nested more than " + MAX_DEPTH + " deep");
             return List.of();
@@ -108,6 +117,7 @@ final class UsdNodes {
         Transform inner = isGroup ? world.times(local) : world;
         Transform rest = isGroup ? Transform.IDENTITY : local;
         String name = in.get("name").text().orElse("");
+        String groupName = "";
         List<SceneNode> content = new ArrayList<>();
         boolean isLeaf = isGroup && children.get(index).isEmpty() && !in.get("instances").isPresent() && parts.count(in) == 1
                 && !(in.get("solid").isPresent() && in.get("matrices").isPresent());
@@ -116,19 +126,22 @@ final class UsdNodes {
             content.add(parts.shape(in, placements.getLast(), outer));
             placements = placements.subList(0, placements.size() - 1);
         } else {
+            groupName = isGroup ? assembler.names.unique(name, "group") : "";
             content.addAll(parts.shapes(in, rest, inner));
         }
         for (int child : children.get(index)) {
             content.addAll(build(child, inner, rest, groups + 1, depth + 1, isUnique));
         }
         content.addAll(instances(in.get("instances"), inner, rest, groups + 1, depth + 1));
-        return content.isEmpty() || !isGroup ? content : finish(index, in, wrapped(name, placements, content), local, isUnique);
+        return content.isEmpty() || !isGroup ? content : finish(index, in, wrapped(groupName.isEmpty() ? name : groupName, !groupName.isEmpty(), placements, content), local, isUnique);
     }
 
-    private List<SceneNode> wrapped(String name, List<Placement> placements, List<SceneNode> content) {
+    /** Wraps nodes in one group for each placement; the outermost has the name, if it is reserved for it. */
+    private List<SceneNode> wrapped(String name, boolean isReserved, List<Placement> placements, List<SceneNode> content) {
         List<SceneNode> result = content;
-        for (Placement placement : placements.reversed()) {
-            result = List.of(new NodeGroup(assembler.names.unique(name, "group"), placement, result));
+        for (int i = placements.size() - 1; i >= 0; i--) {
+            String own = i == 0 && isReserved ? name : assembler.names.unique(name, "group");
+            result = List.of(new NodeGroup(own, placements.get(i), result));
         }
         return result;
     }

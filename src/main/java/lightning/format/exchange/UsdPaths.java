@@ -15,12 +15,14 @@ import lightning.format.mesh.MeshException;
  * of a scene depends on it.
  *
  * @param hasZUp  true if the z axis of the stage is up
+ * @param shift   time in the stage of frame 0
  * @param lights  path and type of each light, by its name
  * @param dome    the dome light that the environment stands for
  * @param objects path of each shape and group, by its name
  */
-record UsdPaths(boolean hasZUp, Map<String, Prim> lights, Optional<Dome> dome, Map<String, String> objects) {
+record UsdPaths(boolean hasZUp, int shift, Map<String, Prim> lights, Optional<Dome> dome, Map<String, String> objects) {
     private static final String UP = "usd up: ";
+    private static final String SHIFT = "usd time of frame 0: ";
     private static final Pattern LIGHT = Pattern.compile("# usd light: (\\w+) (/\\S*) (.+)");
     private static final Pattern DOME = Pattern.compile("# usd dome: (\\w+) (/\\S*) (\\S+) (\\S+) (.+)");
     private static final Pattern OBJECT = Pattern.compile("# usd prim: (/\\S*) (.+)");
@@ -40,6 +42,13 @@ record UsdPaths(boolean hasZUp, Map<String, Prim> lights, Optional<Dome> dome, M
     /** Adds the comment of the up axis. */
     static void addAxis(SceneAssembler assembler, boolean hasZUp) {
         assembler.addComment(UP + (hasZUp ? "Z" : "Y"));
+    }
+
+    /** Adds the comment of a moved timeline. */
+    static void addShift(SceneAssembler assembler, int shift) {
+        if (shift != 0) {
+            assembler.addComment(SHIFT + shift);
+        }
     }
 
     /** Adds the comment of a light. */
@@ -79,8 +88,10 @@ record UsdPaths(boolean hasZUp, Map<String, Prim> lights, Optional<Dome> dome, M
         Map<String, String> objects = new HashMap<>();
         Optional<Dome> dome = Optional.empty();
         boolean hasZUp = false;
+        int shift = 0;
         for (String line : (Iterable<String>) text.lines().filter(s -> s.startsWith("# usd "))::iterator) {
             hasZUp |= line.equals("# " + UP + "Z");
+            shift = line.startsWith("# " + SHIFT) ? (int) number(line.substring(SHIFT.length() + 2)) : shift;
             Matcher light = LIGHT.matcher(line);
             Matcher object = OBJECT.matcher(line);
             Matcher environment = DOME.matcher(line);
@@ -93,7 +104,7 @@ record UsdPaths(boolean hasZUp, Map<String, Prim> lights, Optional<Dome> dome, M
                         number(environment.group(4)), environment.group(5)));
             }
         }
-        return new UsdPaths(hasZUp, lights, dome, objects);
+        return new UsdPaths(hasZUp, shift, lights, dome, objects);
     }
 
     private static double number(String text) {

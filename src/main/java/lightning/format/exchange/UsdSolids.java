@@ -7,7 +7,7 @@ import lightning.format.gltf.JsonValue;
 import lightning.format.mesh.MeshException;
 import lightning.scene.Solid;
 
-/** Solids of a stage: spheres, cubes, cylinders, cones, capsules and planes. */
+/** Solids of a stage: spheres, cylinders, cones, capsules and planes. */
 final class UsdSolids {
     private static final Solid.Canonical OPEN_CYLINDER = new Solid.Cylinder(false);
 
@@ -31,7 +31,6 @@ final class UsdSolids {
         Transform axis = axis(in.get("axis").text().orElse("Z"));
         return switch (in.get("type").text().orElse("")) {
             case "Sphere" -> List.of(new Part(Solid.SPHERE, scale(radius, radius, radius)));
-            case "Cube" -> cube(in.get("size").number(2) / 2);
             case "Cylinder" -> List.of(frustum(in, axis, radius, height));
             case "Cone" -> List.of(new Part(Solid.CONE, axis.times(lifted(-height / 2, radius, height))));
             case "Capsule" -> List.of(new Part(OPEN_CYLINDER, axis.times(lifted(-height / 2, radius, height))),
@@ -41,17 +40,6 @@ final class UsdSolids {
             case "Plane" -> List.of(new Part(Solid.PLANE, axis.times(scale(in.get("width").number(2), 1, in.get("length").number(2)))));
             default -> List.of();
         };
-    }
-
-    /** Six squares: there is no cube. */
-    private static List<Part> cube(double half) {
-        return List.of(side(half, 0, 0, 0), side(half, 180, 0, 0), side(half, 90, 0, 0), side(half, -90, 0, 0), side(half, 0, 0, 90),
-                side(half, 0, 0, -90));
-    }
-
-    private static Part side(double half, double x, double y, double z) {
-        return new Part(Solid.PLANE, Transform.rotation(new Vec3(x, y, z))
-                .times(Transform.translation(new Vec3(0, half, 0))).times(scale(2 * half, 1, 2 * half)));
     }
 
     private static Part frustum(JsonValue in, Transform axis, double radius, double height) throws MeshException {
