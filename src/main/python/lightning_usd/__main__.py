@@ -5,6 +5,7 @@ Writes `stage.json` and `arrays.bin` into the folder, or `error.txt` with one se
 
 from __future__ import annotations
 
+import re
 import sys
 from pathlib import Path
 
@@ -29,10 +30,17 @@ def main(source: str, folder: str) -> int:
     except (MemoryError, RecursionError):
         message = "is too large for the memory of the converter"
     except Exception as error:  # usd-core raises its own kinds for damaged content
-        lines = [line.strip() for line in str(error).splitlines() if line.strip()]
-        message = "cannot be read by usd-core: " + (lines[-1] if lines else type(error).__name__)
+        message = "cannot be read by usd-core: " + reason(error)
     (Path(folder) / "error.txt").write_text(message, encoding="utf-8")
     return FAILED
+
+
+def reason(error: Exception) -> str:
+    """Returns the last sentence of an error, without the place in usd-core's own sources."""
+    last = str(error).split("Error in '")[-1]
+    quoted = re.search(r" : '(.*)'\s*$", last, re.DOTALL)
+    lines = (quoted.group(1) if quoted else last).strip().splitlines()
+    return lines[0] if lines else type(error).__name__
 
 
 if __name__ == "__main__":

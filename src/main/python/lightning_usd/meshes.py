@@ -27,6 +27,11 @@ def solid(prim: Usd.Prim, time: Usd.TimeCode) -> dict[str, Any]:
     return result
 
 
+def floats(values: Any, kind: Any) -> Any:
+    """Returns vectors as an array of floats: old files have doubles, or other types that usd-core reads nevertheless."""
+    return values if isinstance(values, kind) else kind([tuple(float(number) for number in vector) for vector in values])
+
+
 class Meshes:
     """All meshes of a stage; instances share one."""
 
@@ -70,7 +75,7 @@ class Meshes:
         scheme = str(mesh.GetSubdivisionSchemeAttr().Get())
         result: dict[str, Any] = {
             "name": prim.GetName(), "path": str(prim.GetPath()),
-            "points": out.array(points), "counts": out.array(counts), "indices": out.array(indices),
+            "points": out.array(floats(points, Vt.Vec3fArray)), "counts": out.array(counts), "indices": out.array(indices),
             "left": mesh.GetOrientationAttr().Get() == UsdGeom.Tokens.leftHanded,
             "smooth": scheme in ("catmullClark", "loop"),
         }
@@ -101,7 +106,7 @@ class Meshes:
         if not values:
             return
         try:
-            entry = {"values": self.out.array(values if isinstance(values, kind) else kind(values)), "interpolation": interpolation}
+            entry = {"values": self.out.array(floats(values, kind)), "interpolation": interpolation}
         except (TypeError, ValueError, RuntimeError):
             self.out.note(f"{name} of meshes that are of another type")
             return

@@ -52,7 +52,8 @@ final class ExportLightsCommand implements Callable<Integer> {
     @Override
     public Integer call() throws Exception {
         boolean isLayer = template == null && output.toString().toLowerCase(Locale.ROOT).endsWith(LAYER_ENDING);
-        String ending = isLayer ? LAYER_ENDING : template == null ? ".json" : template.toString().toLowerCase(Locale.ROOT).endsWith(".glb") ? ".glb" : ".gltf";
+        String ending = isLayer ? LAYER_ENDING : template == null ? ".json"
+                : template.toString().toLowerCase(Locale.ROOT).endsWith(".glb") ? ".glb" : ".gltf";
         if (!output.toString().toLowerCase(Locale.ROOT).endsWith(ending)) {
             throw new BadInputException(
                     Console.text("%s: the output name must end in %s", output, template == null ? ".json or .usda" : ending));

@@ -33,8 +33,9 @@ final class ImportCommand implements Callable<Integer> {
 
     private final Console console;
 
-    @Parameters(index = "0", paramLabel = "FILE", description = "A .glb, .gltf, .usd, .usda, .usdc, .usdz, .obj, .ply or .nff file. USD files "
-            + "need Python with the package usd-core; LIGHTNING_PYTHON names its interpreter.")
+    @Parameters(index = "0", paramLabel = "FILE",
+            description = "A .glb, .gltf, .usd, .usda, .usdc, .usdz, .obj, .ply or .nff file. USD files "
+                    + "need Python with the package usd-core; LIGHTNING_PYTHON names its interpreter.")
     private Path file;
     @Option(names = {"-o", "--output"}, paramLabel = "scene.jen", required = true, description = "Output scene.")
     private Path output;

@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
+import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
 import lightning.format.jen.FileKind;
 import lightning.format.mesh.ConversionNotes;
@@ -24,7 +25,6 @@ import lightning.scene.World;
 import lightning.scene.shot.AnimatedScene;
 import lightning.scene.shot.Shot;
 import lightning.scene.shot.TrackTarget;
-import lightning.base.math.Transform;
 
 /** Writer of a scene's lights as a layer over the stage that the scene was imported from. */
 final class UsdLightExport {
@@ -68,7 +68,8 @@ final class UsdLightExport {
         if (animated.shot().isPresent()) {
             Shot shot = animated.shot().get();
             layer.metadata("timeCodesPerSecond", String.valueOf(shot.rate()));
-            if (shot.tracks().stream().anyMatch(t -> t.target().kind() == TrackTarget.Kind.LIGHT || t.target().kind() == TrackTarget.Kind.LIGHT_GROUP)) {
+            if (shot.tracks().stream()
+                    .anyMatch(t -> t.target().kind() == TrackTarget.Kind.LIGHT || t.target().kind() == TrackTarget.Kind.LIGHT_GROUP)) {
                 for (int frame = shot.first(); frame <= shot.last(); frame++) {
                     frames.add(animated.sceneAt(frame));
                 }

@@ -113,7 +113,8 @@ final class UsdLightImport {
         Vec3 scale = scale(in);
         Vec3 up = world(in).transformVector(Vec3.Y).normalized();
         Light rect = placed(light, in).withType(LightType.RECT).withArea(AreaShape.DEFAULT.withUp(tidy(up))
-                .withWidth(size(tidy(in.get("width").number(0)) * scale.x())).withHeight(size(tidy(in.get("height").number(0)) * scale.y())));
+                .withWidth(size(tidy(in.get("width").number(0)) * scale.x()))
+                .withHeight(size(tidy(in.get("height").number(0)) * scale.y())));
         notes.add("cones and profiles of rect lights", isShaped(in.get("shaping")) ? 1 : 0);
         return isNormalized(in) ? candela(rect, meters * meters) : nit(rect);
     }

@@ -97,7 +97,8 @@ record UsdLightValues(String type, Light light, double meters, boolean hasZUp) {
     private String matrix() {
         boolean hangs = light.type() == LightType.POINT && light.profile().isPresent();
         Vec3 direction = hangs ? new Vec3(0, -1, 0) : light.direction().normalized();
-        return matrix(light.area().right(direction), direction.times(-1), light.type().hasPosition() ? light.position() : Vec3.ZERO, hasZUp);
+        return matrix(light.area().right(direction), direction.times(-1), light.type().hasPosition() ? light.position() : Vec3.ZERO,
+                hasZUp);
     }
 
     /** Returns the text of a matrix with these x and z axes, unit vectors in the scene, and this place. */

@@ -1,7 +1,6 @@
 package lightning.format.exchange;
 
 import java.io.IOException;
-import java.nio.file.Path;
 import java.util.Optional;
 import lightning.base.math.Rgb;
 import lightning.format.gltf.JsonValue;

@@ -133,7 +133,8 @@ final class UsdNodes {
             content.addAll(build(child, inner, rest, groups + 1, depth + 1, isUnique));
         }
         content.addAll(instances(in.get("instances"), inner, rest, groups + 1, depth + 1));
-        return content.isEmpty() || !isGroup ? content : finish(index, in, wrapped(groupName.isEmpty() ? name : groupName, !groupName.isEmpty(), placements, content), local, isUnique);
+        return content.isEmpty() || !isGroup ? content : finish(index, in,
+                wrapped(groupName.isEmpty() ? name : groupName, !groupName.isEmpty(), placements, content), local, isUnique);
     }
 
     /** Wraps nodes in one group for each placement; the outermost has the name, if it is reserved for it. */

@@ -19,7 +19,6 @@ import lightning.scene.Mesh;
 import lightning.scene.Placement;
 import lightning.scene.SceneNode;
 import lightning.scene.Shape;
-import lightning.scene.Solid;
 
 /** Shapes of single prims: parts of one file with all meshes, and solids. */
 final class UsdParts {
@@ -53,7 +52,8 @@ final class UsdParts {
                 parts.stream().filter(p -> p.mesh() != null).forEach(written::add);
                 triangles += parts.stream().filter(p -> p.mesh() != null).mapToLong(p -> p.mesh().triangleCount()).sum();
                 if (triangles > MeshLimits.TRIANGLES || written.size() > MeshLimits.PARTS) {
-                    throw node.problem("must be a stage of at most " + MeshLimits.TRIANGLES + " triangles in " + MeshLimits.PARTS + " meshes");
+                    throw node.problem(
+                            "must be a stage of at most " + MeshLimits.TRIANGLES + " triangles in " + MeshLimits.PARTS + " meshes");
                 }
             }
         }

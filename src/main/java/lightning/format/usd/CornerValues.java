@@ -24,7 +24,8 @@ record CornerValues(float[] values, int stride, Level level, int[] indices) {
      *
      * @throws MeshException if an index is beyond the values, or if they do not suffice
      */
-    static CornerValues read(UsdStage stage, JsonValue in, int stride, int faces, int points, int corners) throws IOException, MeshException {
+    static CornerValues read(UsdStage stage, JsonValue in, int stride, int faces, int points, int corners)
+            throws IOException, MeshException {
         if (!in.isPresent()) {
             return null;
         }

@@ -38,7 +38,8 @@ final class PythonInterpreter {
                 return found.get();
             }
         }
-        throw new IOException(Messages.tr("USD files need Python with the package usd-core; install Python 3, then run: pip install usd-core"));
+        throw new IOException(
+                Messages.tr("USD files need Python with the package usd-core; install Python 3, then run: pip install usd-core"));
     }
 
     private static Optional<Path> searched(String folders, String name) {

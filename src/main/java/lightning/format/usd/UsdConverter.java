@@ -41,7 +41,8 @@ record UsdConverter(Path python, Path script, Duration limit) {
         if (!Files.isDirectory(shipped)) {
             throw new IOException(Messages.tr("{0}: the converter of USD files is missing; install Lightning again", shipped));
         }
-        return new UsdConverter(PythonInterpreter.find(System.getenv(PythonInterpreter.VARIABLE), System.getenv("PATH")), shipped, TIME_LIMIT);
+        return new UsdConverter(PythonInterpreter.find(System.getenv(PythonInterpreter.VARIABLE), System.getenv("PATH")), shipped,
+                TIME_LIMIT);
     }
 
     /** What is done with the written folder. */
