@@ -72,10 +72,15 @@ class Meshes:
         if not points or not counts or not indices:
             out.note("meshes without faces")
             return -1
+        try:
+            points = floats(points, Vt.Vec3fArray)
+        except (TypeError, ValueError):
+            out.note("meshes whose points are of another type")
+            return -1
         scheme = str(mesh.GetSubdivisionSchemeAttr().Get())
         result: dict[str, Any] = {
             "name": prim.GetName(), "path": str(prim.GetPath()),
-            "points": out.array(floats(points, Vt.Vec3fArray)), "counts": out.array(counts), "indices": out.array(indices),
+            "points": out.array(points), "counts": out.array(counts), "indices": out.array(indices),
             "left": mesh.GetOrientationAttr().Get() == UsdGeom.Tokens.leftHanded,
             "smooth": scheme in ("catmullClark", "loop"),
         }

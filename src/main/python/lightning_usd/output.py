@@ -56,7 +56,7 @@ class Output:
         elif place:
             data = Ar.GetResolver().OpenAsset(Ar.ResolvedPath(place))
             if data and data.GetSize() <= MAX_BYTES:
-                copy = self.folder / f"file{len(self.files)}"
+                copy = self.folder / f"file{len(self.files)}{Path(name).suffix[:8]}"
                 copy.write_bytes(data.GetBuffer())
                 result["place"] = str(copy)
         self.files[place] = result

@@ -5,6 +5,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Optional;
+import lightning.base.file.RegularFile;
 import lightning.base.math.Rgb;
 import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
@@ -28,6 +29,7 @@ import lightning.scene.World;
 final class UsdDomeImport {
     /** Largest number of pixels of an environment. */
     private static final int MAX_PIXELS = 8 << 20;
+    private static final int MAX_BYTES = 64 << 20;
     private static final int PLAIN_WIDTH = 16;
     private static final double MAX_TILT = 1e-4;
 
@@ -73,7 +75,7 @@ final class UsdDomeImport {
         boolean isHdr = name.toLowerCase(Locale.ROOT).endsWith(".hdr");
         Film film;
         try {
-            film = isColorImage(place) ? decoded(place) : read(place, name);
+            film = SceneAssembler.isPngOrJpeg(place) ? decoded(place) : ImageFile.read(place);
         } catch (IOException | UnusableFileException e) {
             assembler.notes.add("dome lights whose image is missing or unreadable");
             return plain(factor);
@@ -90,21 +92,8 @@ final class UsdDomeImport {
         return written(name.replaceFirst("\\.[^.]*$", "") + ".dome.hdr", map(film, size, factor));
     }
 
-    private static boolean isColorImage(Path place) throws IOException {
-        return SceneAssembler.isPngOrJpeg(place);
-    }
-
-    /** Reads an image by its name's ending, which a copy of an archive's file lacks. */
-    private static Film read(Path place, String name) throws IOException {
-        if (place.getFileName().toString().contains(".")) {
-            return ImageFile.read(place);
-        }
-        Path named = place.resolveSibling(place.getFileName() + name.substring(Math.max(name.lastIndexOf('.'), 0)));
-        return ImageFile.read(Files.copy(place, named));
-    }
-
     private static Film decoded(Path place) throws IOException, UnusableFileException {
-        Texture texture = TextureDecoder.decodeColors("dome", Files.readAllBytes(place));
+        Texture texture = TextureDecoder.decodeColors("dome", RegularFile.readBytes(place, "an image", MAX_BYTES));
         float[] rgb = new float[3 * texture.width() * texture.height()];
         for (int y = 0; y < texture.height(); y++) {
             for (int x = 0; x < texture.width(); x++) {
@@ -153,7 +142,7 @@ final class UsdDomeImport {
         Path file = Files.createTempFile("lightning-dome", ".hdr");
         try {
             ImageFile.write(file, Film.ofScanlines(map.width(), map.height(), rgb), ViewTransform.DEFAULT);
-            return new Environment(assembler.addFile(name, Files.readAllBytes(file)), map);
+            return new Environment(assembler.addFile(name, RegularFile.readBytes(file, "an image", MAX_BYTES)), map);
         } finally {
             Files.deleteIfExists(file);
         }

@@ -8,6 +8,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.TimeUnit;
+import lightning.base.file.RegularFile;
 import lightning.base.file.ScratchFolder;
 import lightning.base.file.TemporaryFolder;
 import lightning.base.text.Messages;
@@ -28,6 +29,7 @@ record UsdConverter(Path python, Path script, Duration limit) {
     private static final Duration TIME_LIMIT = Duration.ofMinutes(10);
     private static final int NO_USD = 3;
     private static final int MAX_MESSAGE = 300;
+    private static final int MAX_MESSAGE_BYTES = 1 << 24;
     private static final int POLL_MILLISECONDS = 50;
 
     /**
@@ -116,12 +118,18 @@ record UsdConverter(Path python, Path script, Duration limit) {
         }
     }
 
+    private static List<String> lines(Path file) throws IOException {
+        return new String(RegularFile.readBytes(file, "a file of the converter", MAX_MESSAGE_BYTES), StandardCharsets.UTF_8).lines()
+                .filter(s -> !s.isBlank()).toList();
+    }
+
     private static String firstLine(Path file) throws IOException {
-        return shortened(Files.readString(file).lines().findFirst().orElse("cannot be read by usd-core"));
+        List<String> lines = lines(file);
+        return lines.isEmpty() ? "cannot be read by usd-core" : shortened(lines.getFirst());
     }
 
     private static String lastLine(Path file) throws IOException {
-        List<String> lines = new String(Files.readAllBytes(file), StandardCharsets.UTF_8).lines().filter(s -> !s.isBlank()).toList();
+        List<String> lines = Files.size(file) > MAX_MESSAGE_BYTES ? List.of() : lines(file);
         return lines.isEmpty() ? "without a message" : shortened(lines.getLast());
     }
 

@@ -10,6 +10,7 @@ import java.nio.file.StandardOpenOption;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import lightning.base.file.RegularFile;
 import lightning.base.math.Transform;
 import lightning.base.work.Progress;
 import lightning.format.gltf.JsonValue;
@@ -23,6 +24,7 @@ import tools.jackson.databind.json.JsonMapper;
  */
 public final class UsdStage {
     private static final JsonMapper JSON = JsonMapper.builder().build();
+    private static final int MAX_BYTES = 1 << 30;
     private static final int MATRIX_SIZE = 16;
     private static final List<String> EXTENSIONS = List.of(".usd", ".usda", ".usdc", ".usdz");
 
@@ -66,7 +68,7 @@ public final class UsdStage {
      */
     static <T> T open(Path source, Path folder, Use<T> use) throws IOException, MeshException {
         try (FileChannel arrays = FileChannel.open(folder.resolve("arrays.bin"), StandardOpenOption.READ)) {
-            var root = new JsonValue(source, "", JSON.readTree(Files.readAllBytes(folder.resolve("stage.json"))));
+            var root = new JsonValue(source, "", JSON.readTree(RegularFile.readBytes(folder.resolve("stage.json"), "a file of the converter", MAX_BYTES)));
             root.get("version").integer(1, 1);
             return use.read(new UsdStage(root, arrays));
         } catch (JacksonException e) {
