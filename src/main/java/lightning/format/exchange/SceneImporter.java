@@ -37,7 +37,7 @@ public final class SceneImporter {
      */
     public static ImportedScene read(Path file, Path sceneFile, LightUnits units, Progress progress) throws IOException, MeshException {
         if (UsdStage.isStageName(file.toString())) {
-            RegularFile.check(file, "a USD file");
+            RegularFile.open(file, "a USD file").close();
             return UsdImport.read(file, sceneFile, progress);
         }
         return switch (MeshFormat.detect(file)) {

@@ -4,11 +4,13 @@ import java.io.IOException;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.nio.file.Path;
+import java.util.Locale;
 import java.util.Optional;
 import lightning.base.math.Rgb;
 import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
 import lightning.format.gltf.JsonValue;
+import lightning.format.ies.IesReader;
 import lightning.format.mesh.ConversionNotes;
 import lightning.format.mesh.MeshException;
 import lightning.format.usd.UsdStage;
@@ -148,11 +150,20 @@ final class UsdLightImport {
             return Optional.empty();
         }
         Optional<Path> place = UsdStage.place(file);
-        notes.add("IES profiles that are missing", place.isEmpty() ? 1 : 0);
-        String name = file.get("name").text().orElse("profile.ies");
-        return place.isEmpty() ? Optional.empty()
-                : Optional.of(new IesProfile(assembler.addFile(place.get(), name.endsWith(".ies") ? name : name + ".ies"),
-                        new Photometry(Photometry.Type.C, new double[] {0, 180}, new double[] {0}, new double[] {1, 1})));
+        if (place.isEmpty()) {
+            notes.add("IES profiles that are missing");
+            return Optional.empty();
+        }
+        try {
+            // Read before it is copied: a hostile stage may name any file of this machine.
+            Photometry photometry = IesReader.read(place.get());
+            String name = file.get("name").text().orElse("profile");
+            return Optional.of(new IesProfile(
+                    assembler.addFile(place.get(), name.toLowerCase(Locale.ROOT).endsWith(".ies") ? name : name + ".ies"), photometry));
+        } catch (IOException | MeshException e) {
+            notes.add("IES profiles that are damaged");
+            return Optional.empty();
+        }
     }
 
     private Light placed(Light light, JsonValue in) throws MeshException {

@@ -68,7 +68,8 @@ public final class UsdStage {
      */
     static <T> T open(Path source, Path folder, Use<T> use) throws IOException, MeshException {
         try (FileChannel arrays = FileChannel.open(folder.resolve("arrays.bin"), StandardOpenOption.READ)) {
-            var root = new JsonValue(source, "", JSON.readTree(RegularFile.readBytes(folder.resolve("stage.json"), "a file of the converter", MAX_BYTES)));
+            var root = new JsonValue(source, "",
+                    JSON.readTree(RegularFile.readBytes(folder.resolve("stage.json"), "a file of the converter", MAX_BYTES)));
             root.get("version").integer(1, 1);
             return use.read(new UsdStage(root, arrays));
         } catch (JacksonException e) {
