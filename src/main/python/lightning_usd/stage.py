@@ -20,9 +20,9 @@ LEFT_OUT = {"BasisCurves": "curves", "NurbsCurves": "curves", "HermiteCurves": "
 def describe(source: str, folder: Path) -> None:
     """Writes the description of a stage."""
     layer = Sdf.Layer.FindOrOpen(source)
-    if layer and not layer.timeCodesPerSecond > 0:
+    if layer and layer.timeCodesPerSecond == 0:
         # usd-core would never end.
-        raise StageError(f"must have timeCodesPerSecond above 0, has {layer.timeCodesPerSecond:g}")
+        raise StageError("must have timeCodesPerSecond above 0, has 0")
     stage = Usd.Stage.Open(source)
     if not stage:
         raise StageError("cannot be read by usd-core")

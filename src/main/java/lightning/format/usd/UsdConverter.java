@@ -25,7 +25,8 @@ import lightning.format.mesh.MeshException;
  * @param limit  time after which it is ended
  */
 record UsdConverter(Path python, Path script, Duration limit) {
-    private static final Path SOURCES = Path.of("src", "main", "python", "lightning_usd");
+    private static final String NAME = "lightning_usd";
+    private static final Path SOURCES = Path.of("src", "main", "python", NAME);
     private static final Duration TIME_LIMIT = Duration.ofMinutes(10);
     private static final int NO_USD = 3;
     private static final int MAX_MESSAGE = 300;
@@ -38,12 +39,13 @@ record UsdConverter(Path python, Path script, Duration limit) {
      * @throws IOException if there is no Python, or the installation is incomplete
      */
     static UsdConverter installed() throws IOException {
-        String home = System.getProperty("lightning.home");
-        Path shipped = home == null ? SOURCES : Path.of(home, "python", "lightning_usd");
-        if (!Files.isDirectory(shipped)) {
+        Path home = Path.of(System.getProperty("lightning.home", ""));
+        Path shipped = home.resolve("python").resolve(NAME);
+        Path script = Files.isDirectory(shipped) ? shipped : home.resolve(SOURCES);
+        if (!Files.isDirectory(script)) {
             throw new IOException(Messages.tr("{0}: the converter of USD files is missing; install Lightning again", shipped));
         }
-        return new UsdConverter(PythonInterpreter.find(System.getenv(PythonInterpreter.VARIABLE), System.getenv("PATH")), shipped,
+        return new UsdConverter(PythonInterpreter.find(System.getenv(PythonInterpreter.VARIABLE), System.getenv("PATH")), script,
                 TIME_LIMIT);
     }
 
