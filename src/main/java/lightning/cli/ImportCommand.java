@@ -34,7 +34,7 @@ final class ImportCommand implements Callable<Integer> {
     private final Console console;
 
     @Parameters(index = "0", paramLabel = "FILE",
-            description = "A .glb, .gltf, .usd, .usda, .usdc, .usdz, .obj, .ply or .nff file. USD files "
+            description = "A .glb, .gltf, .obj, .ply, .nff, .usd, .usda, .usdc or .usdz file. USD files "
                     + "need Python with the package usd-core; LIGHTNING_PYTHON names its interpreter.")
     private Path file;
     @Option(names = {"-o", "--output"}, paramLabel = "scene.jen", required = true, description = "Output scene.")
