@@ -3,6 +3,7 @@ package lightning.cli;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
@@ -11,8 +12,8 @@ import java.util.concurrent.Future;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
 import lightning.base.work.DedicatedThread;
+import lightning.format.layer.FrameTime;
 import lightning.render.image.Film;
-import lightning.scene.Scene;
 import lightning.shot.FrameState;
 import lightning.shot.FrameUpdate;
 import lightning.shot.HostLostException;
@@ -84,7 +85,7 @@ record ClusterRelight(Console console, PictureOutput output, NodeConfig config, 
                 long start = System.nanoTime();
                 double relighting = relightAll(shot, edited.get(group), counts, "relighting");
                 int traced = counts.traced.get();
-                write(shot, edited.get(group).scene(), groups.get(group), range, counts);
+                write(shot, edited.get(group), groups.get(group), range, counts);
                 console.print("%d. %s relit by %s in %.1f ms, %d of them retraced; %.1f ms including images", group + 1,
                         Console.count(range.count(), "frame"), nodes(shot), relighting, traced, (System.nanoTime() - start) / 1e6);
             }
@@ -125,14 +126,16 @@ record ClusterRelight(Console console, PictureOutput output, NodeConfig config, 
         }
     }
 
-    private void write(DistributedShot shot, Scene scene, FrameFiles files, FrameRange range, FrameCounts counts) throws Exception {
+    private void write(DistributedShot shot, ShotRevision revision, FrameFiles files, FrameRange range, FrameCounts counts)
+            throws Exception {
         List<Future<?>> pictures = new ArrayList<>();
         ExecutorService writers = Executors.newFixedThreadPool(threads, DedicatedThread.factory("lightning-pictures"));
         try (ProgressBar bar = new ProgressBar(console, "writing")) {
             for (int frame = range.first(); frame <= range.last(); frame++) {
                 int next = frame;
                 pictures.add(writers.submit(() -> {
-                    output.write(scene, film(shot, next, counts, bar), files.file(next));
+                    output.write(revision.sceneAt(next), film(shot, next, counts, bar), files.file(next),
+                            Optional.of(new FrameTime(next, revision.shot().rate())));
                     return null;
                 }));
             }

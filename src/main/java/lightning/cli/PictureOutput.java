@@ -2,11 +2,14 @@ package lightning.cli;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.Optional;
 import lightning.base.file.AtomicFile;
 import lightning.base.work.HeapBudget;
 import lightning.base.work.WorkerPool;
 import lightning.format.image.ImageFile;
 import lightning.format.image.ImageFormat;
+import lightning.format.layer.FrameTime;
+import lightning.format.layer.SceneMetadata;
 import lightning.render.image.Clipping;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
@@ -18,7 +21,7 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
 /** Options for the format and display transform of written images; subclasses add the output path. */
-abstract sealed class PictureOutput permits SinglePictureOutput, FrameSequenceOutput {
+abstract sealed class PictureOutput permits SinglePictureOutput, StepPictureOutput, FrameSequenceOutput {
     @Spec(Spec.Target.MIXEE)
     private CommandSpec command;
 
@@ -64,12 +67,8 @@ abstract sealed class PictureOutput permits SinglePictureOutput, FrameSequenceOu
         ImageFormat.of(picture).requireBitDepth(picture, bits(picture));
     }
 
-    /** Returns the bits per channel of the output file. */
-    int bits() throws IOException {
-        return bits(file());
-    }
-
-    private int bits(Path picture) throws IOException {
+    /** Returns the bits per channel of a file. */
+    int bits(Path picture) throws IOException {
         return bits == null ? ImageFormat.of(picture).bitDepths().getFirst() : bits;
     }
 
@@ -87,24 +86,35 @@ abstract sealed class PictureOutput permits SinglePictureOutput, FrameSequenceOu
         return HeapBudget.availableBytes() - ImageFormat.of(picture).bytesToWrite(scene.picture().width(), scene.picture().height());
     }
 
-    /** Writes the image to another file than {@link #file}. */
-    void write(Scene scene, Film film, Path picture) throws IOException {
-        ImageFile.write(picture, film, view(scene), bits(picture));
+    /**
+     * Writes an image to another file than {@link #file}.
+     *
+     * @param time time of the image in its shot; empty if it is not part of one
+     */
+    void write(Scene scene, Film film, Path picture, Optional<FrameTime> time) throws IOException {
+        try (WorkerPool singleWorker = new WorkerPool(1)) {
+            write(scene, film, picture, time, singleWorker);
+        }
     }
 
     /**
-     * Writes the image, and prints how many pixels the file clips.
+     * Writes an image to another file than {@link #file}.
      *
-     * @param threads number of threads that encode it
+     * @param time time of the image in its shot; empty if it is not part of one
      */
-    void write(Scene scene, Film film, int threads, Console console) throws IOException {
-        ViewTransform shown = view(scene);
-        try (WorkerPool workers = new WorkerPool(threads)) {
-            ImageFile.write(file(), film, shown, bits(), workers);
+    void write(Scene scene, Film film, Path picture, Optional<FrameTime> time, WorkerPool workers) throws IOException {
+        if (ImageFormat.of(picture) == ImageFormat.EXR) {
+            ImageFile.writeExr(picture, film, bits(picture), SceneMetadata.of(scene, time));
+        } else {
+            ImageFile.write(picture, film, view(scene), bits(picture), workers);
         }
-        Clipping clipping = Clipping.of(film, shown);
-        if (clipping.clippedPixels() > 0 && ImageFormat.of(file()).isDisplayReferred()) {
-            console.print("%s: %d of %d pixels (%.1f %%) are clipped, the peak is %.3g times white", file(),
+    }
+
+    /** Prints how many pixels a file clips. */
+    void printClipping(Scene scene, Film film, Path picture, Console console) throws IOException {
+        Clipping clipping = Clipping.of(film, view(scene));
+        if (clipping.clippedPixels() > 0 && ImageFormat.of(picture).isDisplayReferred()) {
+            console.print("%s: %d of %d pixels (%.1f %%) are clipped, the peak is %.3g times white", picture,
                     clipping.clippedPixels(), clipping.totalPixels(), 100.0 * clipping.clippedPixels() / clipping.totalPixels(),
                     clipping.brightest());
         }

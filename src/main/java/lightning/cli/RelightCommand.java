@@ -1,5 +1,6 @@
 package lightning.cli;
 
+import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -10,6 +11,7 @@ import lightning.bench.accuracy.AccuracyGuarantee;
 import lightning.bench.accuracy.Verification;
 import lightning.bench.accuracy.WarmSaving;
 import lightning.format.jen.JenDocument;
+import lightning.format.jen.JenFile;
 import lightning.render.cache.PixelCache;
 import lightning.render.image.ViewTransform;
 import lightning.render.relight.Renderer;
@@ -43,6 +45,7 @@ import picocli.CommandLine.Option;
             "  lightning relight scenes/bird.jen -o b.png --case color --then --delete sun",
             "  lightning relight scenes/bird.jen -o feet.png --case position-feet --verify",
             "  lightning relight scenes/balls.jen -o b.png --set material:jade.shininess=5",
+            "  lightning relight scenes/bird.jen -o %%d.png --case color --then --delete sun",
             "  lightning relight scenes/bird.jen -o new.png --delete sun --save new.jen"})
 final class RelightCommand implements Callable<Integer> {
     /** Limit for the warm-up of one group's timing, in milliseconds of own work. */
@@ -53,11 +56,13 @@ final class RelightCommand implements Callable<Integer> {
     @Mixin
     private SceneFile input;
     @Mixin
-    private SinglePictureOutput output;
+    private StepPictureOutput output;
     @Mixin
     private PictureOptions picture;
     @Mixin
     private ThreadsOption threads;
+    @Mixin
+    private LayerOptions layers;
     @ArgGroup(exclusive = true, multiplicity = "1..*", heading = "%nEdits:%n")
     private List<EditStep> steps;
     @Option(names = "--accuracy", paramLabel = "ACCURACY", defaultValue = "exact",
@@ -97,34 +102,51 @@ final class RelightCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws Exception {
-        output.check();
+        String stem = JenFile.stem(input.path().getFileName().toString());
+        StepFiles pictures = new StepFiles(output.file(), stem);
+        Optional<StepFiles> mattes = layers.mattes().map(file -> new StepFiles(file, stem));
+        output.checkFormat(pictures.file(1));
+        layers.checkFormats(pictures.file(1));
         if (saveFile != null) {
             PictureOutput.checkFile(saveFile);
         }
         JenDocument document = input.read();
         List<Scene> edited = editedScenes(document.scene());
+        int last = edited.size();
+        pictures.check(last);
+        if (mattes.isPresent()) {
+            mattes.get().check(last);
+        }
         Scene before = picture.apply(document.scene());
         RenderOptions options =
                 new RenderOptions(accuracy, updateReflections ? reflections.staleValue() : reflections.value(), storage, threads.count())
-                        .withMemory(output.availableMemory(before));
+                        .withMemory(PictureOutput.availableMemory(before, pictures.file(1)));
         boolean allKept = true;
         try (Renderer renderer = new Renderer(options); WorkerPool workers = new WorkerPool(threads.count());
                 ProgressBar bar = new ProgressBar(console, "tracing")) {
             UpdateResult first = renderer.render(before, bar);
             console.print("first pass: %.1f ms, %s", first.milliseconds(), Console.count(first.rays().total(), "ray"));
-            for (int group = 0; group < edited.size(); group++) {
-                Scene scene = picture.apply(edited.get(group));
-                allKept &= relight(output.view(scene), group + 1 + ".", (r, progress) -> r.render(scene, progress), renderer, workers, bar);
+            for (int step = 1; step <= last; step++) {
+                Scene scene = picture.apply(edited.get(step - 1));
+                allKept &= relight(output.view(scene), step + ".", (r, progress) -> r.render(scene, progress), renderer, workers, bar);
+                if (updateReflections && step == last) {
+                    allKept &= relight(output.view(scene), "mirrors:", Renderer::updateReflections, renderer, workers, bar);
+                }
+                Optional<Path> matteFile = mattes.isPresent() ? mattes.get().written(step, last) : Optional.empty();
+                write(renderer, pictures.written(step, last), matteFile, workers);
             }
-            if (updateReflections) {
-                allKept &= relight(output.view(edited.getLast()), "mirrors:", Renderer::updateReflections, renderer, workers, bar);
-            }
-            output.write(edited.getLast(), renderer.film(), threads.count(), console);
         }
         if (saveFile != null) {
             document.withScene(edited.getLast()).save(saveFile);
         }
         return allKept ? ExitCode.OK : ExitCode.CHECK_FAILED;
+    }
+
+    private void write(Renderer renderer, Optional<Path> pictureFile, Optional<Path> matteFile, WorkerPool workers) throws IOException {
+        layers.write(output, renderer.cache(), renderer.options().engines(), pictureFile, matteFile, Optional.empty(), workers, console);
+        if (pictureFile.isPresent()) {
+            output.printClipping(renderer.cache().scene(), renderer.film(), pictureFile.get(), console);
+        }
     }
 
     /** Runs an update, prints its summary and verifies it if requested; returns false if it is less accurate than promised. */

@@ -1,10 +1,9 @@
 package lightning.cli;
 
+import java.io.IOException;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import lightning.base.work.WorkerPool;
-import lightning.format.exr.ExrType;
-import lightning.format.image.ImageFormat;
-import lightning.format.layer.LayeredExrWriter;
 import lightning.render.engine.choice.Engines;
 import lightning.render.fulltrace.TraditionalTracer;
 import lightning.render.image.Film;
@@ -28,6 +27,7 @@ import picocli.CommandLine.Spec;
             "  lightning render scenes/bird.jen -o bird.png",
             "  lightning render scenes/bird.jen -o big.png --size 1920x1080 --exposure 0.5",
             "  lightning render scenes/bird.jen -o layers.exr --layers --bits 32",
+            "  lightning render scenes/bird.jen -o bird.png --cryptomatte mattes.exr",
             "  lightning render scenes/bird.jen -o exact.pfm --depth 0 --traditional"})
 final class RenderCommand implements Callable<Integer> {
     private final Console console;
@@ -42,15 +42,12 @@ final class RenderCommand implements Callable<Integer> {
     private PictureOptions picture;
     @Mixin
     private ThreadsOption threads;
+    @Mixin
+    private LayerOptions layers;
     @Option(names = "--traditional",
             description = "Trace without a cache for later edits; the image is the same. Prints a cold timing, not a benchmark: "
                     + "bench and relight warm up first.")
     private boolean traditional;
-
-    @Option(names = "--layers",
-            description = "Also write layers to the .exr: background, ambient, emission, each light's diffuse and specular, reflections "
-                    + "(which add up to the image), normals, positions, depth, objects and materials.")
-    private boolean layers;
 
     RenderCommand(Console console) {
         this.console = console;
@@ -59,11 +56,13 @@ final class RenderCommand implements Callable<Integer> {
     @Override
     public Integer call() throws Exception {
         output.check();
-        if (layers && !ImageFormat.of(output.file()).canHaveLayers()) {
-            throw new BadInputException(Console.text("%s: layers are written to .exr", output.file()));
+        layers.checkFormats(output.file());
+        if (layers.mattes().isPresent()) {
+            PictureOutput.checkFile(layers.mattes().get());
         }
-        if (layers && traditional) {
-            throw new BadInputException("--layers and --traditional cannot be combined: a trace without a cache has no layers");
+        if (traditional && layers.usedOption().isPresent()) {
+            throw new BadInputException(layers.usedOption().get() + " and --traditional cannot be combined: a trace without a cache has no "
+                    + (layers.usedOption().get().equals("--layers") ? "layers" : "mattes"));
         }
         Scene scene = picture.apply(input.read().scene());
         console.printWarnings(input.path(), scene);
@@ -82,7 +81,8 @@ final class RenderCommand implements Callable<Integer> {
                 ProgressBar bar = new ProgressBar(console, "tracing")) {
             long start = System.nanoTime();
             TraditionalTracer.Result result = new TraditionalTracer(scene).trace(workers, bar);
-            write(scene, result.film(), "traditional trace", (System.nanoTime() - start) / 1e6, result.rays());
+            output.write(scene, result.film(), output.file(), Optional.empty(), workers);
+            printSummary(scene, result.film(), "traditional trace", (System.nanoTime() - start) / 1e6, result.rays());
         }
     }
 
@@ -92,29 +92,16 @@ final class RenderCommand implements Callable<Integer> {
                         new Renderer(RenderOptions.DEFAULT.withThreads(threads.count()).withMemory(output.availableMemory(scene)));
                 ProgressBar bar = new ProgressBar(console, "tracing")) {
             var update = renderer.render(scene, bar);
-            if (layers) {
-                long start = System.nanoTime();
-                LayeredExrWriter file = new LayeredExrWriter(renderer.cache(), renderer.options().engines(),
-                        output.bits() == Short.SIZE ? ExrType.HALF : ExrType.FLOAT);
-                try (WorkerPool workers = new WorkerPool(threads.count()); ProgressBar writing = new ProgressBar(console, "writing")) {
-                    file.write(output.file(), renderer.options().memory() - renderer.bytes(), workers, writing);
-                }
-                console.print("%s: %s of %d x %d pixels, written in %.1f ms", output.file(), Console.count(file.layerCount(), "layer"),
-                        scene.picture().width(),
-                        scene.picture().height(), (System.nanoTime() - start) / 1e6);
-                printSummary(scene, renderer.film(), "first pass", update.milliseconds(), update.rays());
-                return;
+            try (WorkerPool workers = new WorkerPool(threads.count())) {
+                layers.write(output, renderer.cache(), renderer.options().engines(), Optional.of(output.file()), layers.mattes(),
+                        Optional.empty(), workers, console);
             }
-            write(scene, renderer.film(), "first pass", update.milliseconds(), update.rays());
+            printSummary(scene, renderer.film(), "first pass", update.milliseconds(), update.rays());
         }
     }
 
-    private void write(Scene scene, Film film, String title, double milliseconds, RayCounts rays) throws Exception {
-        output.write(scene, film, threads.count(), console);
-        printSummary(scene, film, title, milliseconds, rays);
-    }
-
-    private void printSummary(Scene scene, Film film, String title, double milliseconds, RayCounts rays) {
+    private void printSummary(Scene scene, Film film, String title, double milliseconds, RayCounts rays) throws IOException {
+        output.printClipping(scene, film, output.file(), console);
         console.print("%s: %s of %d x %d pixels, depth %d, in %.1f ms%s: %s, %d mirrored, %s%s", output.file(), title,
                 film.width(), film.height(), scene.picture().depth(), milliseconds, Engines.isFastestInUse() ? "" : " (cold start)",
                 Console.count(rays.eye(), "eye ray"),

@@ -13,6 +13,7 @@ import lightning.base.work.WorkerPool;
 import lightning.bench.accuracy.WarmSaving;
 import lightning.format.jen.JenDocument;
 import lightning.format.jen.JenFile;
+import lightning.format.layer.FrameTime;
 import lightning.render.cache.PixelCache;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.tile.RenderOptions;
@@ -189,14 +190,16 @@ final class ShotRelightCommand implements Callable<Integer> {
                     Console.count(range.count() - usage.memoryFrames() - usage.diskFrames(), "frame"), problem));
             for (int group = 0; group < revisions.size(); group++) {
                 FrameFiles files = groups.get(group);
-                Scene scene = revisions.get(group).scene();
+                ShotRevision revision = revisions.get(group);
                 double totalMilliseconds;
                 try (var writing = new PictureWriteQueue(threads.count())) {
                     totalMilliseconds = progress.run(shot, revisions.get(group), console, "relighting", update -> {
                         if (writing.hasFailed()) {
                             throw new CancellationException();
                         }
-                        writing.write(() -> output.write(scene, update.film(), files.file(update.frame())));
+                        int frame = update.frame();
+                        writing.write(() -> output.write(revision.sceneAt(frame), update.film(), files.file(frame),
+                                Optional.of(new FrameTime(frame, revision.shot().rate()))));
                     });
                     writing.finish();
                 }

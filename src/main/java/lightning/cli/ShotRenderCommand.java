@@ -11,9 +11,11 @@ import java.util.stream.IntStream;
 import lightning.base.file.AtomicFile;
 import lightning.base.text.DecimalNumber;
 import lightning.base.work.HeapBudget;
+import lightning.base.work.WorkerPool;
 import lightning.format.jen.JenDocument;
 import lightning.format.jen.JenFile;
-import lightning.render.image.Film;
+import lightning.format.layer.FrameTime;
+import lightning.render.cache.PixelCache;
 import lightning.render.relight.plan.ReflectionMode;
 import lightning.render.relight.plan.UpdatePlan;
 import lightning.render.relight.tile.RenderOptions;
@@ -40,6 +42,7 @@ import picocli.CommandLine.Option;
             "Examples:",
             "  lightning shot render scenes/dusk.jen -o frames",
             "  lightning shot render scenes/dusk.jen --frames 1-24 -o frames --resume",
+            "  lightning shot render scenes/dusk.jen -o a.exr --layers --cryptomatte a.exr",
             "  lightning shot render scenes/dusk.jen -o dusk.mp4 --view filmic"})
 final class ShotRenderCommand implements Callable<Integer> {
     private final Console console;
@@ -54,6 +57,8 @@ final class ShotRenderCommand implements Callable<Integer> {
     private ThreadsOption threads;
     @Mixin
     private FramesOption frames;
+    @Mixin
+    private LayerOptions layers;
     @Option(names = "--resume", description = "Skip frames whose image exists.")
     private boolean resume;
 
@@ -64,9 +69,14 @@ final class ShotRenderCommand implements Callable<Integer> {
     @Override
     public Integer call() throws Exception {
         Optional<MovieFormat> movie = MovieFormat.of(output.file());
-        FrameFiles files = FrameFiles.of(output.file(), JenFile.stem(input.path().getFileName().toString()));
+        String stem = JenFile.stem(input.path().getFileName().toString());
+        FrameFiles files = FrameFiles.of(output.file(), stem);
+        Optional<FrameFiles> mattes = layers.mattes().map(file -> FrameFiles.of(file, stem));
         if (movie.isEmpty()) {
             output.checkFormat(files.file(0));
+            layers.checkFormats(files.file(0));
+        } else if (layers.usedOption().isPresent()) {
+            throw new BadInputException(layers.usedOption().get() + " works only for numbered images, not for a video");
         } else if (resume) {
             throw new BadInputException("--resume works only for numbered images, not for a video");
         } else {
@@ -83,15 +93,19 @@ final class ShotRenderCommand implements Callable<Integer> {
         }
         files.createFolder();
         List<Integer> missing = new ArrayList<>();
-        for (int frame = range.first(); frame <= range.last(); frame++) {
-            Path file = files.file(frame);
-            if (!resume || !Files.isRegularFile(file)) {
-                PictureOutput.checkFile(file);
+        for (int number = range.first(); number <= range.last(); number++) {
+            int frame = number;
+            List<Path> written = new ArrayList<>(List.of(files.file(frame)));
+            mattes.map(matte -> matte.file(frame)).ifPresent(written::add);
+            if (!resume || !written.stream().allMatch(Files::isRegularFile)) {
+                for (Path file : written) {
+                    PictureOutput.checkFile(file);
+                }
                 missing.add(frame);
             }
         }
         if (!missing.isEmpty()) {
-            render(shot, scene, missing, files);
+            render(shot, scene, missing, files, mattes);
         }
         if (missing.size() < range.count()) {
             int existing = range.count() - missing.size();
@@ -101,12 +115,16 @@ final class ShotRenderCommand implements Callable<Integer> {
         return ExitCode.OK;
     }
 
-    private void render(ShotFrames shot, Scene scene, List<Integer> frames, FrameFiles files) throws Exception {
+    private void render(ShotFrames shot, Scene scene, List<Integer> frames, FrameFiles files, Optional<FrameFiles> mattes)
+            throws Exception {
         Path firstFile = files.file(0);
-        renderFrames(shot, scene, frames, PictureOutput.availableMemory(scene, firstFile), (frame, film) -> {
-            output.write(scene, film, files.file(frame));
-            return files.file(frame).toString();
-        });
+        try (WorkerPool workers = new WorkerPool(layers.usedOption().isPresent() ? threads.count() : 1)) {
+            renderFrames(shot, scene, frames, PictureOutput.availableMemory(scene, firstFile), (frame, cache) -> {
+                layers.write(output, cache, RenderOptions.DEFAULT.engines(), Optional.of(files.file(frame)),
+                        mattes.map(matte -> matte.file(frame)), Optional.of(new FrameTime(frame, shot.shot().rate())), workers, console);
+                return files.file(frame).toString();
+            });
+        }
     }
 
     /** Renders all frames to a video, which appears only when complete. */
@@ -117,8 +135,8 @@ final class ShotRenderCommand implements Callable<Integer> {
         AtomicFile.of(output.file()).writeToPath(temporary -> {
             try (var movie = new MovieWriter(ffmpeg, kind, shot.shot().rate(), output.view(scene), temporary)) {
                 renderFrames(shot, scene, frames, HeapBudget.availableBytes() - MovieWriter.requiredBytes(scene.picture()),
-                        (frame, film) -> {
-                            movie.add(film);
+                        (frame, cache) -> {
+                            movie.add(cache.film());
                             return "frame " + frame;
                         });
                 movie.finish();
@@ -130,8 +148,8 @@ final class ShotRenderCommand implements Callable<Integer> {
 
     /** Receives rendered frames. */
     private interface FrameSink {
-        /** Receives an image, which is overwritten afterwards; returns its display name. */
-        String write(int frame, Film film) throws IOException;
+        /** Receives an image; returns its display name. */
+        String write(int frame, PixelCache cache) throws IOException;
     }
 
     private void renderFrames(ShotFrames shot, Scene scene, List<Integer> frames, long memory, FrameSink sink) throws IOException {
@@ -141,8 +159,8 @@ final class ShotRenderCommand implements Callable<Integer> {
         int[] counts = new int[2];
         try (ProgressBar bar = new ProgressBar(console, "rendering")) {
             FrameSequenceRenderer.render(frames, frame -> shot.shot().sceneAt(scene, frame), options, bar.cancellationOnly(),
-                    (frame, film, update) -> {
-                        String name = sink.write(frame, film);
+                    (frame, cache, update) -> {
+                        String name = sink.write(frame, cache);
                         int index = update.plan() instanceof UpdatePlan.FirstPass ? 0 : 1;
                         milliseconds[index] += update.milliseconds();
                         counts[index]++;

@@ -236,4 +236,29 @@ class RelightCommandTest {
     void noEdit_isRejected() {
         CliResult.run("relight", path, "-o", picture).assertRejected("--set");
     }
+
+    /** Each picture and each layered file equals the file that a render of the scene after its group of edits writes. */
+    @Test
+    void numberedOutput_hasAPictureForEachGroup() throws Exception {
+        Path saved = folder.resolve("saved.jen");
+        String[] edit = {"--set", "lamp.intensity=2", "--set", "ball.at=0 1.5 0"};
+        CliResult.run("relight", path, "-o", folder.resolve("%d.exr"), "--layers", "--bits", "32", "--cryptomatte",
+                folder.resolve("m%02d.exr"), "--no-savings", edit[0], edit[1], edit[2], edit[3], "--then", "--delete", "sun")
+                .assertSuccess();
+        CliResult
+                .run("relight", path, "-o", folder.resolve("last.exr"), "--no-savings", edit[0], edit[1], edit[2], edit[3], "--save", saved)
+                .assertSuccess();
+        CliResult.run("render", saved, "-o", folder.resolve("r1.exr"), "--layers", "--bits", "32", "--cryptomatte",
+                folder.resolve("c1.exr")).assertSuccess();
+        assertThat(folder.resolve("1.exr")).hasSameBinaryContentAs(folder.resolve("r1.exr"));
+        assertThat(folder.resolve("m01.exr")).hasSameBinaryContentAs(folder.resolve("c1.exr"));
+        assertThat(CliResult.run("compare", folder.resolve("1.exr"), folder.resolve("2.exr")).exit()).isEqualTo(ExitCode.CHECK_FAILED);
+        assertThat(folder.resolve("m02.exr")).exists();
+        CliResult.run("relight", path, "-o", folder.resolve("steps"), "--no-savings", edit[0], edit[1], "--then", edit[2], edit[3])
+                .assertSuccess();
+        assertThat(folder.resolve("steps")).isDirectoryContaining("glob:**/a-0001.png").isDirectoryContaining("glob:**/a-0002.png");
+        CliResult.run("relight", path, "-o", folder.resolve("x.tiff"), edit[0], edit[1]).assertRejected(".tiff");
+        CliResult.run("relight", path, "-o", folder.resolve("x.png"), "--layers", edit[0], edit[1])
+                .assertRejected("layers are written to .exr");
+    }
 }

@@ -103,10 +103,38 @@ class RenderCommandTest {
     }
 
     @Test
+    void mattes_areWrittenBesideThePictureOrIntoItsFile() throws Exception {
+        Path picture = folder.resolve("a.exr");
+        Path mattes = folder.resolve("m.exr");
+        CliResult.run("render", scene, "-o", folder.resolve("a.png"), "--cryptomatte", mattes).assertSuccess();
+        CliResult
+                .run("render", scene, "-o", picture, "--bits", "32", "--cryptomatte", folder.resolve("./a.exr"), "--cryptomatte-levels",
+                        "2")
+                .assertSuccess();
+        assertThat(channels(mattes)).hasSize(3 + 3 * 3 * 4).contains("R", "CryptoObject00.R", "CryptoMaterial02.A", "CryptoAsset01.G");
+        assertThat(channels(picture)).hasSize(3 + 3 * 4).contains("R", "CryptoObject00.R");
+        CliResult crowded = CliResult.run("render", scene, "-o", folder.resolve("a.png"), "--size", "2x2", "--antialias", "every",
+                "--cryptomatte", mattes, "--cryptomatte-levels", "2").assertSuccess();
+        assertThat(crowded.err()).contains("with too many objects or materials for 2 levels", "--cryptomatte-levels=4 has room for all");
+    }
+
+    private static List<String> channels(Path file) throws Exception {
+        try (ExrReader reader = new ExrReader(file)) {
+            return reader.header().channels().stream().map(ExrChannel::name).toList();
+        }
+    }
+
+    @Test
     void layersInUnsupportedFormat_areRejected() {
         CliResult.run("render", scene, "-o", folder.resolve("a.png"), "--layers").assertRejected("layers are written to .exr");
         CliResult.run("render", scene, "-o", folder.resolve("a.exr"), "--layers", "--traditional")
                 .assertRejected("a trace without a cache has no layers");
+        CliResult.run("render", scene, "-o", folder.resolve("a.exr"), "--cryptomatte", folder.resolve("m.exr"), "--traditional")
+                .assertRejected("a trace without a cache has no mattes");
+        CliResult.run("render", scene, "-o", folder.resolve("a.png"), "--cryptomatte", folder.resolve("m.png"))
+                .assertRejected("mattes are written to .exr");
+        CliResult.run("render", scene, "-o", folder.resolve("a.png"), "--cryptomatte", folder.resolve("no/m.exr")).assertRejected("no");
+        CliResult.run("render", scene, "-o", folder.resolve("a.exr"), "--cryptomatte-levels", "5").assertRejected("an even number");
         CliResult.run("render", scene, "-o", folder.resolve("a.png"), "--bits", "12").assertRejected("8 or 16 bits, not 12");
     }
 

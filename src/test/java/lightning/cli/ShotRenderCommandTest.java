@@ -7,8 +7,10 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
+import lightning.format.exr.ExrReader;
 import lightning.format.image.ImageFile;
 import lightning.format.jen.JenDocument;
 import lightning.format.jen.JenReader;
@@ -78,6 +80,46 @@ class ShotRenderCommandTest {
                     .hasSameBits(new ReferenceTracer(document.shot().orElseThrow().sceneAt(document.scene(), frame)).trace()))
                     .as("frame " + frame)
                     .isTrue();
+        }
+    }
+
+    /** The light that is off in some frames has layers in all of them. */
+    @Test
+    void layersAndMattes_areWrittenForEachFrame() throws Exception {
+        CliResult.run("shot", "render", scene, "-o", folder.resolve("b.exr"), "--layers", "--bits", "32", "--cryptomatte",
+                folder.resolve("m.exr")).assertSuccess();
+        JenDocument document = JenReader.read(scene);
+        for (int frame = 3; frame <= 7; frame++) {
+            Path file = folder.resolve("b-000" + frame + ".exr");
+            assertThat(ImageFile.read(file)
+                    .hasSameBits(new ReferenceTracer(document.shot().orElseThrow().sceneAt(document.scene(), frame)).trace()))
+                    .as("frame " + frame)
+                    .isTrue();
+            assertSumOfLayers(file);
+            try (ExrReader mattes = new ExrReader(folder.resolve("m-000" + frame + ".exr"))) {
+                assertThat(mattes.header().texts().values()).contains("CryptoObject", "CryptoMaterial", "CryptoAsset");
+            }
+        }
+        CliResult again = CliResult.run("shot", "render", scene, "-o", folder.resolve("b.exr"), "--layers", "--bits", "32", "--cryptomatte",
+                folder.resolve("m.exr"), "--resume").assertSuccess();
+        assertThat(again.out()).isEqualTo("5 frames already rendered\n");
+        CliResult.run("shot", "render", scene, "-o", folder.resolve("b.png"), "--layers").assertRejected("layers are written to .exr");
+    }
+
+    private static void assertSumOfLayers(Path file) throws Exception {
+        try (ExrReader reader = new ExrReader(file)) {
+            List<String> channels = new ArrayList<>(List.of("G"));
+            for (String layer : JsonMapper.shared().readValue(reader.header().texts().get("lightning/sum"), String[].class)) {
+                channels.add(layer + ".G");
+            }
+            assertThat(channels).contains("sun_diffuse.G", "lamp_specular.G", "stage_diffuse.G");
+            reader.read(channels, (_, _, values) -> {
+                float sum = 0;
+                for (int i = 1; i < values.length; i++) {
+                    sum += values[i];
+                }
+                assertThat(sum).isEqualTo(values[0]);
+            });
         }
     }
 

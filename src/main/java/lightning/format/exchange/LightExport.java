@@ -9,10 +9,13 @@ import lightning.base.work.Progress;
 import lightning.format.gltf.GltfLightWriter;
 import lightning.format.mesh.ConversionNotes;
 import lightning.format.mesh.MeshException;
+import lightning.scene.Emission;
+import lightning.scene.IntensityUnit;
 import lightning.scene.Light;
 import lightning.scene.LightAttribute;
 import lightning.scene.LightGroup;
 import lightning.scene.Scene;
+import lightning.scene.World;
 import lightning.scene.shot.AnimatedScene;
 import tools.jackson.databind.json.JsonMapper;
 import tools.jackson.databind.node.ArrayNode;
@@ -25,6 +28,8 @@ import tools.jackson.databind.node.ObjectNode;
  * @param notes properties that the format does not support, with their counts
  */
 public record LightExport(byte[] bytes, Map<String, Integer> notes) {
+    /** Key of a light's intensity without its unit, so that readers need no photometry. */
+    private static final String RELATIVE_INTENSITY = "relative_intensity";
     private static final JsonMapper JSON = JsonMapper.builder().build();
 
     /**
@@ -63,17 +68,20 @@ public record LightExport(byte[] bytes, Map<String, Integer> notes) {
         return UsdLightExport.export(text, scene, sceneFile, output);
     }
 
-    /** Returns JSON with all lights and light groups of a scene and all their attributes. */
+    /** Returns JSON with all lights and light groups of a scene and its world, with all their attributes. */
     public static LightExport toJson(Scene scene) {
         ObjectNode root = JSON.createObjectNode();
         ArrayNode lights = root.putArray("lights");
         for (Light light : scene.lights()) {
-            AttributeJson.write(lights.addObject().put("name", light.name()), light, LightAttribute.ALL);
+            ObjectNode json = lights.addObject().put("name", light.name());
+            AttributeJson.write(json, light, LightAttribute.ALL);
+            json.put(RELATIVE_INTENSITY, Emission.withUnit(light, IntensityUnit.RELATIVE, scene.world().meters()).intensity());
         }
         ArrayNode groups = root.putArray("banks");
         for (LightGroup group : scene.rig().lightGroups()) {
             AttributeJson.write(groups.addObject().put("name", group.name()), group, LightGroup.ATTRIBUTES);
         }
+        AttributeJson.write(root.putObject("world"), scene.world(), World.ATTRIBUTES);
         return new LightExport(JSON.writerWithDefaultPrettyPrinter().writeValueAsBytes(root), Map.of());
     }
 }

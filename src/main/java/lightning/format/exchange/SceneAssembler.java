@@ -64,7 +64,9 @@ final class SceneAssembler {
     World world = World.DEFAULT;
     /** Assumed units of the lights' numbers, if the file does not define them. */
     Optional<LightUnits> units = Optional.empty();
-    /** Animation of what was imported. */
+    /** True if the file defines all lights of the scene, even none. */
+    boolean isLit;
+    /** Animation of the scene; empty if the file has none. */
     Optional<Shot> shot = Optional.empty();
     /** Comment lines at the end of the scene file. */
     final List<String> closingComments = new ArrayList<>();
@@ -204,7 +206,7 @@ final class SceneAssembler {
     ImportedScene build() throws MeshException {
         try {
             Camera view = camera.orElseGet(this::defaultCamera);
-            boolean hasLights = !lights.isEmpty() || world.environment().isPresent();
+            boolean hasLights = !lights.isEmpty() || isLit || world.environment().isPresent();
             if (!hasLights) {
                 addComment(ImportedScene.ADDED_LIGHT_COMMENT);
                 notes.add(ImportedScene.ADDED_LIGHT);
@@ -213,9 +215,10 @@ final class SceneAssembler {
             Stage stage = new Stage(List.copyOf(materials), List.copyOf(nodes));
             Scene scene = new Scene(picture, view, world, stage,
                     LightRig.of(lights.stream().map(light -> withValidLinks(light, stage)).toList(), lightGroups));
-            return new ImportedScene(scene, Set.copyOf(restoredLights), units, List.copyOf(comments), sceneFile,
+            return new ImportedScene(scene, shot.map(s -> withValidTracks(s, scene)), Set.copyOf(restoredLights), units,
+                    List.copyOf(comments), sceneFile,
                     List.copyOf(copies.values()),
-                    Map.copyOf(notes.counts()), new ImportSubject(bounds.min(), bounds.max(), camera.isPresent(), hasLights), shot,
+                    Map.copyOf(notes.counts()), new ImportSubject(bounds.min(), bounds.max(), camera.isPresent(), hasLights),
                     List.copyOf(closingComments));
         } catch (IllegalArgumentException e) {
             throw new MeshException(source, "", "cannot be a scene here: " + e.getMessage());
@@ -236,6 +239,23 @@ final class SceneAssembler {
         Light valid = light.retainLinks(stage::hasNode);
         notes.add("light links to missing objects", valid.equals(light) ? 0 : 1);
         return valid;
+    }
+
+    private Shot withValidTracks(Shot animation, Scene scene) {
+        Shot valid = ImportedScene.validTracks(animation, scene);
+        notes.add("animated properties that cannot be used", animation.tracks().size() - valid.tracks().size());
+        return valid;
+    }
+
+    /** Returns true if the scene can find a file of this name, after copying it from the source's folder if it is there. */
+    boolean hasOrCopiesFile(FileKind kind, String name) {
+        try {
+            Optional<Path> file = kind.find(source.toAbsolutePath().getParent(), name);
+            file.ifPresent(path -> addCopy(name, path, null));
+            return file.isPresent() || hasFile(kind, name);
+        } catch (IOException | IllegalArgumentException e) {
+            return false;
+        }
     }
 
     /** Returns true if the scene can find a file of this name. */

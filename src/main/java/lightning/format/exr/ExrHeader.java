@@ -5,28 +5,44 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.util.Comparator;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Stream;
 
 /**
  * Header of an OpenEXR file with one part, scan lines in increasing order, and ZIP compression in chunks of 16 lines
  * (OpenEXR File Layout, openexr.com). All numbers are little-endian.
  *
  * @param channels sorted by name, as the format requires
- * @param attributes additional string attributes by name
+ * @param attributes additional attributes by name; a required one replaces its default. A header that was read has only those of
+ *     text
  */
-public record ExrHeader(int width, int height, List<ExrChannel> channels, Map<String, String> attributes) {
+public record ExrHeader(int width, int height, List<ExrChannel> channels, Map<String, ExrAttribute> attributes) {
     static final int MAGIC = 20000630;
     static final int VERSION = 2;
     /** Version flag that allows names longer than 31 bytes. */
     static final int LONG_NAMES_FLAG = 0x400;
     private static final int MAX_SHORT_NAME = 31;
     static final byte ZIP = 3;
+    /** Width of the image at distance 1 from the camera; 1 if there is no camera. */
+    public static final String SCREEN_WINDOW_WIDTH = "screenWindowWidth";
     /** Scan lines per chunk. */
     public static final int LINES_PER_CHUNK = 16;
 
     public ExrHeader {
         channels = channels.stream().sorted(Comparator.comparing(ExrChannel::name)).toList();
+    }
+
+    /** Returns the text attributes by name. */
+    public Map<String, String> texts() {
+        Map<String, String> texts = new LinkedHashMap<>();
+        attributes.forEach((name, value) -> {
+            if (value instanceof ExrAttribute.Text text) {
+                texts.put(name, text.value());
+            }
+        });
+        return texts;
     }
 
     /** Returns the number of chunks. */
@@ -56,7 +72,8 @@ public record ExrHeader(int width, int height, List<ExrChannel> channels, Map<St
     /** Returns the header's bytes in the file. */
     byte[] encode() {
         var out = new ByteArrayOutputStream();
-        boolean longNames = channels.stream().anyMatch(c -> c.name().length() > MAX_SHORT_NAME);
+        boolean longNames = Stream.concat(channels.stream().map(ExrChannel::name), attributes.keySet().stream())
+                .anyMatch(name -> name.length() > MAX_SHORT_NAME);
         out.writeBytes(encodeInts(MAGIC, longNames ? VERSION | LONG_NAMES_FLAG : VERSION));
         writeAttribute(out, "channels", "chlist", channelList());
         writeAttribute(out, "compression", "compression", new byte[] {ZIP});
@@ -65,8 +82,10 @@ public record ExrHeader(int width, int height, List<ExrChannel> channels, Map<St
         writeAttribute(out, "lineOrder", "lineOrder", new byte[] {0});
         writeAttribute(out, "pixelAspectRatio", "float", encodeInts(Float.floatToIntBits(1)));
         writeAttribute(out, "screenWindowCenter", "v2f", encodeInts(0, 0));
-        writeAttribute(out, "screenWindowWidth", "float", encodeInts(Float.floatToIntBits(1)));
-        attributes.forEach((name, text) -> writeAttribute(out, name, "string", text.getBytes(StandardCharsets.UTF_8)));
+        if (!attributes.containsKey(SCREEN_WINDOW_WIDTH)) {
+            writeAttribute(out, SCREEN_WINDOW_WIDTH, "float", encodeInts(Float.floatToIntBits(1)));
+        }
+        attributes.forEach((name, value) -> writeAttribute(out, name, value.type(), value.encode()));
         out.write(0);
         return out.toByteArray();
     }

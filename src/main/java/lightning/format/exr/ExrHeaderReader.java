@@ -19,7 +19,7 @@ final class ExrHeaderReader {
     private int compression = -1;
     private int[] dataWindow;
     private List<ExrChannel> channels;
-    private final Map<String, String> attributes = new LinkedHashMap<>();
+    private final Map<String, ExrAttribute> attributes = new LinkedHashMap<>();
 
     /**
      * Creates a reader.
@@ -83,7 +83,7 @@ final class ExrHeaderReader {
                 if (type.equals("string")) {
                     byte[] bytes = new byte[size];
                     in.get(bytes);
-                    attributes.put(name, new String(bytes, StandardCharsets.UTF_8));
+                    attributes.put(name, new ExrAttribute.Text(new String(bytes, StandardCharsets.UTF_8)));
                 }
             }
         }

@@ -5,6 +5,7 @@ import java.nio.channels.SeekableByteChannel;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import lightning.format.exr.ExrAttribute;
 import lightning.format.exr.ExrChannel;
 import lightning.format.exr.ExrChunk;
 import lightning.format.exr.ExrHeader;
@@ -19,9 +20,9 @@ final class Exr {
 
     private Exr() {}
 
-    static void write(SeekableByteChannel file, Film film, ExrType type) throws IOException {
+    static void write(SeekableByteChannel file, Film film, ExrType type, Map<String, ExrAttribute> attributes) throws IOException {
         List<ExrChannel> channels = COLORS.stream().map(name -> new ExrChannel(name, type)).toList();
-        ExrHeader header = new ExrHeader(film.width(), film.height(), channels, Map.of("software", "Lightning"));
+        ExrHeader header = new ExrHeader(film.width(), film.height(), channels, attributes);
         int[] channelIndices = COLORS.stream().mapToInt(name -> header.channels().indexOf(new ExrChannel(name, type))).toArray();
         ExrWriter writer = new ExrWriter(file, header);
         for (int c = 0; c < header.chunkCount(); c++) {

@@ -3,8 +3,12 @@ package lightning.format.image;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Map;
+import lightning.base.file.AtomicFile;
 import lightning.base.text.Quote;
 import lightning.base.work.WorkerPool;
+import lightning.format.exr.ExrAttribute;
+import lightning.format.exr.ExrType;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
 
@@ -45,6 +49,19 @@ public final class ImageFile {
         ImageFormat format = ImageFormat.of(file);
         format.requireBitDepth(file, bits);
         format.write(file, film, view, bits, workers);
+    }
+
+    /**
+     * Writes a film as OpenEXR.
+     *
+     * @param bits 16 for halves, 32 for floats
+     * @param attributes header of the file
+     * @throws IOException as {@link #write(Path, Film, ViewTransform)}, and as {@link ImageFormat#requireBitDepth}
+     */
+    public static void writeExr(Path file, Film film, int bits, Map<String, ExrAttribute> attributes) throws IOException {
+        ImageFormat.EXR.requireBitDepth(file, bits);
+        AtomicFile.of(file)
+                .writeRandomAccess(to -> Exr.write(to, film, bits == Short.SIZE ? ExrType.HALF : ExrType.FLOAT, attributes));
     }
 
     /**

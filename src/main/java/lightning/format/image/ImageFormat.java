@@ -11,6 +11,7 @@ import lightning.base.file.AtomicFile;
 import lightning.base.text.Quote;
 import lightning.base.work.WorkerPool;
 import lightning.format.exr.ExrHeader;
+import lightning.format.exr.ExrMetadata;
 import lightning.format.exr.ExrType;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
@@ -76,7 +77,8 @@ public enum ImageFormat {
     EXR("OpenEXR", false, 16, 32) {
         @Override
         void write(Path file, Film film, ViewTransform view, int bits, WorkerPool workers) throws IOException {
-            AtomicFile.of(file).writeRandomAccess(to -> Exr.write(to, film, bits == Short.SIZE ? ExrType.HALF : ExrType.FLOAT));
+            AtomicFile.of(file).writeRandomAccess(to -> Exr.write(to, film, bits == Short.SIZE ? ExrType.HALF : ExrType.FLOAT,
+                    ExrMetadata.common()));
         }
 
         @Override

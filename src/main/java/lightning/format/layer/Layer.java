@@ -36,16 +36,20 @@ sealed interface Layer {
 
     String ENVIRONMENT = "environment";
 
-    /** Returns the layers of an image, in summation order. Inactive lights and scenes without glowing materials have none. */
-    static List<Layer> of(Scene scene) {
+    /**
+     * Returns the layers of an image, in summation order.
+     *
+     * @param all true for layers of lights that are off and of emission without glowing materials too, which are black
+     */
+    static List<Layer> of(Scene scene, boolean all) {
         List<Layer> layers = new ArrayList<>(List.of(new Background(), new Ambient()));
-        if (scene.materials().stream().anyMatch(m -> !m.emission().isBlack())) {
+        if (all || scene.materials().stream().anyMatch(m -> !m.emission().isBlack())) {
             layers.add(new Emission());
         }
         WeightedLight[] lights = WeightedLight.ofScene(scene);
         List<Light> sceneLights = scene.lights();
         for (int i = 0; i < sceneLights.size(); i++) {
-            if (!lights[i].isDark()) {
+            if (all || !lights[i].isDark()) {
                 add(sceneLights.get(i).name(), i, i + 1, layers);
             }
         }

@@ -65,6 +65,9 @@ final class LayerCompositor {
                 }
             }
             case Layer.Lights some -> {
+                if (some.end() == some.first() + 1 && lights[some.first()].isDark()) {
+                    break;
+                }
                 composer.setComponent(some.part());
                 composer.composeLevel(rows, Arrays.copyOfRange(lights, some.first(), some.end()),
                         Arrays.copyOfRange(tile.levels[0].layers(), some.first(), some.end()), darkWorld, BLACK, result);

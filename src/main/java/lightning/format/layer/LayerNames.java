@@ -8,12 +8,13 @@ import java.util.Set;
 import lightning.render.shading.LightComponent;
 
 /**
- * Layer names in a file: ASCII letters, digits and underscores, as Nuke and Blender accept them, and a dot before {@code
- * diffuse} and {@code specular}. Other characters of a light's name become underscores; duplicate names get a number.
+ * Layer names in a file: ASCII letters, digits and underscores. They contain no dot, because Blender lists only the layers before
+ * a first dot and Nuke replaces it by an underscore. Blender merges names that are equal in their first characters. Other
+ * characters of a light's name become underscores; duplicate names get a number.
  */
 final class LayerNames {
-    /** Maximum length, so that the name with its term and color fits into a channel name. */
-    private static final int MAX_LENGTH = 200;
+    /** Maximum length of a light's part, so that the name with number, term and color has at most 63 characters. */
+    private static final int MAX_LENGTH = 44;
 
     private LayerNames() {}
 
@@ -33,7 +34,7 @@ final class LayerNames {
                     if (lights.part() == LightComponent.DIFFUSE) {
                         light = unique(sanitize(lights.name()), used);
                     }
-                    yield light + (lights.part() == LightComponent.DIFFUSE ? ".diffuse" : ".specular");
+                    yield light + (lights.part() == LightComponent.DIFFUSE ? "_diffuse" : "_specular");
                 }
             });
         }

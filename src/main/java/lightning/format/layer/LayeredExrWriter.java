@@ -7,110 +7,93 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import lightning.base.file.AtomicFile;
 import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
+import lightning.format.exr.ExrAttribute;
 import lightning.format.exr.ExrChannel;
 import lightning.format.exr.ExrChunk;
 import lightning.format.exr.ExrHeader;
 import lightning.format.exr.ExrType;
 import lightning.format.exr.ExrWriter;
-import lightning.render.cache.CachedTile;
 import lightning.render.cache.PixelCache;
 import lightning.render.engine.EngineChoice;
 import lightning.render.engine.EngineWorkers;
 import lightning.render.image.Film;
 import lightning.render.trace.SamplePositions;
-import lightning.scene.Material;
-import lightning.scene.Scene;
-import lightning.scene.Shape;
-import tools.jackson.databind.json.JsonMapper;
 
 /**
- * Writer for an image with its layers in one OpenEXR file, one row of tiles at a time. Channels R, G and B are the image.
- * All other colors add up to it (see {@link LayerSum}); the header contains the summation order and the names of shapes and
- * materials by id.
+ * Writer for an image with its layers, mattes and header in one OpenEXR file, one row of tiles at a time. Channels R, G and B are
+ * the image.
  */
 public final class LayeredExrWriter {
-    private static final List<String> COLORS = List.of("R", "G", "B");
-    private static final String ROUNDING = "rounding";
     /** Copies of a row of tiles per worker: raw, shuffled, compressed, and compressed while queued. */
     private static final int COPIES_PER_WORKER = 4;
 
-    private final PixelCache cache;
     private final EngineChoice engines;
-    private final Scene scene;
     private final Film film;
-    private final boolean isExact;
-    private final List<Layer> layers;
+    private final List<ChannelSource> sources = new ArrayList<>();
     private final ExrHeader header;
-    /** Channel indices of red, green and blue for the image, each layer and the residual. */
-    private final int[][] colorChannels;
-    private final int[] surfaceChannels;
+    /** Channel indices of each source. */
+    private final List<int[]> indices;
+    private final int layerCount;
+    /** Mattes; null if there are none. */
+    private final MatteChannels mattes;
 
     /**
      * Creates a writer.
      *
      * @param cache cache of a finished image
-     * @param type type of colors and normals, HALF or FLOAT; all other channels are FLOAT. A file of halves has no residual
-     *     layer
+     * @param frame time of the image in its shot; empty if it is not part of one
+     */
+    public LayeredExrWriter(PixelCache cache, EngineChoice engines, ExrContent content, Optional<FrameTime> frame) {
+        this.engines = engines;
+        film = cache.film();
+        sources.add(new FilmChannels(film, content.type()));
+        if (content.layers() != ExrContent.Layers.NONE) {
+            LayerChannels layers = new LayerChannels(cache, content.type(), content.layers() == ExrContent.Layers.ALL);
+            sources.add(layers);
+            sources.add(new SurfaceChannels(cache, content.type()));
+            layerCount = layers.layerNames().size();
+        } else {
+            layerCount = 0;
+        }
+        mattes = content.matteLevels() == 0 ? null : new MatteChannels(cache, content.matteLevels());
+        if (mattes != null) {
+            sources.add(mattes);
+        }
+        Map<String, ExrAttribute> attributes = new LinkedHashMap<>(SceneMetadata.of(cache.scene(), frame));
+        sources.forEach(source -> attributes.putAll(source.attributes()));
+        header = new ExrHeader(film.width(), film.height(), sources.stream().flatMap(source -> source.channels().stream()).toList(),
+                attributes);
+        List<String> names = header.channels().stream().map(ExrChannel::name).toList();
+        indices = sources.stream().map(source -> source.channels().stream().mapToInt(c -> names.indexOf(c.name())).toArray()).toList();
+    }
+
+    /**
+     * Creates a writer for an image with its layers.
+     *
+     * @param cache cache of a finished image
+     * @param type type of colors and normals, HALF or FLOAT; a file of halves has no residual layer
      */
     public LayeredExrWriter(PixelCache cache, EngineChoice engines, ExrType type) {
-        this.cache = cache;
-        this.engines = engines;
-        scene = cache.scene();
-        film = cache.film();
-        isExact = type == ExrType.FLOAT;
-        layers = Layer.of(scene);
-        List<String> names = new ArrayList<>(List.of(""));
-        LayerNames.of(layers).forEach(name -> names.add(name + "."));
-        if (isExact) {
-            names.add(ROUNDING + ".");
-        }
-        List<ExrChannel> channels = new ArrayList<>();
-        names.forEach(name -> COLORS.forEach(color -> channels.add(new ExrChannel(name + color, type))));
-        SurfaceChannels.CHANNELS.forEach(name -> channels.add(new ExrChannel(name, name.startsWith("N.") ? type : ExrType.FLOAT)));
-        header = new ExrHeader(film.width(), film.height(), channels, attributes());
-        List<String> channelNames = header.channels().stream().map(ExrChannel::name).toList();
-        colorChannels = names.stream().map(name -> COLORS.stream().mapToInt(color -> channelNames.indexOf(name + color)).toArray())
-                .toArray(int[][]::new);
-        surfaceChannels = SurfaceChannels.CHANNELS.stream().mapToInt(channelNames::indexOf).toArray();
-    }
-
-    private Map<String, String> attributes() {
-        List<String> names = LayerNames.of(layers);
-        List<String> sum = new ArrayList<>(names);
-        if (isExact) {
-            sum.add(ROUNDING);
-        }
-        Map<String, String> lights = new LinkedHashMap<>();
-        for (int i = 0; i < names.size(); i++) {
-            if (layers.get(i) instanceof Layer.Lights light) {
-                lights.put(names.get(i), light.name());
-            }
-        }
-        JsonMapper json = new JsonMapper();
-        Map<String, String> attributes = new LinkedHashMap<>();
-        attributes.put("software", "Lightning");
-        attributes.put("lightning/sum", json.writeValueAsString(sum));
-        attributes.put("lightning/lights", json.writeValueAsString(lights));
-        attributes.put("lightning/shapes", json.writeValueAsString(scene.stage().shapes().stream().map(Shape::name).toList()));
-        attributes.put("lightning/materials", json.writeValueAsString(materialNames()));
-        return attributes;
-    }
-
-    private List<String> materialNames() {
-        List<String> names = new ArrayList<>();
-        for (int m = 0; m < cache.geometry().materials().count(); m++) {
-            Material material = cache.geometry().materials().material(m);
-            names.add(material.name());
-        }
-        return names;
+        this(cache, engines, ExrContent.layers(type), Optional.empty());
     }
 
     /** Returns the number of color layers, without the image. */
     public int layerCount() {
-        return colorChannels.length - 1;
+        return layerCount;
+    }
+
+    /** Returns the number of pixels, of those written, that show more objects or materials than the file has levels. */
+    public int crowdedPixels() {
+        return mattes == null ? 0 : mattes.crowdedPixels();
+    }
+
+    /** Returns the largest number of objects or materials of a written pixel. */
+    public int maxIds() {
+        return mattes == null ? 0 : mattes.maxIds();
     }
 
     /** Returns the memory in bytes for writing, in addition to the cache. */
@@ -128,15 +111,15 @@ public final class LayeredExrWriter {
     public void write(Path file, long memory, WorkerPool workers, Progress progress) throws IOException {
         if (bytesToWrite(workers.count()) > memory || header.bytesPerLine() * ExrHeader.LINES_PER_CHUNK > Integer.MAX_VALUE / 2) {
             throw new IOException(String.format(java.util.Locale.ROOT,
-                    "%d layers of %d x %d pixels need %.1f GB of memory to write, at most %.1f GB allowed", colorChannels.length,
+                    "%d channels of %d x %d pixels need %.1f GB of memory to write, at most %.1f GB allowed", header.channels().size(),
                     film.width(), film.height(), bytesToWrite(workers.count()) / 1e9, Math.max(memory, 0) / 1e9));
         }
         try {
             AtomicFile.of(file).writeRandomAccess(channel -> {
                 ExrWriter writer = new ExrWriter(channel, header);
-                List<EngineWorkers<LayerCompositor>> painters =
-                        EngineWorkers.perThread(workers.count(), engines, engine -> new LayerCompositor(cache, engine));
-                workers.run(Math.ceilDiv(film.height(), Film.TILE_SIZE), (worker, row) -> writeRow(painters.get(worker), row, writer),
+                List<EngineWorkers<List<ChannelSource.TileWriter>>> writers = EngineWorkers.perThread(workers.count(), engines,
+                        engine -> sources.stream().map(source -> source.writer(engine)).toList());
+                workers.run(Math.ceilDiv(film.height(), Film.TILE_SIZE), (worker, row) -> writeRow(writers.get(worker), row, writer),
                         progress);
                 writer.finish();
             });
@@ -146,7 +129,7 @@ public final class LayeredExrWriter {
     }
 
     /** Writes a row of tiles, two chunks. */
-    private void writeRow(EngineWorkers<LayerCompositor> painters, int row, ExrWriter writer) {
+    private void writeRow(EngineWorkers<List<ChannelSource.TileWriter>> writers, int row, ExrWriter writer) {
         ExrChunk[] chunks = new ExrChunk[Math.min(Film.TILE_SIZE / ExrHeader.LINES_PER_CHUNK,
                 header.chunkCount() - row * Film.TILE_SIZE / ExrHeader.LINES_PER_CHUNK)];
         for (int c = 0; c < chunks.length; c++) {
@@ -154,7 +137,11 @@ public final class LayeredExrWriter {
         }
         for (int column = 0; column < film.tilesX(); column++) {
             int tile = row * film.tilesX() + column;
-            writeTile(painters.forTile(tile), tile, SamplePositions.centers(column * Film.TILE_SIZE, row * Film.TILE_SIZE), chunks);
+            SamplePositions centers = SamplePositions.centers(column * Film.TILE_SIZE, row * Film.TILE_SIZE);
+            List<ChannelSource.TileWriter> tileWriters = writers.forTile(tile);
+            for (int i = 0; i < tileWriters.size(); i++) {
+                tileWriters.get(i).write(tile, centers, new TileSink(header, centers, indices.get(i), chunks));
+            }
         }
         try {
             for (int c = 0; c < chunks.length; c++) {
@@ -164,66 +151,6 @@ public final class LayeredExrWriter {
             }
         } catch (IOException e) {
             throw new UncheckedIOException(e);
-        }
-    }
-
-    private void writeTile(LayerCompositor painter, int tile, SamplePositions samplePositions, ExrChunk[] chunks) {
-        float[][] picture = {film.red(tile), film.green(tile), film.blue(tile)};
-        put(picture, colorChannels[0], samplePositions, chunks);
-        LayerSum layerSum = new LayerSum(Film.TILE_PIXELS);
-        for (int k = 0; k < layers.size(); k++) {
-            float[][] layer = layerPixels(painter, layers.get(k), tile, samplePositions);
-            layerSum.add(layer);
-            put(layer, colorChannels[k + 1], samplePositions, chunks);
-        }
-        if (isExact) {
-            put(layerSum.residual(picture), colorChannels[layers.size() + 1], samplePositions, chunks);
-        }
-        SurfaceChannels surfaces = new SurfaceChannels(cache);
-        float[] values = new float[surfaceChannels.length];
-        forEachPixel(samplePositions, (x, y, pixel) -> {
-            surfaces.sample(x, y, values);
-            for (int i = 0; i < surfaceChannels.length; i++) {
-                chunk(chunks, y).put(surfaceChannels[i], x, y % ExrHeader.LINES_PER_CHUNK, values[i]);
-            }
-        });
-    }
-
-    /** Returns the pixels of a layer's tile, averaged over samples if it has several. */
-    private float[][] layerPixels(LayerCompositor painter, Layer layer, int tile, SamplePositions samplePositions) {
-        CachedTile center = cache.tileCount() == 0 ? null : composeLayer(painter, layer, cache.tile(tile), samplePositions);
-        return cache.fineCount() == 0 ? center.film : cache.fineTile(tile)
-                .map(center, samplePositions, (at, block) -> composeLayer(painter, layer, block, at))
-                .film();
-    }
-
-    private static CachedTile composeLayer(LayerCompositor painter, Layer layer, CachedTile tile, SamplePositions samplePositions) {
-        return new CachedTile(tile.levels, tile.hitShapes, tile.images, painter.colors(layer, tile, samplePositions), tile.edges);
-    }
-
-    private void put(float[][] values, int[] channels, SamplePositions samplePositions, ExrChunk[] chunks) {
-        forEachPixel(samplePositions, (x, y, pixel) -> {
-            for (int c = 0; c < 3; c++) {
-                chunk(chunks, y).put(channels[c], x, y % ExrHeader.LINES_PER_CHUNK, values[c][pixel]);
-            }
-        });
-    }
-
-    private static ExrChunk chunk(ExrChunk[] chunks, int y) {
-        return chunks[y % Film.TILE_SIZE / ExrHeader.LINES_PER_CHUNK];
-    }
-
-    private interface PixelVisitor {
-        void visit(int x, int y, int pixel);
-    }
-
-    private void forEachPixel(SamplePositions samplePositions, PixelVisitor visitor) {
-        int right = Math.min(samplePositions.x0() + Film.TILE_SIZE, film.width());
-        int bottom = Math.min(samplePositions.y0() + Film.TILE_SIZE, film.height());
-        for (int y = samplePositions.y0(); y < bottom; y++) {
-            for (int x = samplePositions.x0(); x < right; x++) {
-                visitor.visit(x, y, Film.pixelInTile(x, y));
-            }
         }
     }
 }

@@ -1,35 +1,74 @@
 package lightning.format.layer;
 
 import java.util.List;
+import java.util.Map;
+import java.util.stream.IntStream;
 import lightning.base.math.Ray;
 import lightning.base.math.Vec3;
+import lightning.format.exr.ExrAttribute;
+import lightning.format.exr.ExrChannel;
+import lightning.format.exr.ExrType;
 import lightning.render.cache.PixelCache;
+import lightning.render.engine.Engine;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.PixelRays;
 import lightning.render.trace.SurfacePoint;
+import lightning.scene.Shape;
+import tools.jackson.databind.json.JsonMapper;
 
 /**
  * Surface data at the pixels' centers; not averaged over samples, because means of positions, directions or ids are
- * meaningless.
+ * meaningless. The header contains the names of shapes and materials by id.
  */
-final class SurfaceChannels {
+final class SurfaceChannels implements ChannelSource {
     /** Normal, position, depth, shape id and material id. */
-    static final List<String> CHANNELS = List.of("N.X", "N.Y", "N.Z", "P.X", "P.Y", "P.Z", "Z", "shape.id", "material.id");
+    private static final List<String> CHANNELS = List.of("N.X", "N.Y", "N.Z", "P.X", "P.Y", "P.Z", "Z", "shape.id", "material.id");
     /** Depth of the background, as in Blender. */
-    static final float BACKGROUND_DEPTH = 1e10f;
+    private static final float BACKGROUND_DEPTH = 1e10f;
 
+    private final PixelCache cache;
+    private final ExrType normalType;
     private final PixelRays eye;
     private final Geometry geometry;
     private final Vec3 viewDirection;
 
-    SurfaceChannels(PixelCache cache) {
+    /** @param normalType type of normals; all other channels are FLOAT */
+    SurfaceChannels(PixelCache cache, ExrType normalType) {
+        this.cache = cache;
+        this.normalType = normalType;
         eye = new PixelRays(cache.scene());
         geometry = cache.geometry();
         viewDirection = cache.scene().camera().to().minus(cache.scene().camera().from()).normalized();
     }
 
+    @Override
+    public List<ExrChannel> channels() {
+        return CHANNELS.stream().map(name -> new ExrChannel(name, name.startsWith("N.") ? normalType : ExrType.FLOAT)).toList();
+    }
+
+    @Override
+    public Map<String, ExrAttribute> attributes() {
+        JsonMapper json = new JsonMapper();
+        List<String> shapes = cache.scene().stage().shapes().stream().map(Shape::name).toList();
+        List<String> materials =
+                IntStream.range(0, geometry.materials().count()).mapToObj(m -> geometry.materials().material(m).name()).toList();
+        return Map.of("lightning/shapes", new ExrAttribute.Text(json.writeValueAsString(shapes)), "lightning/materials",
+                new ExrAttribute.Text(json.writeValueAsString(materials)));
+    }
+
+    @Override
+    public TileWriter writer(Engine engine) {
+        float[] values = new float[CHANNELS.size()];
+        return (_, _, sink) -> sink.forEachPixel((x, y, _) -> {
+            sample(x, y, values);
+            for (int i = 0; i < values.length; i++) {
+                sink.put(i, x, y, values[i]);
+            }
+        });
+    }
+
     /** Writes the values of a pixel, in the order of {@link #CHANNELS}; all except the depth are 0 for the background. */
-    void sample(int x, int y, float[] out) {
+    private void sample(int x, int y, float[] out) {
         Ray ray = eye.ray(x, y);
         int primitive = geometry.nearest(ray);
         if (primitive < 0) {

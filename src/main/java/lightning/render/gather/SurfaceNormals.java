@@ -44,8 +44,8 @@ final class SurfaceNormals {
         }
         for (int probe = 0; probe < count; probe++) {
             int p = probed[probe];
-            if (batch.primitive(probe) == points.surface.primitive[p]) {
-                Vec3 normal = batch.geometricNormal(probe);
+            Vec3 normal = batch.primitive(probe) == points.surface.primitive[p] ? batch.geometricNormal(probe) : null;
+            if (normal != null) {
                 points.geometricX[p] = (float) normal.x();
                 points.geometricY[p] = (float) normal.y();
                 points.geometricZ[p] = (float) normal.z();

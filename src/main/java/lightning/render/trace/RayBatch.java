@@ -187,10 +187,13 @@ public final class RayBatch {
         return primitives.hasShadingNormals(primitive);
     }
 
-    /** Returns the normal of the surface that a ray hit, not bent by bump maps or vertex normals: of length 1, facing the ray. */
+    /**
+     * Returns the normal of the surface that a ray hit, not bent by bump maps or vertex normals: of length 1, facing the ray; null if the
+     * surface is shaded by this normal.
+     */
     public Vec3 geometricNormal(int ray) {
         computeSurface(ray, rays.primitive[ray]);
-        return surface.geometricNormal();
+        return surface.hasShadingNormal() ? surface.geometricNormal() : null;
     }
 
     /**

@@ -178,6 +178,24 @@ public final class TileVisibility {
     }
 
     /**
+     * Finds the primitives that camera rays hit first.
+     *
+     * @param positions pixel centers of a tile, or at most 1024 finer samples
+     * @return primitive of each ray, −1 for none; of pixel centers those inside the image, line by line
+     */
+    public int[] primitives(SamplePositions positions) {
+        setEyeRays(positions);
+        if (positions.pixels() == null) {
+            camera.boundBeam(beam, positions.x0(), positions.y0(), rays.columns, rays.count / rays.columns);
+        } else {
+            positions.boundBeam(beam, camera);
+        }
+        candidates.collect(geometry.bvh(), beam);
+        tracer.findNearest(rays, candidates);
+        return hitShapes();
+    }
+
+    /**
      * Traces the secondary rays of a kind from a level's rows.
      *
      * @param knownPrimitives shape that each ray hits, −1 for none, if known; otherwise null

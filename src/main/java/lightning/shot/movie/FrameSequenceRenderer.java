@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.concurrent.CancellationException;
 import java.util.function.IntFunction;
 import lightning.base.work.Progress;
-import lightning.render.image.Film;
+import lightning.render.cache.PixelCache;
 import lightning.render.relight.PictureTooLargeException;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.UpdateResult;
@@ -19,8 +19,8 @@ public final class FrameSequenceRenderer {
 
     /** Listener that receives each finished frame before the next starts. */
     public interface Listener {
-        /** @param film overwritten after the call */
-        void frameRendered(int frame, Film film, UpdateResult update) throws IOException;
+        /** @param cache cache of the frame, whose colors are those of its film */
+        void frameRendered(int frame, PixelCache cache, UpdateResult update) throws IOException;
     }
 
     /**
@@ -41,7 +41,7 @@ public final class FrameSequenceRenderer {
                 if (progress.isCanceled()) {
                     throw new CancellationException();
                 }
-                listener.frameRendered(frame, renderer.film(), update);
+                listener.frameRendered(frame, renderer.cache(), update);
             }
         }
     }

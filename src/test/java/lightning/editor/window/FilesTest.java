@@ -93,9 +93,20 @@ class FilesTest extends EditorFixture {
         waitFor("the file is written", () -> text("message").equals("Exported desk.exr"));
         assertThat(ImageFile.read(answer).hasSameBits(model().picture().frame().film())).isTrue();
         try (ExrReader reader = new ExrReader(answer)) {
-            assertThat(reader.header().channels()).extracting(ExrChannel::name).contains("lamp.diffuse.R", "rounding.B", "shape.id");
+            assertThat(reader.header().channels()).extracting(ExrChannel::name).contains("lamp_diffuse.R", "rounding.B", "shape.id");
         }
         assertThat(model().fileActivity().file()).isNull();
+    }
+
+    @Test
+    void exportedMattes_nameTheObjects() throws IOException {
+        answer = folder.resolve("desk.exr");
+        export("Mattes as OpenEXR, Cryptomatte…");
+        waitFor("the file is written", () -> text("message").equals("Exported desk.exr"));
+        try (ExrReader reader = new ExrReader(answer)) {
+            assertThat(reader.header().channels()).extracting(ExrChannel::name).contains("R", "CryptoObject00.R", "CryptoMaterial02.A");
+            assertThat(reader.header().texts().values()).contains("CryptoObject", "CryptoMaterial", "CryptoAsset");
+        }
     }
 
     @Test

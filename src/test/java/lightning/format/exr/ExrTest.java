@@ -44,7 +44,7 @@ class ExrTest {
             write(file, width, height, values);
             float[][] result = new float[3][width * height];
             try (ExrReader reader = new ExrReader(file)) {
-                assertThat(reader.header().attributes()).containsEntry("who", "Ä");
+                assertThat(reader.header().texts()).containsEntry("who", "Ä");
                 reader.read(List.of("Z", "id", "a.G"), (x, y, numbers) -> {
                     for (int c = 0; c < 3; c++) {
                         result[c][y * width + x] = numbers[c];
@@ -73,7 +73,7 @@ class ExrTest {
     }
 
     private static void write(Path file, int width, int height, float[][] values) throws IOException {
-        ExrHeader header = new ExrHeader(width, height, CHANNELS, Map.of("who", "Ä"));
+        ExrHeader header = new ExrHeader(width, height, CHANNELS, Map.of("who", new ExrAttribute.Text("Ä")));
         AtomicFile.of(file).writeRandomAccess(channel -> {
             ExrWriter writer = new ExrWriter(channel, header);
             // Written from the bottom up, as threads may do.

@@ -183,7 +183,7 @@ class LayeredExrWriterTest {
         try (Renderer renderer = new Renderer(RenderOptions.DEFAULT.withThreads(1))) {
             renderer.render(scene, Progress.NONE);
             ExrValues file = writeFile(renderer, ExrType.FLOAT);
-            assertThat(file.list("lightning/sum")).containsExactly("background", "ambient", "emission", "key.diffuse", "key.specular",
+            assertThat(file.list("lightning/sum")).containsExactly("background", "ambient", "emission", "key_diffuse", "key_specular",
                     "reflections", "rounding");
             List<String> materials = file.list("lightning/materials");
             for (int i = 0; i < file.width * file.height; i++) {
@@ -237,11 +237,11 @@ class LayeredExrWriterTest {
         try (Renderer renderer = new Renderer(RenderOptions.DEFAULT.withThreads(1))) {
             renderer.render(odd, Progress.NONE);
             ExrValues file = writeFile(renderer, ExrType.HALF);
-            assertThat(file.list("lightning/sum")).containsExactly("background", "ambient", "key.diffuse", "key.specular",
-                    "_2nd_rim_light.diffuse", "_2nd_rim_light.specular", "_2nd_rim_light_2.diffuse", "_2nd_rim_light_2.specular",
-                    "Key_2.diffuse", "Key_2.specular", "reflections");
-            assertThat(file.map("lightning/lights")).containsEntry("_2nd_rim_light.diffuse", "2nd rim.light");
-            assertThat(List.copyOf(file.values.keySet())).contains("R", "key.diffuse.R", "N.X", "P.Z", "Z").isSorted();
+            assertThat(file.list("lightning/sum")).containsExactly("background", "ambient", "key_diffuse", "key_specular",
+                    "_2nd_rim_light_diffuse", "_2nd_rim_light_specular", "_2nd_rim_light_2_diffuse", "_2nd_rim_light_2_specular",
+                    "Key_2_diffuse", "Key_2_specular", "reflections");
+            assertThat(file.map("lightning/lights")).containsEntry("_2nd_rim_light_diffuse", "2nd rim.light");
+            assertThat(List.copyOf(file.values.keySet())).contains("R", "key_diffuse.R", "N.X", "P.Z", "Z").isSorted();
         }
     }
 
@@ -296,7 +296,7 @@ class LayeredExrWriterTest {
             try (ExrReader reader = new ExrReader(file)) {
                 width = reader.header().width();
                 height = reader.header().height();
-                attributes = new HashMap<>(reader.header().attributes());
+                attributes = new HashMap<>(reader.header().texts());
                 List<String> names = reader.header().channels().stream().map(ExrChannel::name).toList();
                 names.forEach(name -> values.put(name, new float[width * height]));
                 List<float[]> columns = new ArrayList<>(values.values());

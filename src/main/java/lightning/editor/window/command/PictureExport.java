@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import javafx.scene.control.MenuItem;
 import lightning.base.text.Messages;
@@ -14,16 +15,17 @@ import lightning.editor.document.Command;
 import lightning.editor.loop.Frame;
 import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.model.StatusMessage;
-import lightning.format.exr.ExrType;
 import lightning.format.image.ImageFile;
+import lightning.format.image.ImageFormat;
 import lightning.format.jen.JenFile;
 import lightning.format.layer.LayeredExrWriter;
+import lightning.format.layer.SceneMetadata;
 import lightning.render.cache.PixelCache;
 import lightning.render.image.ViewTransform;
 import lightning.render.relight.MemoryEstimate;
 import lightning.render.relight.tile.RenderOptions;
 
-/** Exports the traced picture or its layers in the background. */
+/** Exports the traced picture, its layers or its mattes in the background. */
 final class PictureExport {
     private final EditorModel model;
     private final StatusMessage message;
@@ -73,11 +75,15 @@ final class PictureExport {
     }
 
     private void write(ExportFormat kind, Path file, PixelCache cache, Frame frame, ViewTransform view) throws IOException {
-        if (!kind.hasLayers()) {
-            ImageFile.write(file, frame.film(), view, kind.bits());
+        if (kind.content().isEmpty()) {
+            if (kind.format() == ImageFormat.EXR) {
+                ImageFile.writeExr(file, frame.film(), kind.bits(), SceneMetadata.of(cache.scene(), Optional.empty()));
+            } else {
+                ImageFile.write(file, frame.film(), view, kind.bits());
+            }
             return;
         }
-        var layers = new LayeredExrWriter(cache, RenderOptions.DEFAULT.engines(), kind.bits() == Short.SIZE ? ExrType.HALF : ExrType.FLOAT);
+        var layers = new LayeredExrWriter(cache, RenderOptions.DEFAULT.engines(), kind.content().get(), Optional.empty());
         try (var workers = new WorkerPool(WorkerPool.processorCount())) {
             layers.write(file, HeapBudget.availableBytes() - MemoryEstimate.usedBytes(cache), workers,
                     new FileProgressMessage(file, model.fileActivity(), model.files().windowExecutor(), message));

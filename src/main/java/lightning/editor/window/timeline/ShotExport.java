@@ -47,13 +47,13 @@ record ShotExport(AnimatedScene scene, int first, int last, ShotFormat format, V
         if (format.movie().isEmpty()) {
             var files = new FrameFiles(target, name, format.extension());
             renderFrames(progress, listener, ImageFormat.of(files.file(first)).bytesToWrite(picture().width(), picture().height()),
-                    (frame, film, _) -> ImageFile.write(files.file(frame), film, view, format.bits()));
+                    (frame, cache, _) -> ImageFile.write(files.file(frame), cache.film(), view, format.bits()));
         } else {
             MovieFormat movie = format.movie().get();
             Ffmpeg ffmpeg = Ffmpeg.require();
             AtomicFile.of(target).writeToPath(temporary -> {
                 try (var writer = new MovieWriter(ffmpeg, movie, scene.shot().orElseThrow().rate(), view, temporary)) {
-                    renderFrames(progress, listener, MovieWriter.requiredBytes(picture()), (_, film, _) -> writer.add(film));
+                    renderFrames(progress, listener, MovieWriter.requiredBytes(picture()), (_, cache, _) -> writer.add(cache.film()));
                     writer.finish();
                 }
             });
@@ -69,8 +69,8 @@ record ShotExport(AnimatedScene scene, int first, int last, ShotFormat format, V
         List<Integer> frameNumbers = IntStream.rangeClosed(first, last).boxed().toList();
         RenderOptions options =
                 RenderOptions.DEFAULT.withReflections(ReflectionMode.CURRENT).withMemory(HeapBudget.availableBytes() - reservedBytes);
-        FrameSequenceRenderer.render(frameNumbers, scene::sceneAt, options, progress, (frame, film, update) -> {
-            sink.frameRendered(frame, film, update);
+        FrameSequenceRenderer.render(frameNumbers, scene::sceneAt, options, progress, (frame, cache, update) -> {
+            sink.frameRendered(frame, cache, update);
             listener.framesWritten(frame - first + 1);
         });
     }

@@ -50,6 +50,8 @@ public final class SurfaceHit {
     private double geometricZ;
     private double hitError;
     private boolean inside;
+    /** Whether the shading normal is not the geometric one. */
+    private boolean hasShadingNormal;
 
     /** Computes the surface of a part of primitive {@code s} at distance {@code t} along the ray. */
     public void compute(PrimitiveTable primitives, int s, int part, double ox, double oy, double oz, double dx, double dy, double dz,
@@ -119,6 +121,7 @@ public final class SurfaceHit {
         geometricY = by;
         geometricZ = bz;
         inside = facing < 0;
+        hasShadingNormal = false;
         boolean smoothMesh = mesh != null && facet.isSmooth();
         if (smoothMesh) {
             smoothNormal.compute(facet, m, i, bx, by, bz, shadingNormal);
@@ -140,6 +143,11 @@ public final class SurfaceHit {
     /** Returns true if the ray reached the latest surface from inside, along its outward normal. */
     public boolean isInside() {
         return inside;
+    }
+
+    /** Returns whether bump mapping or vertex normals shade the latest surface by another normal than the geometric one. */
+    public boolean hasShadingNormal() {
+        return hasShadingNormal;
     }
 
     /** Returns the geometric normal of the latest surface: of length 1, on the visible side. */
@@ -176,7 +184,8 @@ public final class SurfaceHit {
     /** Replaces the geometric normal by the shading normal from bump mapping and vertex normals, if any. */
     private void applyShadingNormal(PrimitiveTable primitives, int s, BumpMapping bumpMapping, boolean smoothMesh, double dx, double dy,
             double dz) {
-        if (tiltNormal(primitives, s, bumpMapping, smoothMesh) || smoothMesh) {
+        hasShadingNormal = tiltNormal(primitives, s, bumpMapping, smoothMesh) || smoothMesh;
+        if (hasShadingNormal) {
             shadingNormal.bend(geometricX, geometricY, geometricZ, dx, dy, dz);
             nx = (float) shadingNormal.x;
             ny = (float) shadingNormal.y;

@@ -1,0 +1,43 @@
+package lightning.format.layer;
+
+import lightning.format.exr.ExrType;
+
+/**
+ * Content of an OpenEXR file in addition to the image.
+ *
+ * @param type type of colors and normals, HALF or FLOAT; all other channels are FLOAT. A file of halves has no residual layer
+ * @param layers layers, with surface data
+ * @param matteLevels ids that the mattes of a pixel have room for, even; 0 for no mattes
+ */
+public record ExrContent(ExrType type, Layers layers, int matteLevels) {
+    /** Choice of layers. */
+    public enum Layers {
+        /** None. */
+        NONE,
+        /** Those of lights that are on. */
+        LIT,
+        /** Those of all lights, so that all frames of a shot have the same. */
+        ALL
+    }
+
+    /** Levels of mattes that most programs use. */
+    public static final int DEFAULT_MATTE_LEVELS = 6;
+    /** Maximum number of levels, for 100 numbered layers of two. */
+    public static final int MAX_MATTE_LEVELS = 64;
+
+    public ExrContent {
+        if (matteLevels < 0 || matteLevels > MAX_MATTE_LEVELS || matteLevels % 2 != 0) {
+            throw new IllegalArgumentException("levels must be even and at most " + MAX_MATTE_LEVELS + ", was " + matteLevels);
+        }
+    }
+
+    /** Returns layers without mattes. */
+    public static ExrContent layers(ExrType type) {
+        return new ExrContent(type, Layers.LIT, 0);
+    }
+
+    /** Returns the image in halves, and mattes. */
+    public static ExrContent mattes(int levels) {
+        return new ExrContent(ExrType.HALF, Layers.NONE, levels);
+    }
+}

@@ -1,0 +1,100 @@
+package lightning.format.layer;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import lightning.format.exr.ExrAttribute;
+import lightning.format.exr.ExrChannel;
+import lightning.format.exr.ExrType;
+import lightning.render.cache.CachedTile;
+import lightning.render.cache.PixelCache;
+import lightning.render.engine.Engine;
+import lightning.render.image.Film;
+import lightning.render.trace.SamplePositions;
+import tools.jackson.databind.json.JsonMapper;
+
+/** Color layers of an image, which add up to it (see {@link LayerSum}). The header contains the order of the sum. */
+final class LayerChannels implements ChannelSource {
+    private static final List<String> COLORS = List.of("R", "G", "B");
+    private static final String ROUNDING = "rounding";
+
+    private final PixelCache cache;
+    private final Film film;
+    private final ExrType type;
+    private final List<Layer> layers;
+    /** Names of the layers, without the residual. */
+    private final List<String> names;
+
+    /**
+     * @param cache cache of a finished image
+     * @param type HALF or FLOAT; halves have no residual layer
+     * @param all true for layers of lights that are off too
+     */
+    LayerChannels(PixelCache cache, ExrType type, boolean all) {
+        this.cache = cache;
+        this.type = type;
+        film = cache.film();
+        layers = Layer.of(cache.scene(), all);
+        names = LayerNames.of(layers);
+    }
+
+    private boolean isExact() {
+        return type == ExrType.FLOAT;
+    }
+
+    /** Returns the names of all layers, in the order of the sum. */
+    List<String> layerNames() {
+        List<String> all = new ArrayList<>(names);
+        if (isExact()) {
+            all.add(ROUNDING);
+        }
+        return all;
+    }
+
+    @Override
+    public List<ExrChannel> channels() {
+        return layerNames().stream().flatMap(name -> COLORS.stream().map(color -> new ExrChannel(name + "." + color, type))).toList();
+    }
+
+    @Override
+    public Map<String, ExrAttribute> attributes() {
+        Map<String, String> lights = new LinkedHashMap<>();
+        for (int i = 0; i < names.size(); i++) {
+            if (layers.get(i) instanceof Layer.Lights light) {
+                lights.put(names.get(i), light.name());
+            }
+        }
+        JsonMapper json = new JsonMapper();
+        return Map.of("lightning/sum", new ExrAttribute.Text(json.writeValueAsString(layerNames())), "lightning/lights",
+                new ExrAttribute.Text(json.writeValueAsString(lights)));
+    }
+
+    @Override
+    public TileWriter writer(Engine engine) {
+        LayerCompositor painter = new LayerCompositor(cache, engine);
+        return (tile, centers, sink) -> {
+            LayerSum layerSum = new LayerSum(Film.TILE_PIXELS);
+            for (int k = 0; k < layers.size(); k++) {
+                float[][] layer = layerPixels(painter, layers.get(k), tile, centers);
+                layerSum.add(layer);
+                sink.putColors(3 * k, layer);
+            }
+            if (isExact()) {
+                sink.putColors(3 * layers.size(), layerSum.residual(new float[][] {film.red(tile), film.green(tile), film.blue(tile)}));
+            }
+        };
+    }
+
+    /** Returns the pixels of a layer's tile, averaged over samples if it has several. */
+    private float[][] layerPixels(LayerCompositor painter, Layer layer, int tile, SamplePositions centers) {
+        CachedTile center = cache.tileCount() == 0 ? null : composeLayer(painter, layer, cache.tile(tile), centers);
+        return cache.fineCount() == 0 ? center.film : cache.fineTile(tile)
+                .map(center, centers, (at, block) -> composeLayer(painter, layer, block, at))
+                .film();
+    }
+
+    private static CachedTile composeLayer(LayerCompositor painter, Layer layer, CachedTile tile, SamplePositions samplePositions) {
+        return new CachedTile(tile.levels, tile.hitShapes, tile.images, painter.colors(layer, tile, samplePositions), tile.edges);
+    }
+}

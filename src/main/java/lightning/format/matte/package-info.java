@@ -1,0 +1,2 @@
+/** Cryptomatte: mattes of objects and materials as ranked ids and coverages (Cryptomatte Specification 1.2, Psyop). */
+package lightning.format.matte;
