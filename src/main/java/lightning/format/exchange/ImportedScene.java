@@ -38,11 +38,12 @@ import lightning.scene.shot.Shot;
  * @param copies files to copy next to it
  * @param notes omitted or approximated features with their counts
  * @param subject what the file contains
+ * @param closingComments comment lines at the end of the scene file
  */
 public record ImportedScene(Scene unscaledScene, Optional<Shot> shot, Set<String> restored, Optional<LightUnits> units,
         List<String> comments, Path sceneFile,
         List<AssetCopy> copies,
-        Map<String, Integer> notes, ImportSubject subject) {
+        Map<String, Integer> notes, ImportSubject subject, List<String> closingComments) {
     /** Notes about what replaces missing parts of the file. */
     static final String ADDED_LIGHT = "no lights in the file; added one";
     static final String ADDED_CAMERA = "no cameras in the file; added one";
@@ -91,7 +92,8 @@ public record ImportedScene(Scene unscaledScene, Optional<Shot> shot, Set<String
     /** Returns this scene with other light units, or this object if the file defines its units. */
     public ImportedScene inUnits(LightUnits newUnits) {
         return units.isEmpty() ? this
-                : new ImportedScene(unscaledScene, shot, restored, Optional.of(newUnits), comments, sceneFile, copies, notes, subject);
+                : new ImportedScene(unscaledScene, shot, restored, Optional.of(newUnits), comments, sceneFile, copies, notes, subject,
+                        closingComments);
     }
 
     /** Returns this scene with indirect light of the default settings. */
@@ -99,7 +101,7 @@ public record ImportedScene(Scene unscaledScene, Optional<Shot> shot, Set<String
         return new ImportedScene(
                 unscaledScene.withPicture(unscaledScene.picture().withIndirect(Optional.of(IndirectSettings.DEFAULT))), shot, restored,
                 units,
-                comments, sceneFile, copies, notes, subject);
+                comments, sceneFile, copies, notes, subject, closingComments);
     }
 
     /**
@@ -118,7 +120,7 @@ public record ImportedScene(Scene unscaledScene, Optional<Shot> shot, Set<String
         newNotes.remove(ADDED_CAMERA);
         return new ImportedScene(lit, shot.map(s -> validTracks(s, lit)), Set.of(), Optional.empty(), List.copyOf(newComments), sceneFile,
                 copies, Map.copyOf(newNotes),
-                subject);
+                subject, closingComments);
     }
 
     /** Returns this scene with smooth edges. */
@@ -127,7 +129,7 @@ public record ImportedScene(Scene unscaledScene, Optional<Shot> shot, Set<String
         return picture.sampling().isSupersampled() ? this
                 : new ImportedScene(unscaledScene.withPicture(picture.withSampling(SMOOTH)), shot, restored, units, comments, sceneFile,
                         copies,
-                        notes, subject);
+                        notes, subject, closingComments);
     }
 
     /** Returns a shot without the tracks that a scene cannot have. */
@@ -161,8 +163,10 @@ public record ImportedScene(Scene unscaledScene, Optional<Shot> shot, Set<String
         comments.forEach(line -> header.append("# ").append(line).append('\n'));
         units.ifPresent(chosenUnits -> header.append(chosenUnits.comment()).append('\n'));
         Scene written = scene();
-        return header
-                + shot.map(s -> JenWriter.write(written, s)).orElseGet(() -> JenWriter.write(written)).substring(FORMAT_LINE.length());
+        String blocks = shot.map(s -> JenWriter.write(written, s)).orElseGet(() -> JenWriter.write(written));
+        var footer = new StringBuilder(closingComments.isEmpty() ? "" : "\n");
+        closingComments.forEach(line -> footer.append("# ").append(line).append('\n'));
+        return header + blocks.substring(FORMAT_LINE.length()) + footer;
     }
 
     /**

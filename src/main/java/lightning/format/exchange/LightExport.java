@@ -16,12 +16,13 @@ import lightning.scene.LightAttribute;
 import lightning.scene.LightGroup;
 import lightning.scene.Scene;
 import lightning.scene.World;
+import lightning.scene.shot.AnimatedScene;
 import tools.jackson.databind.json.JsonMapper;
 import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.ObjectNode;
 
 /**
- * Lights of a scene for other programs: in a copy of the glTF file that they light, or as JSON.
+ * Lights of a scene for other programs: in a copy of the glTF file that they light, as a layer of a USD stage, or as JSON.
  *
  * @param bytes content of the output file
  * @param notes properties that the format does not support, with their counts
@@ -53,6 +54,18 @@ public record LightExport(byte[] bytes, Map<String, Integer> notes) {
                     effectiveLight.position(), effectiveLight.direction().normalized()));
         }
         return new LightExport(GltfLightWriter.replaceLights(gltf, lights, progress), Map.copyOf(notes.counts()));
+    }
+
+    /**
+     * Returns a layer of a USD stage with these lights: changes of the lights that were imported, and definitions of new ones.
+     *
+     * @param text text of the scene file, which says where the lights are in the stage
+     * @param sceneFile the scene file
+     * @param output file of the layer
+     * @throws IOException if the folders of the lights' files cannot be read
+     */
+    public static LightExport toUsd(String text, AnimatedScene scene, Path sceneFile, Path output) throws IOException {
+        return UsdLightExport.export(text, scene, sceneFile, output);
     }
 
     /** Returns JSON with all lights and light groups of a scene and its world, with all their attributes. */

@@ -46,6 +46,7 @@ import lightning.scene.shot.Shot;
 final class SceneAssembler {
     private static final Pattern DISALLOWED = Pattern.compile("[^\\p{L}\\p{N} _.,()+-]");
     private static final int MAX_FILE_NAME_LENGTH = 100;
+    private static final int MAX_FILE_BYTES = 64 << 20;
     /** Minimum distance from a light to a surface without clamping, as a fraction of the scene's size. */
     private static final double MIN_LIGHT_DISTANCE = 0.05;
 
@@ -67,6 +68,8 @@ final class SceneAssembler {
     boolean isLit;
     /** Animation of the scene; empty if the file has none. */
     Optional<Shot> shot = Optional.empty();
+    /** Comment lines at the end of the scene file. */
+    final List<String> closingComments = new ArrayList<>();
     private final Path source;
     private final Path sceneFile;
     private final UniqueNames materialNames = new UniqueNames();
@@ -86,6 +89,11 @@ final class SceneAssembler {
         comments.add(line);
     }
 
+    /** Returns the name of the scene file without its ending. */
+    String stem() {
+        return sanitize(sceneFile.getFileName().toString().replaceFirst("\\.[^.]*$", ""));
+    }
+
     Path folder() {
         return sceneFile.toAbsolutePath().getParent();
     }
@@ -100,6 +108,17 @@ final class SceneAssembler {
         String name = String.join("/", parts);
         addCopy(name, file, null);
         return name;
+    }
+
+    /**
+     * Adds a file from anywhere: one of the source's folder by its place there, another by its content, since it may be temporary.
+     *
+     * @param requested name for a file of another folder
+     */
+    String addFile(Path file, String requested) throws IOException {
+        Path folder = source.toAbsolutePath().normalize().getParent();
+        return file.toAbsolutePath().normalize().startsWith(folder) ? addFile(file)
+                : addFile(requested, RegularFile.readBytes(file, "a file that the scene uses", MAX_FILE_BYTES));
     }
 
     /** Adds a file from memory; returns its name. */
@@ -187,7 +206,7 @@ final class SceneAssembler {
     ImportedScene build() throws MeshException {
         try {
             Camera view = camera.orElseGet(this::defaultCamera);
-            boolean hasLights = !lights.isEmpty() || isLit;
+            boolean hasLights = !lights.isEmpty() || isLit || world.environment().isPresent();
             if (!hasLights) {
                 addComment(ImportedScene.ADDED_LIGHT_COMMENT);
                 notes.add(ImportedScene.ADDED_LIGHT);
@@ -199,7 +218,8 @@ final class SceneAssembler {
             return new ImportedScene(scene, shot.map(s -> withValidTracks(s, scene)), Set.copyOf(restoredLights), units,
                     List.copyOf(comments), sceneFile,
                     List.copyOf(copies.values()),
-                    Map.copyOf(notes.counts()), new ImportSubject(bounds.min(), bounds.max(), camera.isPresent(), hasLights));
+                    Map.copyOf(notes.counts()), new ImportSubject(bounds.min(), bounds.max(), camera.isPresent(), hasLights),
+                    List.copyOf(closingComments));
         } catch (IllegalArgumentException e) {
             throw new MeshException(source, "", "cannot be a scene here: " + e.getMessage());
         }
