@@ -123,7 +123,7 @@ class ServerTest {
         assertThat(ImageFile.read(file).hasSameBits(trace(scene()))).isTrue();
         client.request("render", "'scene':1,'bits':32,'layers':true,'file':'" + file + "'");
         assertThat(ImageFile.read(file).hasSameBits(trace(scene()))).isTrue();
-        assertThat(Files.readString(file, java.nio.charset.StandardCharsets.ISO_8859_1)).contains("key.diffuse.R");
+        assertThat(Files.readString(file, java.nio.charset.StandardCharsets.ISO_8859_1)).contains("key_diffuse.R");
     }
 
     @Test
