@@ -35,6 +35,7 @@ public final class Lightning {
         COMMANDS.put("import", ImportCommand::new);
         COMMANDS.put("export", ExportCommand::new);
         COMMANDS.put("export-lights", ExportLightsCommand::new);
+        COMMANDS.put("blender", BlenderCommand::new);
         COMMANDS.put("effects", EffectsCommand::new);
         COMMANDS.put("tour", TourCommand::new);
         COMMANDS.put("bench", BenchCommand::new);
