@@ -23,6 +23,9 @@ CANCEL_DELAY = 0.1
 # Seconds after which a picture of older lights is slow.
 SLOW = 0.5
 
+# A light group that changes nothing.
+NEUTRAL = {"on": True, "solo": False, "intensity": 1, "color": [1, 1, 1]}
+
 
 class LiveView:
     """A scene of Blender that a server of Lightning has open."""
@@ -90,6 +93,10 @@ class LiveView:
             self._changed_at = time.perf_counter()
             if was_current:
                 self._edited_at = self._changed_at
+
+    def refresh(self) -> None:
+        """Looks for changes that Blender tells nobody about, such as another size of the picture."""
+        self._is_stale = True
 
     def pump(self) -> None:
         """Does what can be done now. An error ends up in `error`."""
@@ -178,7 +185,8 @@ class LiveView:
     def _describe_structure(self, scene) -> tuple:
         """Returns what only sending can change, as far as it is quick to compare."""
         shown = [obj.name for obj in scene.objects if obj.type not in ("LIGHT", "CAMERA", "EMPTY") and lights.is_on(obj)]
-        return shot.size(scene), shown, shot.camera(scene) if scene.camera else None, transfer.memory(scene).get("banks", {})
+        groups = {name: group for name, group in transfer.memory(scene).get("banks", {}).items() if any(group.get(k, v) != v for k, v in NEUTRAL.items())}
+        return shot.size(scene), shown, shot.camera(scene) if scene.camera else None, groups
 
     def _edit(self, scene) -> None:
         """Sends what changed of the lights and the world, and asks for a picture."""
