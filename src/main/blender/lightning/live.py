@@ -185,7 +185,8 @@ class LiveView:
     def _describe_structure(self, scene) -> tuple:
         """Returns what only sending can change, as far as it is quick to compare."""
         shown = [obj.name for obj in scene.objects if obj.type not in ("LIGHT", "CAMERA", "EMPTY") and lights.is_on(obj)]
-        groups = {name: group for name, group in transfer.memory(scene).get("banks", {}).items() if any(group.get(k, v) != v for k, v in NEUTRAL.items())}
+        groups = {name: group for name, group in transfer.memory(scene).get("banks", {}).items()
+                  if any(group.get(key, neutral) != neutral for key, neutral in NEUTRAL.items())}
         return shot.size(scene), shown, shot.camera(scene) if scene.camera else None, groups
 
     def _edit(self, scene) -> None:
