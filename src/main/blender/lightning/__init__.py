@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
 """Blender add-on of Lightning: sends the scene, and gets the lights back."""
 
+import atexit
 from pathlib import Path
 
 import bpy
 from bpy.props import BoolProperty, StringProperty
 from bpy_extras.io_utils import ExportHelper, ImportHelper
 
-from . import program, transfer
+from . import live, program, transfer
 
 
 class LightningPreferences(bpy.types.AddonPreferences):
@@ -70,6 +71,25 @@ class LIGHTNING_OT_get_lights(bpy.types.Operator, ImportHelper):
         return {"FINISHED"}
 
 
+class LIGHTNING_OT_live_view(bpy.types.Operator):
+    """Show Lightning's picture in the image "Lightning" and follow edits, or stop it"""
+
+    bl_idname = "lightning.live_view"
+    bl_label = "Live View"
+    bl_options = {"REGISTER"}
+
+    def execute(self, context):
+        if live.view() is not None:
+            live.stop()
+            return {"FINISHED"}
+        try:
+            live.start(context.scene)
+        except (program.ProgramError, OSError) as e:
+            self.report({"ERROR"}, str(e))
+            return {"CANCELLED"}
+        return {"FINISHED"}
+
+
 def _report(operator, messages: list[str], summary: str) -> None:
     for message in messages:
         operator.report({"WARNING"}, message)
@@ -94,6 +114,11 @@ class LIGHTNING_PT_panel(bpy.types.Panel):
             operator = row.operator(name, icon=icon)
             if file:
                 operator.filepath = file
+        view = live.view()
+        self.layout.operator("lightning.live_view", icon="PAUSE" if view else "PLAY", text="Stop Live View" if view else "Live View",
+                             depress=view is not None)
+        if view:
+            self.layout.label(text=view.status, icon="ERROR" if view.error else "NONE")
 
 
 def _draw_export(self, _context) -> None:
@@ -104,7 +129,7 @@ def _draw_import(self, _context) -> None:
     self.layout.operator(LIGHTNING_OT_get_lights.bl_idname, text="Lights from Lightning (.jen)")
 
 
-CLASSES = (LightningPreferences, LIGHTNING_OT_send, LIGHTNING_OT_get_lights, LIGHTNING_PT_panel)
+CLASSES = (LightningPreferences, LIGHTNING_OT_send, LIGHTNING_OT_get_lights, LIGHTNING_OT_live_view, LIGHTNING_PT_panel)
 
 
 def register() -> None:
@@ -114,10 +139,13 @@ def register() -> None:
     bpy.types.Scene.lightning_file = StringProperty(name="Scene", subtype="FILE_PATH", description="Scene file that is sent and read")
     bpy.types.TOPBAR_MT_file_export.append(_draw_export)
     bpy.types.TOPBAR_MT_file_import.append(_draw_import)
+    atexit.register(live.stop)
 
 
 def unregister() -> None:
     """Removes what `register` added."""
+    atexit.unregister(live.stop)
+    live.stop()
     bpy.types.TOPBAR_MT_file_export.remove(_draw_export)
     bpy.types.TOPBAR_MT_file_import.remove(_draw_import)
     del bpy.types.Scene.lightning_file

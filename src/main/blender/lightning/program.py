@@ -26,10 +26,21 @@ def find() -> str:
 
 def run(*arguments: str) -> list[str]:
     """Runs a command; returns its messages."""
-    done = subprocess.run([find(), *arguments], capture_output=True, text=True, encoding="utf-8", check=False)
-    lines = [line for line in (done.stdout + done.stderr).splitlines() if line.strip() and not line.startswith("WARNING: Using incubator")]
-    if done.returncode != 0:
-        raise ProgramError(lines[0] if lines else f"Lightning ended with code {done.returncode}")
+    return finish(start(*arguments))
+
+
+def start(*arguments: str) -> subprocess.Popen:
+    """Starts a command, for `finish`."""
+    return subprocess.Popen([find(), *arguments], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                            encoding="utf-8")
+
+
+def finish(process: subprocess.Popen) -> list[str]:
+    """Waits for a command; returns its messages."""
+    output, _ = process.communicate()
+    lines = [line for line in output.splitlines() if line.strip() and not line.startswith("WARNING: Using incubator")]
+    if process.returncode != 0:
+        raise ProgramError(lines[0] if lines else f"Lightning ended with code {process.returncode}")
     return lines
 
 

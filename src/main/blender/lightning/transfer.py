@@ -38,18 +38,33 @@ def send(context, target: Path, overwrite: bool = False) -> list[str]:
     if target.is_file() and not overwrite and remembered.get("digest") != _digest(target):
         raise program.ProgramError(f"{target.name} was not sent from here, or has changed since: get its lights first, or overwrite it")
     messages: list[str] = []
+    lines = program.run(*prepare(context, target, messages))
     model = target.with_suffix(".glb")
-    lamps = [obj for obj in scene.objects if obj.type == "LIGHT"]
+    messages += [line.removeprefix(f"{model}: ") for line in lines if not any(text in line for text in EXPECTED)]
+    _remember(scene, target, lamps(scene))
+    return messages
+
+
+def lamps(scene) -> list:
+    """Returns the light objects that are sent, in their order in Lightning."""
+    return [obj for obj in scene.objects if obj.type == "LIGHT"]
+
+
+def prepare(context, target: Path, messages: list[str], is_animated: bool = True) -> list[str]:
+    """Writes the glTF file of a scene, and what it refers to. Returns the command that makes the .jen file of it."""
+    scene = context.scene
+    model = target.with_suffix(".glb")
     shown = [obj for obj in context.view_layer.objects if obj.type != "LIGHT" and lights.is_on(obj)]
     _export_model(scene, model)
     root, rest = gltf.read(model)
     materials.add_glass(root, shown, messages)
-    root.setdefault("extras", {})[PROPERTY] = _settings(context, target, lamps, shown, remembered, messages)
+    settings = _settings(scene, target, messages)
+    if is_animated:
+        groups = memory(scene).get("banks", {})
+        settings["shot"] = shot.record(context, shown, {obj: obj.name for obj in lamps(scene)}, groups, messages)
+    root.setdefault("extras", {})[PROPERTY] = settings
     gltf.write(model, root, rest)
-    lines = program.run("import", str(model), "-o", str(target), "--light-units", "candela", "--indirect", "off")
-    messages += [line.removeprefix(f"{model}: ") for line in lines if not any(text in line for text in EXPECTED)]
-    _remember(scene, target, lamps)
-    return messages
+    return ["import", str(model), "-o", str(target), "--light-units", "candela", "--indirect", "off"]
 
 
 def _export_model(scene, path: Path) -> None:
@@ -70,45 +85,53 @@ def _export(path: Path) -> None:
                               export_skins=False, export_morph=False, export_hierarchy_flatten_objs=True, export_tangents=False)
 
 
-def _settings(context, target: Path, lamps: list, shown: list, remembered: dict, messages: list[str]) -> dict:
-    scene = context.scene
-    groups = remembered.get("banks", {})
-    used = dict.fromkeys(obj.lightgroup for obj in lamps if obj.lightgroup)
+def _settings(scene, target: Path, messages: list[str]) -> dict:
+    groups = memory(scene).get("banks", {})
+    sent = lamps(scene)
+    used = dict.fromkeys(obj.lightgroup for obj in sent if obj.lightgroup)
     settings = {
         "version": 1,
         "picture": _picture(scene, messages),
-        "world": remembered.get("world", {}) | world.send(scene.world, target.parent, target.stem, messages),
+        "world": world_settings(scene, target, messages),
         "banks": [{"name": name, **groups.get(name, {})} for name in used],
-        "lights": [lights.send(obj, groups, messages) for obj in lamps],
+        "lights": [lights.send(obj, groups, messages) for obj in sent],
     }
     if scene.camera is not None:
         settings["camera"] = scene.camera.name
         if scene.camera.data.shift_x or scene.camera.data.shift_y:
             messages.append(f"{scene.camera.name}: the shift of a camera is not sent")
-    for obj in lamps:
-        if lights.describe(obj, groups, [])["type"] == "spot":
-            name, profile = lights.spot_profile(obj.data)
-            if name:
-                target.with_name(name).write_bytes(profile.encode("ascii"))
-    settings["shot"] = shot.record(context, shown, {obj: obj.name for obj in lamps}, groups, messages)
+    for obj in sent:
+        write_profile(obj, target.parent)
     return settings
+
+
+def world_settings(scene, target: Path, messages: list[str]) -> dict:
+    """Returns the world as Lightning's JSON, and writes its image next to the scene file."""
+    return memory(scene).get("world", {}) | world.send(scene.world, target.parent, target.stem, messages)
+
+
+def write_profile(obj, folder: Path) -> None:
+    """Writes the profile of a spot with a soft edge."""
+    name, profile = lights.spot_profile(obj.data) if obj.data.type == "SPOT" else ("", "")
+    if name:
+        (folder / name).write_bytes(profile.encode("ascii"))
 
 
 def _picture(scene, messages: list[str]) -> dict:
     view = scene.view_settings
-    result = {"size": shot.size(scene), "exposure": axes.number(view.exposure)}
+    result = {"size": shot.size(scene), "exposure": axes.number(view.exposure), "antialias": "edges"}
     if view.view_transform in VIEWS:
         return result | {"view": VIEWS[view.view_transform]}
     messages.append(f"the view transform {view.view_transform} is not sent")
     return result
 
 
-def _remember(scene, target: Path, lamps: list) -> None:
+def _remember(scene, target: Path, sent: list) -> None:
     """Stores the lights as Lightning has them now, so that a later exchange can tell who changed what."""
     exported = export(target)
     groups = {group.pop("name"): group for group in exported["banks"]}
     by_name = {light["name"]: light for light in exported["lights"]}
-    for obj in lamps:
+    for obj in sent:
         if obj.name in by_name:
             lights.store(obj, obj.name, by_name[obj.name], groups)
     scene[PROPERTY] = json.dumps({"banks": groups, "world": exported["world"], "digest": _digest(target)})

@@ -32,6 +32,9 @@ final class BlenderCommand implements Callable<Integer> {
     private static final String ADD_ON = "lightning";
     /** Folder of the add-on in a checkout of the sources, which has no zip. */
     private static final Path SOURCES = Path.of("src", "main", "blender", ADD_ON);
+    /** Package that the add-on contains in its zip, as in blender.xml. */
+    private static final String CLIENT = "lightning_relight";
+    private static final Path CLIENT_SOURCES = Path.of("src", "main", "python", CLIENT);
     /** Oldest version that the add-on runs in, as in its manifest. */
     private static final double MIN_VERSION = 4.5;
 
@@ -80,6 +83,7 @@ final class BlenderCommand implements Callable<Integer> {
             unpack(zip, target);
         } else {
             copy(sources, target);
+            copy(root.resolve(CLIENT_SOURCES), target.resolve(CLIENT));
         }
         String launcher = Optional.ofNullable(System.getProperty("jpackage.app-path")).orElse(root.resolve("bin/lightning").toString());
         write(target.resolve("program.txt"), (launcher + "\n").getBytes(StandardCharsets.UTF_8));

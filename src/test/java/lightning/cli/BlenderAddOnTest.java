@@ -2,15 +2,11 @@ package lightning.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.attribute.PosixFilePermissions;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.stream.Collectors;
-import java.util.stream.Stream;
 import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
 import lightning.format.jen.JenDocument;
@@ -44,21 +40,7 @@ class BlenderAddOnTest {
     @BeforeEach
     void setUp() throws IOException {
         PythonPrograms.require("bpy");
-        Path addOn = Files.createDirectories(folder.resolve("user/extensions/user_default/lightning"));
-        try (var files = Files.list(Path.of("src/main/blender/lightning"))) {
-            for (Path file : files.filter(Files::isRegularFile).toList()) {
-                Files.copy(file, addOn.resolve(file.getFileName()));
-            }
-        }
-        String classPath =
-                Stream.of(System.getProperty("java.class.path").split(File.pathSeparator)).map(p -> Path.of(p).toAbsolutePath().toString())
-                        .collect(Collectors.joining(File.pathSeparator));
-        Path program = Files.writeString(folder.resolve("lightning"),
-                "#!/bin/sh\nexec '" + ProcessHandle.current().info().command().orElseThrow()
-                        + "' -Xmx512m -Djava.awt.headless=true --add-modules jdk.incubator.vector -cp '" + classPath
-                        + "' lightning.Main \"$@\"\n");
-        Files.setPosixFilePermissions(program, PosixFilePermissions.fromString("rwxr-xr-x"));
-        Files.writeString(addOn.resolve("program.txt"), program + "\n");
+        BlenderAddOn.install(folder);
     }
 
     private String run(String script, String... arguments) throws IOException {

@@ -81,6 +81,8 @@ class BlenderCommandTest {
         installed(Map.of(), "--install", extensions.toString());
         assertThat(extensions.resolve("lightning/blender_manifest.toml")).hasSameTextualContentAs(
                 Path.of("src/main/blender/lightning/blender_manifest.toml"));
+        assertThat(extensions.resolve("lightning/lightning_relight/client.py")).hasSameTextualContentAs(
+                Path.of("src/main/python/lightning_relight/client.py"));
     }
 
     @Test

@@ -3,13 +3,17 @@ package lightning.format.exchange;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Stream;
+import lightning.scene.AntialiasMode;
 import lightning.scene.Light;
 import lightning.scene.LightAttribute;
 import lightning.scene.LightGroup;
 import lightning.scene.LightType;
+import lightning.scene.SamplingSettings;
 import lightning.scene.ShapeGains;
 import lightning.scene.ShapeLinks;
 import lightning.scene.ViewCurve;
@@ -73,9 +77,20 @@ final class SceneExtras {
             ViewSettings view = new ViewSettings(ViewCurve.SRGB, in.path("exposure").asDouble(0));
             assembler.picture =
                     assembler.picture.withView(in.has("view") ? view.withCurve(ViewCurve.of(in.get("view").asString(""))) : view);
+            if (in.has("antialias") || in.has("samples")) {
+                assembler.picture = assembler.picture.withSampling(sampling(in));
+            }
         } catch (IllegalArgumentException e) {
             noteUnusable(assembler);
         }
+    }
+
+    /** Returns the sampling; throws an {@link IllegalArgumentException} if a value is invalid. */
+    private static SamplingSettings sampling(JsonNode in) {
+        String word = in.path("antialias").asString("off");
+        AntialiasMode mode = Stream.of(AntialiasMode.values()).filter(m -> m.name().toLowerCase(Locale.ROOT).equals(word)).findFirst()
+                .orElseThrow(() -> new IllegalArgumentException(word));
+        return new SamplingSettings(mode, in.path("samples").asInt(SamplingSettings.DEFAULT.grid()));
     }
 
     private static Optional<String> readGroup(SceneAssembler assembler, JsonNode in) {

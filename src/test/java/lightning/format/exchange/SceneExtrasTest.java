@@ -12,8 +12,10 @@ import lightning.base.work.Progress;
 import lightning.format.gltf.GltfFixtures;
 import lightning.format.jen.JenDocument;
 import lightning.format.jen.JenReader;
+import lightning.scene.AntialiasMode;
 import lightning.scene.Light;
 import lightning.scene.LightType;
+import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
 import lightning.scene.ShapeLinks;
 import lightning.scene.ViewCurve;
@@ -42,7 +44,7 @@ class SceneExtrasTest {
     void pictureWorldAndLights_areRestored() throws Exception {
         sky();
         Scene scene = written(imported("""
-                {'picture': {'size': [480, 270], 'view': 'agx', 'exposure': -0.5},
+                {'picture': {'size': [480, 270], 'view': 'agx', 'exposure': -0.5, 'antialias': 'edges', 'samples': 5},
                  'world': {'ambience': 0, 'environment': 'sky.hdr', 'rotation': -30, 'intensity': 2},
                  'banks': [{'name': 'keys', 'intensity': 0.5}],
                  'lights': [{'name': 'key', 'type': 'rect', 'intensity': 3, 'exposure': 2, 'width': 4, 'on': false, 'bank': 'keys',
@@ -52,6 +54,7 @@ class SceneExtrasTest {
         assertThat(scene.picture().height()).isEqualTo(270);
         assertThat(scene.picture().view().curve()).isEqualTo(ViewCurve.AGX);
         assertThat(scene.picture().view().exposure()).isEqualTo(-0.5);
+        assertThat(scene.picture().sampling()).isEqualTo(new SamplingSettings(AntialiasMode.EDGES, 5));
         assertThat(scene.world().ambience()).isZero();
         assertThat(scene.world().environment().orElseThrow().file()).isEqualTo("sky.hdr");
         assertThat(scene.world().rotation()).isEqualTo(-30);
@@ -125,6 +128,8 @@ class SceneExtrasTest {
 
     @Test
     void invalidValues_areNoted() throws Exception {
+        assertThat(imported("{'picture': {'antialias': 'much'}}").notes()).containsEntry("scene settings that cannot be restored", 1);
+        assertThat(imported("{'picture': {'samples': 99}}").notes()).containsEntry("scene settings that cannot be restored", 1);
         ImportedScene scene = imported("""
                 {'picture': {'size': [0, -3]}, 'world': {'intensity': 'much', 'rotation': 1e99}, 'banks': [{}, 3, {'name': 'b', 'on': 3}],
                  'lights': [{'name': 'key', 'type': 'candle', 'profile': 'none.ies'}, 7], 'camera': 5, 'shot': 3}""");

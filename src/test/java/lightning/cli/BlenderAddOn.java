@@ -1,0 +1,39 @@
+package lightning.cli;
+
+import java.io.File;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermissions;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+
+/** The Blender add-on of this build, installed for a test. */
+final class BlenderAddOn {
+    private BlenderAddOn() {}
+
+    /** Installs the add-on, with a launcher of the classes under test, into the folder's {@code user}: Blender's user resources. */
+    static void install(Path folder) throws IOException {
+        Path addOn = Files.createDirectories(folder.resolve("user/extensions/user_default/lightning"));
+        copy(Path.of("src/main/blender/lightning"), addOn);
+        copy(Path.of("src/main/python/lightning_relight"), addOn.resolve("lightning_relight"));
+        String classPath =
+                Stream.of(System.getProperty("java.class.path").split(File.pathSeparator)).map(p -> Path.of(p).toAbsolutePath().toString())
+                        .collect(Collectors.joining(File.pathSeparator));
+        Path program = Files.writeString(folder.resolve("lightning"),
+                "#!/bin/sh\nexec '" + ProcessHandle.current().info().command().orElseThrow()
+                        + "' -Xmx512m -Djava.awt.headless=true --add-modules jdk.incubator.vector -cp '" + classPath
+                        + "' lightning.Main \"$@\"\n");
+        Files.setPosixFilePermissions(program, PosixFilePermissions.fromString("rwxr-xr-x"));
+        Files.writeString(addOn.resolve("program.txt"), program + "\n");
+    }
+
+    private static void copy(Path from, Path to) throws IOException {
+        Files.createDirectories(to);
+        try (var files = Files.list(from)) {
+            for (Path file : files.filter(Files::isRegularFile).toList()) {
+                Files.copy(file, to.resolve(file.getFileName()));
+            }
+        }
+    }
+}
