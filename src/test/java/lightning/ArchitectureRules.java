@@ -138,9 +138,10 @@ final class ArchitectureRules {
                     WINDOW + " format format.exchange editor.window.property editor.window.traced editor.window.preview editor.window.animation"
                             + " editor.window.timeline editor.window.dock editor.window.measure editor.window.mixer editor.window.contribution"
                             + " editor.window.link editor.window.cue editor.window.welcome"),
+            row("cli.report", "render.image render.shading"),
             row("cli",
                     ENGINE + " base.file scene.shot format format.hdr format.jen format.exr format.image format.layer format.pov format.exchange"
-                            + " shot shot.cluster shot.movie bench.accuracy bench bench.report"),
+                            + " shot shot.cluster shot.movie bench.accuracy bench bench.report cli.report"),
             row("", "editor.window cli"));
 
     /** @param dependencies packages that it may import, in addition to itself */
