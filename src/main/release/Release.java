@@ -97,7 +97,7 @@ final class Release {
     private void ship() throws IOException {
         copy(program.resolve("lib"), shipped);
         copy(program.resolve("cluster"), shipped);
-        for (String folder : List.of("scenes", "textures", "licences")) {
+        for (String folder : List.of("scenes", "textures", "licences", "python", "blender")) {
             copy(program.resolve(folder), shipped.resolve(folder));
         }
         for (String file : List.of("licences.txt", "LICENSE")) {

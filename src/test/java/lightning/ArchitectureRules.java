@@ -41,7 +41,7 @@ final class ArchitectureRules {
     private static final String WINDOW = DOCUMENT + " editor.window.widget editor.window.model editor.window.command";
 
     /** Groups from the bottom up: a package imports from its own group and from those before it. */
-    private static final List<String> GROUPS = List.of("base", "scene", "render", "format", "shot", "bench", "editor", "cli");
+    private static final List<String> GROUPS = List.of("base", "scene", "render", "format", "shot", "bench", "editor", "serve", "cli");
 
     /** Packages from the bottom up. */
     private static final List<Layer> LAYERS = List.of(
@@ -99,9 +99,10 @@ final class ArchitectureRules {
             row("format.matte", "scene format.exr"),
             row("format.layer", ENGINE + " base.file format.exr format.matte"),
             row("format.pov", "base.math base.file scene render.image format.image"),
+            row("format.usd", "base.text base.math base.work base.file scene format.mesh format.gltf"),
             row("format.exchange",
-                    "base.text base.math base.work base.file scene render.image render.trace render.fulltrace format.mesh"
-                            + " format.mesh.ply format.mesh.obj format.gltf format.nff format format.jen"),
+                    "base.text base.math base.work base.file scene scene.shot render.image render.trace render.fulltrace format.mesh"
+                            + " format.mesh.ply format.mesh.obj format.gltf format.nff format.usd format format.ies format.image format.jen"),
             row("shot",
                     "base.text base.work base.file scene scene.shot render.column render.image render.trace render.shading render.cache"
                             + " render.relight.plan render.relight.tile render.relight"),
@@ -138,10 +139,11 @@ final class ArchitectureRules {
                     WINDOW + " format format.exchange editor.window.property editor.window.traced editor.window.preview editor.window.animation"
                             + " editor.window.timeline editor.window.dock editor.window.measure editor.window.mixer editor.window.contribution"
                             + " editor.window.link editor.window.cue editor.window.welcome"),
-            row("cli.report", "render.image render.shading"),
+            row("serve", DOCUMENT + " format.exr format.layer"),
+            row("cli.report", "render.shading"),
             row("cli",
                     ENGINE + " base.file scene.shot format format.hdr format.jen format.exr format.image format.layer format.pov format.exchange"
-                            + " shot shot.cluster shot.movie bench.accuracy bench bench.report cli.report"),
+                            + " shot shot.cluster shot.movie bench.accuracy bench bench.report cli.report serve"),
             row("", "editor.window cli"));
 
     /** @param dependencies packages that it may import, in addition to itself */

@@ -36,10 +36,12 @@ final class ExampleProcess implements AutoCloseable {
 
     /** @param folder working directory of the commands */
     ExampleProcess(Path folder) throws IOException {
-        process = new ProcessBuilder(Path.of(System.getProperty("java.home"), "bin", "java").toString(), "--add-modules",
+        var builder = new ProcessBuilder(Path.of(System.getProperty("java.home"), "bin", "java").toString(), "--add-modules",
                 "jdk.incubator.vector", "--enable-native-access=ALL-UNNAMED", "-Xmx1g", "-XX:+UseSerialGC", "-Dlightning.home=" + HOME,
                 "-Dlightning.warmup=0", "-Dlightning.data=" + folder.resolve("data"), "-cp", classPath(), ExampleProcess.class.getName())
-                .directory(folder.toFile()).redirectError(folder.resolve("errors").toFile()).start();
+                .directory(folder.toFile()).redirectError(folder.resolve("errors").toFile());
+        builder.environment().put("BLENDER_USER_RESOURCES", folder.resolve("blender-settings").toString());
+        process = builder.start();
         input = process.outputWriter(StandardCharsets.UTF_8);
         output = process.inputReader(StandardCharsets.UTF_8);
     }

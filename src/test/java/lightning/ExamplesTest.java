@@ -31,7 +31,8 @@ import org.junit.jupiter.api.io.TempDir;
 @Slow
 class ExamplesTest {
     /** Messages for optional programs that are not installed. */
-    private static final Pattern MISSING_PROGRAM = Pattern.compile("program povray not found|needs ffmpeg, which is not installed");
+    private static final Pattern MISSING_PROGRAM =
+            Pattern.compile("program povray not found|needs ffmpeg, which is not installed|USD files need ");
     /** User files that examples read. */
     private static final List<String> PICTURES = List.of("before.png", "after.png", "before.pfm", "after.pfm");
 
@@ -45,6 +46,8 @@ class ExamplesTest {
         elsewhere = new ExampleProcess(folder);
         Files.write(folder.resolve("house.glb"), GltfFixtures.binary(GltfFixtures.LIT_JSON, GltfFixtures.SQUARE));
         runSuccessfully("import", "house.glb", "-o", "house.jen", "--light-units", "candela");
+        Files.writeString(folder.resolve("shot.usda"), "#usda 1.0\n\ndef Sphere \"ball\"\n{\n}\n");
+        Files.copy(folder.resolve("house.jen"), folder.resolve("shot.jen"));
         for (String picture : PICTURES) {
             runSuccessfully("render", "scenes/bird.jen", "-o", picture, "--size", "20x20");
         }

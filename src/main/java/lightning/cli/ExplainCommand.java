@@ -17,6 +17,7 @@ import lightning.render.relight.TraceMemory;
 import lightning.render.shading.IndirectLight;
 import lightning.render.shading.LightReport;
 import lightning.render.shading.PixelExplainer;
+import lightning.render.shading.PointContributions;
 import lightning.render.shading.PointReport;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.NormalSteps;

@@ -15,18 +15,24 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
-/** Exports a scene's lights to glTF or JSON. */
-@Command(name = "export-lights", header = "Export a scene's lights to glTF or JSON.", abbreviateSynopsis = true,
+/** Exports a scene's lights to glTF, USD or JSON. */
+@Command(name = "export-lights", header = "Export a scene's lights to glTF, USD or JSON.", abbreviateSynopsis = true,
         description = {
             "With --into, writes a copy of a glTF file in which the scene's lights replace the original ones; everything else stays "
                     + "unchanged. Properties that glTF does not support are listed and counted. They are stored in the extras of the "
                     + "lights; lightning import restores them.",
             "",
-            "Without --into, writes all light and light group properties of the scene as JSON."},
+            "Without --into, to a .usda file, writes a layer for the USD stage that the scene was imported from: its lights are changed, "
+                    + "new ones are defined, deleted ones are inactive.",
+            "",
+            "Without --into, to a .json file, writes all light and light group properties of the scene as JSON."},
         footer = {
-            "Example:",
-            "  lightning export-lights house.jen --into house.glb -o relit.glb"})
+            "Examples:",
+            "  lightning export-lights house.jen --into house.glb -o relit.glb",
+            "  lightning export-lights shot.jen -o lights.usda"})
 final class ExportLightsCommand implements Callable<Integer> {
+    private static final String LAYER_ENDING = ".usda";
+
     private final Console console;
 
     @Mixin
@@ -46,9 +52,12 @@ final class ExportLightsCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws Exception {
-        String ending = template == null ? ".json" : template.toString().toLowerCase(Locale.ROOT).endsWith(".glb") ? ".glb" : ".gltf";
+        boolean isLayer = template == null && output.toString().toLowerCase(Locale.ROOT).endsWith(LAYER_ENDING);
+        String ending = isLayer ? LAYER_ENDING : template == null ? ".json"
+                : template.toString().toLowerCase(Locale.ROOT).endsWith(".glb") ? ".glb" : ".gltf";
         if (!output.toString().toLowerCase(Locale.ROOT).endsWith(ending)) {
-            throw new BadInputException(Console.text("%s: the output name must end in %s", output, ending));
+            throw new BadInputException(
+                    Console.text("%s: the output name must end in %s", output, template == null ? ".json or .usda" : ending));
         }
         if (template != null && Files.exists(output) && Files.isSameFile(template, output)) {
             throw new BadInputException(Console.text("%s: is the file to copy; choose another output name", output));
@@ -57,7 +66,8 @@ final class ExportLightsCommand implements Callable<Integer> {
         JenDocument document = input.read();
         Scene scene = document.scene();
         LightUnits chosen = units != null ? units : LightUnits.findIn(document.text()).orElse(LightUnits.CANDELA);
-        LightExport lights = template == null ? LightExport.toJson(scene) : LightExport.toGltf(template, scene, chosen, Progress.NONE);
+        LightExport lights = isLayer ? LightExport.toUsd(document.text(), document.animatedScene(), input.path(), output)
+                : template == null ? LightExport.toJson(scene) : LightExport.toGltf(template, scene, chosen, Progress.NONE);
         AtomicFile.write(output, out -> out.write(lights.bytes()));
         console.printNotes(output, "not exported exactly", lights.notes());
         console.print("%s: written; %s%s", output, Console.count(scene.lights().size(), "light"),

@@ -21,19 +21,22 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
 /** Converts a file of another program to a scene. */
-@Command(name = "import", header = "Convert glTF, OBJ, PLY or NFF to a .jen scene.", abbreviateSynopsis = true,
+@Command(name = "import", header = "Convert glTF, USD, OBJ, PLY or NFF to a .jen scene.", abbreviateSynopsis = true,
         description = "Writes a scene with the file's meshes, cameras, lights and materials. Copies the file and its images next to "
                 + "the scene unless they are already there. Lists and counts the features that are left out or converted approximately.",
         footer = {
-            "Example:",
-            "  lightning import house.glb -o house.jen --light-units candela"})
+            "Examples:",
+            "  lightning import house.glb -o house.jen --light-units candela",
+            "  lightning import shot.usda -o shot.jen"})
 final class ImportCommand implements Callable<Integer> {
     /** Longer side of a preview image, in pixels. */
     private static final int PICTURE_SIZE = 320;
 
     private final Console console;
 
-    @Parameters(index = "0", paramLabel = "FILE", description = "A .glb, .gltf, .obj, .ply or .nff file.")
+    @Parameters(index = "0", paramLabel = "FILE",
+            description = "A .glb, .gltf, .obj, .ply, .nff, .usd, .usda, .usdc or .usdz file. USD files "
+                    + "need Python with the package usd-core; LIGHTNING_PYTHON names its interpreter.")
     private Path file;
     @Option(names = {"-o", "--output"}, paramLabel = "scene.jen", required = true, description = "Output scene.")
     private Path output;

@@ -33,10 +33,12 @@ public final class Lightning {
         COMMANDS.put("relight", RelightCommand::new);
         COMMANDS.put("shot", Lightning::createShotCommand);
         COMMANDS.put("node", NodeCommand::new);
+        COMMANDS.put("serve", ServeCommand::new);
         COMMANDS.put("explain", ExplainCommand::new);
         COMMANDS.put("import", ImportCommand::new);
         COMMANDS.put("export", ExportCommand::new);
         COMMANDS.put("export-lights", ExportLightsCommand::new);
+        COMMANDS.put("blender", BlenderCommand::new);
         COMMANDS.put("effects", EffectsCommand::new);
         COMMANDS.put("tour", TourCommand::new);
         COMMANDS.put("bench", BenchCommand::new);

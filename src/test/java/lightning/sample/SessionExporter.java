@@ -49,7 +49,8 @@ public final class SessionExporter {
         }
     }
 
-    private static void write(Path folder, List<Scene> scenes) throws IOException {
+    /** Writes a session into an existing folder: {@code 00.jen} and so on, and the files that the scenes reference. */
+    public static void write(Path folder, List<Scene> scenes) throws IOException {
         Map<Texture, String> files = new IdentityHashMap<>();
         for (int k = 0; k < scenes.size(); k++) {
             Scene scene = scenes.get(k).withMaterials(scenes.get(k).materials().stream().map(m -> withTextureFiles(m, files)).toList());

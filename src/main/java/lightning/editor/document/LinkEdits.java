@@ -7,6 +7,7 @@ import java.util.Set;
 import lightning.base.text.Messages;
 import lightning.scene.Contribution;
 import lightning.scene.Light;
+import lightning.scene.LightAttribute;
 import lightning.scene.NodeGroup;
 import lightning.scene.Scene;
 import lightning.scene.SceneNode;
@@ -14,14 +15,23 @@ import lightning.scene.ShapeGains;
 import lightning.scene.ShapeLinks;
 import lightning.scene.Stage;
 
-/** Edits of the link between one light and one shape or group: illumination on or off, and gain. */
+/** Edits of the link between one light and one shape or group: illumination and shadow on or off, and gain. */
 public final class LinkEdits {
     private LinkEdits() {}
 
-    /** Lets a light illuminate a shape, or all shapes of a group, or not; all other shapes stay as they are. */
-    public static EditOutcome link(Scene scene, String light, String node, boolean linked) {
-        return LightEdits.edit(scene, light, l -> l.withIlluminates(linked(l.illuminates(), scene.stage(), node, linked)))
+    /**
+     * Links a shape, or all shapes of a group, or unlinks it; all other shapes stay as they are.
+     *
+     * @param attribute what the link is for: illumination or shadow
+     */
+    public static EditOutcome link(Scene scene, String light, LightAttribute<ShapeLinks> attribute, String node, boolean linked) {
+        return LightEdits.edit(scene, light, l -> attribute.with(l, linked(attribute.get(l), scene.stage(), node, linked)))
                 .named(linked ? Messages.tr("Link {0} to {1}", light, node) : Messages.tr("Unlink {0} from {1}", light, node));
+    }
+
+    /** Returns whether links contain a shape, by its own name or that of a group around it. */
+    public static boolean isLinked(Stage stage, ShapeLinks links, String shape) {
+        return links.exclusive() == LinkTable.path(stage, shape).stream().anyMatch(links.names()::contains);
     }
 
     /**

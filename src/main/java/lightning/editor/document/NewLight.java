@@ -17,15 +17,23 @@ public final class NewLight {
     /** Exposures are multiples of one over this, stops. */
     private static final double STEPS_PER_STOP = 10;
 
+    /** A fill light has a quarter of the key light's brightness in a usual portrait. */
+    private static final double STOPS_BELOW_KEY = 2;
+
     private NewLight() {}
 
-    /** Returns a white light at the upper right of the camera, aimed at the point that the camera looks at. */
+    /**
+     * Returns a white light at the upper right of the camera, aimed at the point that the camera looks at. It is fainter if the scene
+     * is lit already.
+     */
     public static Light of(Scene scene, LightType type) {
         var view = PreviewCamera.of(scene);
         Vec3 focus = ViewFocus.of(scene);
         Vec3 from = view.camera().from();
         double side = focus.minus(from).length() / 2;
-        return of(type, from.plus(view.right().times(side)).plus(view.up().times(side)), focus);
+        Light light = of(type, from.plus(view.right().times(side)).plus(view.up().times(side)), focus);
+        boolean isDark = scene.lights().stream().noneMatch(Light::on) && scene.world().environment().isEmpty();
+        return isDark ? light : light.withEmission(light.emission().withExposure(light.emission().exposure() - STOPS_BELOW_KEY));
     }
 
     /** Returns a white light at a position, aimed at another point. */

@@ -60,6 +60,24 @@ public final class OpenDocument {
     }
 
     /**
+     * Opens the text of a scene, which has no file of its own.
+     *
+     * @param folder folder that the scene's files are resolved against
+     * @throws JenException if the text is invalid; holds all problems
+     */
+    public static OpenDocument openText(String text, Path folder) throws JenException {
+        return untitled(folder.resolve("untitled.jen"), JenReader.read(text, "text", folder));
+    }
+
+    /** Returns this document with its current content but without its history, so that many edits do not fill the memory. */
+    public OpenDocument withoutHistory() {
+        OpenDocument fresh =
+                new OpenDocument(new SavedScene(file(), saved.state(), savedDocument().withAnimatedScene(content())), untitled);
+        fresh.showFrame(frame);
+        return fresh;
+    }
+
+    /**
      * Creates a document without a file.
      *
      * @param file proposed file, which does not exist

@@ -9,7 +9,7 @@ import lightning.editor.document.PictureArea;
 import lightning.editor.document.RecoveryFolder;
 import lightning.editor.window.model.Preferences;
 import lightning.editor.window.model.StartupPreview;
-import lightning.format.MeshFormat;
+import lightning.format.exchange.SceneImporter;
 import lightning.format.jen.JenException;
 import lightning.format.jen.JenFile;
 
@@ -27,7 +27,7 @@ record StartupFiles(OpenDocument document, boolean isStartScene, StartupPreview 
 
     /** Returns true if a file's name is that of a scene or of a format that can be imported. */
     static boolean canOpen(String file) {
-        return JenFile.isJenFileName(file) || MeshFormat.isMeshFileName(file);
+        return JenFile.isJenFileName(file) || SceneImporter.isImportName(file);
     }
 
     /**
@@ -45,7 +45,7 @@ record StartupFiles(OpenDocument document, boolean isStartScene, StartupPreview 
             OpenDocument document = OpenDocument.openCopy(EditorPaths.defaultScene());
             return new StartupFiles(document, true, StartupSession.startPreview(document, preferences), null, null, recoveries, null);
         }
-        if (MeshFormat.isMeshFileName(file.toString())) {
+        if (SceneImporter.isImportName(file.toString())) {
             return of(NewScene.createEmpty(), preferences, null, null, recoveries, file);
         }
         try {

@@ -8,6 +8,8 @@ import java.util.stream.StreamSupport;
 import lightning.base.text.Quote;
 import lightning.format.jen.FileKind;
 import lightning.scene.ChoiceKind;
+import lightning.scene.Environment;
+import lightning.scene.EnvironmentMap;
 import lightning.scene.FileAsset;
 import lightning.scene.Gobo;
 import lightning.scene.IesProfile;
@@ -23,7 +25,7 @@ import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.ObjectNode;
 
 /**
- * JSON form of the attributes of lights and light groups, by their {@code .jen} names. A single number is a number, several
+ * JSON form of the attributes of lights, light groups and worlds, by their {@code .jen} names. A single number is a number, several
  * numbers are an array, a choice is its word or a boolean, a file is its name, links are {@code {"only": …, "names": […]}},
  * and gains {@code {"name": factor, …}}.
  */
@@ -109,8 +111,9 @@ final class AttributeJson {
                     new Texture(1, 1, new float[] {1, 1, 1})));
             case ValueKind.ProfileKind _ -> (V) Optional.of(new IesProfile(file(FileKind.PROFILE, in, files),
                     new Photometry(Photometry.Type.C, new double[] {0, 180}, new double[] {0}, new double[] {1, 1})));
-            case ValueKind.EnvironmentKind _,ValueKind.TextureKind _ ->
-                    throw new AssertionError("no light has an environment or a texture");
+            case ValueKind.EnvironmentKind _ -> (V) Optional.of(new Environment(file(FileKind.ENVIRONMENT, in, files),
+                    new EnvironmentMap(2, 1, new float[6])));
+            case ValueKind.TextureKind _ -> throw new AssertionError("no light has a texture");
         };
     }
 

@@ -46,6 +46,9 @@ final class GltfImport {
     private final List<String> materials = new ArrayList<>();
     private final List<GltfNode> lightNodes = new ArrayList<>();
     private final List<Transform> lightTransforms = new ArrayList<>();
+    /** Names in the scene of the file's nodes; the first node of a name represents all. */
+    private final Map<String, String> nodeNames = new HashMap<>();
+    private final SceneExtras extras;
     private final String meshFile;
 
     private GltfImport(Path source, Path sceneFile, LightUnits units, Progress progress) throws IOException, MeshException {
@@ -58,6 +61,7 @@ final class GltfImport {
             parts.computeIfAbsent(part.mesh(), _ -> new ArrayList<>()).add(part);
         }
         lights = file.lights();
+        extras = new SceneExtras(file.settings());
         meshFile = assembler.addFile(source);
         for (Path buffer : file.bufferFiles()) {
             assembler.addFileAsNamed(buffer);
@@ -82,13 +86,14 @@ final class GltfImport {
         }
         assembler.camera = assembler.camera.map(this::withTargetAtObjects);
         assembler.units = assembler.lights.isEmpty() ? Optional.empty() : Optional.of(units);
+        extras.apply(assembler, nodeNames);
         return assembler.build();
     }
 
     /** Converts a node with its descendants; empty if it shows nothing. */
     private List<SceneNode> importNode(GltfNode node, Transform parentTransform) throws MeshException {
         Transform world = parentTransform.times(node.local());
-        if (node.camera() >= 0) {
+        if (node.camera() >= 0 && (extras.camera().isEmpty() || extras.camera().equals(node.name()))) {
             importCamera(node.camera(), world);
         }
         if (node.light() >= 0) {
@@ -107,9 +112,12 @@ final class GltfImport {
         }
         if (nodeParts.size() == 1 && node.children().isEmpty()) {
             Transform outerTransform = placements.size() == 1 ? parentTransform : parentTransform.times(placements.getFirst().transform());
-            return wrapInGroups(node, placements.subList(0, placements.size() - 1),
-                    List.of(createShape(node.name(), nodeParts.getFirst(), placements.getLast(), outerTransform)));
+            SceneNode shape = createShape(node.name(), nodeParts.getFirst(), placements.getLast(), outerTransform);
+            nodeNames.putIfAbsent(node.name(), shape.name());
+            return wrapInGroups(node, "", placements.subList(0, placements.size() - 1), List.of(shape));
         }
+        // The group gets the node's name before its parts do, so that links and keyframes of the node find it.
+        String groupName = nodeParts.isEmpty() ? "" : assembler.names.unique(node.name(), "group");
         List<SceneNode> children = new ArrayList<>();
         for (GltfPart part : nodeParts) {
             children.add(createShape(node.name(), part, Placement.IDENTITY, world));
@@ -117,14 +125,24 @@ final class GltfImport {
         for (GltfNode child : node.children()) {
             children.addAll(importNode(child, world));
         }
-        return children.isEmpty() ? List.of() : wrapInGroups(node, placements, children);
+        if (children.isEmpty()) {
+            return List.of();
+        }
+        List<SceneNode> group = wrapInGroups(node, groupName, placements, children);
+        nodeNames.putIfAbsent(node.name(), group.getFirst().name());
+        return group;
     }
 
-    /** Wraps nodes in one group for each placement, outermost first. */
-    private List<SceneNode> wrapInGroups(GltfNode node, List<Placement> placements, List<SceneNode> children) {
+    /**
+     * Wraps nodes in one group for each placement, outermost first.
+     *
+     * @param outermost name of the outermost group; empty for a new one
+     */
+    private List<SceneNode> wrapInGroups(GltfNode node, String outermost, List<Placement> placements, List<SceneNode> children) {
         List<SceneNode> nodes = children;
-        for (Placement placement : placements.reversed()) {
-            nodes = List.of(new NodeGroup(assembler.names.unique(node.name(), "group"), placement, nodes));
+        for (int i = placements.size() - 1; i >= 0; i--) {
+            String name = i == 0 && !outermost.isEmpty() ? outermost : assembler.names.unique(node.name(), "group");
+            nodes = List.of(new NodeGroup(name, placements.get(i), nodes));
         }
         return nodes;
     }

@@ -60,6 +60,10 @@ final class GltfMaterialImport {
 
     /** Adds the specular highlight of a dielectric: a gray share here, with full reflection at grazing angles. */
     private Material withHighlights(Material material, GltfMaterial m) {
+        if (material.metalness() == 0 && m.f90() == 0) {
+            // Without Fresnel reflection it is matte at all angles, which the metallic model is not at grazing ones.
+            return material.withModel(ShadingModel.PHONG).withDiffuse(material.base());
+        }
         Rgb f0 = assembler.clampColor(m.f0(), 1, "highlights of materials");
         boolean isGray = f0.min() == f0.max();
         if (material.metalness() < 1) {
@@ -89,6 +93,8 @@ final class GltfMaterialImport {
         if (!(glass.factor() > 0)) {
             return transmission.withOpacity(material, SceneAssembler.clamp(m.opacity(), 1));
         }
+        assembler.notes.add("transparent materials without a volume (KHR_materials_volume), imported as thin sheets",
+                glass.isThin() ? 1 : 0);
         assembler.notes.add("rough transmission of materials, imported as sharp",
                 material.roughness() > MAX_MIRROR_ROUGHNESS ? 1 : 0);
         Material transmissive = transmission.withTransmission(material, SceneAssembler.clamp(glass.factor(), 1), material.base(),

@@ -23,12 +23,14 @@ import lightning.scene.IndirectSettings;
 import lightning.scene.PictureSettings;
 import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
+import lightning.scene.shot.Shot;
 
 /**
  * Scene converted from another program's file, not written yet.
  *
  * @param unscaledScene the scene; if the file does not define the units of its lights, their intensities are the raw
  *     numbers. Its textures are black placeholder pixels
+ * @param shot animation of the scene, with tracks that it can have; empty for none
  * @param restored names of lights whose intensities are not raw numbers
  * @param units assumed units of the raw numbers; empty if the intensities are final
  * @param comments comment lines at the start of the scene file
@@ -36,10 +38,12 @@ import lightning.scene.Scene;
  * @param copies files to copy next to it
  * @param notes omitted or approximated features with their counts
  * @param subject what the file contains
+ * @param closingComments comment lines at the end of the scene file
  */
-public record ImportedScene(Scene unscaledScene, Set<String> restored, Optional<LightUnits> units, List<String> comments, Path sceneFile,
+public record ImportedScene(Scene unscaledScene, Optional<Shot> shot, Set<String> restored, Optional<LightUnits> units,
+        List<String> comments, Path sceneFile,
         List<AssetCopy> copies,
-        Map<String, Integer> notes, ImportSubject subject) {
+        Map<String, Integer> notes, ImportSubject subject, List<String> closingComments) {
     /** Notes about what replaces missing parts of the file. */
     static final String ADDED_LIGHT = "no lights in the file; added one";
     static final String ADDED_CAMERA = "no cameras in the file; added one";
@@ -88,14 +92,16 @@ public record ImportedScene(Scene unscaledScene, Set<String> restored, Optional<
     /** Returns this scene with other light units, or this object if the file defines its units. */
     public ImportedScene inUnits(LightUnits newUnits) {
         return units.isEmpty() ? this
-                : new ImportedScene(unscaledScene, restored, Optional.of(newUnits), comments, sceneFile, copies, notes, subject);
+                : new ImportedScene(unscaledScene, shot, restored, Optional.of(newUnits), comments, sceneFile, copies, notes, subject,
+                        closingComments);
     }
 
     /** Returns this scene with indirect light of the default settings. */
     ImportedScene withIndirect() {
         return new ImportedScene(
-                unscaledScene.withPicture(unscaledScene.picture().withIndirect(Optional.of(IndirectSettings.DEFAULT))), restored, units,
-                comments, sceneFile, copies, notes, subject);
+                unscaledScene.withPicture(unscaledScene.picture().withIndirect(Optional.of(IndirectSettings.DEFAULT))), shot, restored,
+                units,
+                comments, sceneFile, copies, notes, subject, closingComments);
     }
 
     /**
@@ -112,16 +118,30 @@ public record ImportedScene(Scene unscaledScene, Set<String> restored, Optional<
         Map<String, Integer> newNotes = new HashMap<>(notes);
         newNotes.remove(ADDED_LIGHT);
         newNotes.remove(ADDED_CAMERA);
-        return new ImportedScene(lit, Set.of(), Optional.empty(), List.copyOf(newComments), sceneFile, copies, Map.copyOf(newNotes),
-                subject);
+        return new ImportedScene(lit, shot.map(s -> validTracks(s, lit)), Set.of(), Optional.empty(), List.copyOf(newComments), sceneFile,
+                copies, Map.copyOf(newNotes),
+                subject, closingComments);
     }
 
     /** Returns this scene with smooth edges. */
     public ImportedScene withSmoothEdges() {
         PictureSettings picture = unscaledScene.picture();
         return picture.sampling().isSupersampled() ? this
-                : new ImportedScene(unscaledScene.withPicture(picture.withSampling(SMOOTH)), restored, units, comments, sceneFile, copies,
-                        notes, subject);
+                : new ImportedScene(unscaledScene.withPicture(picture.withSampling(SMOOTH)), shot, restored, units, comments, sceneFile,
+                        copies,
+                        notes, subject, closingComments);
+    }
+
+    /** Returns a shot without the tracks that a scene cannot have. */
+    static Shot validTracks(Shot shot, Scene scene) {
+        return shot.withTracks(shot.tracks().stream().filter(track -> {
+            try {
+                track.check(scene);
+                return true;
+            } catch (IllegalArgumentException e) {
+                return false;
+            }
+        }).toList());
     }
 
     /** Returns whether the scene has indirect light. */
@@ -142,7 +162,11 @@ public record ImportedScene(Scene unscaledScene, Set<String> restored, Optional<
         var header = new StringBuilder(FORMAT_LINE);
         comments.forEach(line -> header.append("# ").append(line).append('\n'));
         units.ifPresent(chosenUnits -> header.append(chosenUnits.comment()).append('\n'));
-        return header + JenWriter.write(scene()).substring(FORMAT_LINE.length());
+        Scene written = scene();
+        String blocks = shot.map(s -> JenWriter.write(written, s)).orElseGet(() -> JenWriter.write(written));
+        var footer = new StringBuilder(closingComments.isEmpty() ? "" : "\n");
+        closingComments.forEach(line -> footer.append("# ").append(line).append('\n'));
+        return header + blocks.substring(FORMAT_LINE.length()) + footer;
     }
 
     /**

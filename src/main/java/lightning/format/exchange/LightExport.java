@@ -9,21 +9,27 @@ import lightning.base.work.Progress;
 import lightning.format.gltf.GltfLightWriter;
 import lightning.format.mesh.ConversionNotes;
 import lightning.format.mesh.MeshException;
+import lightning.scene.Emission;
+import lightning.scene.IntensityUnit;
 import lightning.scene.Light;
 import lightning.scene.LightAttribute;
 import lightning.scene.LightGroup;
 import lightning.scene.Scene;
+import lightning.scene.World;
+import lightning.scene.shot.AnimatedScene;
 import tools.jackson.databind.json.JsonMapper;
 import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.ObjectNode;
 
 /**
- * Lights of a scene for other programs: in a copy of the glTF file that they light, or as JSON.
+ * Lights of a scene for other programs: in a copy of the glTF file that they light, as a layer of a USD stage, or as JSON.
  *
  * @param bytes content of the output file
  * @param notes properties that the format does not support, with their counts
  */
 public record LightExport(byte[] bytes, Map<String, Integer> notes) {
+    /** Key of a light's intensity without its unit, so that readers need no photometry. */
+    private static final String RELATIVE_INTENSITY = "relative_intensity";
     private static final JsonMapper JSON = JsonMapper.builder().build();
 
     /**
@@ -50,17 +56,32 @@ public record LightExport(byte[] bytes, Map<String, Integer> notes) {
         return new LightExport(GltfLightWriter.replaceLights(gltf, lights, progress), Map.copyOf(notes.counts()));
     }
 
-    /** Returns JSON with all lights and light groups of a scene and all their attributes. */
+    /**
+     * Returns a layer of a USD stage with these lights: changes of the lights that were imported, and definitions of new ones.
+     *
+     * @param text text of the scene file, which says where the lights are in the stage
+     * @param sceneFile the scene file
+     * @param output file of the layer
+     * @throws IOException if the folders of the lights' files cannot be read
+     */
+    public static LightExport toUsd(String text, AnimatedScene scene, Path sceneFile, Path output) throws IOException {
+        return UsdLightExport.export(text, scene, sceneFile, output);
+    }
+
+    /** Returns JSON with all lights and light groups of a scene and its world, with all their attributes. */
     public static LightExport toJson(Scene scene) {
         ObjectNode root = JSON.createObjectNode();
         ArrayNode lights = root.putArray("lights");
         for (Light light : scene.lights()) {
-            AttributeJson.write(lights.addObject().put("name", light.name()), light, LightAttribute.ALL);
+            ObjectNode json = lights.addObject().put("name", light.name());
+            AttributeJson.write(json, light, LightAttribute.ALL);
+            json.put(RELATIVE_INTENSITY, Emission.withUnit(light, IntensityUnit.RELATIVE, scene.world().meters()).intensity());
         }
         ArrayNode groups = root.putArray("banks");
         for (LightGroup group : scene.rig().lightGroups()) {
             AttributeJson.write(groups.addObject().put("name", group.name()), group, LightGroup.ATTRIBUTES);
         }
+        AttributeJson.write(root.putObject("world"), scene.world(), World.ATTRIBUTES);
         return new LightExport(JSON.writerWithDefaultPrettyPrinter().writeValueAsBytes(root), Map.of());
     }
 }

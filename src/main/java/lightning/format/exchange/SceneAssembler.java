@@ -40,11 +40,13 @@ import lightning.scene.Stage;
 import lightning.scene.Texture;
 import lightning.scene.TextureMap;
 import lightning.scene.World;
+import lightning.scene.shot.Shot;
 
 /** Mutable builder of an imported scene: materials, shapes, lights, and the files to copy. */
 final class SceneAssembler {
     private static final Pattern DISALLOWED = Pattern.compile("[^\\p{L}\\p{N} _.,()+-]");
     private static final int MAX_FILE_NAME_LENGTH = 100;
+    private static final int MAX_FILE_BYTES = 64 << 20;
     /** Minimum distance from a light to a surface without clamping, as a fraction of the scene's size. */
     private static final double MIN_LIGHT_DISTANCE = 0.05;
 
@@ -62,6 +64,12 @@ final class SceneAssembler {
     World world = World.DEFAULT;
     /** Assumed units of the lights' numbers, if the file does not define them. */
     Optional<LightUnits> units = Optional.empty();
+    /** True if the file defines all lights of the scene, even none. */
+    boolean isLit;
+    /** Animation of the scene; empty if the file has none. */
+    Optional<Shot> shot = Optional.empty();
+    /** Comment lines at the end of the scene file. */
+    final List<String> closingComments = new ArrayList<>();
     private final Path source;
     private final Path sceneFile;
     private final UniqueNames materialNames = new UniqueNames();
@@ -81,6 +89,11 @@ final class SceneAssembler {
         comments.add(line);
     }
 
+    /** Returns the name of the scene file without its ending. */
+    String stem() {
+        return sanitize(sceneFile.getFileName().toString().replaceFirst("\\.[^.]*$", ""));
+    }
+
     Path folder() {
         return sceneFile.toAbsolutePath().getParent();
     }
@@ -95,6 +108,17 @@ final class SceneAssembler {
         String name = String.join("/", parts);
         addCopy(name, file, null);
         return name;
+    }
+
+    /**
+     * Adds a file from anywhere: one of the source's folder by its place there, another by its content, since it may be temporary.
+     *
+     * @param requested name for a file of another folder
+     */
+    String addFile(Path file, String requested) throws IOException {
+        Path folder = source.toAbsolutePath().normalize().getParent();
+        return file.toAbsolutePath().normalize().startsWith(folder) ? addFile(file)
+                : addFile(requested, RegularFile.readBytes(file, "a file that the scene uses", MAX_FILE_BYTES));
     }
 
     /** Adds a file from memory; returns its name. */
@@ -182,7 +206,7 @@ final class SceneAssembler {
     ImportedScene build() throws MeshException {
         try {
             Camera view = camera.orElseGet(this::defaultCamera);
-            boolean hasLights = !lights.isEmpty();
+            boolean hasLights = !lights.isEmpty() || isLit || world.environment().isPresent();
             if (!hasLights) {
                 addComment(ImportedScene.ADDED_LIGHT_COMMENT);
                 notes.add(ImportedScene.ADDED_LIGHT);
@@ -191,9 +215,11 @@ final class SceneAssembler {
             Stage stage = new Stage(List.copyOf(materials), List.copyOf(nodes));
             Scene scene = new Scene(picture, view, world, stage,
                     LightRig.of(lights.stream().map(light -> withValidLinks(light, stage)).toList(), lightGroups));
-            return new ImportedScene(scene, Set.copyOf(restoredLights), units, List.copyOf(comments), sceneFile,
+            return new ImportedScene(scene, shot.map(s -> withValidTracks(s, scene)), Set.copyOf(restoredLights), units,
+                    List.copyOf(comments), sceneFile,
                     List.copyOf(copies.values()),
-                    Map.copyOf(notes.counts()), new ImportSubject(bounds.min(), bounds.max(), camera.isPresent(), hasLights));
+                    Map.copyOf(notes.counts()), new ImportSubject(bounds.min(), bounds.max(), camera.isPresent(), hasLights),
+                    List.copyOf(closingComments));
         } catch (IllegalArgumentException e) {
             throw new MeshException(source, "", "cannot be a scene here: " + e.getMessage());
         }
@@ -213,6 +239,23 @@ final class SceneAssembler {
         Light valid = light.retainLinks(stage::hasNode);
         notes.add("light links to missing objects", valid.equals(light) ? 0 : 1);
         return valid;
+    }
+
+    private Shot withValidTracks(Shot animation, Scene scene) {
+        Shot valid = ImportedScene.validTracks(animation, scene);
+        notes.add("animated properties that cannot be used", animation.tracks().size() - valid.tracks().size());
+        return valid;
+    }
+
+    /** Returns true if the scene can find a file of this name, after copying it from the source's folder if it is there. */
+    boolean hasOrCopiesFile(FileKind kind, String name) {
+        try {
+            Optional<Path> file = kind.find(source.toAbsolutePath().getParent(), name);
+            file.ifPresent(path -> addCopy(name, path, null));
+            return file.isPresent() || hasFile(kind, name);
+        } catch (IOException | IllegalArgumentException e) {
+            return false;
+        }
     }
 
     /** Returns true if the scene can find a file of this name. */

@@ -2,14 +2,28 @@ package lightning.format.exchange;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.concurrent.CancellationException;
+import java.util.stream.Stream;
+import lightning.base.file.RegularFile;
 import lightning.base.work.Progress;
 import lightning.format.MeshFormat;
 import lightning.format.mesh.MeshException;
+import lightning.format.usd.UsdStage;
 
-/** Importer of other programs' files: glTF, OBJ, PLY and NFF. */
+/** Importer of other programs' files: glTF, OBJ, PLY, NFF and USD. */
 public final class SceneImporter {
     private SceneImporter() {}
+
+    /** Returns the file extensions that can be imported, in lower case. */
+    public static List<String> extensions() {
+        return Stream.concat(MeshFormat.allExtensions().stream(), UsdStage.extensions().stream()).toList();
+    }
+
+    /** Returns whether a file has the name of one that can be imported. */
+    public static boolean isImportName(String file) {
+        return MeshFormat.isMeshFileName(file) || UsdStage.isStageName(file);
+    }
 
     /**
      * Reads a file and the files it references; writes nothing.
@@ -22,6 +36,10 @@ public final class SceneImporter {
      * @throws CancellationException if {@code progress} requested cancellation
      */
     public static ImportedScene read(Path file, Path sceneFile, LightUnits units, Progress progress) throws IOException, MeshException {
+        if (UsdStage.isStageName(file.toString())) {
+            RegularFile.open(file, "a USD file").close();
+            return UsdImport.read(file, sceneFile, progress);
+        }
         return switch (MeshFormat.detect(file)) {
             case PLY -> ObjImport.importPly(file, sceneFile, progress);
             case NFF -> NffImport.read(file, sceneFile, progress);

@@ -43,7 +43,7 @@ record TextureMeans(double roughness, double metalness) {
         }
     }
 
-    private static double mean(Texture texture, int channel) {
+    static double mean(Texture texture, int channel) {
         double sum = 0;
         for (int y = 0; y < texture.height(); y++) {
             for (int x = 0; x < texture.width(); x++) {

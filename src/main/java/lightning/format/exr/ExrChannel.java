@@ -3,7 +3,7 @@ package lightning.format.exr;
 /**
  * Channel of an OpenEXR image, with one number per pixel.
  *
- * @param name full name, such as {@code key.diffuse.R}; the part before the last dot is the layer
+ * @param name full name, such as {@code key_diffuse.R}; the part before the last dot is the layer
  */
 public record ExrChannel(String name, ExrType type) {
     /** Maximum length of a channel name. */

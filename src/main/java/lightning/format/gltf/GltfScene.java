@@ -15,6 +15,7 @@ import lightning.base.text.DecimalNumber;
 import lightning.base.text.Quote;
 import lightning.format.mesh.ConversionNotes;
 import lightning.format.mesh.MeshException;
+import tools.jackson.databind.JsonNode;
 
 /** Content of a glTF file except meshes: nodes, cameras, lights, materials, images. */
 public final class GltfScene {
@@ -171,6 +172,11 @@ public final class GltfScene {
             materials.add(reader.material(array.element(i)));
         }
         return List.copyOf(materials);
+    }
+
+    /** Returns this program's settings from the extras of the file's root; a missing node if absent. */
+    public JsonNode settings() {
+        return file.root().node().path("extras").path(GltfLight.SETTINGS_KEY);
     }
 
     /** Returns the name of an image in the file; empty if absent. */

@@ -12,17 +12,17 @@ import tools.jackson.databind.node.MissingNode;
  *
  * @param path path from the root; empty at the root
  */
-record JsonValue(Path file, String path, JsonNode node) {
-    MeshException problem(String message) {
+public record JsonValue(Path file, String path, JsonNode node) {
+    public MeshException problem(String message) {
         return new MeshException(file, path, message);
     }
 
-    boolean isPresent() {
+    public boolean isPresent() {
         return !node.isMissingNode();
     }
 
     /** Returns a property, possibly absent. */
-    JsonValue get(String name) throws MeshException {
+    public JsonValue get(String name) throws MeshException {
         if (isPresent() && !node.isObject()) {
             throw problem("must be an object, was " + describe());
         }
@@ -31,7 +31,7 @@ record JsonValue(Path file, String path, JsonNode node) {
     }
 
     /** Returns the length of an array; 0 if absent. */
-    int size() throws MeshException {
+    public int size() throws MeshException {
         if (isPresent() && !node.isArray()) {
             throw problem("must be an array, was " + describe());
         }
@@ -39,7 +39,7 @@ record JsonValue(Path file, String path, JsonNode node) {
     }
 
     /** Returns an element of an array; throws if it is absent. */
-    JsonValue element(int index) throws MeshException {
+    public JsonValue element(int index) throws MeshException {
         if (index < 0 || index >= size()) {
             throw problem("must have a value " + index + ", has " + size());
         }
@@ -47,19 +47,19 @@ record JsonValue(Path file, String path, JsonNode node) {
     }
 
     /** Returns the element of {@code array} at the index that this value contains. */
-    JsonValue resolve(JsonValue array) throws MeshException {
+    public JsonValue resolve(JsonValue array) throws MeshException {
         return array.element(index(array));
     }
 
     /** Returns this value as an index into {@code array}. */
-    int index(JsonValue array) throws MeshException {
+    public int index(JsonValue array) throws MeshException {
         if (array.size() == 0) {
             throw problem("missing " + array.path);
         }
         return integer(0, array.size() - 1);
     }
 
-    int integer(int min, int max) throws MeshException {
+    public int integer(int min, int max) throws MeshException {
         double value = numericValue();
         if (!(value >= min && value <= max) || value != Math.rint(value)) {
             throw problem("must be a whole number from " + min + " to " + max + ", was " + describe());
@@ -67,11 +67,11 @@ record JsonValue(Path file, String path, JsonNode node) {
         return (int) value;
     }
 
-    int integer(int min, int max, int fallback) throws MeshException {
+    public int integer(int min, int max, int fallback) throws MeshException {
         return isPresent() ? integer(min, max) : fallback;
     }
 
-    double number() throws MeshException {
+    public double number() throws MeshException {
         double value = numericValue();
         if (Double.isNaN(value)) {
             throw problem("must be a number, was " + describe());
@@ -87,18 +87,18 @@ record JsonValue(Path file, String path, JsonNode node) {
         return node.isNumber() ? node.numberValue().doubleValue() : Double.NaN;
     }
 
-    double number(double fallback) throws MeshException {
+    public double number(double fallback) throws MeshException {
         return isPresent() ? number() : fallback;
     }
 
-    boolean bool(boolean fallback) throws MeshException {
+    public boolean bool(boolean fallback) throws MeshException {
         if (isPresent() && !node.isBoolean()) {
             throw problem("must be true or false, was " + describe());
         }
         return isPresent() ? node.asBoolean() : fallback;
     }
 
-    Optional<String> text() throws MeshException {
+    public Optional<String> text() throws MeshException {
         if (isPresent() && !node.isString()) {
             throw problem("must be text in quotes, was " + describe());
         }
@@ -106,7 +106,7 @@ record JsonValue(Path file, String path, JsonNode node) {
     }
 
     /** Returns an array of numbers of the fallback's length, or the fallback if absent. */
-    double[] numbers(double... fallback) throws MeshException {
+    public double[] numbers(double... fallback) throws MeshException {
         if (!isPresent()) {
             return fallback;
         }

@@ -44,12 +44,12 @@ import lightning.scene.World;
  */
 public final class PropertyEdit {
     private static final String NAME = "name";
-    private static final String MATERIAL = "material:";
+    static final String MATERIAL = "material:";
     private static final String NONE = "none";
-    private static final String PICTURE = "picture";
-    private static final String INDIRECT = "picture.indirect";
-    private static final String CAMERA = "camera";
-    private static final String WORLD = "world";
+    static final String PICTURE = "picture";
+    static final String INDIRECT = "picture.indirect";
+    static final String CAMERA = "camera";
+    static final String WORLD = "world";
     /** Targets for parts of the scene without names. */
     private static final List<String> SCENE_TARGETS = List.of(PICTURE, INDIRECT, CAMERA, WORLD);
 
@@ -94,7 +94,7 @@ public final class PropertyEdit {
     }
 
     /** Parts of {@code target.property=value}. */
-    private record Assignment(String target, String property, String value) {
+    record Assignment(String target, String property, String value) {
         /**
          * Parses an assignment.
          *
@@ -191,7 +191,7 @@ public final class PropertyEdit {
         return text(BlockContent.of(node), property);
     }
 
-    private static String text(BlockContent element, String property) {
+    static String text(BlockContent element, String property) {
         Value value = element.values().get(property);
         return value == null || value instanceof Value.Absent ? NONE : value.text();
     }

@@ -130,8 +130,11 @@ final class PovLightWriter {
             case DISC, DIRECTIONAL -> " circular";
             case POINT, SPOT -> " circular orient";
         };
+        // The outermost samples lie at the ends of the vectors, and jitter moves each by up to half their spacing.
+        double inset = (gridSize - 1.0) / gridSize;
         return List.of(
-                "area_light " + PovFormat.vector(right.times(width)) + ", " + PovFormat.vector(up.times(height)) + ", " + gridSize + ", "
+                "area_light " + PovFormat.vector(right.times(inset * width)) + ", " + PovFormat.vector(up.times(inset * height)) + ", "
+                        + gridSize + ", "
                         + gridSize + shape + " jitter adaptive 2");
     }
 }

@@ -111,6 +111,15 @@ class LightEditsTest {
         }
     }
 
+    /** A light as strong as in the dark would burn out what other lights show. */
+    @Test
+    void newLightInLitScene_hasQuarterOfTheBrightness() {
+        Scene dark = scene.withLights(scene.lights().stream().map(l -> l.withOn(false)).toList());
+        Light alone = DeskScene.sceneOf(LightEdits.add(dark, LightType.RECT)).lights().getLast();
+        Light beside = DeskScene.sceneOf(LightEdits.add(scene, LightType.RECT)).lights().getLast();
+        assertThat(beside.emission().exposure()).isEqualTo(alone.emission().exposure() - 2);
+    }
+
     @Test
     void addingTwice_numbersTheName() {
         Scene twice = DeskScene.sceneOf(LightEdits.add(DeskScene.sceneOf(LightEdits.add(scene, LightType.POINT)), LightType.POINT));

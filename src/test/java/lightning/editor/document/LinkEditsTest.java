@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Set;
 import lightning.scene.Camera;
 import lightning.scene.Light;
+import lightning.scene.LightAttribute;
 import lightning.scene.LightRig;
 import lightning.scene.LightType;
 import lightning.scene.Material;
@@ -61,7 +62,7 @@ class LinkEditsTest {
     /** An edit changes exactly the shapes of its object, whatever names the links had. */
     @Property(tries = 400)
     void link_changesOnlyItsObject(@ForAll("links") ShapeLinks links, @ForAll @From("names") String node, @ForAll boolean linked) {
-        Light edited = LinkEdits.link(scene(links), "key", node, linked).sceneOr(null).lights().getFirst();
+        Light edited = LinkEdits.link(scene(links), "key", LightAttribute.ILLUMINATES, node, linked).sceneOr(null).lights().getFirst();
         boolean[] expected = STAGE.linkMask(links).clone();
         boolean[] inside = STAGE.linkMask(ShapeLinks.only(node));
         for (int s = 0; s < expected.length; s++) {
@@ -96,7 +97,8 @@ class LinkEditsTest {
 
     @Test
     void unlinkedObjectOfLinkedGroup_leavesItsSiblingsLinked() {
-        Light edited = LinkEdits.link(scene(ShapeLinks.only("head")), "key", "left", false).sceneOr(null).lights().getFirst();
+        Light edited = LinkEdits.link(scene(ShapeLinks.only("head")), "key", LightAttribute.ILLUMINATES, "left", false).sceneOr(null)
+                .lights().getFirst();
         assertThat(edited.illuminates().names()).containsExactlyInAnyOrder("nose", "hat", "right");
     }
 

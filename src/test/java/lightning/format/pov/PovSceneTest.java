@@ -87,6 +87,16 @@ class PovSceneTest {
         assertThat(code.chars().filter(c -> c == '{').count()).isEqualTo(code.chars().filter(c -> c == '}').count());
     }
 
+    /** POV-Ray 3.7's manual, "Area Lights": the outermost of n samples lie on the edges, and jitter moves each by half their spacing. */
+    @Test
+    void areaLight_emitsFromItsOwnWidth() throws Exception {
+        Scene scene = JenReader.read("""
+                jen 1
+                light key rect { width 4  height 8  samples 16  direction 0 0 -1 }
+                """, "p.jen", Path.of("")).scene();
+        assertThat(PovScene.of(scene, "x").text()).contains("area_light <3.0, -0.0, 0.0>, <0.0, 6.0, 0.0>, 4, 4 jitter");
+    }
+
     @Test
     void fileName_isEscaped() throws Exception {
         PovScene pov = PovScene.of(JenReader.read(Path.of("scenes/bird.jen")).scene(), "a\"b\\c\nd");

@@ -23,7 +23,6 @@ import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.model.Preferences;
 import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.model.StatusMessage;
-import lightning.format.MeshFormat;
 import lightning.format.exchange.ImportPreviews;
 import lightning.format.exchange.ImportedScene;
 import lightning.format.exchange.IndirectChoice;
@@ -93,7 +92,7 @@ public final class FileActions {
     }
 
     private void openOrImport(Path file) {
-        if (MeshFormat.isMeshFileName(file.getFileName().toString())) {
+        if (SceneImporter.isImportName(file.getFileName().toString())) {
             importScene(file);
         } else {
             read(file, () -> OpenDocument.open(file));

@@ -10,7 +10,7 @@ import java.util.stream.Stream;
 import javafx.stage.FileChooser;
 import javafx.stage.Window;
 import lightning.base.text.Messages;
-import lightning.format.MeshFormat;
+import lightning.format.exchange.SceneImporter;
 import lightning.format.image.CubeLutReader;
 import lightning.format.image.ImageFormat;
 import lightning.format.jen.FileKind;
@@ -50,8 +50,8 @@ public interface FilePrompt {
     /** Returns a prompt that uses the system's file dialogs. */
     static FilePrompt ofSystem(Window owner) {
         var scenes = filter("Scenes", JenFile.EXTENSION);
-        var files = new FileChooser.ExtensionFilter(Messages.tr("Scenes, glTF, OBJ, PLY, NFF"),
-                Stream.concat(Stream.of(JenFile.EXTENSION), MeshFormat.allExtensions().stream()).map(ending -> "*" + ending).toList());
+        var files = new FileChooser.ExtensionFilter(Messages.tr("Scenes, glTF, USD, OBJ, PLY, NFF"),
+                Stream.concat(Stream.of(JenFile.EXTENSION), SceneImporter.extensions().stream()).map(ending -> "*" + ending).toList());
         var tables = filter("LUTs", CubeLutReader.EXTENSION);
         return new FilePrompt() {
             @Override

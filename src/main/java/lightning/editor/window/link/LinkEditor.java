@@ -11,6 +11,7 @@ import lightning.editor.document.LinkEdits;
 import lightning.editor.document.LinkTable;
 import lightning.editor.window.model.SceneEditor;
 import lightning.scene.Light;
+import lightning.scene.LightAttribute;
 import lightning.scene.Scene;
 import lightning.scene.SceneLimits;
 
@@ -43,7 +44,7 @@ final class LinkEditor {
     /** Links an object that is not linked completely, or unlinks it. */
     void toggle(Light light, LinkTable.Row row) {
         boolean linked = LinkTable.link(light, row).state() != LinkTable.State.ON;
-        edit(scene -> LinkEdits.link(scene, light.name(), row.name(), linked), null);
+        edit(scene -> LinkEdits.link(scene, light.name(), LightAttribute.ILLUMINATES, row.name(), linked), null);
     }
 
     /**

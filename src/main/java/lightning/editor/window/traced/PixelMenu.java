@@ -13,7 +13,7 @@ import lightning.base.text.Messages;
 import lightning.editor.document.Command;
 import lightning.editor.document.LightAtPoint;
 import lightning.editor.document.LightPlacement.Goal;
-import lightning.editor.document.LinkToggle;
+import lightning.editor.document.LinkEdits;
 import lightning.editor.document.ScenePicker;
 import lightning.editor.document.Viewport;
 import lightning.editor.loop.Frame;
@@ -165,9 +165,8 @@ final class PixelMenu {
     }
 
     private MenuItem link(Light light, LightAttribute<ShapeLinks> attribute, String shape, String title) {
-        String node = LinkToggle.decidingNode(editor.scene(), attribute.get(light), shape);
-        return items.checkValue(Command.LINK, node.equals(shape) ? title : Messages.tr("{0} (Group {1})", title, node),
-                LinkToggle.isLinked(editor.scene(), light, attribute, shape),
-                () -> editor.editOrReport(scene -> LinkToggle.toggle(scene, light.name(), attribute, shape)));
+        boolean isLinked = LinkEdits.isLinked(editor.scene().stage(), attribute.get(light), shape);
+        return items.checkValue(Command.LINK, title, isLinked,
+                () -> editor.editOrReport(scene -> LinkEdits.link(scene, light.name(), attribute, shape, !isLinked)));
     }
 }

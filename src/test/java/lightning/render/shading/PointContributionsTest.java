@@ -1,13 +1,10 @@
-package lightning.cli;
+package lightning.render.shading;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.Random;
 import lightning.format.jen.JenWriter;
-import lightning.render.shading.LightReport;
-import lightning.render.shading.PixelExplainer;
-import lightning.render.shading.PointReport;
 import lightning.sample.SceneArbitraries;
 import lightning.scene.Scene;
 import net.jqwik.api.Arbitrary;

@@ -1,15 +1,20 @@
-package lightning.cli;
+package lightning.render.shading;
 
 import lightning.base.math.Rgb;
-import lightning.render.shading.LightReport;
-import lightning.render.shading.SurfaceWeights;
 import lightning.render.trace.SurfacePoint;
 import lightning.scene.Material;
 
-/** Contributions of each term of the lighting equation to a point's color, for display: their sums are rounded once more. */
-record PointContributions(SurfacePoint at, float[] reflectivity, SurfaceWeights surfaceShare) {
+/**
+ * Contributions of each term of the lighting equation to a point's color, for display: their sums are rounded once more.
+ *
+ * @param at           the point
+ * @param reflectivity of its material, {@code float[3]}
+ * @param surfaceShare weights of the surface and of what is behind it
+ */
+public record PointContributions(SurfacePoint at, float[] reflectivity, SurfaceWeights surfaceShare) {
 
-    static PointContributions of(Material material, SurfacePoint point) {
+    /** Returns the contributions at a point of a material. */
+    public static PointContributions of(Material material, SurfacePoint point) {
         return new PointContributions(point, toFloats(material.reflective()), new SurfaceWeights(point));
     }
 
@@ -17,7 +22,7 @@ record PointContributions(SurfacePoint at, float[] reflectivity, SurfaceWeights 
      * Returns kd·Idiff·(1 − kr) + (ks·Ispec + Igraz) of one light, linear, {@code float[3]}; scaled by the surface share of
      * a transparent surface.
      */
-    float[] ofLight(LightReport light) {
+    public float[] ofLight(LightReport light) {
         float[] added = new float[3];
         for (int c = 0; c < 3; c++) {
             added[c] = at.diffuse()[c] * light.diffuse()[c] * surfaceShare.bodyWeight(reflectivity[c], c)
@@ -27,7 +32,7 @@ record PointContributions(SurfacePoint at, float[] reflectivity, SurfaceWeights 
     }
 
     /** Returns kd·Idiff·(1 − kr) of indirect light, linear, {@code float[3]}; scaled as above. */
-    float[] ofIndirect(float[] light) {
+    public float[] ofIndirect(float[] light) {
         float[] added = new float[3];
         for (int c = 0; c < 3; c++) {
             added[c] = at.diffuse()[c] * light[c] * surfaceShare.bodyWeight(reflectivity[c], c);
@@ -36,14 +41,14 @@ record PointContributions(SurfacePoint at, float[] reflectivity, SurfaceWeights 
     }
 
     /** Returns the mirrored ray's contribution, kr·Cr for an opaque surface, linear, {@code float[3]}. */
-    float[] reflectedPart(float[] color) {
+    public float[] reflectedPart(float[] color) {
         return new float[] {surfaceShare.mirrorWeight(reflectivity[0], 0) * color[0],
             surfaceShare.mirrorWeight(reflectivity[1], 1) * color[1],
             surfaceShare.mirrorWeight(reflectivity[2], 2) * color[2]};
     }
 
     /** Returns the refracted ray's contribution, linear, {@code float[3]}. */
-    float[] refractedPart(float[] color) {
+    public float[] refractedPart(float[] color) {
         return new float[] {surfaceShare.refractionWeight(reflectivity[0], 0) * color[0],
             surfaceShare.refractionWeight(reflectivity[1], 1) * color[1],
             surfaceShare.refractionWeight(reflectivity[2], 2) * color[2]};

@@ -1,0 +1,303 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Lights of both programs.
+
+A light is sent as the JSON object that `lightning export-lights` writes for it. Blender cannot hold all of it (barn doors, gobos,
+gains, units), so each light object remembers what it was in Lightning, and what Blender showed of it then. A property that did not change
+in Blender since keeps its exact value.
+"""
+
+import json
+import math
+
+import bpy
+
+from . import axes, linking, temperature
+
+PROPERTY = "lightning"
+# Lightning's intensity for one watt, or for one watt per square meter of a sun: the brightness of a white surface at distance 1.
+PER_WATT = {"POINT": 1 / (4 * math.pi ** 2), "SPOT": 1 / (4 * math.pi ** 2), "AREA": 1 / math.pi ** 2, "SUN": 1 / math.pi}
+TYPES = {"point": "POINT", "spot": "SPOT", "directional": "SUN", "rect": "AREA", "disc": "AREA"}
+
+
+def stored(obj) -> dict:
+    """Returns what the object remembers of Lightning; empty if it was never sent or received."""
+    try:
+        return json.loads(obj.get(PROPERTY, "{}"))
+    except ValueError:
+        return {}
+
+
+def store(obj, name: str, settings: dict, groups: dict) -> None:
+    """Remembers a light as it is in Lightning, and as Blender shows it now."""
+    obj[PROPERTY] = json.dumps({"name": name, "settings": settings, "shown": describe(obj, groups, []), "group": groups.get(settings["bank"], {})})
+
+
+def send(obj, groups: dict, messages: list[str]) -> dict:
+    """Returns a light as Lightning's JSON."""
+    shown = describe(obj, groups, messages)
+    memory = stored(obj)
+    settings = dict(memory.get("settings", {}))
+    before = memory.get("shown", {})
+    if settings.get("type") != shown["type"]:
+        settings, before = {}, {}
+    settings.update({key: value for key, value in shown.items() if key not in settings or before.get(key) != value})
+    if settings.get("unit", "relative") != "relative" and before.get("intensity") != shown["intensity"]:
+        settings["unit"] = "relative"
+    if shown["intensity"] != before.get("intensity") or "falloff" not in settings:
+        settings["falloff"] = "custom" if shown["type"] == "directional" else "inverse_square"
+    settings.pop("relative_intensity", None)
+    if not settings.get("profile"):
+        settings.pop("profile", None)
+    settings["name"] = obj.name
+    return settings
+
+
+def describe(obj, groups: dict, messages: list[str]) -> dict:
+    """Returns what Blender shows of a light, in Lightning's terms.
+
+    `groups` has the light groups of Lightning by name: Blender has no faders, so their factors are taken out of its lights.
+    """
+    light = obj.data
+    group = groups.get(obj.lightgroup, {})
+    kelvin = min(max(light.temperature, temperature.LOWEST), temperature.HIGHEST) if light.use_temperature else temperature.NEUTRAL
+    correction = temperature.correction(light, kelvin) if light.use_temperature else [1, 1, 1]
+    color, strength = _emission(light, obj.name, messages)
+    matrix = placement(obj)
+    scale = matrix.to_scale()
+    result = {
+        "type": {"POINT": "point", "SPOT": "spot", "SUN": "directional"}.get(light.type, _area_type(light)),
+        "color": [_ratio(axes.number(c) * e * k, g) for c, e, k, g in zip(light.color, color, correction, group.get("color", [1, 1, 1]))],
+        "intensity": _ratio(max(axes.number(light.energy) * strength * _area_factor(light, scale), 0) * PER_WATT[light.type],
+                            group.get("intensity", 1)),
+        "exposure": axes.number(light.exposure),
+        "temperature": axes.number(kelvin),
+        "at": axes.vector(matrix.translation),
+        "direction": axes.vector(-matrix.col[2].to_3d().normalized()),
+        "up": axes.vector(matrix.col[1].to_3d().normalized()),
+        "on": is_on(obj),
+        "bank": obj.lightgroup,
+        "illuminates": linking.to_names(obj.light_linking.receiver_collection),
+        "shadowed_by": linking.to_names(obj.light_linking.blocker_collection),
+        "casts_shadows": light.use_shadow,
+        "diffuse": axes.number(light.diffuse_factor),
+        "specular": axes.number(light.specular_factor),
+    }
+    if light.energy < 0:
+        messages.append(f"{obj.name}: a negative strength became 0")
+    if light.type in ("POINT", "SPOT"):
+        result["radius"] = axes.number(light.shadow_soft_size)
+    if light.type == "SPOT":
+        result["angle"] = axes.degrees(light.spot_size / 2)
+        result["dropoff"] = 0
+        result["profile"] = spot_profile(light)[0]
+    if light.type == "SUN":
+        result["spread"] = axes.degrees(light.angle / 2)
+    if light.type == "AREA":
+        width, height = light.size * scale.x, (light.size_y if light.shape in ("RECTANGLE", "ELLIPSE") else light.size) * scale.y
+        if result["type"] == "disc":
+            result["radius"] = axes.number(math.sqrt(width * height) / 2)
+            if not math.isclose(width, height, rel_tol=1e-5):
+                messages.append(f"{obj.name}: an ellipse became a disc of the same area")
+        else:
+            result["width"], result["height"] = axes.number(width), axes.number(height)
+        if light.spread < math.radians(179.9):
+            messages.append(f"{obj.name}: the beam spread of an area light is not sent")
+    return result
+
+
+def _ratio(value: float, factor: float) -> float:
+    return value if factor == 1 or factor == 0 else value / factor
+
+
+def _area_type(light) -> str:
+    return "disc" if light.type == "AREA" and light.shape in ("DISK", "ELLIPSE") else "rect"
+
+
+def _area_factor(light, scale) -> float:
+    """Returns the area that multiplies a strength that is not normalized."""
+    if light.normalize:
+        return 1
+    if light.type == "AREA":
+        height = light.size_y if light.shape in ("RECTANGLE", "ELLIPSE") else light.size
+        area = light.size * scale.x * height * scale.y
+        return area * (math.pi / 4 if light.shape in ("DISK", "ELLIPSE") else 1)
+    if light.type == "SUN":
+        return math.pi * math.sin(light.angle / 2) ** 2 if light.angle > 0 else 1
+    return 4 * math.pi * light.shadow_soft_size ** 2 if light.shadow_soft_size > 0 else 4
+
+
+def _emission(light, name: str, messages: list[str]) -> tuple[list[float], float]:
+    """Returns the color and strength of a light's nodes."""
+    node = None
+    if light.use_nodes and light.node_tree:
+        node = next((n for n in light.node_tree.nodes if n.bl_idname == "ShaderNodeEmission" and n.outputs[0].is_linked), None)
+    if node is None:
+        return [1, 1, 1], 1
+    if node.inputs["Color"].is_linked or node.inputs["Strength"].is_linked:
+        messages.append(f"{name}: textures and IES profiles in a light's nodes are not sent")
+    color = node.inputs["Color"].default_value if not node.inputs["Color"].is_linked else (1, 1, 1)
+    return list(color[:3]), 1 if node.inputs["Strength"].is_linked else node.inputs["Strength"].default_value
+
+
+def placement(obj):
+    """Returns the world transform of an object; Blender does not compute it for objects that the view layer excludes."""
+    if obj.name in bpy.context.view_layer.objects or obj.parent is not None:
+        return obj.matrix_world
+    return obj.matrix_basis
+
+
+def is_on(obj) -> bool:
+    """Returns whether a render shows an object: it and a collection that contains it are switched on."""
+    return not obj.hide_render and _is_shown(obj, bpy.context.view_layer.layer_collection)
+
+
+def _is_shown(obj, layer) -> bool:
+    if layer.exclude or layer.collection.hide_render:
+        return False
+    return obj.name in layer.collection.objects or any(_is_shown(obj, child) for child in layer.children)
+
+
+def spot_profile(light) -> tuple[str, str]:
+    """Returns the name and the text of an IES profile with the soft edge of a spot; two empty texts if its edge is sharp.
+
+    The light falls from 1 to 0 as 3t² - 2t³, where t is linear in the cosine. Between 64 angles the profile is linear, with an error of
+    less than 0.0002.
+    """
+    half = light.spot_size / 2
+    if light.spot_blend <= 0 or half >= math.pi / 2:
+        return "", ""
+    outer = math.cos(half)
+    inner = math.acos(min(1.0, outer + (1 - outer) * light.spot_blend))
+    angles = [inner + (half - inner) * i / 64 for i in range(65)]
+    if angles[0] > 1e-6:
+        angles.insert(0, 0.0)
+    values = []
+    for angle in angles:
+        t = min(max((math.cos(angle) - outer) / ((1 - outer) * light.spot_blend), 0), 1)
+        values.append(t * t * (3 - 2 * t))
+    lines = ["IESNA:LM-63-2002", "TILT=NONE", f"1 -1 1 {len(angles)} 1 1 2 0 0 0", "1 1 1"]
+    lines += [f"{math.degrees(a):.9g}" for a in angles] + ["0"] + [f"{v:.9g}" for v in values]
+    return f"spot-{math.degrees(light.spot_size):.4g}-blend-{light.spot_blend:.4g}.ies", "\r\n".join(lines) + "\r\n"
+
+
+def receive(obj, settings: dict, groups: dict, messages: list[str]) -> None:
+    """Changes a light object to what Lightning's light has become since it was sent."""
+    memory = stored(obj)
+    before = memory.get("settings", {})
+
+    def changed(*keys: str) -> bool:
+        return any(settings.get(key) != before.get(key) for key in keys)
+
+    light = obj.data
+    kind = settings["type"]
+    if settings != before and (obj.animation_data or light.animation_data):
+        messages.append(f"{obj.name}: its keyframes in Blender stay, and override what was edited")
+    if changed("type") and (light.type != TYPES[kind] or _area_type(light) != kind):
+        light.type = TYPES[kind]
+        light = obj.data
+        if kind in ("rect", "disc"):
+            light.shape = "RECTANGLE" if kind == "rect" else "DISK"
+        before = {}
+    if changed("at", "direction", "up") and obj.parent is None and not obj.constraints:
+        scale = placement(obj).to_scale()
+        _place(obj, settings, before)
+        obj.scale = scale
+    elif changed("at", "direction", "up"):
+        _place(obj, settings, before)
+    bpy.context.view_layer.update()
+    _receive_shape(obj, light, settings, changed, messages)
+    _receive_strength(obj, light, settings, before, groups, messages)
+    if changed("on", "bank") or not groups.get(settings["bank"], {}).get("on", True):
+        is_lit = settings["on"] and groups.get(settings["bank"], {}).get("on", True)
+        obj.hide_render = not is_lit
+        obj.hide_viewport = obj.hide_viewport and not is_lit
+        if is_lit and not is_on(obj):
+            messages.append(f"{obj.name}: is on in Lightning, but its collection is off in Blender")
+    if changed("illuminates"):
+        obj.light_linking.receiver_collection = linking.to_collection(settings["illuminates"], f"{obj.name} illuminates", messages)
+    if changed("shadowed_by"):
+        obj.light_linking.blocker_collection = linking.to_collection(settings["shadowed_by"], f"{obj.name} shadowed by", messages)
+    if changed("casts_shadows"):
+        light.use_shadow = settings["casts_shadows"]
+    if changed("diffuse"):
+        light.diffuse_factor = settings["diffuse"]
+    if changed("specular"):
+        light.specular_factor = settings["specular"]
+    if changed("bank"):
+        obj.lightgroup = settings["bank"]
+    for key, neutral, what in (("doors", [90, 90, 90, 90], "barn doors"), ("gobo", "", "the gobo"), ("gains", {}, "gains")):
+        if settings.get(key, neutral) != neutral and changed(key):
+            messages.append(f"{obj.name}: {what} stay in Lightning only")
+
+
+def _place(obj, settings: dict, before: dict) -> None:
+    if settings["type"] == "point" and before:
+        # A point has no direction: its rotation stays.
+        matrix = placement(obj).copy()
+        matrix.translation = axes.blender_vector(settings["at"])
+    elif settings["type"] == "directional" and before:
+        matrix = axes.light_matrix(settings["at"], settings["direction"], settings["up"])
+        matrix.translation = placement(obj).translation
+    else:
+        matrix = axes.light_matrix(settings["at"], settings["direction"], settings["up"])
+    obj.matrix_world = matrix
+
+
+def _receive_shape(obj, light, settings: dict, changed, messages: list[str]) -> None:
+    scale = placement(obj).to_scale()
+    if light.type in ("POINT", "SPOT") and changed("type", "radius"):
+        light.shadow_soft_size = settings["radius"]
+    if light.type == "SPOT":
+        if changed("type", "angle"):
+            light.spot_size = math.radians(min(2 * settings["angle"], 180))
+        if changed("type", "dropoff", "profile"):
+            profile = settings.get("profile", "")
+            if not profile.startswith("spot-"):
+                light.spot_blend = _blend(settings["angle"], settings["dropoff"])
+                if profile:
+                    messages.append(f"{obj.name}: the IES profile stays in Lightning only")
+    if light.type == "SUN" and changed("type", "spread"):
+        light.angle = math.radians(2 * settings["spread"])
+    if light.type == "AREA" and changed("type", "radius", "width", "height"):
+        if settings["type"] == "disc":
+            light.shape = "DISK"
+            light.size = 2 * settings["radius"] / math.sqrt(abs(scale.x * scale.y))
+        elif light.shape != "SQUARE" or settings["width"] != settings["height"]:
+            light.shape = "RECTANGLE"
+            light.size, light.size_y = settings["width"] / scale.x, settings["height"] / scale.y
+        else:
+            light.size = settings["width"] / scale.x
+
+
+def _blend(angle: float, dropoff: float) -> float:
+    """Returns the spot blend with which a spot has half its light at the same angle as with a dropoff."""
+    outer = math.cos(math.radians(min(angle, 90)))
+    half = 0.5 ** (1 / dropoff) if dropoff > 0 else 0
+    return min(max(2 * (half - outer) / (1 - outer), 0), 1) if half > outer else 0
+
+
+def _receive_strength(obj, light, settings: dict, before: dict, groups: dict, messages: list[str]) -> None:
+    neutral = {"color": [1, 1, 1], "intensity": 1}
+    keys = ("color", "intensity", "exposure", "temperature", "bank", "falloff", "attenuation", "unit")
+    group = groups.get(settings["bank"]) or neutral
+    old_group = stored(obj).get("group") or neutral
+    if before and all(settings.get(k) == before.get(k) for k in keys) and all(group[k] == old_group[k] for k in neutral):
+        return
+    kelvin = settings["temperature"]
+    if before.get("temperature") != kelvin:
+        light.use_temperature = kelvin != temperature.NEUTRAL
+        light.temperature = kelvin
+    color, strength = _emission(light, obj.name, [])
+    correction = temperature.correction(light, kelvin) if light.use_temperature else [1, 1, 1]
+    factors = zip(settings["color"], group["color"], color, correction)
+    rgb = [c * g / (e * k) if e * k > 0 else 0 for c, g, e, k in factors]
+    light.color = rgb
+    light.exposure = settings["exposure"]
+    intensity = settings.get("relative_intensity", settings["intensity"])
+    if settings["falloff"] == "custom" and settings["type"] != "directional":
+        constant, linear, quadratic = settings["attenuation"]
+        intensity /= max(constant + linear + quadratic, 1) if constant or linear else quadratic or 1
+        if constant or linear:
+            messages.append(f"{obj.name}: its falloff is not inverse-square; Blender's light is equal at distance 1")
+    factor = PER_WATT[light.type] * _area_factor(light, placement(obj).to_scale()) * strength
+    light.energy = intensity * group["intensity"] / factor if factor > 0 else 0

@@ -1,0 +1,73 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Glass: what Blender's glTF exporter leaves out of transparent materials, by glTF's own extensions."""
+
+import math
+
+import bpy
+
+
+def add_glass(root: dict, objects: list, messages: list[str]) -> None:
+    """Adds volumes, absorption and Glass BSDFs to the materials of a glTF file."""
+    open_meshes = _open_materials(objects)
+    for entry in root.get("materials", []):
+        material = bpy.data.materials.get(entry.get("name", ""))
+        if material is None or material.node_tree is None:
+            continue
+        surface = _linked(material, "Surface")
+        extensions = entry.setdefault("extensions", {})
+        if surface is not None and surface.bl_idname in ("ShaderNodeBsdfGlass", "ShaderNodeBsdfRefraction"):
+            color = list(surface.inputs["Color"].default_value[:3])
+            entry["pbrMetallicRoughness"] = {"baseColorFactor": color + [1], "metallicFactor": 0,
+                                             "roughnessFactor": surface.inputs["Roughness"].default_value}
+            extensions["KHR_materials_transmission"] = {"transmissionFactor": 1}
+            extensions["KHR_materials_ior"] = {"ior": surface.inputs["IOR"].default_value}
+        if "KHR_materials_transmission" in extensions:
+            volume = extensions.setdefault("KHR_materials_volume", {})
+            if material.name in open_meshes:
+                messages.append(f"{material.name}: the glass of an open mesh became a thin sheet")
+            elif not volume.get("thicknessFactor"):
+                volume["thicknessFactor"] = 1
+            _add_absorption(material, volume, messages)
+        if not extensions:
+            del entry["extensions"]
+    used = {name for entry in root.get("materials", []) for name in entry.get("extensions", {})}
+    root["extensionsUsed"] = sorted(used | set(root.get("extensionsUsed", [])))
+    if not root["extensionsUsed"]:
+        del root["extensionsUsed"]
+
+
+def _add_absorption(material, volume: dict, messages: list[str]) -> None:
+    node = _linked(material, "Volume")
+    if node is None:
+        return
+    if node.bl_idname != "ShaderNodeVolumeAbsorption":
+        messages.append(f"{material.name}: only Volume Absorption is sent, not {node.bl_label}")
+        return
+    density = node.inputs["Density"].default_value
+    if density > 0:
+        # Light falls by exp(-(1 - color) * density * distance).
+        volume["attenuationColor"] = [math.exp(-(1 - c)) for c in node.inputs["Color"].default_value[:3]]
+        volume["attenuationDistance"] = 1 / density
+
+
+def _linked(material, socket: str):
+    """Returns the node that is linked to the active output, or None."""
+    output = material.node_tree.get_output_node("ALL") or material.node_tree.get_output_node("CYCLES")
+    links = output.inputs[socket].links if output else ()
+    return links[0].from_node if links else None
+
+
+def _open_materials(objects: list) -> set[str]:
+    """Returns the materials of meshes with an edge that does not have two faces."""
+    names: set[str] = set()
+    for mesh in {obj.data for obj in objects if obj.type == "MESH"}:
+        if any(m is not None and m.node_tree for m in mesh.materials) and not _is_closed(mesh):
+            names.update(m.name for m in mesh.materials if m is not None)
+    return names
+
+
+def _is_closed(mesh) -> bool:
+    counts = [0] * len(mesh.edges)
+    for loop in mesh.loops:
+        counts[loop.edge_index] += 1
+    return all(count == 2 for count in counts)

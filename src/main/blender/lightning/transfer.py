@@ -1,0 +1,165 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Sends a scene to Lightning, and gets its lights back."""
+
+import hashlib
+import json
+import tempfile
+from pathlib import Path
+
+import bpy
+
+from . import axes, gltf, lights, materials, program, shot, world
+
+PROPERTY = "lightning"
+# Lightning's curves for Blender's view transforms.
+VIEWS = {"AgX": "agx", "Filmic": "filmic", "Standard": "srgb", "Raw": "linear"}
+
+
+# Parts of messages of the import that say nothing new: Lightning has no clipping planes.
+EXPECTED = ("written;", "znear of cameras", "zfar of cameras")
+
+
+def memory(scene) -> dict:
+    """Returns what a scene remembers of Lightning: light groups, world and the digest of the scene file."""
+    try:
+        return json.loads(scene.get(PROPERTY, "{}"))
+    except ValueError:
+        return {}
+
+
+def _digest(file: Path) -> str:
+    return hashlib.sha256(file.read_bytes()).hexdigest()
+
+
+def send(context, target: Path, overwrite: bool = False) -> list[str]:
+    """Writes a .jen file with everything that a render of the scene shows. Returns messages for the user."""
+    scene = context.scene
+    remembered = memory(scene)
+    if target.is_file() and not overwrite and remembered.get("digest") != _digest(target):
+        raise program.ProgramError(f"{target.name} was not sent from here, or has changed since: get its lights first, or overwrite it")
+    messages: list[str] = []
+    model = target.with_suffix(".glb")
+    lamps = [obj for obj in scene.objects if obj.type == "LIGHT"]
+    shown = [obj for obj in context.view_layer.objects if obj.type != "LIGHT" and lights.is_on(obj)]
+    _export_model(scene, model)
+    root, rest = gltf.read(model)
+    materials.add_glass(root, shown, messages)
+    root.setdefault("extras", {})[PROPERTY] = _settings(context, target, lamps, shown, remembered, messages)
+    gltf.write(model, root, rest)
+    lines = program.run("import", str(model), "-o", str(target), "--light-units", "candela", "--indirect", "off")
+    messages += [line.removeprefix(f"{model}: ") for line in lines if not any(text in line for text in EXPECTED)]
+    _remember(scene, target, lamps)
+    return messages
+
+
+def _export_model(scene, path: Path) -> None:
+    """Exports what a render shows: the exporter would add objects of excluded collections."""
+    hidden = [obj for obj in scene.objects if not obj.hide_render and not lights.is_on(obj)]
+    try:
+        for obj in hidden:
+            obj.hide_render = True
+        _export(path)
+    finally:
+        for obj in hidden:
+            obj.hide_render = False
+
+
+def _export(path: Path) -> None:
+    bpy.ops.export_scene.gltf(filepath=str(path), export_format="GLB", use_renderable=True, use_active_scene=True, export_apply=True,
+                              export_cameras=True, export_lights=False, export_extras=False, export_animations=False,
+                              export_skins=False, export_morph=False, export_hierarchy_flatten_objs=True, export_tangents=False)
+
+
+def _settings(context, target: Path, lamps: list, shown: list, remembered: dict, messages: list[str]) -> dict:
+    scene = context.scene
+    groups = remembered.get("banks", {})
+    used = dict.fromkeys(obj.lightgroup for obj in lamps if obj.lightgroup)
+    settings = {
+        "version": 1,
+        "picture": _picture(scene, messages),
+        "world": remembered.get("world", {}) | world.send(scene.world, target.parent, target.stem, messages),
+        "banks": [{"name": name, **groups.get(name, {})} for name in used],
+        "lights": [lights.send(obj, groups, messages) for obj in lamps],
+    }
+    if scene.camera is not None:
+        settings["camera"] = scene.camera.name
+        if scene.camera.data.shift_x or scene.camera.data.shift_y:
+            messages.append(f"{scene.camera.name}: the shift of a camera is not sent")
+    for obj in lamps:
+        if lights.describe(obj, groups, [])["type"] == "spot":
+            name, profile = lights.spot_profile(obj.data)
+            if name:
+                target.with_name(name).write_bytes(profile.encode("ascii"))
+    settings["shot"] = shot.record(context, shown, {obj: obj.name for obj in lamps}, groups, messages)
+    return settings
+
+
+def _picture(scene, messages: list[str]) -> dict:
+    view = scene.view_settings
+    result = {"size": shot.size(scene), "exposure": axes.number(view.exposure)}
+    if view.view_transform in VIEWS:
+        return result | {"view": VIEWS[view.view_transform]}
+    messages.append(f"the view transform {view.view_transform} is not sent")
+    return result
+
+
+def _remember(scene, target: Path, lamps: list) -> None:
+    """Stores the lights as Lightning has them now, so that a later exchange can tell who changed what."""
+    exported = export(target)
+    groups = {group.pop("name"): group for group in exported["banks"]}
+    by_name = {light["name"]: light for light in exported["lights"]}
+    for obj in lamps:
+        if obj.name in by_name:
+            lights.store(obj, obj.name, by_name[obj.name], groups)
+    scene[PROPERTY] = json.dumps({"banks": groups, "world": exported["world"], "digest": _digest(target)})
+
+
+def export(source: Path) -> dict:
+    """Returns the lights of a .jen file as JSON."""
+    with tempfile.TemporaryDirectory() as folder:
+        file = Path(folder) / "lights.json"
+        program.run("export-lights", str(source), "-o", str(file))
+        return json.loads(file.read_text(encoding="utf-8"))
+
+
+def get_lights(context, source: Path, remove: bool = True) -> list[str]:
+    """Brings the lights of a .jen file back: edited, added and, with `remove`, deleted ones. Returns messages for the user."""
+    scene = context.scene
+    messages: list[str] = []
+    exported = export(source)
+    groups = {group.pop("name"): group for group in exported["banks"]}
+    known = {}
+    for obj in scene.objects:
+        if obj.type == "LIGHT":
+            known[lights.stored(obj).get("name", obj.name)] = obj
+    received = []
+    for settings in exported["lights"]:
+        obj = known.pop(settings["name"], None) or _new_light(scene, settings)
+        if settings["bank"] and settings["bank"] not in context.view_layer.lightgroups:
+            context.view_layer.lightgroups.add(name=settings["bank"])
+        lights.receive(obj, settings, groups, messages)
+        received.append((obj, settings))
+    for name, obj in known.items():
+        if remove and lights.stored(obj):
+            bpy.data.objects.remove(obj)
+            messages.append(f"{name}: removed, because it was deleted in Lightning")
+    context.view_layer.update()
+    for obj, settings in received:
+        lights.store(obj, settings["name"], settings, groups)
+    world.receive(scene.world, exported["world"], memory(scene).get("world", {}), messages)
+    scene[PROPERTY] = json.dumps({"banks": groups, "world": exported["world"], "digest": _digest(source)})
+    if any(settings["solo"] for settings in exported["lights"]) or any(group["solo"] for group in groups.values()):
+        messages.append("solo lights: Blender shows the others too")
+    for name, group in groups.items():
+        if group["intensity"] != 1 or group["color"] != [1, 1, 1] or not group["on"]:
+            messages.append(f"{name}: the light group's settings are part of its lights in Blender")
+    return messages
+
+
+def _new_light(scene, settings: dict):
+    data = bpy.data.lights.new(settings["name"], lights.TYPES[settings["type"]])
+    if data.type == "AREA":
+        data.shape = "RECTANGLE" if settings["type"] == "rect" else "DISK"
+    obj = bpy.data.objects.new(settings["name"], data)
+    scene.collection.objects.link(obj)
+    return obj

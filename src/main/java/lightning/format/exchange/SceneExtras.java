@@ -1,0 +1,119 @@
+package lightning.format.exchange;
+
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import lightning.scene.Light;
+import lightning.scene.LightAttribute;
+import lightning.scene.LightGroup;
+import lightning.scene.LightType;
+import lightning.scene.ShapeGains;
+import lightning.scene.ShapeLinks;
+import lightning.scene.ViewCurve;
+import lightning.scene.ViewSettings;
+import lightning.scene.World;
+import tools.jackson.databind.JsonNode;
+
+/**
+ * Settings in the {@code extras} of a glTF file's root, under {@code lightning}: what glTF cannot represent. The Blender add-on writes them;
+ * docs/pipeline.md describes them. Values that cannot be used are noted and left out.
+ */
+final class SceneExtras {
+    private final JsonNode json;
+
+    /** @param json the settings; a missing node if the file has none */
+    SceneExtras(JsonNode json) {
+        this.json = json;
+    }
+
+    /** Returns the name of the active camera's node; empty for the first camera. */
+    String camera() {
+        return json.path("camera").asString("");
+    }
+
+    /**
+     * Sets the scene's picture size and view, world, light groups, lights and animation. Lights count only if the file has none of its own, so that
+     * lights that were exported into it later win.
+     *
+     * @param nodeNames names in the scene of the file's nodes
+     */
+    void apply(SceneAssembler assembler, Map<String, String> nodeNames) {
+        readPicture(assembler);
+        assembler.world = AttributeJson.read(json.path("world"), assembler.world, World.ATTRIBUTES, assembler::hasOrCopiesFile,
+                _ -> noteUnusable(assembler));
+        assembler.isLit = json.path("lights").isArray();
+        if (assembler.lights.isEmpty()) {
+            Set<String> groups = new HashSet<>();
+            for (JsonNode group : json.path("banks")) {
+                readGroup(assembler, group).ifPresent(groups::add);
+            }
+            for (JsonNode light : json.path("lights")) {
+                readLight(assembler, light, nodeNames, groups);
+            }
+        }
+        if (json.path("shot").isObject()) {
+            assembler.shot = new ShotExtras(json.path("shot"), nodeNames, assembler.notes).read();
+        }
+    }
+
+    private static void noteUnusable(SceneAssembler assembler) {
+        assembler.notes.add("scene settings that cannot be restored");
+    }
+
+    private void readPicture(SceneAssembler assembler) {
+        JsonNode in = json.path("picture");
+        JsonNode size = in.path("size");
+        try {
+            if (size.size() == 2) {
+                assembler.picture = assembler.picture.withSize(size.get(0).asInt(0), size.get(1).asInt(0));
+            }
+            ViewSettings view = new ViewSettings(ViewCurve.SRGB, in.path("exposure").asDouble(0));
+            assembler.picture =
+                    assembler.picture.withView(in.has("view") ? view.withCurve(ViewCurve.of(in.get("view").asString(""))) : view);
+        } catch (IllegalArgumentException e) {
+            noteUnusable(assembler);
+        }
+    }
+
+    private static Optional<String> readGroup(SceneAssembler assembler, JsonNode in) {
+        try {
+            LightGroup group = AttributeJson.read(in, LightGroup.of(in.path("name").asString("")), LightGroup.ATTRIBUTES,
+                    assembler::hasOrCopiesFile, _ -> noteUnusable(assembler));
+            if (assembler.names.unique(group.name(), "bank").equals(group.name())) {
+                assembler.lightGroups.add(group);
+                return Optional.of(group.name());
+            }
+        } catch (IllegalArgumentException e) {
+            // Noted below, like a name that another object has.
+        }
+        noteUnusable(assembler);
+        return Optional.empty();
+    }
+
+    private static void readLight(SceneAssembler assembler, JsonNode in, Map<String, String> nodeNames, Set<String> groups) {
+        try {
+            Light blank = Light.of(assembler.names.unique(in.path("name").asString(""), "light"), LightType.POINT);
+            Light light = AttributeJson.read(in, blank, LightAttribute.ALL, assembler::hasOrCopiesFile, _ -> noteUnusable(assembler));
+            assembler.lights.add(light.withIlluminates(renamed(light.illuminates(), nodeNames))
+                    .withShadowedBy(renamed(light.shadowedBy(), nodeNames))
+                    .withContribution(light.contribution().withGains(renamed(light.contribution().gains(), nodeNames)))
+                    .withLightGroup(groups.contains(light.lightGroup()) ? light.lightGroup() : ""));
+            assembler.restoredLights.add(light.name());
+        } catch (IllegalArgumentException e) {
+            noteUnusable(assembler);
+        }
+    }
+
+    private static ShapeLinks renamed(ShapeLinks links, Map<String, String> nodeNames) {
+        return new ShapeLinks(links.exclusive(), links.names().stream().map(n -> nodeNames.getOrDefault(n, n)).toList());
+    }
+
+    private static ShapeGains renamed(ShapeGains gains, Map<String, String> nodeNames) {
+        List<ShapeGains.Entry> entries = new ArrayList<>();
+        gains.entries().forEach(e -> entries.add(new ShapeGains.Entry(nodeNames.getOrDefault(e.name(), e.name()), e.gain())));
+        return new ShapeGains(entries);
+    }
+}

@@ -1,0 +1,204 @@
+package lightning.format.exchange;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import lightning.base.math.Transform;
+import lightning.base.math.Vec3;
+import lightning.format.jen.FileKind;
+import lightning.format.mesh.ConversionNotes;
+import lightning.format.usd.UsdLayer;
+import lightning.scene.Falloff;
+import lightning.scene.Light;
+import lightning.scene.LightAttribute;
+import lightning.scene.LightGroup;
+import lightning.scene.LightType;
+import lightning.scene.Scene;
+import lightning.scene.ShapeLinks;
+import lightning.scene.World;
+import lightning.scene.shot.AnimatedScene;
+import lightning.scene.shot.Shot;
+import lightning.scene.shot.TrackTarget;
+
+/** Writer of a scene's lights as a layer over the stage that the scene was imported from. */
+final class UsdLightExport {
+    private static final String NEW_LIGHTS = "/lightning_lights";
+
+    private final AnimatedScene animated;
+    private final Scene scene;
+    private final UsdPaths paths;
+    private final Path sceneFolder;
+    private final Path outputFolder;
+    private final ConversionNotes notes = new ConversionNotes();
+    private final UsdLayer layer = new UsdLayer();
+    private final List<Scene> frames = new ArrayList<>();
+    private final int first;
+
+    private UsdLightExport(AnimatedScene animated, UsdPaths paths, Path sceneFolder, Path outputFolder) {
+        this.animated = animated;
+        scene = animated.base();
+        this.paths = paths;
+        this.sceneFolder = sceneFolder;
+        this.outputFolder = outputFolder;
+        first = animated.shot().map(Shot::first).orElse(0);
+    }
+
+    /**
+     * Returns the layer.
+     *
+     * @param text text of the scene file, whose comments name the prims
+     * @param sceneFile file of the scene
+     * @param output file of the layer, which names other files relative to its folder
+     */
+    static LightExport export(String text, AnimatedScene animated, Path sceneFile, Path output) throws IOException {
+        return new UsdLightExport(animated, UsdPaths.findIn(text), sceneFile.toAbsolutePath().normalize().getParent(),
+                output.toAbsolutePath().normalize().getParent()).layer();
+    }
+
+    private LightExport layer() throws IOException {
+        layer.metadata("doc", UsdLayer.quoted("Lights from Lightning"));
+        layer.metadata("upAxis", UsdLayer.quoted(paths.hasZUp() ? "Z" : "Y"));
+        layer.metadata("metersPerUnit", String.valueOf(scene.world().meters()));
+        if (animated.shot().isPresent()) {
+            Shot shot = animated.shot().get();
+            layer.metadata("timeCodesPerSecond", String.valueOf(shot.rate()));
+            if (shot.tracks().stream()
+                    .anyMatch(t -> t.target().kind() == TrackTarget.Kind.LIGHT || t.target().kind() == TrackTarget.Kind.LIGHT_GROUP)) {
+                for (int frame = shot.first(); frame <= shot.last(); frame++) {
+                    frames.add(animated.sceneAt(frame));
+                }
+            }
+        }
+        for (Light light : scene.lights()) {
+            addLight(light);
+        }
+        addEnvironment();
+        for (Map.Entry<String, UsdPaths.Prim> light : paths.lights().entrySet()) {
+            if (scene.light(light.getKey()).isEmpty()) {
+                layer.prim(light.getValue().path()).metadata("active", "false");
+            }
+        }
+        return new LightExport(layer.text().getBytes(StandardCharsets.UTF_8), Map.copyOf(notes.counts()));
+    }
+
+    private UsdLayer.Prim prim(String name, Optional<UsdPaths.Prim> original, String type) {
+        if (original.isPresent()) {
+            UsdLayer.Prim prim = layer.prim(original.get().path());
+            return original.get().type().equals(type) ? prim : prim.define(type);
+        }
+        layer.prim(NEW_LIGHTS).define("Scope");
+        String identifier = name.replaceAll("[^A-Za-z0-9_]", "_").replaceFirst("^(?=[0-9])", "_");
+        String path = NEW_LIGHTS + "/" + identifier;
+        for (int i = 2; layer.contains(path); i++) {
+            path = NEW_LIGHTS + "/" + identifier + "_" + i;
+        }
+        return layer.prim(path).define(type);
+    }
+
+    private void addLight(Light light) throws IOException {
+        Optional<UsdPaths.Prim> original = Optional.ofNullable(paths.lights().get(light.name()));
+        String type = UsdLightValues.typeOf(light, original.map(UsdPaths.Prim::type).orElse(""));
+        UsdLayer.Prim prim = prim(light.name(), original, type);
+        boolean isShaped = type.equals("SphereLight") || type.equals("DiskLight");
+        prim.metadata("prepend apiSchemas", isShaped ? "[\"ShapingAPI\", \"ShadowAPI\"]" : "[\"ShadowAPI\"]");
+        values(light, type).forEach((declaration, samples) -> {
+            if (samples.values().stream().distinct().count() == 1) {
+                prim.set(declaration, samples.firstEntry().getValue());
+            } else {
+                prim.set(declaration, samples);
+            }
+        });
+        prim.set("uniform token[] xformOpOrder", "[\"!resetXformStack!\", \"xformOp:transform:lightning\"]");
+        if (isShaped) {
+            prim.set("asset inputs:shaping:ies:file", LightAttribute.PROFILE.appliesTo(light.type()) && light.profile().isPresent()
+                    ? asset(FileKind.PROFILE, light.profile().get().file()) : "@@");
+        }
+        addLinks(prim, "lightLink", light.illuminates());
+        addLinks(prim, "shadowLink", light.shadowedBy());
+        noteLosses(light);
+    }
+
+    /** Returns the values of each attribute at all frames; at one time only if nothing moves. */
+    private Map<String, TreeMap<Integer, String>> values(Light light, String type) {
+        Map<String, TreeMap<Integer, String>> result = new LinkedHashMap<>();
+        List<Scene> states = frames.isEmpty() ? List.of(scene) : frames;
+        for (int i = 0; i < states.size(); i++) {
+            Scene state = states.get(i);
+            Light own = state.light(light.name()).orElseThrow();
+            int time = first + i + paths.shift();
+            new UsdLightValues(type, inGroup(own, state), state.world().meters(), paths.hasZUp()).values(state.isActive(own))
+                    .forEach((declaration, value) -> result.computeIfAbsent(declaration, _ -> new TreeMap<>()).put(time, value));
+        }
+        return result;
+    }
+
+    /** Returns a light with color and intensity of its group, which USD has not. */
+    private static Light inGroup(Light light, Scene state) {
+        Optional<LightGroup> group = state.rig().lightGroup(light.lightGroup());
+        return group.isEmpty() ? light
+                : light.withColor(light.color().times(group.get().color())).withIntensity(light.intensity() * group.get().intensity());
+    }
+
+    private void addLinks(UsdLayer.Prim prim, String collection, ShapeLinks links) {
+        List<String> targets = new ArrayList<>();
+        for (String name : links.names()) {
+            Optional<String> path = Optional.ofNullable(paths.objects().get(name));
+            notes.add("links to objects that the stage does not have", path.isEmpty() ? 1 : 0);
+            path.ifPresent(targets::add);
+        }
+        String prefix = "collection:" + collection + ":";
+        prim.set("uniform bool " + prefix + "includeRoot", links.exclusive() ? "0" : "1");
+        prim.set("rel " + prefix + "includes", UsdLayer.targets(links.exclusive() ? targets : List.of()));
+        prim.set("rel " + prefix + "excludes", UsdLayer.targets(links.exclusive() ? List.of() : targets));
+    }
+
+    private void noteLosses(Light light) {
+        LightType type = light.type();
+        notes.add("barn doors", LightAttribute.DOORS.appliesTo(type) && !light.doors().isOpen() ? 1 : 0);
+        notes.add("gobos", type.hasCone() && light.gobo().isPresent() ? 1 : 0);
+        notes.add("gains on single objects", light.contribution().gains().isNone() ? 0 : 1);
+        notes.add("lights without inverse-square falloff, exact only at distance 1",
+                type.hasPosition() && light.falloff() == Falloff.CUSTOM
+                        && !(light.attenuation().constant() == 0 && light.attenuation().linear() == 0) ? 1 : 0);
+        notes.add("lights of a group, with its color and intensity", light.lightGroup().isEmpty() ? 0 : 1);
+    }
+
+    private void addEnvironment() throws IOException {
+        World world = scene.world();
+        Optional<UsdPaths.Dome> dome = paths.dome();
+        if (world.environment().isEmpty()) {
+            dome.ifPresent(d -> layer.prim(d.prim().path()).metadata("active", "false"));
+            return;
+        }
+        UsdLayer.Prim prim = dome.map(d -> layer.prim(d.prim().path())).orElseGet(() -> prim("environment", Optional.empty(), "DomeLight"));
+        prim.set("float inputs:intensity", UsdLayer.number(world.intensity() * dome.map(UsdPaths.Dome::factor).orElse(1.0)));
+        String file = world.environment().get().file();
+        if (dome.isEmpty() || !dome.get().file().equals(file)) {
+            prim.set("asset inputs:texture:file", asset(FileKind.ENVIRONMENT, file));
+            prim.set("token inputs:texture:format", UsdLayer.quoted("latlong"));
+        }
+        if (dome.isEmpty() || dome.get().rotation() != world.rotation()) {
+            Transform turn = Transform.rotation(new Vec3(0, world.rotation() - 180, 0));
+            if (paths.hasZUp() && dome.isPresent() && dome.get().prim().type().equals("DomeLight_1")) {
+                turn = turn.times(Transform.rotation(new Vec3(-90, 0, 0)));
+            }
+            prim.set("matrix4d xformOp:transform:lightning", UsdLightValues.matrix(turn.transformVector(new Vec3(1, 0, 0)),
+                    turn.transformVector(new Vec3(0, 0, 1)), Vec3.ZERO, paths.hasZUp()));
+            prim.set("uniform token[] xformOpOrder", "[\"!resetXformStack!\", \"xformOp:transform:lightning\"]");
+        }
+    }
+
+    /** Returns the name of a file of the scene, relative to the layer where that is possible. */
+    private String asset(FileKind kind, String name) throws IOException {
+        Path file = kind.find(sceneFolder, name).orElse(sceneFolder.resolve(name)).toAbsolutePath().normalize();
+        boolean isNear = file.getRoot().equals(outputFolder.getRoot());
+        String path = (isNear ? outputFolder.relativize(file) : file).toString().replace('\\', '/');
+        return UsdLayer.asset(path.startsWith("..") || path.startsWith("/") || !isNear ? path : "./" + path);
+    }
+}

@@ -1,0 +1,256 @@
+package lightning.format.exchange;
+
+import java.io.IOException;
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.nio.file.Path;
+import java.util.Locale;
+import java.util.Optional;
+import lightning.base.math.Rgb;
+import lightning.base.math.Transform;
+import lightning.base.math.Vec3;
+import lightning.format.gltf.JsonValue;
+import lightning.format.ies.IesReader;
+import lightning.format.mesh.ConversionNotes;
+import lightning.format.mesh.MeshException;
+import lightning.format.usd.UsdStage;
+import lightning.scene.AreaShape;
+import lightning.scene.ColorTemperature;
+import lightning.scene.Contribution;
+import lightning.scene.Emission;
+import lightning.scene.Falloff;
+import lightning.scene.IesProfile;
+import lightning.scene.IntensityUnit;
+import lightning.scene.Light;
+import lightning.scene.LightType;
+import lightning.scene.Photometry;
+import lightning.scene.SceneLimits;
+
+/**
+ * Converter from UsdLux, whose intensity is the luminance of a light's surface in nits, or that times its area if normalized.
+ * {@link UsdLightExport} inverts it.
+ */
+final class UsdLightImport {
+    private static final MathContext DIGITS = new MathContext(12);
+    private static final double SHARE_OF_SCALES = 1e-4;
+
+    private final SceneAssembler assembler;
+    private final Transform upright;
+    private final double meters;
+    /** Receives the notes of the frame that is converted. */
+    private ConversionNotes notes;
+
+    /**
+     * Creates a converter.
+     *
+     * @param upright rotation of the stage to a scene with y up
+     * @param meters meters per scene unit
+     */
+    UsdLightImport(SceneAssembler assembler, Transform upright, double meters) {
+        this.assembler = assembler;
+        this.upright = upright;
+        this.meters = meters;
+        notes = assembler.notes;
+    }
+
+    /** Writes no more notes: for further frames of lights. */
+    void silence() {
+        notes = new ConversionNotes();
+    }
+
+    /** Returns a light without links; empty if it cannot be imported. */
+    Optional<Light> convert(String name, JsonValue in) throws IOException, MeshException {
+        try {
+            String type = in.get("type").text().orElse("");
+            Light light = Light.of(name, LightType.POINT).withFalloff(Falloff.INVERSE_SQUARE);
+            Optional<Light> shaped = switch (type) {
+                case "DistantLight" -> Optional.of(distant(light, in));
+                case "SphereLight" -> Optional.of(sphere(light, in));
+                case "DiskLight" -> Optional.of(disk(light, in));
+                case "RectLight" -> Optional.of(rect(light, in));
+                case "CylinderLight" -> Optional.of(cylinder(light, in));
+                default -> Optional.empty();
+            };
+            notes.add("lights of type " + type, shaped.isEmpty() ? 1 : 0);
+            notes.add("textures of lights", shaped.isPresent() && in.get("texture").isPresent() ? 1 : 0);
+            return shaped.isEmpty() ? shaped : Optional.of(emission(shaped.get(), in));
+        } catch (IllegalArgumentException | ArithmeticException e) {
+            notes.add("lights that cannot be placed");
+            return Optional.empty();
+        }
+    }
+
+    private Light distant(Light light, JsonValue in) throws MeshException {
+        double spread = Math.clamp(tidy(in.get("angle").number(0)) / 2, 0, SceneLimits.MAX_SPREAD);
+        return placed(light, in).withType(LightType.DIRECTIONAL).withPosition(Vec3.ZERO).withFalloff(Falloff.CUSTOM)
+                .withArea(AreaShape.DEFAULT.withSpread(spread))
+                .withEmission(Emission.DEFAULT.withUnit(isNormalized(in) || spread == 0 ? IntensityUnit.LUX : IntensityUnit.NIT));
+    }
+
+    private Light sphere(Light light, JsonValue in) throws IOException, MeshException {
+        Vec3 scale = scale(in);
+        noteScale(scale.x(), scale.y());
+        noteScale(scale.x(), scale.z());
+        double radius = tidy(in.get("radius").number(0)) * (scale.x() + scale.y() + scale.z()) / 3;
+        boolean isPoint = in.get("treatAsPoint").bool(false);
+        Light ball = placed(light, in).withArea(AreaShape.DEFAULT.withRadius(isPoint ? 0 : size(radius)));
+        // A ball's surface is four times the disc as which it is seen.
+        ball = isNormalized(in) ? candela(ball, meters * meters / 4)
+                : isPoint ? candela(ball, Math.PI * radius * radius * meters * meters) : nit(ball);
+        JsonValue shaping = in.get("shaping");
+        return isShaped(shaping) ? cone(ball, shaping, 0) : ball.withDirection(light.direction());
+    }
+
+    private Light disk(Light light, JsonValue in) throws IOException, MeshException {
+        Vec3 scale = scale(in);
+        noteScale(scale.x(), scale.y());
+        Light disc = placed(light, in).withType(LightType.DISC)
+                .withArea(AreaShape.DEFAULT.withRadius(size(tidy(in.get("radius").number(0)) * (scale.x() + scale.y()) / 2)));
+        disc = isNormalized(in) ? candela(disc, meters * meters) : nit(disc);
+        // A spot has no cosine of its own.
+        return isShaped(in.get("shaping")) ? cone(disc, in.get("shaping"), 1) : disc;
+    }
+
+    private Light rect(Light light, JsonValue in) throws MeshException {
+        Vec3 scale = scale(in);
+        Vec3 up = world(in).transformVector(Vec3.Y).normalized();
+        Light rect = placed(light, in).withType(LightType.RECT).withArea(AreaShape.DEFAULT.withUp(tidy(up))
+                .withWidth(size(tidy(in.get("width").number(0)) * scale.x()))
+                .withHeight(size(tidy(in.get("height").number(0)) * scale.y())));
+        notes.add("cones and profiles of rect lights", isShaped(in.get("shaping")) ? 1 : 0);
+        return isNormalized(in) ? candela(rect, meters * meters) : nit(rect);
+    }
+
+    /** A cylinder becomes a ball of the same area, and so of the same luminance and flux. Its own size stays in values without effect. */
+    private Light cylinder(Light light, JsonValue in) throws MeshException {
+        Vec3 scale = scale(in);
+        double length = size(tidy(in.get("length").number(0)) * scale.x());
+        double radius = size(tidy(in.get("radius").number(0)) * (scale.y() + scale.z()) / 2);
+        notes.add("cylinder lights, imported as balls of the same area");
+        notes.add("cones and profiles of cylinder lights", isShaped(in.get("shaping")) ? 1 : 0);
+        Light ball = placed(light, in).withArea(AreaShape.DEFAULT.withRadius(rounded(Math.sqrt(length * radius / 2))).withWidth(length)
+                .withHeight(rounded(2 * radius)).withUp(tidy(world(in).transformVector(Vec3.Y).normalized())));
+        return isNormalized(in) ? candela(ball, meters * meters / 4) : nit(ball);
+    }
+
+    private Light cone(Light light, JsonValue shaping, double cosine) throws IOException, MeshException {
+        double angle = Math.clamp(tidy(shaping.get("angle").number(90)), 0, SceneLimits.MAX_ANGLE);
+        double focus = SceneAssembler.clamp(tidy(shaping.get("focus").number(0)), SceneLimits.MAX_DROPOFF - 1);
+        double softness = shaping.get("softness").number(0);
+        notes.add("soft edges of cones (shaping:cone:softness), imported as hard at half intensity", softness > 0 ? 1 : 0);
+        // The softness fades from angle · (1 − softness) to the angle.
+        double half = softness > 0 ? rounded(angle * (1 - Math.clamp(softness, 0, 1) / 2)) : angle;
+        Light spot = light.withType(LightType.SPOT).withAngle(half).withDropoff(focus + cosine);
+        notes.add("angle scales of IES profiles", shaping.get("angleScale").number(0) == 0 ? 0 : 1);
+        return spot.withProfile(profile(shaping.get("profile")));
+    }
+
+    private Optional<IesProfile> profile(JsonValue file) throws IOException, MeshException {
+        if (!file.isPresent()) {
+            return Optional.empty();
+        }
+        Optional<Path> place = UsdStage.place(file);
+        if (place.isEmpty()) {
+            notes.add("IES profiles that are missing");
+            return Optional.empty();
+        }
+        try {
+            // Read before it is copied: a hostile stage may name any file of this machine.
+            Photometry photometry = IesReader.read(place.get());
+            String name = file.get("name").text().orElse("profile");
+            return Optional.of(new IesProfile(
+                    assembler.addFile(place.get(), name.toLowerCase(Locale.ROOT).endsWith(".ies") ? name : name + ".ies"), photometry));
+        } catch (IOException | MeshException e) {
+            notes.add("IES profiles that are damaged");
+            return Optional.empty();
+        }
+    }
+
+    private Light placed(Light light, JsonValue in) throws MeshException {
+        Transform m = world(in);
+        return light.withPosition(tidy(m.transformPoint(Vec3.ZERO)))
+                .withDirection(tidy(m.transformVector(new Vec3(0, 0, -1)).normalized()));
+    }
+
+    private Light emission(Light light, JsonValue in) throws MeshException {
+        double[] color = in.get("color").numbers(1, 1, 1);
+        double temperature = in.get("temperature").number(ColorTemperature.NEUTRAL);
+        double allowed = Math.clamp(temperature, ColorTemperature.MIN, ColorTemperature.MAX);
+        notes.add("color temperatures beyond 1667 to 25000 kelvin", allowed == temperature ? 0 : 1);
+        double exposure = tidy(in.get("exposure").number(0));
+        double stops = Math.clamp(exposure, -Emission.MAX_EXPOSURE, Emission.MAX_EXPOSURE);
+        double intensity = tidy(in.get("intensity").number(1)) * light.intensity() * Math.pow(2, exposure - stops);
+        notes.add("negative intensities of lights", intensity < 0 ? 1 : 0);
+        return light.withColor(color(color)).withIntensity(SceneAssembler.clamp(shortened(intensity), SceneLimits.MAX_INTENSITY))
+                .withEmission(light.emission().withExposure(stops).withTemperature(tidy(allowed)))
+                .withOn(!in.get("hidden").bool(false))
+                .withContribution(Contribution.DEFAULT.withCastsShadows(in.get("shadows").bool(true))
+                        .withDiffuse(SceneAssembler.clamp(tidy(in.get("diffuse").number(1)), SceneLimits.MAX_GAIN))
+                        .withSpecular(SceneAssembler.clamp(tidy(in.get("specular").number(1)), SceneLimits.MAX_GAIN)));
+    }
+
+    private Rgb color(double[] color) {
+        double max = SceneLimits.MAX_LIGHT_COLOR;
+        Rgb result = new Rgb(SceneAssembler.clamp(tidy(color[0]), max), SceneAssembler.clamp(tidy(color[1]), max),
+                SceneAssembler.clamp(tidy(color[2]), max));
+        notes.add("colors of lights beyond 0 to 1000",
+                result.r() == tidy(color[0]) && result.g() == tidy(color[1]) && result.b() == tidy(color[2]) ? 0 : 1);
+        return result;
+    }
+
+    /** Returns a light whose intensity in candelas is the factor times that of the stage. */
+    private static Light candela(Light light, double factor) {
+        return light.withEmission(Emission.DEFAULT.withUnit(IntensityUnit.CANDELA)).withIntensity(factor);
+    }
+
+    private static Light nit(Light light) {
+        return light.withEmission(Emission.DEFAULT.withUnit(IntensityUnit.NIT)).withIntensity(1);
+    }
+
+    private static boolean isNormalized(JsonValue in) throws MeshException {
+        return in.get("normalize").bool(false);
+    }
+
+    private static boolean isShaped(JsonValue shaping) throws MeshException {
+        return shaping.isPresent()
+                && (shaping.get("angle").number(90) < 180 || shaping.get("focus").number(0) > 0 || shaping.get("profile").isPresent());
+    }
+
+    private Transform world(JsonValue in) throws MeshException {
+        return upright.times(UsdStage.transform(in.get("matrix")));
+    }
+
+    private Vec3 scale(JsonValue in) throws MeshException {
+        Transform m = world(in);
+        return tidy(new Vec3(m.transformVector(new Vec3(1, 0, 0)).length(), m.transformVector(Vec3.Y).length(),
+                m.transformVector(new Vec3(0, 0, 1)).length()));
+    }
+
+    private void noteScale(double a, double b) {
+        notes.add("round lights scaled to ellipses, imported as round", Math.abs(a - b) <= SHARE_OF_SCALES * Math.max(a, b) ? 0 : 1);
+    }
+
+    private static double size(double v) {
+        return rounded(SceneAssembler.clamp(v, SceneLimits.MAX_EXTENT));
+    }
+
+    /** Returns the shortest decimal number that is the same float: stages have floats. */
+    static double tidy(double v) {
+        return v == (float) v ? Double.parseDouble(Float.toString((float) v)) : rounded(v);
+    }
+
+    private static Vec3 tidy(Vec3 v) {
+        return new Vec3(rounded(v.x()), rounded(v.y()), rounded(v.z()));
+    }
+
+    /** Rounds a product of floats to more digits than they have. */
+    private static double shortened(double v) {
+        return Double.isFinite(v) ? new BigDecimal(v).round(DIGITS).doubleValue() : v;
+    }
+
+    /** Rounds to about nine digits. */
+    static double rounded(double v) {
+        double nearest = Math.rint(v * 1e9) / 1e9;
+        return Math.abs(v) < 1e6 && (Math.abs(v) >= 1e-3 || nearest == 0) ? nearest + 0.0 : v;
+    }
+}

@@ -1,0 +1,141 @@
+package lightning.format.usd;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.List;
+import java.util.concurrent.CancellationException;
+import java.util.concurrent.TimeUnit;
+import lightning.base.file.RegularFile;
+import lightning.base.file.ScratchFolder;
+import lightning.base.file.TemporaryFolder;
+import lightning.base.text.Messages;
+import lightning.base.text.PrintableText;
+import lightning.base.text.Quote;
+import lightning.base.work.Progress;
+import lightning.format.mesh.MeshException;
+
+/**
+ * The converter in Python, as a process of its own: what it writes is a folder that is removed at the end, whatever happens.
+ *
+ * @param python interpreter
+ * @param script folder of the converter
+ * @param limit  time after which it is ended
+ */
+record UsdConverter(Path python, Path script, Duration limit) {
+    private static final String NAME = "lightning_usd";
+    private static final Path SOURCES = Path.of("src", "main", "python", NAME);
+    private static final Duration TIME_LIMIT = Duration.ofMinutes(10);
+    private static final int NO_USD = 3;
+    private static final int MAX_MESSAGE = 300;
+    private static final int MAX_MESSAGE_BYTES = 1 << 24;
+    private static final int POLL_MILLISECONDS = 50;
+
+    /**
+     * Returns the converter of this installation.
+     *
+     * @throws IOException if there is no Python, or the installation is incomplete
+     */
+    static UsdConverter installed() throws IOException {
+        Path home = Path.of(System.getProperty("lightning.home", ""));
+        Path shipped = home.resolve("python").resolve(NAME);
+        Path script = Files.isDirectory(shipped) ? shipped : home.resolve(SOURCES);
+        if (!Files.isDirectory(script)) {
+            throw new IOException(Messages.tr("{0}: the converter of USD files is missing; install Lightning again", shipped));
+        }
+        return new UsdConverter(PythonInterpreter.find(System.getenv(PythonInterpreter.VARIABLE), System.getenv("PATH")), script,
+                TIME_LIMIT);
+    }
+
+    /** What is done with the written folder. */
+    interface Use<T> {
+        T read(Path folder) throws IOException, MeshException;
+    }
+
+    /**
+     * Converts a stage.
+     *
+     * @param use reads the written files, which do not exist afterwards
+     * @throws MeshException if usd-core cannot read it, or the time limit is exceeded
+     * @throws IOException if the interpreter cannot run, or lacks usd-core
+     */
+    <T> T convert(Path source, Progress progress, Use<T> use) throws IOException, MeshException {
+        try (var scratch = ScratchFolder.createIn(Path.of(System.getProperty("java.io.tmpdir")))) {
+            Path folder = Files.createDirectory(scratch.file("stage"));
+            try {
+                run(source, folder, scratch.file("messages"), progress);
+                return use.read(folder);
+            } finally {
+                TemporaryFolder.delete(folder);
+                Files.deleteIfExists(scratch.file("messages"));
+            }
+        }
+    }
+
+    private void run(Path source, Path folder, Path messages, Progress progress) throws IOException, MeshException {
+        var builder = new ProcessBuilder(python.toString(), "-B", script.toString(), source.toAbsolutePath().toString(), folder.toString());
+        builder.environment().put("PYTHONIOENCODING", "utf-8");
+        Process process;
+        try {
+            process = builder.redirectErrorStream(true).redirectOutput(messages.toFile()).start();
+        } catch (IOException e) {
+            throw new IOException(Messages.tr("{0}: cannot run as Python", Quote.path(python)), e);
+        }
+        try {
+            process.getOutputStream().close();
+            await(process, source, progress);
+            if (process.exitValue() == NO_USD) {
+                throw new IOException(Messages.tr("USD files need the Python package usd-core; run: {0} -m pip install usd-core", python));
+            }
+            Path error = folder.resolve("error.txt");
+            if (Files.exists(error)) {
+                throw new MeshException(source, "", firstLine(error));
+            }
+            if (process.exitValue() != 0 || !Files.exists(folder.resolve("stage.json"))) {
+                throw new MeshException(source, "", "the converter of USD files ended with code " + process.exitValue() + " ("
+                        + lastLine(messages) + ")");
+            }
+        } finally {
+            process.descendants().forEach(ProcessHandle::destroyForcibly);
+            process.destroyForcibly();
+        }
+    }
+
+    private void await(Process process, Path source, Progress progress) throws MeshException {
+        long end = System.nanoTime() + limit.toNanos();
+        try {
+            while (!process.waitFor(POLL_MILLISECONDS, TimeUnit.MILLISECONDS)) {
+                if (progress.isCanceled()) {
+                    throw new CancellationException("canceled while usd-core read the stage");
+                }
+                if (System.nanoTime() - end > 0) {
+                    throw new MeshException(source, "", "usd-core did not read it within " + limit.toSeconds() + " s");
+                }
+            }
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            throw new CancellationException("interrupted while usd-core read the stage");
+        }
+    }
+
+    private static List<String> lines(Path file) throws IOException {
+        return new String(RegularFile.readBytes(file, "a file of the converter", MAX_MESSAGE_BYTES), StandardCharsets.UTF_8).lines()
+                .filter(s -> !s.isBlank()).toList();
+    }
+
+    private static String firstLine(Path file) throws IOException {
+        List<String> lines = lines(file);
+        return lines.isEmpty() ? "cannot be read by usd-core" : shortened(lines.getFirst());
+    }
+
+    private static String lastLine(Path file) throws IOException {
+        List<String> lines = Files.size(file) > MAX_MESSAGE_BYTES ? List.of() : lines(file);
+        return lines.isEmpty() ? "without a message" : shortened(lines.getLast());
+    }
+
+    private static String shortened(String text) {
+        return PrintableText.escape(text.length() > MAX_MESSAGE ? text.substring(0, MAX_MESSAGE) + "…" : text);
+    }
+}

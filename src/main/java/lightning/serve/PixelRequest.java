@@ -1,0 +1,56 @@
+package lightning.serve;
+
+import lightning.render.image.Film;
+import lightning.render.relight.Renderer;
+import lightning.render.relight.SceneView;
+import lightning.render.shading.PixelExplainer;
+import lightning.render.shading.PointReport;
+import lightning.scene.Scene;
+import tools.jackson.databind.node.ArrayNode;
+import tools.jackson.databind.node.ObjectNode;
+
+/** Request {@code explain}: updates the picture and reports how the color of one pixel is computed. */
+final class PixelRequest {
+    private final SceneSession session;
+    private final Request request;
+    private final Scene scene;
+    private final int x;
+    private final int y;
+
+    PixelRequest(SceneSession session, Request request) {
+        this.session = session;
+        this.request = request;
+        scene = session.scene();
+        request.fields().flag("progress");
+        int[] pixel = request.fields().integers("pixel", 2, 0, Integer.MAX_VALUE);
+        x = pixel[0];
+        y = pixel[1];
+        if (x >= scene.picture().width() || y >= scene.picture().height()) {
+            throw Fields.bad("pixel", "expected a pixel inside the picture, from 0, 0 to " + (scene.picture().width() - 1) + ", "
+                    + (scene.picture().height() - 1));
+        }
+    }
+
+    ObjectNode run() {
+        session.update(request, 0);
+        Renderer renderer = session.renderer();
+        var indirect = renderer.cache().indirect();
+        PixelExplainer explainer = new PixelExplainer(renderer.scene(), renderer.cache().geometry())
+                .withIndirect(indirect == null ? null : indirect.light());
+        PointReport report = explainer.explainPixel(x, y);
+        Film film = renderer.film();
+        ObjectNode result = JsonLines.JSON.createObjectNode();
+        result.putArray("pixel").add(x).add(y);
+        add(result.putArray("color"), film.red(x, y), film.green(x, y), film.blue(x, y));
+        int displayed = SceneView.of(scene).pack(film.red(x, y), film.green(x, y), film.blue(x, y));
+        result.putArray("displayed").add(displayed >> 16 & 0xFF).add(displayed >> 8 & 0xFF).add(displayed & 0xFF);
+        result.set("center", PointDescription.of(explainer.geometry(), report));
+        return result;
+    }
+
+    private static void add(ArrayNode array, float... values) {
+        for (float value : values) {
+            array.add(value);
+        }
+    }
+}

@@ -1,0 +1,210 @@
+package lightning.serve;
+
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.concurrent.CancellationException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.RejectedExecutionException;
+import java.util.concurrent.TimeUnit;
+import lightning.base.work.DedicatedThread;
+import lightning.editor.document.OpenDocument;
+import lightning.render.relight.Renderer;
+import lightning.render.relight.UpdateResult;
+import lightning.render.relight.tile.RenderOptions;
+import lightning.render.trace.MeshMemory;
+import lightning.scene.Scene;
+import tools.jackson.databind.node.ObjectNode;
+
+/** Open scene: its document, its renderer with the cache, and a thread that runs its requests in order. */
+final class SceneSession {
+    private static final long END_SECONDS = 3;
+    private static final long UNKNOWN = -1;
+
+    private final Server server;
+    /** Client whose end closes the scene; null if it stays open. */
+    private final Client owner;
+    private final ExecutorService thread = DedicatedThread.sequentialExecutor("lightning-scene");
+    private final Renderer renderer;
+    private final SharedPictures sharedPictures;
+    private final SceneEditing editing = new SceneEditing();
+    private final int number;
+    private boolean isClosed;
+    /** Bytes of cache and meshes; −1 if they are not known since the last update. */
+    private volatile long usedBytes = UNKNOWN;
+    /** Document's file and scene, for other threads; null until it is loaded. */
+    private volatile Description description;
+
+    private record Description(Path file, Scene scene) {}
+
+    SceneSession(Server server, int number, Client owner) {
+        this.server = server;
+        this.number = number;
+        this.owner = owner;
+        renderer = new Renderer(RenderOptions.DEFAULT);
+        sharedPictures = new SharedPictures(server);
+    }
+
+    /** Puts a request into the scene's line. */
+    void execute(Request request) {
+        try {
+            thread.execute(() -> run(request));
+        } catch (RejectedExecutionException e) {
+            request.client().fail(request, Server.unknownScene(number));
+        }
+    }
+
+    private void run(Request request) {
+        ObjectNode result;
+        try {
+            if (request.isCanceled()) {
+                throw new CancellationException();
+            }
+            if (isClosed) {
+                throw Server.unknownScene(number);
+            }
+            result = switch (request.method()) {
+                case OPEN -> open(request);
+                case RENDER -> new PictureRequest(this, request).run();
+                case EXPLAIN -> new PixelRequest(this, request).run();
+                case CLOSE -> {
+                    close();
+                    yield JsonLines.JSON.createObjectNode();
+                }
+                default -> edit(request);
+            };
+        } catch (Throwable e) {
+            if (request.method() == Method.OPEN) {
+                close();
+            }
+            request.client().fail(request, Failures.of(e));
+            return;
+        }
+        request.client().answer(request, result);
+    }
+
+    private ObjectNode open(Request request) throws Exception {
+        ObjectNode content = editing.open(request.fields());
+        publish();
+        usedBytes = UNKNOWN;
+        ObjectNode result = JsonLines.JSON.createObjectNode().put(Method.SCENE, number);
+        result.setAll(content);
+        return result;
+    }
+
+    private ObjectNode edit(Request request) throws Exception {
+        ObjectNode result = editing.run(request.method(), request.fields());
+        publish();
+        return result;
+    }
+
+    private void publish() {
+        description = new Description(document().file(), scene());
+    }
+
+    OpenDocument document() {
+        return editing.document();
+    }
+
+    Scene scene() {
+        return editing.document().scene();
+    }
+
+    Renderer renderer() {
+        return renderer;
+    }
+
+    Server server() {
+        return server;
+    }
+
+    SharedPictures sharedPictures() {
+        return sharedPictures;
+    }
+
+    /** Returns the bytes of its cache and meshes. Call only in the turn of a scene. */
+    long usedBytes() {
+        if (usedBytes == UNKNOWN) {
+            usedBytes = countBytes();
+        }
+        return usedBytes;
+    }
+
+    /** Takes milliseconds for large pictures, so an edit must not wait for it. */
+    private long countBytes() {
+        return description == null ? 0 : MeshMemory.bytes(description.scene) + renderer.bytes();
+    }
+
+    /**
+     * Updates the picture to the scene when it is the scene's turn.
+     *
+     * @param reserved bytes that the request needs besides
+     */
+    UpdateResult update(Request request, long reserved) {
+        document().frameProblem().ifPresent(problem -> {
+            throw new RequestException(ErrorCode.BAD_SCENE, "frame", problem);
+        });
+        server.turn().await(request);
+        try {
+            var options = server.renderOptions(this);
+            renderer.setOptions(options.withMemory(options.memory() - reserved));
+            return renderer.renderOrClear(scene(), request.progress());
+        } finally {
+            usedBytes = UNKNOWN;
+            server.turn().release(request);
+        }
+    }
+
+    /** Describes the scene for a list; empty until it is loaded. */
+    Optional<ObjectNode> describe() {
+        Description known = description;
+        if (known == null) {
+            return Optional.empty();
+        }
+        ObjectNode node = JsonLines.JSON.createObjectNode().put(Method.SCENE, number).put("file", known.file.toString());
+        node.putArray("size").add(known.scene.picture().width()).add(known.scene.picture().height());
+        return Optional.of(node.put("bytes", usedBytes == UNKNOWN ? countBytes() : usedBytes).put("keep", owner == null));
+    }
+
+    /** Closes the scene if this client has opened it, after its requests. */
+    void clientGone(Client client) {
+        try {
+            thread.execute(() -> {
+                if (client == owner) {
+                    close();
+                } else {
+                    sharedPictures.close(client);
+                }
+            });
+        } catch (RejectedExecutionException e) {
+            // It is closed.
+        }
+    }
+
+    private void close() {
+        if (!isClosed) {
+            isClosed = true;
+            server.remove(number);
+            sharedPictures.close();
+            renderer.close();
+            thread.shutdown();
+        }
+    }
+
+    /** Closes the scene after its requests. */
+    void end() {
+        try {
+            thread.execute(this::close);
+        } catch (RejectedExecutionException e) {
+            // It is closed.
+        }
+    }
+
+    /** Waits a few seconds until it is closed. */
+    void awaitEnd() {
+        try {
+            thread.awaitTermination(END_SECONDS, TimeUnit.SECONDS);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+}

@@ -1,0 +1,62 @@
+package lightning.serve;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.Optional;
+import lightning.base.file.SharedMemoryFile;
+
+/** Files of one scene that clients map into their memory: one for each client, and one for each path that a client names. */
+final class SharedPictures {
+    private final Server server;
+    /** Files by client or path. */
+    private final Map<Object, SharedMemoryFile> files = new HashMap<>();
+
+    SharedPictures(Server server) {
+        this.server = server;
+    }
+
+    /**
+     * Returns the file for a picture: the one of the last picture if it has the same size, else a new one in its place.
+     *
+     * @param path path that the client names; empty for a file in shared memory
+     */
+    SharedMemoryFile file(Client client, Optional<Path> path, long bytes) throws IOException {
+        Object key = path.isPresent() ? path.get().toAbsolutePath().normalize() : client;
+        SharedMemoryFile known = files.get(key);
+        if (known != null && known.bytes() == bytes) {
+            return known;
+        }
+        if (known != null) {
+            files.remove(key);
+            known.close();
+        }
+        SharedMemoryFile created =
+                SharedMemoryFile.create(path.isPresent() ? path.get().toAbsolutePath().normalize() : server.newSharedPath(), bytes);
+        files.put(key, created);
+        return created;
+    }
+
+    /** Removes the file of a client. */
+    void close(Client client) {
+        SharedMemoryFile file = files.remove(client);
+        if (file != null) {
+            close(file);
+        }
+    }
+
+    /** Removes all files. */
+    void close() {
+        files.values().forEach(SharedPictures::close);
+        files.clear();
+    }
+
+    private static void close(SharedMemoryFile file) {
+        try {
+            file.close();
+        } catch (IOException e) {
+            // The folder's end, or the next server, removes it.
+        }
+    }
+}

@@ -1,0 +1,103 @@
+"""Lights of UsdLux."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from output import Output, numbers
+from pxr import Usd, UsdGeom, UsdLux
+
+KINDS = {"DistantLight", "SphereLight", "DiskLight", "RectLight", "CylinderLight", "DomeLight", "DomeLight_1"}
+INPUTS = {"intensity": 1.0, "exposure": 0.0, "normalize": False, "diffuse": 1.0, "specular": 1.0, "angle": 0.53, "radius": 0.5,
+          "width": 1.0, "height": 1.0, "length": 1.0}
+
+
+def is_light(prim: Usd.Prim) -> bool:
+    """Returns whether a prim is a light of a type of its own."""
+    return prim.GetTypeName() in KINDS or prim.IsA(UsdLux.NonboundableLightBase) or prim.IsA(UsdLux.BoundableLightBase)
+
+
+def value(prim: Usd.Prim, name: str, time: Usd.TimeCode, fallback: Any) -> Any:
+    """Returns the value of an attribute, also by its name without `inputs:` in old files."""
+    for candidate in (name, name.removeprefix("inputs:")):
+        attribute = prim.GetAttribute(candidate)
+        if attribute and attribute.HasAuthoredValue():
+            found = attribute.Get(time)
+            return fallback if found is None else found
+    attribute = prim.GetAttribute(name)
+    found = attribute.Get(time) if attribute else None
+    return fallback if found is None else found
+
+
+def light(prim: Usd.Prim, time: Usd.TimeCode, out: Output) -> dict[str, Any]:
+    """Returns a light at a time."""
+    kind = prim.GetTypeName()
+    result: dict[str, Any] = {"type": str(kind), "matrix": numbers(UsdGeom.XformCache(time).GetLocalToWorldTransform(prim))}
+    for name, fallback in INPUTS.items():
+        result[name] = type(fallback)(value(prim, "inputs:" + name, time, fallback))
+    result["color"] = numbers(value(prim, "inputs:color", time, (1, 1, 1)))
+    if value(prim, "inputs:enableColorTemperature", time, False):
+        result["temperature"] = float(value(prim, "inputs:colorTemperature", time, 6500.0))
+    result["treatAsPoint"] = bool(value(prim, "treatAsPoint", time, False))
+    result["treatAsLine"] = bool(value(prim, "treatAsLine", time, False))
+    result["hidden"] = UsdGeom.Imageable(prim).ComputeVisibility(time) == UsdGeom.Tokens.invisible
+    result["shadows"] = bool(value(prim, "inputs:shadow:enable", time, True))
+    result["pole"] = str(value(prim, "poleAxis", time, "scene")) if kind == "DomeLight_1" else "Y"
+    texture = value(prim, "inputs:texture:file", time, None)
+    if texture and texture.path:
+        result["texture"] = out.file(texture)
+        result["format"] = str(value(prim, "inputs:texture:format", time, "automatic"))
+    if prim.HasAPI(UsdLux.ShapingAPI) or prim.GetAttribute("inputs:shaping:cone:angle").HasAuthoredValue():
+        result["shaping"] = shaping(prim, time, out)
+    if prim.GetRelationship("light:filters").GetTargets():
+        out.note("light filters")
+    return result
+
+
+def shaping(prim: Usd.Prim, time: Usd.TimeCode, out: Output) -> dict[str, Any]:
+    """Returns the cone and the profile of a light."""
+    result: dict[str, Any] = {
+        "angle": float(value(prim, "inputs:shaping:cone:angle", time, 90.0)),
+        "softness": float(value(prim, "inputs:shaping:cone:softness", time, 0.0)),
+        "focus": float(value(prim, "inputs:shaping:focus", time, 0.0)),
+    }
+    profile = value(prim, "inputs:shaping:ies:file", time, None)
+    if profile and profile.path:
+        result["profile"] = out.file(profile)
+        result["angleScale"] = float(value(prim, "inputs:shaping:ies:angleScale", time, 0.0))
+    if any(value(prim, "inputs:shaping:focusTint", time, (0, 0, 0))):
+        out.note("focus tints of lights")
+    return result
+
+
+def linked_nodes(prim: Usd.Prim, nodes: list[dict[str, Any]], out: Output) -> dict[str, Any]:
+    """Returns the nodes that a light is linked to: {"light": ..., "shadow": ...}, each {"only": yes or no, "nodes": [...]}."""
+    api = UsdLux.LightAPI(prim)
+    result = {}
+    for key, collection in (("light", api.GetLightLinkCollectionAPI()), ("shadow", api.GetShadowLinkCollectionAPI())):
+        includes = collection.GetIncludesRel().GetTargets()
+        excludes = collection.GetExcludesRel().GetTargets()
+        root = collection.GetIncludeRootAttr()
+        if not includes and not excludes and root.Get() is not False:
+            continue
+        if not includes and not excludes and collection.GetMembershipExpressionAttr().Get():
+            out.note("light links by expressions")
+            continue
+        result[key] = selection(collection.ComputeMembershipQuery(), nodes, root.Get() is not False)
+    return result
+
+
+def selection(query: Usd.CollectionMembershipQuery, nodes: list[dict[str, Any]], with_root: bool) -> dict[str, Any]:
+    """Returns the list of nodes, of all that show something, that is included as a whole, or excluded if the root is included."""
+    shows = [any(key in node for key in ("mesh", "solid", "instances")) for node in nodes]
+    # Bits: 1 for an included object in the node, 2 for an excluded one. Children follow their parents in the list.
+    state = [0] * len(nodes)
+    for i in range(len(nodes) - 1, -1, -1):
+        if shows[i]:
+            state[i] |= 1 if query.IsPathIncluded(nodes[i]["path"]) else 2
+        if nodes[i]["parent"] >= 0:
+            state[nodes[i]["parent"]] |= state[i]
+    own = [i for i, node in enumerate(nodes) if node["parent"] != -2]
+    def tops(wanted: int) -> list[int]:
+        return [i for i in own if state[i] == wanted and (nodes[i]["parent"] < 0 or state[nodes[i]["parent"]] != wanted)]
+    return {"only": not with_root, "nodes": tops(2 if with_root else 1)}

@@ -1,0 +1,129 @@
+"""Meshes and simple solids."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from output import Output
+from pxr import Sdf, Usd, UsdGeom, Vt
+
+SOLIDS = {"Sphere", "Cylinder", "Cylinder_1", "Cone", "Capsule", "Capsule_1", "Plane"}
+
+
+def identity(prim: Usd.Prim) -> Sdf.Path:
+    """Returns the same path for all instances of a prim."""
+    return prim.GetPrimInPrototype().GetPath() if prim.IsInstanceProxy() else prim.GetPath()
+
+
+def solid(prim: Usd.Prim, time: Usd.TimeCode) -> dict[str, Any]:
+    """Returns a simple solid, with sizes in its own space."""
+    result: dict[str, Any] = {"type": str(prim.GetTypeName()).removesuffix("_1")}
+    for name in ("size", "radius", "height", "width", "length", "radiusTop", "radiusBottom"):
+        attribute = prim.GetAttribute(name)
+        if attribute:
+            result[name] = float(attribute.Get(time))
+    if prim.GetAttribute("axis"):
+        result["axis"] = str(prim.GetAttribute("axis").Get())
+    return result
+
+
+def floats(values: Any, kind: Any) -> Any:
+    """Returns vectors as an array of floats: old files have doubles, or other types that usd-core reads nevertheless."""
+    return values if isinstance(values, kind) else kind([tuple(float(number) for number in vector) for vector in values])
+
+
+class Meshes:
+    """All meshes of a stage; instances share one."""
+
+    def __init__(self, out: Output, time: Usd.TimeCode) -> None:
+        self.out = out
+        self.time = time
+        self.all: list[dict[str, Any]] = []
+        self.known: dict[tuple[Any, ...], int] = {}
+
+    def of(self, mesh: UsdGeom.Mesh, materials: Any, material: int) -> int:
+        """Returns the index of a mesh; -1 if it has no faces."""
+        prim = mesh.GetPrim()
+        coordinates = materials.coordinates(material)
+        key = (identity(prim), coordinates, material < 0)
+        if key not in self.known:
+            self.known[key] = self.add(mesh, coordinates, material < 0)
+        return self.known[key]
+
+    def cube(self, prim: Usd.Prim) -> int:
+        """Returns the index of a cube."""
+        half = float(prim.GetAttribute("size").Get(self.time)) / 2
+        key = ("cube", half)
+        if key not in self.known:
+            corners = [(x, y, z) for x in (-half, half) for y in (-half, half) for z in (-half, half)]
+            faces = [0, 1, 3, 2, 4, 6, 7, 5, 0, 4, 5, 1, 2, 3, 7, 6, 0, 2, 6, 4, 1, 5, 7, 3]
+            self.known[key] = len(self.all)
+            self.all.append({"name": "cube", "path": str(prim.GetPath()), "points": self.out.array(Vt.Vec3fArray(corners)),
+                             "counts": self.out.array(Vt.IntArray([4] * 6)), "indices": self.out.array(Vt.IntArray(faces)),
+                             "left": False, "smooth": False})
+        return self.known[key]
+
+    def add(self, mesh: UsdGeom.Mesh, coordinates: str, colored: bool) -> int:
+        """Adds a mesh."""
+        prim, out = mesh.GetPrim(), self.out
+        points = mesh.GetPointsAttr().Get(self.time)
+        counts = mesh.GetFaceVertexCountsAttr().Get(self.time)
+        indices = mesh.GetFaceVertexIndicesAttr().Get(self.time)
+        if not points or not counts or not indices:
+            out.note("meshes without faces")
+            return -1
+        try:
+            points = floats(points, Vt.Vec3fArray)
+        except (TypeError, ValueError):
+            out.note("meshes whose points are of another type")
+            return -1
+        scheme = str(mesh.GetSubdivisionSchemeAttr().Get())
+        result: dict[str, Any] = {
+            "name": prim.GetName(), "path": str(prim.GetPath()),
+            "points": out.array(points), "counts": out.array(counts), "indices": out.array(indices),
+            "left": mesh.GetOrientationAttr().Get() == UsdGeom.Tokens.leftHanded,
+            "smooth": scheme in ("catmullClark", "loop"),
+        }
+        holes = mesh.GetHoleIndicesAttr().Get(self.time)
+        if holes:
+            result["holes"] = out.array(holes)
+        if scheme in ("catmullClark", "loop"):
+            out.note("subdivision surfaces, imported as their control meshes")
+        if mesh.GetPointsAttr().ValueMightBeTimeVarying():
+            out.note("deforming meshes, at the first frame")
+        api = UsdGeom.PrimvarsAPI(prim)
+        normals = api.GetPrimvar("normals")
+        if normals and normals.HasAuthoredValue():
+            self.attach(result, "normals", normals.Get(self.time), normals.GetIndices(self.time), str(normals.GetInterpolation()), Vt.Vec3fArray)
+        elif mesh.GetNormalsAttr().HasAuthoredValue():
+            self.attach(result, "normals", mesh.GetNormalsAttr().Get(self.time), None, str(mesh.GetNormalsInterpolation()), Vt.Vec3fArray)
+        uv = self.texture_coordinates(api, coordinates)
+        if uv:
+            self.attach(result, "uv", uv.Get(self.time), uv.GetIndices(self.time), str(uv.GetInterpolation()), Vt.Vec2fArray)
+        color = api.FindPrimvarWithInheritance("displayColor")
+        if colored and color and color.HasValue() and color.GetInterpolation() != "constant":
+            self.attach(result, "colors", color.Get(self.time), color.GetIndices(self.time), str(color.GetInterpolation()), Vt.Vec3fArray)
+        self.all.append(result)
+        return len(self.all) - 1
+
+    def attach(self, result: dict[str, Any], name: str, values: Any, indices: Any, interpolation: str, kind: Any) -> None:
+        """Adds values of vertices or faces."""
+        if not values:
+            return
+        try:
+            entry = {"values": self.out.array(floats(values, kind)), "interpolation": interpolation}
+        except (TypeError, ValueError, RuntimeError):
+            self.out.note(f"{name} of meshes that are of another type")
+            return
+        if indices:
+            entry["indices"] = self.out.array(indices)
+        result[name] = entry
+
+    @staticmethod
+    def texture_coordinates(api: UsdGeom.PrimvarsAPI, wanted: str) -> Any:
+        """Returns the primvar of texture coordinates: the wanted one, a usual one, or any."""
+        for name in (wanted, "st", "UVMap", "uv", "st0", "map1"):
+            primvar = api.FindPrimvarWithInheritance(name) if name else None
+            if primvar and primvar.HasValue():
+                return primvar
+        return next((p for p in api.GetPrimvarsWithValues() if p.GetTypeName() == Sdf.ValueTypeNames.TexCoord2fArray), None)

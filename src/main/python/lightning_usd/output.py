@@ -1,0 +1,87 @@
+"""The description of a stage: a JSON document, and arrays beside it."""
+
+from __future__ import annotations
+
+import json
+import math
+from pathlib import Path
+from typing import Any
+
+MAX_BYTES = 2**31 - 65536
+MAX_NODES = 1_000_000
+MAX_FRAMES = 10_000
+
+
+class StageError(Exception):
+    """One sentence that says why a stage cannot be described."""
+
+
+class Output:
+    """Collects the description; `ref` values are [byte offset, number of bytes] in arrays.bin."""
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder
+        self.arrays = open(folder / "arrays.bin", "wb")
+        self.size = 0
+        self.notes: dict[str, int] = {}
+        self.files: dict[str, dict[str, str]] = {}
+
+    def note(self, kind: str, count: int = 1) -> None:
+        """Counts features that are left out or approximated."""
+        if count:
+            self.notes[kind] = self.notes.get(kind, 0) + count
+
+    def array(self, values: Any) -> list[int]:
+        """Writes an array of usd-core as bytes of the machine, and returns its ref."""
+        data = memoryview(values).cast("B") if len(values) else b""
+        if self.size + len(data) > MAX_BYTES:
+            raise StageError("has more than 2 GiB of meshes and instances")
+        self.arrays.write(data)
+        ref = [self.size, len(data)]
+        self.size += len(data)
+        return ref
+
+    def file(self, asset: Any) -> dict[str, str]:
+        """Returns a file that the stage names: its name, and where it can be read; no place if it is missing."""
+        from pxr import Ar
+
+        place = asset.resolvedPath
+        known = self.files.get(place)
+        if known is not None and place:
+            return known
+        name = (asset.path.rstrip("]").split("[")[-1] or "file").replace("\\", "/").split("/")[-1]
+        result = {"name": name}
+        if place and not Ar.IsPackageRelativePath(place):
+            result["place"] = place
+        elif place:
+            data = Ar.GetResolver().OpenAsset(Ar.ResolvedPath(place))
+            if data and data.GetSize() <= MAX_BYTES:
+                copy = self.folder / f"file{len(self.files)}{Path(name).suffix[:8]}"
+                copy.write_bytes(data.GetBuffer())
+                result["place"] = str(copy)
+        self.files[place] = result
+        return result
+
+    def write(self, document: dict[str, Any]) -> None:
+        """Ends the description."""
+        self.arrays.close()
+        document["notes"] = self.notes
+        with open(self.folder / "stage.json", "w", encoding="utf-8") as out:
+            json.dump(finite(document), out, allow_nan=False, separators=(",", ":"))
+
+
+def finite(value: Any) -> Any:
+    """Returns the value with null for numbers that are infinite or none."""
+    if isinstance(value, dict):
+        return {key: finite(v) for key, v in value.items()}
+    if isinstance(value, list):
+        return [finite(v) for v in value]
+    if isinstance(value, float) and not math.isfinite(value):
+        return None
+    return value
+
+
+def numbers(value: Any) -> list[float]:
+    """Returns the numbers of a vector or a matrix of usd-core, row by row."""
+    rows = [list(row) if hasattr(row, "__len__") else [row] for row in value]
+    return [float(number) for row in rows for number in row]

@@ -1,0 +1,259 @@
+"""Walks over a stage: nodes, and the times at which they move."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+from typing import Any
+
+from cameras import camera, chosen_camera
+from lights import is_light, light, linked_nodes
+from materials import Materials
+from meshes import Meshes, SOLIDS, solid
+from output import MAX_FRAMES, MAX_NODES, Output, StageError, numbers
+from pxr import Gf, Sdf, Usd, UsdGeom, UsdLux, UsdShade, UsdSkel, Vt
+
+LEFT_OUT = {"BasisCurves": "curves", "NurbsCurves": "curves", "HermiteCurves": "curves", "NurbsPatch": "NURBS patches",
+            "Points": "point clouds", "Volume": "volumes", "TetMesh": "tetrahedral meshes"}
+
+
+def describe(source: str, folder: Path) -> None:
+    """Writes the description of a stage."""
+    layer = Sdf.Layer.FindOrOpen(source)
+    if layer and layer.timeCodesPerSecond == 0:
+        # usd-core would never end.
+        raise StageError("must have timeCodesPerSecond above 0, has 0")
+    stage = Usd.Stage.Open(source)
+    if not stage:
+        raise StageError("cannot be read by usd-core")
+    Walk(stage, Output(folder)).run()
+
+
+class Walk:
+    """One pass over a stage."""
+
+    def __init__(self, stage: Usd.Stage, out: Output) -> None:
+        self.stage = stage
+        self.out = out
+        self.nodes: list[dict[str, Any]] = []
+        self.moving: list[tuple[dict[str, Any], Usd.Prim]] = []
+        self.times: set[float] = set()
+        self.has_range = stage.HasAuthoredTimeCodeRange() and stage.GetEndTimeCode() >= stage.GetStartTimeCode()
+        self.time = Usd.TimeCode(stage.GetStartTimeCode()) if self.has_range else Usd.TimeCode.EarliestTime()
+        self.materials = Materials(out, self.time)
+        self.meshes = Meshes(out, self.time)
+        self.lights: list[Usd.Prim] = []
+        self.cameras: list[Usd.Prim] = []
+        self.prototypes: dict[Sdf.Path, int] = {}
+
+    def run(self) -> None:
+        """Writes the description."""
+        self.bake_skinning()
+        self.walk(self.stage.GetPseudoRoot(), -1, False)
+        cameras = [chosen_camera(self.stage, self.cameras)] if self.cameras else []
+        self.out.note("additional cameras", len(self.cameras) - len(cameras))
+        frames = self.frames(cameras)
+        first_shift = frames[2] if frames else 0
+        for node, prim in self.moving if frames else []:
+            self.sample_node(node, prim, frames)
+        document = {
+            "version": 1,
+            "up": str(UsdGeom.GetStageUpAxis(self.stage)),
+            "meters": float(UsdGeom.GetStageMetersPerUnit(self.stage)),
+            "frames": None if not frames else [frames[0] - first_shift, frames[1] - first_shift, float(self.stage.GetTimeCodesPerSecond())],
+            "shift": first_shift,
+            "cameras": [self.over_time(prim, camera, frames) for prim in cameras],
+            "lights": [self.describe_light(prim, frames) for prim in self.lights],
+            "nodes": self.nodes,
+            "meshes": self.meshes.all,
+            "materials": self.materials.all,
+        }
+        self.out.note("references that cannot be loaded", len(self.stage.GetCompositionErrors()))
+        self.out.write(document)
+
+    def bake_skinning(self) -> None:
+        """Puts skinned meshes into their pose at the first frame."""
+        roots = [prim for prim in self.stage.Traverse() if prim.IsA(UsdSkel.Root)]
+        if not roots:
+            return
+        self.out.note("skeletons, meshes posed as at the first frame", len(roots))
+        self.stage.SetEditTarget(self.stage.GetSessionLayer())
+        start = self.stage.GetStartTimeCode() if self.has_range else 0.0
+        for root in roots:
+            try:
+                UsdSkel.BakeSkinning(UsdSkel.Root(root), Gf.Interval(start, start))
+            except Exception:
+                self.out.note("skeletons that cannot be evaluated")
+
+    def walk(self, root: Usd.Prim, parent: int, is_prototype: bool) -> int:
+        """Adds the nodes of a prim and all below; returns the index of the first."""
+        first = len(self.nodes)
+        stack = [parent]
+        walk = iter(Usd.PrimRange.PreAndPostVisit(root, Usd.TraverseInstanceProxies(Usd.PrimDefaultPredicate)))
+        for prim in walk:
+            if walk.IsPostVisit():
+                stack.pop()
+                continue
+            if prim.IsPseudoRoot():
+                stack.append(-1)
+                continue
+            if prim.IsA(UsdShade.Material) or prim.IsA(UsdShade.Shader) or prim.IsA(UsdShade.NodeGraph) or prim.IsA(UsdGeom.Subset):
+                stack.append(stack[-1])
+                walk.PruneChildren()
+                continue
+            if len(self.nodes) >= MAX_NODES:
+                raise StageError(f"has more than {MAX_NODES} prims")
+            index = self.add(prim, stack[-1], is_prototype and prim == root)
+            if prim.IsA(UsdGeom.PointInstancer):
+                walk.PruneChildren()
+            stack.append(index)
+        return first
+
+    def add(self, prim: Usd.Prim, parent: int, is_prototype: bool) -> int:
+        """Adds the node of one prim."""
+        node: dict[str, Any] = {"name": prim.GetName(), "path": str(prim.GetPath()), "parent": parent}
+        index = len(self.nodes)
+        self.nodes.append(node)
+        xform = UsdGeom.Xformable(prim)
+        if xform and not is_prototype:
+            node["matrix"] = numbers(xform.GetLocalTransformation(self.time))
+            if xform.GetResetXformStack():
+                node["parent"] = -1
+            if xform.TransformMightBeTimeVarying():
+                self.moving.append((node, prim))
+                self.times.update(xform.GetTimeSamples())
+        imageable = UsdGeom.Imageable(prim)
+        if imageable:
+            visibility = imageable.GetVisibilityAttr()
+            node["hidden"] = visibility.Get(self.time) == UsdGeom.Tokens.invisible
+            if visibility.ValueMightBeTimeVarying():
+                self.times.update(visibility.GetTimeSamples())
+                self.moving.append((node, prim)) if not self.moving or self.moving[-1][0] is not node else None
+        if is_light(prim):
+            self.lights.append(prim)
+            if prim.IsInstanceProxy():
+                self.out.note("lights inside instances, which an exported layer cannot change")
+        elif prim.IsA(UsdGeom.Camera):
+            self.cameras.append(prim)
+        elif prim.IsA(UsdGeom.PointInstancer):
+            self.add_instances(node, prim)
+        elif prim.IsA(UsdGeom.Gprim):
+            self.add_geometry(node, prim)
+        if prim.HasAPI(UsdLux.MeshLightAPI):
+            self.out.note("meshes that are lights")
+        return index
+
+    def add_geometry(self, node: dict[str, Any], prim: Usd.Prim) -> None:
+        """Adds a mesh or a simple solid."""
+        kind = prim.GetTypeName()
+        purpose = UsdGeom.Imageable(prim).ComputePurpose()
+        if purpose in (UsdGeom.Tokens.guide, UsdGeom.Tokens.proxy):
+            self.out.note(f"objects of purpose {purpose}")
+        elif prim.IsA(UsdGeom.Mesh):
+            material = self.materials.of(prim)
+            mesh = self.meshes.of(UsdGeom.Mesh(prim), self.materials, material)
+            if mesh >= 0:
+                node["mesh"] = mesh
+                node["material"] = material if material >= 0 else self.materials.display(prim)
+                node["subsets"] = self.materials.subsets(prim)
+        elif kind == "Cube":
+            node["mesh"] = self.meshes.cube(prim)
+            material = self.materials.of(prim)
+            node["material"] = material if material >= 0 else self.materials.display(prim)
+        elif kind in SOLIDS:
+            node["solid"] = solid(prim, self.time)
+            material = self.materials.of(prim)
+            node["material"] = material if material >= 0 else self.materials.display(prim)
+        else:
+            self.out.note(LEFT_OUT.get(kind, f"objects of type {kind}"))
+
+    def add_instances(self, node: dict[str, Any], prim: Usd.Prim) -> None:
+        """Adds the instances of a point instancer."""
+        instancer = UsdGeom.PointInstancer(prim)
+        targets = instancer.GetPrototypesRel().GetForwardedTargets()
+        indices = instancer.GetProtoIndicesAttr().Get(self.time)
+        if not targets or not indices:
+            return
+        # The base time of velocities is the time itself; an unset default time has none.
+        time = self.time if self.time.IsNumeric() and not self.time.IsEarliestTime() else Usd.TimeCode(0)
+        matrices = instancer.ComputeInstanceTransformsAtTime(time, time, applyMask=UsdGeom.PointInstancer.IgnoreMask)
+        mask = instancer.ComputeMaskAtTime(self.time)
+        if len(matrices) != len(indices):
+            self.out.note("point instancers whose arrays differ in length")
+            return
+        if mask:
+            kept = [i for i, shown in enumerate(mask) if shown]
+            indices = Vt.IntArray([indices[i] for i in kept])
+            matrices = Vt.Matrix4dArray([matrices[i] for i in kept])
+        if len(indices) > MAX_NODES:
+            raise StageError(f"has a point instancer of {len(indices)} instances, more than {MAX_NODES}")
+        if instancer.GetPositionsAttr().ValueMightBeTimeVarying():
+            self.out.note("moving points of instancers, at the first frame")
+        roots = []
+        for target in targets:
+            if target not in self.prototypes:
+                prototype = self.stage.GetPrimAtPath(target)
+                self.prototypes[target] = -1
+                if prototype and not prim.GetPath().HasPrefix(target):
+                    self.prototypes[target] = self.walk(prototype, -2, True)
+            roots.append(self.prototypes[target])
+        node["instances"] = {"prototypes": roots, "indices": self.out.array(indices), "matrices": self.out.array(matrices)}
+
+    def frames(self, cameras: list[Usd.Prim]) -> tuple[int, int, int] | None:
+        """Returns the first and last time of all that moves, and what is taken off for the number of a frame."""
+        moves = bool(self.times)
+        for prim in cameras + self.lights:
+            moves |= self.is_moving(prim)
+        if not moves:
+            return None
+        start, end = min(self.times, default=0.0), max(self.times, default=0.0)
+        if self.has_range:
+            start, end = self.stage.GetStartTimeCode(), self.stage.GetEndTimeCode()
+        if not (abs(start) < 1e8 and abs(end) < 1e8):
+            self.out.note("animation beyond frame 100000000")
+            return None
+        first, last = math.floor(start), math.ceil(end)
+        self.out.note(f"frames after the first {MAX_FRAMES}", max(0, last - first + 1 - MAX_FRAMES))
+        self.out.note("frames before 0, all moved", 1 if first < 0 else 0)
+        return first, min(last, first + MAX_FRAMES - 1), min(first, 0)
+
+    def is_moving(self, prim: Usd.Prim) -> bool:
+        """Returns whether an attribute of a prim, or the transform of one above it, has time samples. Collects their times."""
+        samples: set[float] = set()
+        for attribute in prim.GetAuthoredAttributes():
+            samples.update(attribute.GetTimeSamples())
+        while prim and not prim.IsPseudoRoot():
+            xform = UsdGeom.Xformable(prim)
+            if xform:
+                samples.update(xform.GetTimeSamples())
+            prim = prim.GetParent()
+        self.times.update(samples)
+        return len(samples) > 1
+
+    def sample_node(self, node: dict[str, Any], prim: Usd.Prim, frames: tuple[int, int, int]) -> None:
+        """Adds the transforms and the visibility at all frames."""
+        xform = UsdGeom.Xformable(prim)
+        times = range(frames[0], frames[1] + 1)
+        if xform and xform.TransformMightBeTimeVarying():
+            node["matrices"] = self.out.array(Vt.Matrix4dArray([xform.GetLocalTransformation(float(time)) for time in times]))
+        visibility = UsdGeom.Imageable(prim).GetVisibilityAttr()
+        if visibility.ValueMightBeTimeVarying():
+            node["hiddenAt"] = [visibility.Get(float(time)) == UsdGeom.Tokens.invisible for time in times]
+
+    def describe_light(self, prim: Usd.Prim, frames: tuple[int, int, int] | None) -> dict[str, Any]:
+        """Returns a light with its links."""
+        result = self.over_time(prim, light, frames)
+        result["links"] = linked_nodes(prim, self.nodes, self.out)
+        return result
+
+    def over_time(self, prim: Usd.Prim, function: Any, frames: tuple[int, int, int] | None) -> dict[str, Any]:
+        """Returns what a function says of a prim, with all frames if it moves."""
+        result = function(prim, self.time, self.out)
+        result["name"] = prim.GetName()
+        result["path"] = str(prim.GetPath())
+        result["proxy"] = prim.IsInstanceProxy()
+        if frames and self.is_moving(prim):
+            silent = Output.__new__(Output)
+            silent.notes, silent.files, silent.folder = {}, self.out.files, self.out.folder
+            result["frames"] = [function(prim, Usd.TimeCode(time), silent) for time in range(frames[0], frames[1] + 1)]
+        return result

@@ -1,0 +1,157 @@
+package lightning.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.File;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermissions;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import lightning.base.math.Transform;
+import lightning.base.math.Vec3;
+import lightning.format.jen.JenDocument;
+import lightning.format.jen.JenReader;
+import lightning.sample.PythonPrograms;
+import lightning.sample.Slow;
+import lightning.scene.Light;
+import lightning.scene.Material;
+import lightning.scene.Scene;
+import lightning.scene.SceneNode;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.json.JsonMapper;
+
+/** The Blender add-on in Blender itself. */
+@Slow
+@DisabledOnOs(OS.WINDOWS)
+class BlenderAddOnTest {
+    private static final Path SCRIPTS = Path.of("src/test/python").toAbsolutePath();
+    /** Blender has single precision, and its matrices are products. */
+    private static final double PRECISION = 2e-5;
+    @TempDir
+    private Path folder;
+
+    @BeforeEach
+    void setUp() throws IOException {
+        PythonPrograms.require("bpy");
+        Path addOn = Files.createDirectories(folder.resolve("user/extensions/user_default/lightning"));
+        try (var files = Files.list(Path.of("src/main/blender/lightning"))) {
+            for (Path file : files.filter(Files::isRegularFile).toList()) {
+                Files.copy(file, addOn.resolve(file.getFileName()));
+            }
+        }
+        String classPath =
+                Stream.of(System.getProperty("java.class.path").split(File.pathSeparator)).map(p -> Path.of(p).toAbsolutePath().toString())
+                        .collect(Collectors.joining(File.pathSeparator));
+        Path program = Files.writeString(folder.resolve("lightning"),
+                "#!/bin/sh\nexec '" + ProcessHandle.current().info().command().orElseThrow()
+                        + "' -Xmx512m -Djava.awt.headless=true --add-modules jdk.incubator.vector -cp '" + classPath
+                        + "' lightning.Main \"$@\"\n");
+        Files.setPosixFilePermissions(program, PosixFilePermissions.fromString("rwxr-xr-x"));
+        Files.writeString(addOn.resolve("program.txt"), program + "\n");
+    }
+
+    private String run(String script, String... arguments) throws IOException {
+        List<String> words = new ArrayList<>(List.of("-B", SCRIPTS.resolve(script).toString(), folder.toString()));
+        words.addAll(List.of(arguments));
+        return PythonPrograms.output(folder, words);
+    }
+
+    @Test
+    void lights_areEqualOutAndBack() throws Exception {
+        assertThat(run("blender_round_trip.py")).contains("all lights are equal");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"point", "ball", "spot", "sun", "rect", "disc", "warm", "world", "sky"})
+    void pictures_equalDirectLightOfCycles(String light) throws Exception {
+        assertThat(run("blender_cycles.py", light, Path.of("textures/evening_sky.hdr").toAbsolutePath().toString()))
+                .contains(light + ": sum");
+    }
+
+    @Test
+    void partsOfScene_areSent() throws Exception {
+        run("blender_parts.py");
+        JenDocument document = JenReader.read(folder.resolve("parts.jen"));
+        Scene scene = document.scene();
+        assertMaterials(scene);
+        assertThat(document.text()).contains("mesh Copy {").containsPattern("part Cube\n.*at 2 ");
+        assertThat(scene.stage().hasNode("Excluded") || scene.stage().hasNode("Off")).isFalse();
+        assertThat(scene.light("Away").orElseThrow().on()).isFalse();
+        assertNear(scene.light("Away").orElseThrow().position().y(), 3);
+        assertThat(document.text()).containsPattern("mesh Pot [^}]*at 20 0 0").containsPattern("mesh \"Pot 2\" [^}]*at 30 0 0");
+        assertThat(scene.light("Light").orElseThrow().illuminates().names()).containsExactly("Both");
+        JsonNode frames = JsonMapper.builder().build().readTree(Files.readAllBytes(folder.resolve("frames.json")));
+        assertThat(frames.size()).isEqualTo(12);
+        assertThat(document.shot().orElseThrow().rate()).isEqualTo(25);
+        for (var frame : frames.properties()) {
+            assertFrame(document.shot().orElseThrow().sceneAt(scene, Integer.parseInt(frame.getKey())), frame.getValue());
+        }
+    }
+
+    private static void assertMaterials(Scene scene) {
+        Material water = material(scene, "water");
+        assertThat(water.transmission().thin()).isFalse();
+        assertNear(water.transmission().ior(), 1.33);
+        // Light falls by exp(−(1 − color) · density · distance).
+        assertNear(Math.pow(water.transmission().tint().r(), 1 / water.transmission().tintDistance()), Math.exp(-0.75 * 2));
+        assertNear(Math.pow(water.transmission().tint().g(), 1 / water.transmission().tintDistance()), Math.exp(-0.5 * 2));
+        assertThat(material(scene, "crystal").transmission().thin()).isFalse();
+        assertNear(material(scene, "crystal").transmission().ior(), 1.7);
+        assertNear(material(scene, "crystal").transmission().color().g(), 0.5);
+        assertThat(material(scene, "pane").transmission().thin()).isTrue();
+        Material wall = material(scene, "wall");
+        assertThat(wall.texture()).isPresent();
+        assertThat(wall.bumpMapping().normalMap()).isPresent();
+        assertNear(wall.bumpMapping().strength(), 0.5);
+        assertNear(wall.metalness(), 0.25);
+        assertNear(wall.roughness(), 0.75);
+        assertThat(material(scene, "leaf").cutout().map()).isPresent();
+        assertNear(material(scene, "leaf").glow().r(), 2);
+    }
+
+    private static Material material(Scene scene, String name) {
+        return scene.materials().stream().filter(m -> m.name().equals(name)).findFirst().orElseThrow();
+    }
+
+    private static void assertFrame(Scene scene, JsonNode expected) {
+        assertThat(scene.picture().width()).isEqualTo(200);
+        assertThat(scene.picture().height()).isEqualTo(320);
+        for (String name : List.of("Copy", "Both")) {
+            SceneNode node = scene.stage().node(name).orElseThrow();
+            Transform transform = node.placement().transform();
+            assertNear(transform.transformVector(new Vec3(1, 0, 0)), expected.get(name).get(0));
+            assertNear(transform.transformVector(new Vec3(0, 1, 0)), expected.get(name).get(1));
+            assertNear(transform.transformVector(new Vec3(0, 0, 1)), expected.get(name).get(2));
+            assertNear(transform.transformPoint(Vec3.ZERO), expected.get(name).get(3));
+        }
+        assertNear(scene.camera().from(), expected.get("camera").get(3));
+        assertNear(scene.camera().to().minus(scene.camera().from()).normalized().times(-1), expected.get("camera").get(1));
+        assertNear(scene.camera().fov(), expected.get("fov").asDouble());
+        Light light = scene.light("Light").orElseThrow();
+        assertNear(light.position(), expected.get("Light").get(3));
+        assertThat(light.on()).isEqualTo(expected.get("on").asBoolean());
+        assertNear(light.color().g(), expected.get("color").get(1).asDouble());
+    }
+
+    private static void assertNear(Vec3 actual, JsonNode expected) {
+        assertNear(actual.x(), expected.get(0).asDouble());
+        assertNear(actual.y(), expected.get(1).asDouble());
+        assertNear(actual.z(), expected.get(2).asDouble());
+    }
+
+    private static void assertNear(double actual, double expected) {
+        assertThat(Math.abs(actual - expected)).as("%s, expected %s", actual, expected)
+                .isLessThanOrEqualTo(PRECISION * Math.max(1, Math.abs(expected)));
+    }
+}

@@ -1,0 +1,141 @@
+"""Renders lights on matte objects by Cycles and by Lightning, and compares the pictures.
+
+The bound of each pixel: Cycles' noise is estimated from two pictures with different seeds. Lightning samples each pixel on an 8 x 8 grid,
+so at an edge it can count one row of samples too much or too little, an eighth of the contrast of the pixels around.
+"""
+
+import math
+import subprocess
+import sys
+
+import blender_scene as sample
+import bpy
+import numpy
+
+WIDTH, HEIGHT = 48, 27
+SAMPLES = 1024
+KIND = sys.argv[2]
+FILE = sample.FOLDER / "shot.jen"
+PROGRAM = (sample.FOLDER / "user/extensions/user_default/lightning/program.txt").read_text(encoding="utf-8").strip()
+
+
+def build() -> None:
+    """Builds a floor, a wall and a ball, all matte, and one light."""
+    scene = bpy.context.scene
+    for name in ("Cube", "Light"):
+        bpy.data.objects.remove(bpy.data.objects[name])
+    bpy.ops.mesh.primitive_plane_add(size=8)
+    bpy.ops.mesh.primitive_cube_add(size=1, location=(0, 0, 0.5), rotation=(0, 0, 0.4))
+    bpy.ops.mesh.primitive_plane_add(size=8, location=(0, 3, 0), rotation=(math.pi / 2, 0, 0))
+    material = bpy.data.materials.new("matte")
+    shader = material.node_tree.nodes["Principled BSDF"] if material.node_tree else None
+    shader.inputs["Base Color"].default_value = (0.8, 0.6, 0.4, 1)
+    shader.inputs["Roughness"].default_value = 1
+    shader.inputs["Specular IOR Level"].default_value = 0
+    for obj in bpy.data.objects:
+        if obj.type == "MESH":
+            obj.data.materials.append(material)
+    scene.camera.location, scene.camera.rotation_euler = (3, -6, 4), (1.05, 0, 0.45)
+    scene.world.node_tree.nodes["Background"].inputs["Strength"].default_value = 0
+    scene.view_settings.view_transform = "Raw"
+    lights = {
+        "point": lambda: sample.add_light("POINT", "L", (1, -2, 3), energy=400, color=(1, 0.7, 0.4), shadow_soft_size=0),
+        "ball": lambda: sample.add_light("POINT", "L", (1, -2, 3), energy=400, shadow_soft_size=0.4, use_soft_falloff=False),
+        "spot": lambda: sample.add_light("SPOT", "L", (1, -2, 4), (0.4, 0.2, 0), energy=900, spot_size=math.radians(50), spot_blend=0.6,
+                                         shadow_soft_size=0),
+        "sun": lambda: sample.add_light("SUN", "L", rotation=(0.5, 0.4, 0), energy=2, angle=0),
+        "rect": lambda: sample.add_light("AREA", "L", (2, -2, 3), (0.6, 0.5, 0), energy=300, shape="RECTANGLE", size=1.5, size_y=0.5),
+        "disc": lambda: sample.add_light("AREA", "L", (2, -2, 3), (0.6, 0.5, 0), energy=300, shape="DISK", size=1, exposure=0.5),
+        "warm": lambda: sample.add_light("POINT", "L", (1, -2, 3), energy=400, use_temperature=True, temperature=2500,
+                                         shadow_soft_size=0),
+        "world": lambda: None,
+        "sky": lambda: None,
+    }
+    light = lights[KIND]()
+    if light is None:
+        background = scene.world.node_tree.nodes["Background"]
+        background.inputs["Color"].default_value = (0.3, 0.5, 0.9, 1)
+        background.inputs["Strength"].default_value = 0.7
+        scene.world.cycles.sampling_method = "MANUAL"
+    else:
+        # Cycles has no factor for highlights, and its matte material has none.
+        light.data.specular_factor = 0
+    if KIND == "sky":
+        show_sky(scene)
+    scene.render.resolution_x, scene.render.resolution_y, scene.render.resolution_percentage = WIDTH, HEIGHT, 100
+
+
+def show_sky(scene) -> None:
+    """Moves all objects behind the camera: the picture shows a rotated environment image."""
+    for obj in bpy.data.objects:
+        if obj.type == "MESH":
+            obj.location.y -= 60
+    scene.camera.rotation_euler = (1.6, 0.1, 0.45)
+    tree = scene.world.node_tree
+    background = tree.nodes["Background"]
+    texture, mapping, coordinates = (tree.nodes.new(f"ShaderNode{n}") for n in ("TexEnvironment", "Mapping", "TexCoord"))
+    texture.image = bpy.data.images.load(sys.argv[3])
+    mapping.inputs["Rotation"].default_value[2] = 0.7
+    tree.links.new(coordinates.outputs["Generated"], mapping.inputs["Vector"])
+    tree.links.new(mapping.outputs["Vector"], texture.inputs["Vector"])
+    tree.links.new(texture.outputs["Color"], background.inputs["Color"])
+
+
+def cycles(seed: int):
+    """Returns Cycles' picture with direct light only."""
+    scene = bpy.context.scene
+    scene.render.engine = "CYCLES"
+    settings = scene.cycles
+    settings.device, settings.samples, settings.seed = "CPU", SAMPLES, seed
+    settings.use_adaptive_sampling = settings.use_denoising = False
+    settings.max_bounces = settings.diffuse_bounces = 0
+    settings.pixel_filter_type = "BOX"
+    settings.filter_width = 1
+    scene.render.threads_mode, scene.render.threads = "FIXED", 2
+    scene.render.image_settings.file_format = "OPEN_EXR"
+    scene.render.image_settings.color_depth = "32"
+    scene.render.filepath = str(sample.FOLDER / f"cycles{seed}.exr")
+    bpy.ops.render.render(write_still=True)
+    return pixels(scene.render.filepath)
+
+
+def pixels(path: str):
+    """Returns an image's linear colors, from the bottom row."""
+    image = bpy.data.images.load(path)
+    image.colorspace_settings.name = "Non-Color"
+    values = numpy.empty(image.size[0] * image.size[1] * 4, dtype=numpy.float32)
+    image.pixels.foreach_get(values)
+    return values.reshape(image.size[1], image.size[0], 4)[:, :, :3].astype(numpy.float64)
+
+
+def contrast(picture):
+    """Returns the range of each pixel's neighborhood of 3 x 3."""
+    padded = numpy.pad(picture, ((1, 1), (1, 1), (0, 0)), mode="edge")
+    shifted = [padded[y:y + picture.shape[0], x:x + picture.shape[1]] for y in range(3) for x in range(3)]
+    return numpy.max(shifted, axis=0) - numpy.min(shifted, axis=0)
+
+
+sample.start()
+build()
+assert bpy.ops.lightning.send(filepath=str(FILE), overwrite=True) == {"FINISHED"}
+subprocess.run([PROGRAM, "relight", str(FILE), "-o", str(sample.FOLDER / "lightning.exr"), "--set", "picture.antialias=every", "--set",
+                "picture.samples=8", *([] if KIND in ("world", "sky") else ["--set", "L.samples=64"]), "--bits", "32", "--no-savings"], check=True)
+ours = pixels(str(sample.FOLDER / "lightning.exr"))
+one, two = cycles(1), cycles(2)
+theirs = (one + two) / 2
+noise = numpy.abs(one - two) / 2
+error = numpy.abs(ours - theirs)
+white = theirs.max()
+# A thousandth for the steps of both files and of Cycles' own lookup tables.
+bound = contrast(theirs) / 8 + 4 * noise.mean() + 0.001 * theirs
+if KIND == "world":
+    # 48 lights stand for the sky: a point can see two of them too much or too little, at shadows and at its horizon.
+    bound += 2 * 4 / 48 * white
+beyond = (error > bound).mean()
+ratio = ours.sum() / theirs.sum()
+print(f"{KIND}: sum {ratio:.5f}, median error {numpy.median(error / numpy.maximum(theirs, 1e-3 * white)):.5f}, "
+      f"noise {noise.mean() / theirs.mean():.5f}, beyond the bound {beyond:.5f}")
+# Where 16 or 64 samples of an area light see part of it, they can miss by one sample more.
+samples = 1 / 64 if KIND in ("ball", "rect", "disc") else 0
+assert not (error > bound + samples * white).any(), KIND
+assert abs(ratio - 1) <= (bound + samples * theirs).sum() / theirs.sum(), KIND

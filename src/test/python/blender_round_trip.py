@@ -1,0 +1,85 @@
+"""Sends a scene with every kind of light to Lightning, edits its lights there, and gets them back."""
+
+import subprocess
+
+import blender_scene as sample
+import bpy
+
+FILE = str(sample.FOLDER / "shot.jen")
+PROGRAM = (sample.FOLDER / "user/extensions/user_default/lightning/program.txt").read_text(encoding="utf-8").strip()
+# Single precision, once more after a conversion there and back.
+PRECISION = 2e-6
+
+
+def lights() -> dict:
+    return {obj.name: sample.values(obj) for obj in bpy.context.view_layer.objects if obj.type == "LIGHT"}
+
+
+def call(operator, **arguments) -> None:
+    assert operator(filepath=FILE, **arguments) == {"FINISHED"}
+    bpy.context.view_layer.update()
+
+
+sample.start()
+sample.build()
+sent = lights()
+call(bpy.ops.lightning.send)
+text = open(FILE, encoding="utf-8").read()
+assert "size 480 270" in text, text
+
+# Nothing was edited: every number keeps its bits.
+call(bpy.ops.lightning.get_lights)
+assert lights() == sent
+call(bpy.ops.lightning.send)
+assert open(FILE, encoding="utf-8").read() == text
+
+# Into another file of Blender, where all lights are new.
+for obj in [o for o in bpy.data.objects if o.type == "LIGHT"]:
+    bpy.data.objects.remove(obj)
+call(bpy.ops.lightning.get_lights)
+received = lights()
+assert received.keys() == sent.keys(), received.keys()
+for name, light in sent.items():
+    # A spot's edge is a profile in Lightning, which a new light does not have.
+    expected = light | {"spot_blend": received[name]["spot_blend"]} if "spot_blend" in light else light
+    sample.assert_same(received[name], expected, name, PRECISION)
+
+# Edited in Lightning: changed, switched off and on, added, deleted.
+edits = ["--set", "Key.intensity=2", "--set", "Key.at=0 5 0", "--set", "Spot.on=no", "--set", "Sun.on=yes",
+         "--set", "Disc.radius=1", "--set", "Soft Box.illuminates=only \"Cube\"", "--set", "keys.intensity=0.5",
+         "--set", "world.intensity=0.2", "--set", "world.rotation=-45", "--delete", "Square",
+         "--add", "rim rect intensity=4 at=0 2 -5 direction=0 0 1 width=2 height=3 falloff=inverse_square"]
+subprocess.run([PROGRAM, "relight", FILE, "-o", str(sample.FOLDER / "a.png"), "--size", "24x16", "--no-savings", "--save", FILE, *edits],
+               check=True)
+try:
+    bpy.ops.lightning.send(filepath=FILE)
+    raise AssertionError("a scene that was edited was overwritten")
+except RuntimeError as e:
+    assert "get its lights first" in str(e), e
+call(bpy.ops.lightning.get_lights)
+edited = lights()
+pi = 3.141592653589793
+expected = {name: dict(light) for name, light in received.items() if name != "Square"}
+expected["Key"] |= {"energy": 2 * 0.5 * 4 * pi ** 2, "location": [0.0, 0.0, 5.0]}
+expected["Spot"]["off"], expected["Sun"]["off"] = True, False
+expected["Disc"]["extent"] = [2.0, 2.0]
+expected["Soft Box"]["receiver_collection"] = [("Cube", "INCLUDE")]
+assert edited.keys() == expected.keys() | {"rim"}, edited.keys()
+for name, light in expected.items():
+    sample.assert_same(edited[name], light, name, PRECISION)
+rim = edited["rim"]
+sample.assert_same({k: rim[k] for k in ("energy", "extent", "location", "off")},
+                   {"energy": 4 * pi ** 2, "extent": [2.0, 3.0], "location": [0.0, 5.0, 2.0], "off": False}, "rim", PRECISION)
+
+# The light group's fader stays Lightning's.
+call(bpy.ops.lightning.send)
+assert "bank keys { intensity 0.5 }" in open(FILE, encoding="utf-8").read()
+bpy.context.view_layer.objects["Key"].data.energy *= 2
+call(bpy.ops.lightning.send)
+words = open(FILE, encoding="utf-8").read().split("light Key", 1)[1].split()
+assert abs(float(words[words.index("intensity") + 1]) - 4) <= 4 * PRECISION
+
+# The world's strength follows Lightning's intensity: one color, whose brightest channel has 255 steps.
+strength = bpy.context.scene.world.node_tree.nodes["Background"].inputs["Strength"].default_value
+assert abs(strength * 0.05087608844041824 * 256 / 255 - 0.2) <= PRECISION, strength
+print("all lights are equal")
