@@ -20,8 +20,21 @@ module lightning {
     requires static io.soabase.recordbuilder.core;
     requires static java.compiler;
 
+    // The engine as a library: docs/library.md.
+    exports lightning.base.math;
+    exports lightning.base.work;
+    exports lightning.scene;
+    exports lightning.format.jen;
+    exports lightning.format.image;
+    exports lightning.render.image;
+    exports lightning.render.relight;
+    exports lightning.render.relight.plan;
+    exports lightning.render.relight.tile;
+    exports lightning.render.shading;
+
     exports lightning.editor.window to javafx.graphics;
     opens lightning.cli to info.picocli;
+    opens lightning.cli.report to tools.jackson.databind;
     opens lightning.bench.accuracy to tools.jackson.databind;
     opens lightning.bench to tools.jackson.databind;
 }

@@ -22,7 +22,9 @@ import java.time.Instant;
 import java.util.ArrayList;
 import java.util.HexFormat;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
+import java.util.TreeMap;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -40,6 +42,7 @@ final class Release {
     private static final String SUMMARY = "Interactive lighting of ray-traced scenes";
     /** Packages that JavaFX loads by name, which no tool can detect; the second names are those with 64-bit time. */
     private static final String DEBIAN = "libgtk-3-0 | libgtk-3-0t64, libfreetype6, libpangoft2-1.0-0, libxtst6, libxxf86vm1";
+    private static final String MAINTAINER = "lightning-relight@users.noreply.github.com";
     private static final int[] ICON_SIDES = {16, 32, 48, 64, 128, 256};
 
     private final Path program;
@@ -65,12 +68,15 @@ final class Release {
         release.ship();
         release.archive();
         release.pack();
+        if (release.kind.equals("deb")) {
+            release.completeDebian();
+        }
         release.sum();
     }
 
     /** Removes the output of an earlier run; keeps files of other tools, such as the bill of materials. */
     private void clear() throws IOException {
-        for (String folder : List.of("runtime", "shipped", "training", "temporary", "associations")) {
+        for (String folder : List.of("runtime", "shipped", "training", "temporary", "associations", "debian")) {
             remove(made.resolve(folder));
         }
         Files.createDirectories(made.resolve("dist"));
@@ -167,7 +173,8 @@ final class Release {
         associate(line, "glb", "model/gltf-binary", "glTF scene");
         switch (kind) {
             case "deb" -> line.addAll(List.of("--linux-shortcut", "--linux-menu-group", "Graphics", "--linux-app-category", "graphics",
-                    "--linux-package-deps", DEBIAN, "--linux-deb-maintainer", "lightning@localhost", "--resource-dir",
+                    "--linux-package-deps", DEBIAN, "--linux-package-name", DebianPackage.NAME, "--linux-deb-maintainer", MAINTAINER,
+                    "--resource-dir",
                     "src/main/release/linux"));
             case "rpm" ->
                     line.addAll(List.of("--linux-shortcut", "--linux-menu-group", "Graphics", "--resource-dir", "src/main/release/linux"));
@@ -176,6 +183,24 @@ final class Release {
             default -> throw new IllegalArgumentException("expected a package of kind deb, rpm, msi or dmg, found " + kind);
         }
         run("jpackage", line.toArray(String[]::new));
+    }
+
+    /** Adds to the package what belongs outside the program's folder. */
+    private void completeDebian() throws IOException, InterruptedException, NoSuchAlgorithmException {
+        Path file;
+        try (Stream<Path> files = Files.list(made.resolve("dist"))) {
+            file = files.filter(found -> found.toString().endsWith(".deb")).findFirst().orElseThrow();
+        }
+        Path tree = made.resolve("debian");
+        List<List<String>> commands = DebianPackage.commands(file, tree);
+        start(commands.getFirst());
+        BufferedImage whole = ImageIO.read(Path.of("src/main/release/icon.png").toFile());
+        Map<Integer, byte[]> icons = new TreeMap<>();
+        for (int side : ICON_SIDES) {
+            icons.put(side, png(whole, side));
+        }
+        new DebianPackage(tree).complete(program.resolve("share"), icons, version, time.toString().substring(0, 10));
+        start(commands.getLast());
     }
 
     /** Returns the program's name in each system's convention. */
@@ -278,12 +303,16 @@ final class Release {
     private void run(String tool, String... words) throws IOException, InterruptedException {
         List<String> line = new ArrayList<>(List.of(Path.of(System.getProperty("java.home"), "bin", tool).toString()));
         line.addAll(List.of(words));
+        start(line);
+    }
+
+    private void start(List<String> line) throws IOException, InterruptedException {
         ProcessBuilder process = new ProcessBuilder(line).inheritIO();
         // Packaging tools limit file times to this.
         process.environment().put("SOURCE_DATE_EPOCH", Long.toString(time.to(TimeUnit.SECONDS)));
         int code = process.start().waitFor();
         if (code != 0) {
-            throw new IOException(tool + " exited with code " + code);
+            throw new IOException(line.getFirst() + " exited with code " + code);
         }
     }
 

@@ -140,9 +140,10 @@ final class ArchitectureRules {
                             + " editor.window.timeline editor.window.dock editor.window.measure editor.window.mixer editor.window.contribution"
                             + " editor.window.link editor.window.cue editor.window.welcome"),
             row("serve", DOCUMENT + " format.exr format.layer"),
+            row("cli.report", "render.shading"),
             row("cli",
                     ENGINE + " base.file scene.shot format format.hdr format.jen format.exr format.image format.layer format.pov format.exchange"
-                            + " shot shot.cluster shot.movie bench.accuracy bench bench.report serve"),
+                            + " shot shot.cluster shot.movie bench.accuracy bench bench.report cli.report serve"),
             row("", "editor.window cli"));
 
     /** @param dependencies packages that it may import, in addition to itself */

@@ -73,6 +73,16 @@ class ExamplesTest {
     }
 
     @Test
+    void shippedScene_isFoundBesideAnotherFolderOfThatName() throws IOException {
+        Path own = Files.createDirectory(folder.resolve("scenes"));
+        try {
+            runSuccessfully("check", "scenes/bird.jen");
+        } finally {
+            Files.delete(own);
+        }
+    }
+
+    @Test
     void smallExample_changesSizeAndRepetitionsOnly() {
         assertThat(
                 DocExample.shrink(List.of("shot", "relight", "a.jen", "--size", "900x600", "--cluster", "b", "--set", "c=1", "--no-savings",

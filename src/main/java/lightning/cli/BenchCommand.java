@@ -19,6 +19,7 @@ import lightning.bench.ResultsFile;
 import lightning.bench.ResultsReporter;
 import lightning.bench.accuracy.PaperCases;
 import lightning.bench.report.HtmlReport;
+import lightning.cli.report.BenchReport;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -113,6 +114,8 @@ final class BenchCommand implements Callable<Integer> {
     private Integer values;
     private Integer repetitions;
     private Integer processes;
+    /** What is worse than the baseline; null without one. */
+    private List<String> worse;
 
     @Option(names = "--processes", paramLabel = "N",
             description = "Cold starts per image (default: 10; 0 with --quick).")
@@ -168,7 +171,11 @@ final class BenchCommand implements Callable<Integer> {
         Files.createDirectories(folder);
         BenchResults results = measure(benchScenes);
         console.print("%s: report.html, results.json, results.csv and images", folder);
-        return exitCode(results, baselineResults, !benchScenes.problems().isEmpty());
+        int exit = exitCode(results, baselineResults, !benchScenes.problems().isEmpty());
+        console.report().setResult(new BenchReport(folder.toString(), folder.resolve(HtmlReport.FILE).toString(),
+                folder.resolve(BenchOutput.RESULTS).toString(), benchScenes.scenes().size(),
+                results.problems().stream().map(MeasurementFailure::what).toList(), worse));
+        return exit;
     }
 
     /** Writes the report of stored results again. */
@@ -182,6 +189,8 @@ final class BenchCommand implements Callable<Integer> {
         Files.createDirectories(targetFolder);
         HtmlReport.write(results, resultsFolder, targetFolder);
         console.print("%s", targetFolder.resolve(HtmlReport.FILE));
+        console.report().setResult(new BenchReport(targetFolder.toString(), targetFolder.resolve(HtmlReport.FILE).toString(),
+                storedResults.toString(), null, null, null));
         return ExitCode.OK;
     }
 
@@ -260,6 +269,7 @@ final class BenchCommand implements Callable<Integer> {
             if (compared.compared() == 0) {
                 throw new BadInputException(baseline + ": contains none of the edits measured now");
             }
+            worse = compared.worse();
             compared.worse().forEach(line -> console.print("%s", line));
             console.print("baseline: %s compared, %d worse", Console.count(compared.compared(), "measurement"), compared.worse().size());
             failures += compared.worse().size();

@@ -8,6 +8,9 @@ import lightning.bench.ResultsReporter;
 
 /** Output folder of a benchmark. */
 final class BenchOutput {
+    /** File name of the results. */
+    static final String RESULTS = "results.json";
+
     /** Limits periodic writes to 1/20 of the run time. */
     private static final int WRITE_INTERVAL_FACTOR = 20;
 
@@ -57,7 +60,7 @@ final class BenchOutput {
     }
 
     private void writeTables(BenchResults results) throws IOException {
-        ResultsFile.writeJson(folder.resolve("results.json"), results);
+        ResultsFile.writeJson(folder.resolve(RESULTS), results);
         ResultsFile.writeCsv(folder.resolve("results.csv"), results);
     }
 }

@@ -7,6 +7,8 @@ import java.util.TreeMap;
 import java.util.concurrent.Callable;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import lightning.cli.report.CheckReport;
+import lightning.format.jen.InertProperties;
 import lightning.scene.Gobo;
 import lightning.scene.Light;
 import lightning.scene.Scene;
@@ -34,12 +36,14 @@ final class CheckCommand implements Callable<Integer> {
     @Override
     public Integer call() throws Exception {
         Scene scene = input.read().scene();
+        Map<String, Long> objects = count(scene.placedShapes().stream().map(s -> s.shape().solid().typeName()));
+        Map<String, Long> lights = count(scene.lights().stream().map(CheckCommand::typeName));
+        long textures = scene.materials().stream().flatMap(m -> m.texture().stream()).map(t -> t.file()).distinct().count();
         List<String> parts = new ArrayList<>();
-        parts.add(describeCounts("object", scene.placedShapes().stream().map(s -> s.shape().solid().typeName())));
-        parts.add(describeCounts("light", scene.lights().stream().map(CheckCommand::typeName)));
+        parts.add(describeCounts("object", objects));
+        parts.add(describeCounts("light", lights));
         parts.add(Console.count(scene.materials().size(), "material"));
-        parts.add(Console.count(scene.materials().stream().flatMap(m -> m.texture().stream()).map(t -> t.file()).distinct().count(),
-                "texture"));
+        parts.add(Console.count(textures, "texture"));
         long gobos = scene.lights().stream().flatMap(l -> l.gobo().stream()).map(Gobo::file).distinct().count();
         if (gobos > 0) {
             parts.add(Console.count(gobos, "gobo"));
@@ -47,15 +51,25 @@ final class CheckCommand implements Callable<Integer> {
         console.print("%s: no problems; %s; %d x %d pixels, depth %d", input.path(), String.join(", ", parts),
                 scene.picture().width(), scene.picture().height(), scene.picture().depth());
         console.printWarnings(input.path(), scene);
+        InertProperties.of(scene).forEach(remark -> console.warn("%s: %s", input.path(), remark));
+        console.report().setResult(new CheckReport(input.path().toString(), total(objects), objects, total(lights), lights,
+                scene.materials().size(), textures, gobos, scene.picture().width(), scene.picture().height(), scene.picture().depth()));
         return ExitCode.OK;
     }
 
     /** Returns a count with its parts, such as "3 lights (1 point, 2 spot)". */
-    private static String describeCounts(String noun, Stream<String> kinds) {
-        Map<String, Long> counts = kinds.collect(Collectors.groupingBy(k -> k, TreeMap::new, Collectors.counting()));
-        long total = counts.values().stream().mapToLong(n -> n).sum();
+    private static String describeCounts(String noun, Map<String, Long> counts) {
+        long total = total(counts);
         String detail = counts.entrySet().stream().map(e -> e.getValue() + " " + e.getKey()).collect(Collectors.joining(", "));
         return Console.count(total, noun) + (total == 0 ? "" : " (" + detail + ")");
+    }
+
+    private static Map<String, Long> count(Stream<String> kinds) {
+        return kinds.collect(Collectors.groupingBy(k -> k, TreeMap::new, Collectors.counting()));
+    }
+
+    private static long total(Map<String, Long> counts) {
+        return counts.values().stream().mapToLong(n -> n).sum();
     }
 
     private static String typeName(Light light) {

@@ -12,6 +12,7 @@ import java.util.concurrent.Future;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
 import lightning.base.work.DedicatedThread;
+import lightning.cli.report.ShotRelightReport;
 import lightning.format.layer.FrameTime;
 import lightning.render.image.Film;
 import lightning.shot.FrameState;
@@ -77,6 +78,7 @@ record ClusterRelight(Console console, PictureOutput output, NodeConfig config, 
      */
     void run(ShotRevision original, List<ShotRevision> edited, List<FrameFiles> groups, FrameRange range) throws Exception {
         var counts = new FrameCounts(console);
+        List<ShotRelightReport.Group> reports = new ArrayList<>();
         try (DistributedShot shot = DistributedShot.join(config, folder, range.first(), range.last(), counts,
                 sentence -> console.warn("%s", sentence))) {
             double tracing = relightAll(shot, original, counts, "tracing");
@@ -88,7 +90,10 @@ record ClusterRelight(Console console, PictureOutput output, NodeConfig config, 
                 write(shot, edited.get(group), groups.get(group), range, counts);
                 console.print("%d. %s relit by %s in %.1f ms, %d of them retraced; %.1f ms including images", group + 1,
                         Console.count(range.count(), "frame"), nodes(shot), relighting, traced, (System.nanoTime() - start) / 1e6);
+                reports.add(new ShotRelightReport.Group(group + 1, groups.get(group).folder().toString(), relighting,
+                        (System.nanoTime() - start) / 1e6, traced, null));
             }
+            console.report().setResult(new ShotRelightReport(range.count(), shot.nodeCount(), tracing, reports, null, null, null));
         } catch (InterruptedException e) {
             throw new CancellationException();
         }

@@ -2,6 +2,7 @@ package lightning.cli;
 
 import java.nio.file.Path;
 import java.util.concurrent.Callable;
+import lightning.cli.report.CompareReport;
 import lightning.format.hdr.HdrReader;
 import lightning.format.image.ImageFile;
 import lightning.format.image.ImageFormat;
@@ -61,8 +62,10 @@ final class CompareCommand implements Callable<Integer> {
         if (output != null) {
             ImageFile.write(output, DifferenceImage.of(a, b), ViewTransform.DEFAULT);
         }
-        print(difference, 3L * a.width() * a.height(), Flip.mean(a, b),
-                ImageFormat.of(first).hasFullFloats(first) && ImageFormat.of(second).hasFullFloats(second));
+        double flip = Flip.mean(a, b);
+        boolean floats = ImageFormat.of(first).hasFullFloats(first) && ImageFormat.of(second).hasFullFloats(second);
+        print(difference, 3L * a.width() * a.height(), flip, floats);
+        console.report().setResult(report(a, difference, flip, floats));
         return difference.isNone() ? ExitCode.OK : ExitCode.CHECK_FAILED;
     }
 
@@ -76,6 +79,13 @@ final class CompareCommand implements Callable<Integer> {
             rgb[i] = picture.channel(i / 3 % picture.width(), i / 3 / picture.width(), i % 3);
         }
         return Film.ofScanlines(picture.width(), picture.height(), rgb);
+    }
+
+    private static CompareReport report(Film film, Difference d, double flip, boolean floats) {
+        long pixels = (long) film.width() * film.height();
+        return new CompareReport(d.isNone(), film.width(), film.height(), pixels, d.pixels(), 3 * pixels, d.values(), d.maxAbsolute(),
+                floats ? Long.valueOf(d.maxUlp()) : null, d.maxLevels(), d.isNone() ? null : Integer.valueOf(d.x()),
+                d.isNone() ? null : Integer.valueOf(d.y()), d.meanAbsolute(), d.rmse(), d.linearPsnr(), d.displayPsnr(), d.ssim(), flip);
     }
 
     /**

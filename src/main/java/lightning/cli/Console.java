@@ -8,6 +8,7 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import lightning.base.text.PrintableText;
 import lightning.base.text.Quote;
+import lightning.cli.report.ErrorReport;
 import lightning.scene.Scene;
 import lightning.scene.SceneWarnings;
 
@@ -17,8 +18,17 @@ import lightning.scene.SceneWarnings;
  * @param out results
  * @param err errors and notes
  * @param terminal true if {@code out} is a terminal
+ * @param report what the command reports with {@code --json}
  */
-record Console(PrintStream out, PrintStream err, boolean terminal) {
+record Console(PrintStream out, PrintStream err, boolean terminal, CommandReport report) {
+    Console(PrintStream out, PrintStream err, boolean terminal) {
+        this(out, err, terminal, new CommandReport());
+    }
+
+    /** Returns true if progress can be shown. */
+    boolean showsProgress() {
+        return terminal && report.printsLines();
+    }
 
     /** Returns a console; it is a terminal only if {@code out} is the process's own output and that is a terminal. */
     static Console of(PrintStream out, PrintStream err) {
@@ -28,12 +38,22 @@ record Console(PrintStream out, PrintStream err, boolean terminal) {
 
     /** Prints one line of results, with locale-independent numbers. */
     void print(String format, Object... values) {
-        out.println(escapeLines(text(format, values)));
+        String text = escapeLines(text(format, values));
+        if (report.printsLines()) {
+            out.println(text);
+        } else {
+            report.addLine(text);
+        }
     }
 
     /** Prints one note line to the error stream. */
     void warn(String format, Object... values) {
-        err.println(escapeLines(text(format, values)));
+        String text = escapeLines(text(format, values));
+        if (report.printsLines()) {
+            err.println(text);
+        } else {
+            report.addNote(text);
+        }
     }
 
     /** Prints conversion notes with their counts, one line for each kind, sorted by name. */
@@ -47,9 +67,17 @@ record Console(PrintStream out, PrintStream err, boolean terminal) {
         SceneWarnings.of(scene).forEach(warning -> warn("%s: %s", file, warning));
     }
 
-    /** Prints an error on one line, also if quoted text has line breaks. */
+    /** Prints an error on one line, also if quoted text has line breaks. Also with {@code --quiet} and {@code --json}. */
     void error(String message) {
-        err.println(PrintableText.escape(message));
+        error(new ErrorReport(message));
+    }
+
+    /** Prints an error as above; {@code --json} has its place. */
+    void error(ErrorReport error) {
+        String message = PrintableText.escape(error.message());
+        err.println(error.file() == null ? message
+                : PrintableText.escape(Quote.path(error.file()) + ":" + error.line() + ":" + error.column() + ": ") + message);
+        report.addError(error);
     }
 
     /** Escapes control characters in each line of a text, so that quoted text cannot control the terminal. */

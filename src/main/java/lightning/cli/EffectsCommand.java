@@ -1,5 +1,6 @@
 package lightning.cli;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.Callable;
@@ -7,6 +8,7 @@ import lightning.bench.accuracy.EffectCost;
 import lightning.bench.accuracy.EffectCosts;
 import lightning.bench.accuracy.PaperCase;
 import lightning.bench.accuracy.PaperCases;
+import lightning.cli.report.EffectsReport;
 import lightning.render.cache.PixelCache;
 import lightning.render.relight.MemoryEstimate;
 import lightning.render.relight.Renderer;
@@ -61,6 +63,7 @@ final class EffectsCommand implements Callable<Integer> {
             renderer.render(scene, bar.cancellationOnly());
             bar.erase();
             print(SceneEffects.of(scene), costs, renderer.cache());
+            console.report().setResult(report(costs, renderer.cache()));
         }
         return ExitCode.OK;
     }
@@ -91,6 +94,24 @@ final class EffectsCommand implements Callable<Integer> {
         costs.effects().stream().filter(c -> !c.inUse()).forEach(c -> printCost(c, ""));
         console.print("");
         printColumns(ColumnBytes.of(cache), cache);
+    }
+
+    private static EffectsReport report(EffectCosts costs, PixelCache cache) {
+        ColumnBytes bytes = ColumnBytes.of(cache);
+        List<EffectsReport.Column> columns = new ArrayList<>();
+        bytes.hitColumns().forEach((part, n) -> columns.add(new EffectsReport.Column(title(part), n)));
+        columns.add(new EffectsReport.Column("reflected images", bytes.mirrorBytes()));
+        bytes.layerColumns().forEach((title, n) -> columns.add(new EffectsReport.Column(title, n)));
+        bytes.indirectBytes().forEach((title, n) -> columns.add(new EffectsReport.Column(title, n)));
+        return new EffectsReport(costs.first().median(), costs.update().median(), costs.plan(), costs.bytes(), bytes.rowCount(),
+                costs.effects().stream().map(EffectsCommand::report).toList(), columns);
+    }
+
+    private static EffectsReport.Effect report(EffectCost cost) {
+        return cost.measured()
+                ? new EffectsReport.Effect(cost.effect().title(), cost.inUse(), cost.callers(), true, cost.firstMs(), cost.firstNoise(),
+                        cost.updateMs(), cost.bytes(), cost.rays().total())
+                : new EffectsReport.Effect(cost.effect().title(), cost.inUse(), cost.callers(), false, null, null, null, null, null);
     }
 
     private void printCost(EffectCost cost, String callers) {

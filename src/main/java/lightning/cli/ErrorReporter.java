@@ -9,6 +9,7 @@ import lightning.base.file.FileErrorMessage;
 import lightning.base.file.FileHandles;
 import lightning.base.text.Quote;
 import lightning.base.text.UserFacingException;
+import lightning.cli.report.ErrorReport;
 import lightning.format.jen.JenException;
 import lightning.render.relight.PictureTooLargeException;
 
@@ -32,7 +33,7 @@ final class ErrorReporter {
             case InterruptedException _ -> reportCanceled(console);
             case IOException _ when Thread.currentThread().isInterrupted() -> reportCanceled(console);
             case JenException e -> {
-                e.problems().forEach(p -> console.error(p.toString()));
+                e.problems().forEach(p -> console.error(new ErrorReport(p.message(), p.file(), p.line(), p.column())));
                 yield ExitCode.BAD_INPUT;
             }
             case Throwable e when FileHandles.areExhausted(e) ->

@@ -7,6 +7,7 @@ import lightning.base.math.Vec3;
 import lightning.base.work.HeapBudget;
 import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
+import lightning.cli.report.ExplainReport;
 import lightning.render.fulltrace.TraditionalTracer;
 import lightning.render.gather.GatherStructure;
 import lightning.render.image.Film;
@@ -82,7 +83,11 @@ final class ExplainCommand implements Callable<Integer> {
         console.print("pixel %d,%d of %d x %d", pixel.x(), pixel.y(), width, height);
         print(explainer, report, "", 1);
         printPaths(indirect);
-        printPixel(scene, explainer.geometry(), report.color());
+        float[] color = printPixel(scene, explainer.geometry(), report.color());
+        int displayed = SceneView.of(scene).pack(color[0], color[1], color[2]);
+        console.report().setResult(new ExplainReport(pixel.x(), pixel.y(), width, height, new PointReporter(explainer).report(report),
+                indirectReport(indirect), scene.picture().sampling().isSupersampled() ? scene.picture().sampling().samplesPerPixel() : 1,
+                color, new int[] {displayed >> 16 & 0xFF, displayed >> 8 & 0xFF, displayed & 0xFF}));
         return ExitCode.OK;
     }
 
@@ -97,6 +102,14 @@ final class ExplainCommand implements Callable<Integer> {
         }
     }
 
+    private static ExplainReport.Indirect indirectReport(IndirectLight indirect) {
+        if (indirect == null) {
+            return null;
+        }
+        GatherStructure paths = indirect.structure();
+        return new ExplainReport.Indirect(paths.pointCount(), paths.surfelCount(), paths.rays(), paths.bytes());
+    }
+
     private void printPaths(IndirectLight indirect) {
         if (indirect != null) {
             GatherStructure paths = indirect.structure();
@@ -107,9 +120,9 @@ final class ExplainCommand implements Callable<Integer> {
 
     /**
      * Prints the pixel; with anti-aliasing, an edge pixel is the mean of several rays, of which only the center's was
-     * explained.
+     * explained. Returns its color in the film.
      */
-    private void printPixel(Scene scene, Geometry geometry, float[] center) {
+    private float[] printPixel(Scene scene, Geometry geometry, float[] center) {
         float[] c = center;
         if (scene.picture().sampling().isSupersampled()) {
             c = supersampled(scene, geometry);
@@ -121,6 +134,7 @@ final class ExplainCommand implements Callable<Integer> {
         int displayed = SceneView.of(scene).pack(c[0], c[1], c[2]);
         console.print("pixel: linear %s %s %s, displayed %d %d %d", c[0], c[1], c[2], displayed >> 16 & 0xFF, displayed >> 8 & 0xFF,
                 displayed & 0xFF);
+        return c;
     }
 
     /** Returns the pixel's color in the film. */

@@ -2,8 +2,12 @@ package lightning.cli;
 
 import java.nio.file.Path;
 import java.util.Locale;
+import java.util.TreeMap;
 import java.util.concurrent.Callable;
+import java.util.stream.Collectors;
+import lightning.cli.report.ConversionReport;
 import lightning.format.pov.PovScene;
+import lightning.scene.Scene;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -38,11 +42,15 @@ final class ExportCommand implements Callable<Integer> {
             throw new BadInputException(output + ": the output name must end in .pov");
         }
         PictureOutput.checkFile(output);
-        PovScene pov = PovScene.of(picture.apply(input.read().scene()), name.substring(0, name.length() - ".pov".length()));
+        Scene scene = picture.apply(input.read().scene());
+        PovScene pov = PovScene.of(scene, name.substring(0, name.length() - ".pov".length()));
         pov.write(output);
         pov.losses().forEach(loss -> console.warn("%s", loss));
         console.print("%s: written; %s", output, pov.losses().isEmpty() ? "exported exactly"
                 : Console.text("not exported exactly: %d (see the notes)", pov.losses().size()));
+        console.report().setResult(new ConversionReport(output.toString(), scene.stage().shapeCount(), scene.materials().size(),
+                scene.lights().size(), null, null,
+                pov.losses().stream().collect(Collectors.toMap(loss -> loss, _ -> 1, Integer::sum, TreeMap::new))));
         return ExitCode.OK;
     }
 }

@@ -6,6 +6,7 @@ import java.util.Locale;
 import java.util.concurrent.Callable;
 import lightning.base.file.AtomicFile;
 import lightning.base.work.Progress;
+import lightning.cli.report.ConversionReport;
 import lightning.format.exchange.LightExport;
 import lightning.format.exchange.LightUnits;
 import lightning.format.jen.JenDocument;
@@ -71,6 +72,8 @@ final class ExportLightsCommand implements Callable<Integer> {
         console.printNotes(output, "not exported exactly", lights.notes());
         console.print("%s: written; %s%s", output, Console.count(scene.lights().size(), "light"),
                 template == null ? "" : ", in " + chosen.description());
+        console.report().setResult(new ConversionReport(output.toString(), null, null, scene.lights().size(),
+                template == null ? null : chosen.description(), null, lights.notes()));
         return ExitCode.OK;
     }
 }

@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.util.Locale;
 import java.util.concurrent.Callable;
 import lightning.base.work.WorkerPool;
+import lightning.cli.report.ConversionReport;
 import lightning.format.exchange.ImportLighting;
 import lightning.format.exchange.ImportedScene;
 import lightning.format.exchange.IndirectChoice;
@@ -89,6 +90,9 @@ final class ImportCommand implements Callable<Integer> {
         console.printNotes(file, "left out or approximated", imported.notes());
         console.print("%s: written; %s, %s, %s", output, Console.count(imported.scene().stage().shapeCount(), "object"),
                 Console.count(imported.scene().materials().size(), "material"), Console.count(imported.scene().lights().size(), "light"));
+        console.report().setResult(new ConversionReport(output.toString(), imported.scene().stage().shapeCount(),
+                imported.scene().materials().size(), imported.scene().lights().size(),
+                imported.units().map(LightUnits::description).orElse(null), imported.hasIndirect(), imported.notes()));
         return ExitCode.OK;
     }
 

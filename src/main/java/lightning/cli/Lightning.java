@@ -12,9 +12,12 @@ import java.util.function.Function;
 import java.util.stream.Stream;
 import lightning.base.text.Quote;
 import lightning.format.jen.JenFile;
+import lightning.format.jen.NameSuggestion;
 import picocli.CommandLine;
 import picocli.CommandLine.Help.Ansi;
+import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.ParseResult;
 import picocli.CommandLine.TypeConversionException;
 import picocli.CommandLine.UnmatchedArgumentException;
 
@@ -41,6 +44,8 @@ public final class Lightning {
         COMMANDS.put("bench", BenchCommand::new);
         COMMANDS.put("check", CheckCommand::new);
         COMMANDS.put("compare", CompareCommand::new);
+        COMMANDS.put("help", HelpCommand::new);
+        COMMANDS.put("completion", CompletionCommand::new);
     }
 
     private Lightning() {}
@@ -57,7 +62,14 @@ public final class Lightning {
         Console console = Console.of(out, err);
         try {
             CommandLine commands = createCommands(console, args);
+            // Also for errors that stop parsing before it reaches the option.
+            if (List.of(args).contains("--json")) {
+                console.report().useJson();
+            }
             int exit = isUnknown(commands, args) ? unknownCommand(console, commands, args[0]) : commands.execute(args);
+            if (console.report().isJson()) {
+                printJson(console, commands, exit);
+            }
             err.flush();
             // PrintStream swallows write errors; checkError flushes and returns them.
             if (out.checkError()) {
@@ -77,6 +89,18 @@ public final class Lightning {
      */
     static CommandLine createCommands(Console console, String... args) {
         return createCommands(console, args.length > 0 && COMMANDS.containsKey(args[0]) ? Set.of(args[0]) : COMMANDS.keySet());
+    }
+
+    /** Prints the report of the command that ran; help pages and versions are texts. */
+    private static void printJson(Console console, CommandLine commands, int exit) {
+        String name = "lightning";
+        for (ParseResult part = commands.getParseResult(); part != null; part = part.hasSubcommand() ? part.subcommand() : null) {
+            if (part.isUsageHelpRequested() || part.isVersionHelpRequested()) {
+                return;
+            }
+            name = part.commandSpec().qualifiedName();
+        }
+        console.report().print(console.out(), name.substring(name.indexOf(' ') + 1), exit);
     }
 
     private static CommandLine createShotCommand(Console console) {
@@ -129,20 +153,38 @@ public final class Lightning {
     }
 
     private static int unknownCommand(Console console, CommandLine commands, String word) {
-        console.error("lightning: unknown command " + Quote.of(word) + "; expected a scene.jen or one of "
-                + String.join(", ", commands.getSubcommands().keySet()) + ".");
+        Set<String> names = commands.getSubcommands().keySet();
+        console.error("lightning: unknown command " + Quote.of(word) + "; expected a scene.jen or one of " + String.join(", ", names)
+                + NameSuggestion.closest(word, names).map(name -> "; did you mean '" + name + "'?").orElse("."));
         console.error("Try 'lightning --help'.");
         return ExitCode.BAD_INPUT;
     }
 
     private static int badUsage(Console console, ParameterException e, String... args) {
-        String name = e.getCommandLine().getCommandSpec().qualifiedName();
+        CommandSpec command = e.getCommandLine().getCommandSpec();
+        String name = command.qualifiedName();
         // Picocli quotes whole arguments, and also the part after an equals sign separately.
         List<String> words = Stream.of(args).flatMap(arg -> Stream.of(arg, arg.substring(arg.indexOf('=') + 1))).toList();
-        console.error(name + ": " + Quote.shortenWords(e.getMessage(), words));
-        UnmatchedArgumentException.printSuggestions(e, writer(console.err()));
+        String hint = suggestion(command, e instanceof UnmatchedArgumentException unmatched ? unmatched.getUnmatched()
+                : Stream.of(args).filter(arg -> isUnknownOption(command, arg)).toList());
+        console.error(name + ": " + Quote.shortenWords(e.getMessage(), words) + hint);
         console.error("Try '" + name + " --help'.");
         return ExitCode.BAD_INPUT;
+    }
+
+    /** Returns {@code "; did you mean '--size'?"} for the first misspelled option or command, or an empty string. */
+    private static String suggestion(CommandSpec command, List<String> unmatched) {
+        String word = unmatched.isEmpty() ? "" : optionName(unmatched.getFirst());
+        Stream<String> known = word.startsWith("-") ? command.optionsMap().keySet().stream() : command.subcommands().keySet().stream();
+        return NameSuggestion.closest(word, known.toList()).map(name -> "; did you mean '" + name + "'?").orElse("");
+    }
+
+    private static boolean isUnknownOption(CommandSpec command, String argument) {
+        return argument.startsWith("--") && !command.optionsMap().containsKey(optionName(argument));
+    }
+
+    private static String optionName(String argument) {
+        return argument.replaceFirst("=.*", "");
     }
 
     private static PrintWriter writer(PrintStream stream) {

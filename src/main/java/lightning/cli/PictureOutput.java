@@ -110,10 +110,15 @@ abstract sealed class PictureOutput permits SinglePictureOutput, StepPictureOutp
         }
     }
 
+    /** Returns how many pixels a file of a displayed format clips. */
+    Optional<Clipping> clipping(Scene scene, Film film, Path picture) throws IOException {
+        return ImageFormat.of(picture).isDisplayReferred() ? Optional.of(Clipping.of(film, view(scene))) : Optional.empty();
+    }
+
     /** Prints how many pixels a file clips. */
     void printClipping(Scene scene, Film film, Path picture, Console console) throws IOException {
-        Clipping clipping = Clipping.of(film, view(scene));
-        if (clipping.clippedPixels() > 0 && ImageFormat.of(picture).isDisplayReferred()) {
+        Clipping clipping = clipping(scene, film, picture).orElse(null);
+        if (clipping != null && clipping.clippedPixels() > 0) {
             console.print("%s: %d of %d pixels (%.1f %%) are clipped, the peak is %.3g times white", picture,
                     clipping.clippedPixels(), clipping.totalPixels(), 100.0 * clipping.clippedPixels() / clipping.totalPixels(),
                     clipping.brightest());

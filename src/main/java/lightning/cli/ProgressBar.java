@@ -44,7 +44,7 @@ final class ProgressBar implements Progress, AutoCloseable {
     @Override
     public synchronized void report(int done, int total) {
         long now = clock.getAsLong();
-        if (!console.terminal() || now - lastUpdate < UPDATE_INTERVAL) {
+        if (!console.showsProgress() || now - lastUpdate < UPDATE_INTERVAL) {
             return;
         }
         lastUpdate = now;

@@ -10,9 +10,12 @@ import lightning.base.work.WorkerPool;
 import lightning.bench.accuracy.AccuracyGuarantee;
 import lightning.bench.accuracy.Verification;
 import lightning.bench.accuracy.WarmSaving;
+import lightning.cli.report.RaysReport;
+import lightning.cli.report.RelightReport;
 import lightning.format.jen.JenDocument;
 import lightning.format.jen.JenFile;
 import lightning.render.cache.PixelCache;
+import lightning.render.image.Difference;
 import lightning.render.image.ViewTransform;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.UpdateResult;
@@ -84,6 +87,8 @@ final class RelightCommand implements Callable<Integer> {
             description = "Write the edited scene; keeps comments, order and unedited text.")
     private Path saveFile;
 
+    private final List<RelightReport.Step> reports = new ArrayList<>();
+
     /** Command-line names of {@link MirrorStorage}. */
     enum Storage { ROWS, SHAPES }
 
@@ -122,23 +127,28 @@ final class RelightCommand implements Callable<Integer> {
                 new RenderOptions(accuracy, updateReflections ? reflections.staleValue() : reflections.value(), storage, threads.count())
                         .withMemory(PictureOutput.availableMemory(before, pictures.file(1)));
         boolean allKept = true;
+        UpdateResult first;
         try (Renderer renderer = new Renderer(options); WorkerPool workers = new WorkerPool(threads.count());
                 ProgressBar bar = new ProgressBar(console, "tracing")) {
-            UpdateResult first = renderer.render(before, bar);
+            first = renderer.render(before, bar);
             console.print("first pass: %.1f ms, %s", first.milliseconds(), Console.count(first.rays().total(), "ray"));
             for (int step = 1; step <= last; step++) {
                 Scene scene = picture.apply(edited.get(step - 1));
-                allKept &= relight(output.view(scene), step + ".", (r, progress) -> r.render(scene, progress), renderer, workers, bar);
+                Optional<Path> pictureFile = pictures.written(step, last);
+                allKept &= relight(output.view(scene), step, pictureFile, false, (r, progress) -> r.render(scene, progress), renderer,
+                        workers, bar);
                 if (updateReflections && step == last) {
-                    allKept &= relight(output.view(scene), "mirrors:", Renderer::updateReflections, renderer, workers, bar);
+                    allKept &= relight(output.view(scene), step, pictureFile, true, Renderer::updateReflections, renderer, workers, bar);
                 }
                 Optional<Path> matteFile = mattes.isPresent() ? mattes.get().written(step, last) : Optional.empty();
-                write(renderer, pictures.written(step, last), matteFile, workers);
+                write(renderer, pictureFile, matteFile, workers);
             }
         }
         if (saveFile != null) {
             document.withScene(edited.getLast()).save(saveFile);
         }
+        console.report().setResult(new RelightReport(output.file().toString(), first.milliseconds(), RaysReport.of(first.rays()), reports,
+                saveFile == null ? null : saveFile.toString()));
         return allKept ? ExitCode.OK : ExitCode.CHECK_FAILED;
     }
 
@@ -149,9 +159,14 @@ final class RelightCommand implements Callable<Integer> {
         }
     }
 
-    /** Runs an update, prints its summary and verifies it if requested; returns false if it is less accurate than promised. */
-    private boolean relight(ViewTransform view, String title, WarmSaving.UpdateStep step, Renderer renderer, WorkerPool workers,
-            ProgressBar bar) {
+    /**
+     * Runs an update, prints its summary and verifies it if requested; returns false if it is less accurate than promised.
+     *
+     * @param number number of the group of edits
+     * @param mirrorsOnly whether the update is that of the reflections after the group
+     */
+    private boolean relight(ViewTransform view, int number, Optional<Path> file, boolean mirrorsOnly, WarmSaving.UpdateStep step,
+            Renderer renderer, WorkerPool workers, ProgressBar bar) {
         PixelCache start = renderer.cache();
         WarmSaving.UpdateStep stepWithView = (r, progress) -> {
             r.setView(view.exposure(), view.steepestCurve());
@@ -161,13 +176,21 @@ final class RelightCommand implements Callable<Integer> {
         Optional<WarmSaving> saving =
                 skipsSavings ? Optional.empty() : WarmSaving.RepeatableEdit.of(update, start, renderer.options(), stepWithView)
                         .flatMap(edit -> WarmSaving.measure(edit, workers, WARM_UP_MS, bar));
-        console.print("%s %s", title, describe(update, AccuracyGuarantee.of(renderer, update), saving));
-        if (!verify) {
-            return true;
-        }
-        Verification verification = AccuracyGuarantee.of(renderer, update).verify(renderer.film(), workers, bar);
-        console.print("   %s", verification.text());
-        return verification.hasPassed();
+        AccuracyGuarantee promise = AccuracyGuarantee.of(renderer, update);
+        console.print("%s %s", mirrorsOnly ? "mirrors:" : number + ".", describe(update, promise, saving));
+        Optional<Verification> verification =
+                verify ? Optional.of(promise.verify(renderer.film(), workers, bar)) : Optional.empty();
+        verification.ifPresent(v -> console.print("   %s", v.text()));
+        reports.add(new RelightReport.Step(number, file.map(Path::toString).orElse(null), mirrorsOnly, update.plan().description(),
+                update.rowsTouched(), RaysReport.of(update.rays()), saving.map(s -> s.update().median()).orElse(update.milliseconds()),
+                saving.map(s -> s.full().median()).orElse(null), saving.map(WarmSaving::percent).orElse(null), promise.bound(),
+                verification.map(RelightCommand::report).orElse(null)));
+        return verification.map(Verification::hasPassed).orElse(true);
+    }
+
+    private static RelightReport.Verified report(Verification verification) {
+        Difference difference = verification.expectedDifference();
+        return new RelightReport.Verified(verification.hasPassed(), difference.pixels(), difference.values(), difference.maxAbsolute());
     }
 
     /** Returns the scene after each group of edits. */

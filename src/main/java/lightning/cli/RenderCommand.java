@@ -4,8 +4,11 @@ import java.io.IOException;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import lightning.base.work.WorkerPool;
+import lightning.cli.report.RaysReport;
+import lightning.cli.report.RenderReport;
 import lightning.render.engine.choice.Engines;
 import lightning.render.fulltrace.TraditionalTracer;
+import lightning.render.image.Clipping;
 import lightning.render.image.Film;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.TraceMemory;
@@ -107,5 +110,9 @@ final class RenderCommand implements Callable<Integer> {
                 Console.count(rays.eye(), "eye ray"),
                 rays.mirrored(), rays.gather() == 0 ? "" : Console.count(rays.gather(), "gather ray") + ", ",
                 Console.count(rays.shadow(), "shadow ray"));
+        Optional<Clipping> clipping = console.report().isJson() ? output.clipping(scene, film, output.file()) : Optional.empty();
+        console.report().setResult(new RenderReport(output.file().toString(), title, film.width(), film.height(), scene.picture().depth(),
+                milliseconds, !Engines.isFastestInUse(), RaysReport.of(rays), clipping.map(Clipping::clippedPixels).orElse(null),
+                clipping.map(Clipping::brightest).orElse(null)));
     }
 }

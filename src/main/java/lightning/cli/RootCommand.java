@@ -23,7 +23,8 @@ import picocli.CommandLine.Spec;
             "Examples:",
             "  lightning check scenes/bird.jen",
             "  lightning render scenes/bird.jen -o bird.png",
-            "  lightning relight scenes/bird.jen -o red.png --set \"sun.color=1 0 0\""})
+            "  lightning relight scenes/bird.jen -o red.png --set \"sun.color=1 0 0\"",
+            "  lightning compare before.png after.png --json"})
 final class RootCommand implements Callable<Integer> {
     private final Console console;
 
@@ -35,6 +36,17 @@ final class RootCommand implements Callable<Integer> {
     private boolean help;
     @Option(names = {"-V", "--version"}, versionHelp = true, scope = ScopeType.INHERIT, description = "Show the version.")
     private boolean version;
+
+    @Option(names = "--json", scope = ScopeType.INHERIT,
+            description = "Print the results as one JSON object (docs/json.md) instead of lines.")
+    private void setJson(boolean on) {
+        console.report().useJson();
+    }
+
+    @Option(names = {"-q", "--quiet"}, scope = ScopeType.INHERIT, description = "Print only errors: no results, notes or progress.")
+    private void setQuiet(boolean on) {
+        console.report().beQuiet();
+    }
 
     RootCommand(Console console) {
         this.console = console;

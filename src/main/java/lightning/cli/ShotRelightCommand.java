@@ -11,6 +11,7 @@ import java.util.concurrent.CancellationException;
 import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
 import lightning.bench.accuracy.WarmSaving;
+import lightning.cli.report.ShotRelightReport;
 import lightning.format.jen.JenDocument;
 import lightning.format.jen.JenFile;
 import lightning.format.layer.FrameTime;
@@ -85,6 +86,8 @@ final class ShotRelightCommand implements Callable<Integer> {
     @Option(names = "--no-savings",
             description = "Skip measuring the time saved, which takes a second or more.")
     private boolean skipsSavings;
+
+    private final List<ShotRelightReport.Group> reports = new ArrayList<>();
 
     ShotRelightCommand(Console console) {
         this.console = console;
@@ -177,10 +180,12 @@ final class ShotRelightCommand implements Callable<Integer> {
                         : new LocalFrameHost(room.options, room.memoryBytes, disk, room.diskBytes);
         var progress = new ShotProgress(range.count());
         CacheUsage usage;
+        double tracing;
         try (var _ = new DelayedWarmUp(original.sceneAt(range.first()));
                 ShotRelighter shot = ShotRelighter.of(range.first(), range.last(), host, progress)) {
             progress.run(shot, original, console, "tracing", null);
-            console.print("%s traced in %.1f ms", Console.count(range.count(), "frame"), progress.workMilliseconds());
+            tracing = progress.workMilliseconds();
+            console.print("%s traced in %.1f ms", Console.count(range.count(), "frame"), tracing);
             usage = shot.usage();
             console.print("cached: %s, %s, in memory, and %d, %s, on disk", Console.count(usage.memoryFrames(), "frame"),
                     ShotMemoryEstimate.formatBytes(usage.memoryBytes()),
@@ -206,15 +211,25 @@ final class ShotRelightCommand implements Callable<Integer> {
                 console.print("%d. %s: %s relit in %.1f ms, %d of them retraced, %s; %.1f ms including images", group + 1,
                         files.folder(), Console.count(range.count(), "frame"), progress.workMilliseconds(), progress.tracedCount(),
                         Console.count(progress.rayCount(), "ray"), totalMilliseconds);
+                reports.add(new ShotRelightReport.Group(group + 1, files.folder().toString(), progress.workMilliseconds(),
+                        totalMilliseconds, progress.tracedCount(), progress.rayCount()));
             }
         }
-        if (!skipsSavings) {
-            printSaving(revisions.size() == 1 ? original : revisions.get(revisions.size() - 2), revisions.getLast(), range, room, usage);
+        ShotRevision before = revisions.size() == 1 ? original : revisions.get(revisions.size() - 2);
+        List<WarmSaving> savings = skipsSavings ? List.of() : measureSavings(before, revisions.getLast(), range, room);
+        double update = savings.stream().mapToDouble(s -> s.update().median()).average().orElse(0);
+        double full = savings.stream().mapToDouble(s -> s.full().median()).average().orElse(0);
+        double percent = 100 * (1 - update / full);
+        if (!savings.isEmpty()) {
+            console.print("warmed up, a frame takes %.1f ms instead of a full trace's %.1f ms (saves %.1f %%)%s", update, full, percent,
+                    usage.diskFrames() == 0 ? "" : ", plus reading frames from disk");
         }
+        console.report().setResult(savings.isEmpty() ? new ShotRelightReport(range.count(), null, tracing, reports, null, null, null)
+                : new ShotRelightReport(range.count(), null, tracing, reports, update, full, percent));
     }
 
-    /** Prints the time that a revision saves compared with tracing its frames in full, measured on some frames in memory. */
-    private void printSaving(ShotRevision before, ShotRevision after, FrameRange range, FrameBudget room, CacheUsage usage) {
+    /** Measures the time that a revision saves compared with tracing its frames in full, on some frames in memory. */
+    private List<WarmSaving> measureSavings(ShotRevision before, ShotRevision after, FrameRange range, FrameBudget room) {
         List<WarmSaving> savings = new ArrayList<>();
         int count = Math.min(MEASURED_FRAMES, range.count());
         try (WorkerPool workers = new WorkerPool(threads.count());
@@ -226,13 +241,7 @@ final class ShotRelightCommand implements Callable<Integer> {
                 bar.report(i + 1, count);
             }
         }
-        double update = savings.stream().mapToDouble(s -> s.update().median()).sum();
-        double full = savings.stream().mapToDouble(s -> s.full().median()).sum();
-        if (!savings.isEmpty()) {
-            console.print("warmed up, a frame takes %.1f ms instead of a full trace's %.1f ms (saves %.1f %%)%s", update / savings.size(),
-                    full / savings.size(), 100 * (1 - update / full),
-                    usage.diskFrames() == 0 ? "" : ", plus reading frames from disk");
-        }
+        return savings;
     }
 
     private static Optional<WarmSaving> saving(Scene before, Scene after, RenderOptions options, WorkerPool workers, Progress progress) {

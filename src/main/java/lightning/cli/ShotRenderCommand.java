@@ -12,6 +12,7 @@ import lightning.base.file.AtomicFile;
 import lightning.base.text.DecimalNumber;
 import lightning.base.work.HeapBudget;
 import lightning.base.work.WorkerPool;
+import lightning.cli.report.ShotRenderReport;
 import lightning.format.jen.JenDocument;
 import lightning.format.jen.JenFile;
 import lightning.format.layer.FrameTime;
@@ -62,6 +63,12 @@ final class ShotRenderCommand implements Callable<Integer> {
     @Option(names = "--resume", description = "Skip frames whose image exists.")
     private boolean resume;
 
+    private final List<ShotRenderReport.Frame> reports = new ArrayList<>();
+    /** Milliseconds of traced and of relit frames. */
+    private final double[] milliseconds = new double[2];
+    /** Number of traced and of relit frames. */
+    private final int[] counts = new int[2];
+
     ShotRenderCommand(Console console) {
         this.console = console;
     }
@@ -89,6 +96,7 @@ final class ShotRenderCommand implements Callable<Integer> {
         shot.check(scene);
         if (movie.isPresent()) {
             writeMovie(shot, scene, range, movie.get());
+            report(shot, output.file().toString(), 0);
             return ExitCode.OK;
         }
         files.createFolder();
@@ -112,7 +120,13 @@ final class ShotRenderCommand implements Callable<Integer> {
             console.print("%s already rendered",
                     missing.isEmpty() ? Console.count(existing, "frame") : existing + " of " + Console.count(range.count(), "frame"));
         }
+        report(shot, null, range.count() - missing.size());
         return ExitCode.OK;
+    }
+
+    private void report(ShotFrames shot, String file, int skipped) {
+        console.report().setResult(new ShotRenderReport(file, shot.shot().rate(), skipped, counts[0], milliseconds[0], counts[1],
+                milliseconds[1], reports));
     }
 
     private void render(ShotFrames shot, Scene scene, List<Integer> frames, FrameFiles files, Optional<FrameFiles> mattes)
@@ -155,8 +169,6 @@ final class ShotRenderCommand implements Callable<Integer> {
     private void renderFrames(ShotFrames shot, Scene scene, List<Integer> frames, long memory, FrameSink sink) throws IOException {
         RenderOptions options =
                 RenderOptions.DEFAULT.withReflections(ReflectionMode.CURRENT).withThreads(threads.count()).withMemory(memory);
-        double[] milliseconds = new double[2];
-        int[] counts = new int[2];
         try (ProgressBar bar = new ProgressBar(console, "rendering")) {
             FrameSequenceRenderer.render(frames, frame -> shot.shot().sceneAt(scene, frame), options, bar.cancellationOnly(),
                     (frame, cache, update) -> {
@@ -164,6 +176,8 @@ final class ShotRenderCommand implements Callable<Integer> {
                         int index = update.plan() instanceof UpdatePlan.FirstPass ? 0 : 1;
                         milliseconds[index] += update.milliseconds();
                         counts[index]++;
+                        String image = MovieFormat.of(output.file()).isPresent() ? null : name;
+                        reports.add(new ShotRenderReport.Frame(frame, image, update.plan().description(), update.milliseconds()));
                         bar.erase();
                         console.print("%s: %s, %.1f ms", name, update.plan().description(), update.milliseconds());
                         bar.report(counts[0] + counts[1], frames.size());

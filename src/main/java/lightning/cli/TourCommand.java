@@ -3,6 +3,7 @@ package lightning.cli;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -14,6 +15,8 @@ import lightning.bench.accuracy.PaperCases;
 import lightning.bench.accuracy.PreviewCost;
 import lightning.bench.accuracy.UpdateSaving;
 import lightning.bench.accuracy.UpdateSavingMeter;
+import lightning.cli.report.RaysReport;
+import lightning.cli.report.TourReport;
 import lightning.format.image.ImageFile;
 import lightning.format.jen.JenReader;
 import lightning.format.pov.PovRayRunner;
@@ -117,6 +120,7 @@ final class TourCommand implements Callable<Integer> {
                     bar.cancellationOnly()));
         }
         table.printHeader();
+        List<TourReport.Edit> edits = new ArrayList<>();
         boolean allEqual = true;
         for (int i = 0; i < cases.size(); i++) {
             bar.report(i + 1, steps);
@@ -126,16 +130,21 @@ final class TourCommand implements Callable<Integer> {
             writePicture(edit.name(), meter.renderer().film());
             bar.erase();
             table.printRow(edit.name(), edit.paperSaving(), saving);
+            edits.add(report(edit.name(), edit.paperSaving(), saving));
             allEqual &= saving.isVerified();
         }
         bar.report(steps - 1, steps);
-        allEqual &= updateMirrors(cases, table, meter, bar);
+        allEqual &= updateMirrors(cases, table, meter, bar, edits);
         table.printFooter();
+        console.report().setResult(new TourReport(ShippedFile.resolve(scene == null ? DEFAULT_SCENE : scene).toString(), folder.toString(),
+                size.width(), size.height(), threads.count(), first.first().median(), first.full().median(), first.percentSlower(),
+                first.isWarm(), edits));
         return allEqual;
     }
 
     /** Updates the reflections after the first edit that moves a light, as the button Update Reflections does. */
-    private boolean updateMirrors(List<PaperCase> cases, TourTable table, UpdateSavingMeter meter, ProgressBar bar) throws IOException {
+    private boolean updateMirrors(List<PaperCase> cases, TourTable table, UpdateSavingMeter meter, ProgressBar bar,
+            List<TourReport.Edit> edits) throws IOException {
         Optional<PaperCase> edit = cases.stream().filter(c -> c.name().equals("position")).findFirst();
         if (edit.isEmpty() || reflections.value() == ReflectionMode.CURRENT) {
             return true;
@@ -144,7 +153,14 @@ final class TourCommand implements Callable<Integer> {
         writePicture("position-mirrored", meter.renderer().film());
         bar.erase();
         table.printRow("- its mirrors", Double.NaN, saving);
+        edits.add(report("mirrors of position", Double.NaN, saving));
         return saving.isVerified();
+    }
+
+    private static TourReport.Edit report(String name, double paper, UpdateSaving saving) {
+        return new TourReport.Edit(name, saving.update().plan().description(), saving.update().rowsTouched(),
+                RaysReport.of(saving.update().rays()), saving.time().median(), saving.full().median(), saving.percent(), paper,
+                saving.maxPercent(), saving.isVerified(), saving.isWarm());
     }
 
     private void writePicture(String name, Film film) throws IOException {

@@ -12,12 +12,12 @@ public final class ShippedFile {
     private ShippedFile() {}
 
     /**
-     * Resolves a file name. If the working directory has no folder {@code scenes}, a name such as {@code scenes/bird.jen} resolves to the
-     * shipped scene, so that the help's examples work in any directory.
+     * Resolves a file name. If the working directory has no such file, a name such as {@code scenes/bird.jen} resolves to the shipped
+     * scene, so that the help's examples work in any directory.
      */
     public static Path resolve(Path name) {
         String home = System.getProperty("lightning.home");
-        if (home == null || !name.startsWith(SCENES) || Files.isDirectory(SCENES)) {
+        if (home == null || !name.startsWith(SCENES) || Files.exists(name)) {
             return name;
         }
         Path shipped = Path.of(home).resolve(name);

@@ -14,8 +14,12 @@ public final class ReleaseInfo {
 
     /** Returns the release and its Java version: {@code Lightning 1.0 on Java 25.0.1+8}. */
     public static String text() {
-        String number = descriptor().flatMap(ModuleDescriptor::rawVersion).orElse("of a build");
-        return "Lightning " + number + " on Java " + Runtime.version();
+        return "Lightning " + number() + " on Java " + Runtime.version();
+    }
+
+    /** Returns the number of the release, or {@code of a build} if the program runs from its classes. */
+    public static String number() {
+        return descriptor().flatMap(ModuleDescriptor::rawVersion).orElse("of a build");
     }
 
     /** Returns the release and platform in which all machines of a cluster must agree, because another one might render other bits. */

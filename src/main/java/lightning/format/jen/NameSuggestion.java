@@ -6,7 +6,7 @@ import java.util.Optional;
 import lightning.base.text.Quote;
 
 /** Suggestions for misspelled words. */
-final class NameSuggestion {
+public final class NameSuggestion {
     private static final int MAX_WORD_LENGTH = 40;
     private static final int MAX_CANDIDATES = 1000;
 
@@ -16,7 +16,7 @@ final class NameSuggestion {
      * Returns the candidate with the smallest edit distance to {@code word}, if at most a third of its letters (rounded)
      * differ. Only the first candidates are checked if there are very many.
      */
-    static Optional<String> closest(String word, Collection<String> candidates) {
+    public static Optional<String> closest(String word, Collection<String> candidates) {
         if (word.length() > MAX_WORD_LENGTH) {
             return Optional.empty();
         }
@@ -35,7 +35,7 @@ final class NameSuggestion {
     }
 
     /** Returns {@code ", did you mean 'intensity'?"}, or an empty string. */
-    static String hint(String word, Collection<String> candidates) {
+    public static String hint(String word, Collection<String> candidates) {
         return closest(word, candidates).map(n -> ", did you mean " + Quote.of(n) + "?").orElse("");
     }
 

@@ -1,0 +1,13 @@
+package lightning.cli.report;
+
+import java.util.List;
+
+/**
+ * A benchmark.
+ *
+ * @param folder   folder of report and results
+ * @param scenes   number of measured scenes; absent with {@code --report}, as the next two
+ * @param problems promises that were not kept, and scenes that were not read
+ * @param worse    what is slower or less accurate than the baseline; absent without one
+ */
+public record BenchReport(String folder, String report, String results, Integer scenes, List<String> problems, List<String> worse) {}

@@ -1,0 +1,15 @@
+package lightning.cli.report;
+
+import java.util.Map;
+
+/**
+ * A converted file, of {@code import}, {@code export} and {@code export-lights}.
+ *
+ * @param output   written file
+ * @param objects  number of objects; absent for {@code export-lights}, as the next
+ * @param units    units of the lights; absent if the format has only one
+ * @param indirect true if the scene has indirect light; absent for exports
+ * @param losses   what is left out or approximated, with the number of times
+ */
+public record ConversionReport(String output, Integer objects, Integer materials, int lights, String units, Boolean indirect,
+        Map<String, Integer> losses) {}

@@ -1,0 +1,61 @@
+package lightning.cli.report;
+
+import java.util.List;
+
+/**
+ * Explanation of a pixel. Colors are linear red, green, blue.
+ *
+ * @param center          the ray through the pixel's center
+ * @param indirect        indirect light of the whole image; absent without it
+ * @param samplesPerPixel rays of which the pixel may be the mean
+ * @param colorLinear     the pixel in the film
+ * @param displayed       the pixel as displayed, 0 to 255
+ */
+public record ExplainReport(int x, int y, int widthPixels, int heightPixels, Point center, Indirect indirect, int samplesPerPixel,
+        float[] colorLinear, int[] displayed) {
+    /**
+     * A point that a ray hits.
+     *
+     * @param object       absent if the ray shows the background, as all but the color is then
+     * @param throughHoles objects through whose cutouts the ray passed
+     * @param position     scene units
+     * @param normal       shading normal, of length 1
+     * @param ambient      what ambient light adds
+     * @param indirect     what indirect light adds; absent if there is none
+     * @param color        sum of all
+     */
+    public record Point(String object, String material, List<String> throughHoles, double[] position, double[] normal, Normals normals,
+            float[] ambient, float[] glow, List<LightShare> lights, float[] indirect, Ray reflected, Ray refracted, float[] color) {}
+
+    /**
+     * Steps of a changed normal.
+     *
+     * @param interpolated of a mesh's vertices; absent without them
+     * @param bumped       after bump and normal maps; absent without them
+     * @param bent         true if it was bent toward the viewer
+     */
+    public record Normals(double[] geometric, double[] interpolated, double[] bumped, boolean bent) {}
+
+    /**
+     * One light at a point.
+     *
+     * @param state          dark, away, outside, unlinked, shadowed or lit
+     * @param shadowedBy     nearest object between point and light; absent if there is none
+     * @param visibleSamples of {@code samples}; both are 1 for a light without a size
+     * @param cosine         for a light with several samples, times the falloff, as is {@code specular}
+     * @param adds           its part of the point's color
+     * @param sharePercent   of the point's color; null if the point is black
+     */
+    public record LightShare(String light, String state, String shadowedBy, int visibleSamples, int samples, float cosine, float specular,
+            float falloff, float[] tint, float[] adds, double sharePercent) {}
+
+    /**
+     * A reflected or refracted ray.
+     *
+     * @param adds its part of the color of the point that it starts from
+     */
+    public record Ray(float[] adds, Point hits) {}
+
+    /** Paths of indirect light of the whole image. */
+    public record Indirect(long gatherPoints, long surfels, long rays, long bytes) {}
+}

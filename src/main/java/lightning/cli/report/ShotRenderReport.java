@@ -1,0 +1,19 @@
+package lightning.cli.report;
+
+import java.util.List;
+
+/**
+ * Rendered frames of a shot.
+ *
+ * @param file    video; absent if frames are images
+ * @param skipped frames that existed, with {@code --resume}
+ */
+public record ShotRenderReport(String file, double framesPerSecond, int skipped, int traced, double tracedMilliseconds, int relit,
+        double relitMilliseconds, List<Frame> frames) {
+    /**
+     * A frame.
+     *
+     * @param image absent in a video
+     */
+    public record Frame(int frame, String image, String plan, double milliseconds) {}
+}

@@ -1,0 +1,88 @@
+package lightning.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Assumptions;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Help by a command, manual pages, completion, and suggestions for misspelled words. */
+class HelpCommandTest {
+    @TempDir
+    Path folder;
+
+    @Test
+    void help_equalsTheOption() {
+        for (HelpPages.Page page : HelpPages.all()) {
+            List<String> words = List.of(page.name().split(" "));
+            List<String> help = new ArrayList<>(List.of("help"));
+            help.addAll(words.subList(1, words.size()));
+            assertThat(CliResult.run(help.toArray()).assertSuccess().out()).isEqualTo(page.text());
+        }
+    }
+
+    @Test
+    void misspelledWords_haveSuggestions() {
+        CliResult.run("help", "shot", "rendr").assertRejected("did you mean 'render'?");
+        CliResult.run("rendr", "a.jen").assertRejected("did you mean 'render'?");
+        CliResult.run("shot", "relihgt", "a.jen").assertRejected("did you mean 'relight'?");
+        CliResult.run("render", "a.jen", "--siez", "2x2").assertRejected("did you mean '--size'?");
+        CliResult.run("render", "--siez=2x2").assertRejected("did you mean '--size'?");
+    }
+
+    @Test
+    void everyCommand_hasAManualPage_withAllOptionsAndExamples() throws IOException {
+        CliResult.run("help", "--man", folder).assertSuccess();
+        for (HelpPages.Page page : HelpPages.all()) {
+            String text = Files.readString(folder.resolve(page.name().replace(' ', '-') + ".1"));
+            assertThat(text).contains(".SH NAME", ".SH SYNOPSIS", ".SH OPTIONS", ".SH EXAMPLES", "\\fB\\-\\-json\\fR");
+            page.text().lines().filter(line -> line.startsWith("  lightning ")).forEach(
+                    line -> assertThat(text).contains(line.strip().replace("\\", "\\e").replace("-", "\\-").replace("'", "\\(aq")));
+        }
+    }
+
+    @Test
+    void manualPages_areReadableByMan() throws IOException, InterruptedException {
+        CliResult.run("help", "--man", folder).assertSuccess();
+        try (Stream<Path> pages = Files.list(folder)) {
+            for (Path page : pages.toList()) {
+                assertThat(runIfInstalled("groff", "-man", "-ww", "-z", page.toString())).isEmpty();
+            }
+        }
+    }
+
+    @Test
+    void completion_completesCommandsAndOptions() throws IOException, InterruptedException {
+        Path script = Files.writeString(folder.resolve("script"), CliResult.run("completion", "bash").assertSuccess().out());
+        assertThat(complete(script, "lightning", "rend")).isEqualTo("render");
+        assertThat(complete(script, "lightning", "shot", "rel")).isEqualTo("relight");
+        assertThat(complete(script, "lightning", "render", "--trad")).isEqualTo("--traditional");
+    }
+
+    private static String complete(Path script, String... words) throws IOException, InterruptedException {
+        String line = "source " + script + "; COMP_WORDS=(" + String.join(" ", words) + "); COMP_CWORD=" + (words.length - 1)
+                + "; _complete_lightning 2>/dev/null; echo \"${COMPREPLY[*]}\"";
+        return runIfInstalled("bash", "-c", line).strip();
+    }
+
+    /** Runs a program; returns its output and errors. */
+    private static String runIfInstalled(String... words) throws IOException, InterruptedException {
+        Process process;
+        try {
+            process = new ProcessBuilder(words).redirectErrorStream(true).start();
+        } catch (IOException e) {
+            Assumptions.abort(words[0] + " is not installed");
+            throw e;
+        }
+        String text = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+        assertThat(process.waitFor()).as(text).isZero();
+        return text;
+    }
+}
