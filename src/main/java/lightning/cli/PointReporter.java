@@ -6,6 +6,7 @@ import lightning.base.math.Vec3;
 import lightning.cli.report.ExplainReport;
 import lightning.render.shading.LightReport;
 import lightning.render.shading.PixelExplainer;
+import lightning.render.shading.PointContributions;
 import lightning.render.shading.PointReport;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.NormalSteps;
