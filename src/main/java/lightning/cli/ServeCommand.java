@@ -55,6 +55,9 @@ final class ServeCommand implements Callable<Integer> {
         if (memory != null && !(memory > 0)) {
             throw new ParameterException(command.commandLine(), "--memory must be more than 0, was " + memory);
         }
+        if (console.report().isJson()) {
+            throw new ParameterException(command.commandLine(), "serve does not take --json: its answers are JSON already");
+        }
         long bytes = memory == null ? HeapBudget.availableBytes() : Math.min((long) (memory * GB), HeapBudget.availableBytes());
         try (Server server = new Server(new ServerOptions(threads.count(), bytes))) {
             if (socket == null) {

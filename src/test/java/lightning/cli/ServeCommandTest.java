@@ -128,6 +128,7 @@ class ServeCommandTest {
     @Test
     void badOptions_areRejected() throws IOException {
         CliResult.run("serve", "--memory", "0").assertRejected("--memory must be more than 0");
+        assertThat(CliResult.run("serve", "--json").out()).contains("serve does not take --json");
         Path file = Files.writeString(folder.resolve("a.txt"), "");
         CliResult.run("serve", "--socket", file).assertRejected("a.txt: exists already and is not a socket");
     }
