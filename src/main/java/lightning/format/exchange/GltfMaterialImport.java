@@ -19,11 +19,6 @@ import lightning.scene.TextureMap;
 
 /** Converter from glTF materials to metallic materials; notes unsupported properties. */
 final class GltfMaterialImport {
-    /**
-     * Roughness above which a reflection is blurred by more than 3° to each side, where the GGX highlight has half its
-     * height.
-     */
-    private static final double MAX_MIRROR_ROUGHNESS = 0.2;
 
     private final SceneAssembler assembler;
     private final GltfScene file;
@@ -55,7 +50,7 @@ final class GltfMaterialImport {
                         assembler.clampColor(m.emission().times(emissionTextureMean(m)), SceneLimits.MAX_EMISSION, "emission of materials"))
                 .withMetalness(SceneAssembler.clamp(m.metallic() * means.metalness(), 1))
                 .withRoughness(SceneAssembler.clamp(m.roughness() * means.roughness(), 1)).withTexture(textureMap(m.baseImage()));
-        return withCutout(withNormalMap(withTransmission(withReflection(withHighlights(material, m)), m), m), m);
+        return withCutout(withNormalMap(withTransmission(MirrorMetals.reflect(withHighlights(material, m), assembler.notes), m), m), m);
     }
 
     /** Adds the specular highlight of a dielectric: a gray share here, with full reflection at grazing angles. */
@@ -73,19 +68,6 @@ final class GltfMaterialImport {
         return material.withF0(isGray ? f0.r() : Math.min(f0.luminance(), 1));
     }
 
-    /**
-     * Adds reflections to a metal that is fully metallic and smooth enough for sharp ones. Each pixel of such a surface
-     * casts up to one ray per reflection bounce, and {@code reflective} supports no texture and weakens emission, so all
-     * other metals reflect lights only.
-     */
-    private Material withReflection(Material material) {
-        boolean isMirror = material.metalness() == 1 && material.roughness() <= MAX_MIRROR_ROUGHNESS && material.texture().isEmpty()
-                && material.glow().isBlack();
-        assembler.notes.add("metals that reflect only lights (rough, partly metallic, textured or emissive)",
-                material.metalness() > 0 && !isMirror ? 1 : 0);
-        return isMirror ? material.withReflective(material.base()) : material;
-    }
-
     /** Adds transmission; the base color tints the light once at each surface. */
     private Material withTransmission(Material material, GltfMaterial m) {
         var transmission = new TransmissionImport(assembler);
@@ -96,7 +78,7 @@ final class GltfMaterialImport {
         assembler.notes.add("transparent materials without a volume (KHR_materials_volume), imported as thin sheets",
                 glass.isThin() ? 1 : 0);
         assembler.notes.add("rough transmission of materials, imported as sharp",
-                material.roughness() > MAX_MIRROR_ROUGHNESS ? 1 : 0);
+                material.roughness() > MirrorMetals.MAX_ROUGHNESS ? 1 : 0);
         Material transmissive = transmission.withTransmission(material, SceneAssembler.clamp(glass.factor(), 1), material.base(),
                 glass.ior(), glass.isThin(), material.metalness());
         double distance = glass.tintDistance();

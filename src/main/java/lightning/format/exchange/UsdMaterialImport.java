@@ -17,8 +17,6 @@ import lightning.scene.TextureMap;
 
 /** Converter from UsdPreviewSurface to metallic materials. */
 final class UsdMaterialImport {
-    /** As for glTF: above it, a reflection would be blurred. */
-    private static final double MAX_MIRROR_ROUGHNESS = 0.2;
     private static final double HALF = 0.5;
 
     private final SceneAssembler assembler;
@@ -42,7 +40,7 @@ final class UsdMaterialImport {
                 .withMetalness(SceneAssembler.clamp(value(in, "metallic", 0), 1))
                 .withRoughness(SceneAssembler.clamp(value(in, "roughness", HALF), 1)).withGlow(glow(in));
         noteLosses(in);
-        return withOpacity(withNormals(withReflection(withHighlights(material, in)), images.get("normal")), in);
+        return withOpacity(withNormals(MirrorMetals.reflect(withHighlights(material, in), assembler.notes), images.get("normal")), in);
     }
 
     private void noteLosses(JsonValue in) throws MeshException {
@@ -60,14 +58,6 @@ final class UsdMaterialImport {
         double ior = in.get("ior").number(1.5);
         double f0 = Math.pow((1 - ior) / (1 + ior), 2);
         return material.withF0(UsdLightImport.rounded(SceneAssembler.clamp(f0, 1)));
-    }
-
-    private Material withReflection(Material material) {
-        boolean isMirror = material.metalness() == 1 && material.roughness() <= MAX_MIRROR_ROUGHNESS && material.texture().isEmpty()
-                && material.glow().isBlack();
-        assembler.notes.add("metals that reflect only lights (rough, partly metallic, textured or emissive)",
-                material.metalness() > 0 && !isMirror ? 1 : 0);
-        return isMirror ? material.withReflective(material.base()) : material;
     }
 
     private Material withNormals(Material material, JsonValue image) throws IOException, MeshException {
