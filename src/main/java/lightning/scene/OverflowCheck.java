@@ -4,13 +4,14 @@ import java.math.BigDecimal;
 import java.math.MathContext;
 import java.math.RoundingMode;
 import java.util.Optional;
+import java.util.stream.Stream;
 import lightning.base.text.Quote;
 
 /**
  * Check that the sum of contributions cannot overflow a float. Sharp highlights of a metallic material are brighter than the light itself.
  * The weights of all lights times the largest term of any material may sum to at most {@link SceneLimits#MAX_TOTAL_LIGHT}, which scenes
- * without such a material never exceed. Includes lights that are off, and counts each light with or without its group, whichever is
- * brighter, so that neither a switch nor the removal of a group can exceed the limit. Gains count as intensity.
+ * without such a material never exceed. Includes lights that are off, and counts each light with or without its group, gains and size,
+ * whichever is brightest, so that neither a switch nor a hidden effect can exceed the limit. Gains count as intensity.
  *
  * @param light    the brightest light
  * @param material the material with the sharpest highlights
@@ -30,14 +31,21 @@ public record OverflowCheck(Light light, Material material, double limit, double
         double brightest = 0;
         Light light = null;
         for (Light candidate : rig.lights()) {
-            double weight =
-                    Math.max(rig.effectiveLight(candidate.withLightGroup("")).maxWeight(), rig.effectiveLight(candidate).maxWeight())
-                            * Math.max(1, candidate.maxFalloff());
+            double weight = maxWeight(candidate, rig);
             sum += weight;
             light = weight > brightest ? candidate : light;
             brightest = Math.max(brightest, weight);
         }
         return sum > limit ? Optional.of(new OverflowCheck(light, material, limit, sum)) : Optional.empty();
+    }
+
+    /** Returns a light's largest weight times falloff, with or without each effect whose absence can make it brighter. */
+    private static double maxWeight(Light light, LightRig rig) {
+        AreaShape point = light.area().withRadius(0).withSpread(0).withWidth(0).withHeight(0);
+        return Stream.of(light, light.withLightGroup(""))
+                .flatMap(l -> Stream.of(l, l.withContribution(Contribution.DEFAULT)))
+                .flatMap(l -> Stream.of(l, l.withArea(point)))
+                .mapToDouble(l -> rig.effectiveLight(l).maxWeight() * Math.max(1, l.maxFalloff())).max().orElse(0);
     }
 
     /** @throws IllegalArgumentException if the lights are too bright; the message says which */

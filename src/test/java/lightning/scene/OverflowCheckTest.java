@@ -1,14 +1,27 @@
 package lightning.scene;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatCode;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.nio.file.Path;
+import java.util.Set;
 import lightning.editor.document.LightEdits;
 import lightning.editor.document.MaterialEdits;
 import lightning.format.jen.JenException;
 import lightning.format.jen.JenReader;
+import lightning.sample.EditSession;
+import lightning.scene.effects.RenderEffect;
+import lightning.scene.effects.ViewEffects;
+import net.jqwik.api.Arbitraries;
+import net.jqwik.api.Arbitrary;
+import net.jqwik.api.EdgeCasesMode;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.Provide;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class OverflowCheckTest {
     private static final String BRIGHT = """
@@ -56,5 +69,30 @@ class OverflowCheckTest {
         String dark = BRIGHT.replace("1e30", "1e30 bank \"dim\" on no") + "bank \"dim\" { intensity 0 }\n";
         assertThat(read(dark).lights()).hasSize(1);
         assertThatThrownBy(() -> read(dark + GOLD)).isInstanceOf(JenException.class);
+    }
+
+    /** An effect that the view hides must not exceed the limit: a gain, a group, the size of an area light. */
+    @ParameterizedTest
+    @ValueSource(strings = {"intensity 1e29 diffuse 0 specular 0", "intensity 1e29 bank \"dim\"",
+        "intensity 1e29 diffuse 0 specular 0 bank \"dim\"", "intensity 1e20 falloff inverse_square radius 100"})
+    void effectThatDims_countsAsAbsent(String light) throws JenException {
+        String dim = "camera { from 0 0 5 to 0 0 0 }\nsphere \"ball\" { }\nbank \"dim\" { intensity 0 }\n"
+                + "light \"lamp\" point { " + light + " }\n";
+        assertThat(read(dim).lights()).hasSize(1);
+        assertThatThrownBy(() -> read(dim + GOLD)).isInstanceOf(JenException.class).hasMessageContaining("must add up");
+    }
+
+    @Property(edgeCases = EdgeCasesMode.NONE)
+    void sceneWithoutEffects_isValid(@ForAll("sessions") EditSession session) {
+        for (Scene scene : session.scenes()) {
+            for (RenderEffect effect : RenderEffect.ALL) {
+                assertThatCode(() -> ViewEffects.ALL.withHidden(Set.of(effect)).apply(scene)).as(effect.title()).doesNotThrowAnyException();
+            }
+        }
+    }
+
+    @Provide
+    Arbitrary<EditSession> sessions() {
+        return Arbitraries.oneOf(EditSession.mixedSessions(), EditSession.extremeSessions());
     }
 }
