@@ -147,7 +147,7 @@ final class ShotExtras {
             Placement placement = placements.getFirst();
             frames.add(key.get(0).asInt());
             positions.add(placement.position());
-            rotations.add(rotations.isEmpty() ? placement.rotation() : nearest(placement.rotation(), rotations.getLast()));
+            rotations.add(rotations.isEmpty() ? placement.rotation() : NearestAngles.of(placement.rotation(), rotations.getLast(), v -> v));
             scales.add(placement.scale());
         }
         addVectors(target, "at", frames, positions);
@@ -165,20 +165,5 @@ final class ShotExtras {
             }
             tracks.add(new Track(target, attribute, withoutRedundant(keys, true)));
         }
-    }
-
-    /** Returns the angles of the same rotation that are nearest to the previous ones, so that an object does not turn back between frames. */
-    private static Vec3 nearest(Vec3 angles, Vec3 previous) {
-        Vec3 one = unwrapped(angles, previous);
-        Vec3 other = unwrapped(new Vec3(angles.x() + 180, 180 - angles.y(), angles.z() + 180), previous);
-        return one.minus(previous).length() <= other.minus(previous).length() ? one : other;
-    }
-
-    private static Vec3 unwrapped(Vec3 angles, Vec3 previous) {
-        return new Vec3(unwrapped(angles.x(), previous.x()), unwrapped(angles.y(), previous.y()), unwrapped(angles.z(), previous.z()));
-    }
-
-    private static double unwrapped(double angle, double previous) {
-        return angle + 360 * Math.rint((previous - angle) / 360);
     }
 }

@@ -45,8 +45,8 @@ final class UsdDomeImport {
 
     /** Sets the environment, and the comment that brings it back. */
     void add(JsonValue in) throws IOException, MeshException {
-        double exposure = UsdLightImport.tidy(in.get("exposure").number(0));
-        double intensity = UsdLightImport.tidy(in.get("intensity").number(1));
+        double exposure = UsdNumbers.tidy(in.get("exposure").number(0));
+        double intensity = UsdNumbers.tidy(in.get("intensity").number(1));
         double stops = Math.pow(2, exposure);
         double wanted = in.get("hidden").bool(false) ? 0 : intensity * stops;
         double strength = Math.clamp(wanted, 0, SceneLimits.MAX_GROUP_INTENSITY);
@@ -162,6 +162,6 @@ final class UsdDomeImport {
         Vec3 center = m.transformVector(new Vec3(0, 0, 1));
         assembler.notes.add("tilted dome lights, imported upright", Math.abs(up.y() - 1) <= MAX_TILT ? 0 : 1);
         double degrees = Math.toDegrees(Math.atan2(center.x(), center.z())) + 180;
-        return UsdLightImport.rounded(degrees > 180 ? degrees - 360 : degrees);
+        return UsdNumbers.rounded(degrees > 180 ? degrees - 360 : degrees);
     }
 }

@@ -9,6 +9,7 @@ import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
 import lightning.base.work.Progress;
 import lightning.format.gltf.JsonValue;
+import lightning.format.mesh.ConversionNotes;
 import lightning.format.mesh.MeshException;
 import lightning.format.usd.UsdStage;
 import lightning.scene.Camera;
@@ -82,7 +83,10 @@ final class UsdImport {
     }
 
     private void importLights() throws IOException, MeshException {
-        var converter = new UsdLightImport(assembler, upright, assembler.world.meters());
+        double meters = assembler.world.meters();
+        var converter = new UsdLightImport(assembler, upright, meters, assembler.notes);
+        // Further frames repeat what is noted already.
+        var frameConverter = new UsdLightImport(assembler, upright, meters, new ConversionNotes());
         JsonValue lights = root.get("lights");
         for (int i = 0; i < lights.size(); i++) {
             JsonValue in = lights.element(i);
@@ -100,11 +104,11 @@ final class UsdImport {
                 continue;
             }
             String name = assembler.names.unique(in.get("name").text().orElse(""), "light");
-            Optional<Light> light = new UsdLightImport(assembler, upright, assembler.world.meters()).convert(name, in);
+            Optional<Light> light = converter.convert(name, in);
             if (light.isPresent()) {
                 assembler.lights.add(linked(light.get(), in.get("links")));
                 UsdPaths.addLight(assembler, name, in);
-                importFrames(light.get(), in, converter);
+                importFrames(light.get(), in, frameConverter);
             }
         }
     }
@@ -112,7 +116,6 @@ final class UsdImport {
     private void importFrames(Light light, JsonValue in, UsdLightImport converter) throws IOException, MeshException {
         JsonValue frames = in.get("frames");
         List<Light> moving = new ArrayList<>();
-        converter.silence();
         for (int i = 0; i < frames.size(); i++) {
             moving.add(converter.convert(light.name(), frames.element(i)).orElse(light));
         }
@@ -168,11 +171,8 @@ final class UsdImport {
         Vec3 view = m.transformVector(new Vec3(0, 0, -1)).normalized();
         double fov = Math.toDegrees(2 * Math.atan(in.get("height").number(1) / (2 * in.get("focal").number(1))));
         double distance = Math.max(assembler.bounds.center().minus(from).dot(view), MIN_TARGET_DISTANCE * assembler.bounds.radius());
-        return new Camera(rounded(from), rounded(from.plus(view.times(distance))), rounded(m.transformVector(Vec3.Y).normalized()),
-                UsdLightImport.rounded(Math.clamp(fov, SceneLimits.MIN_FOV, SceneLimits.MAX_FOV)));
-    }
-
-    private static Vec3 rounded(Vec3 v) {
-        return new Vec3(UsdLightImport.rounded(v.x()), UsdLightImport.rounded(v.y()), UsdLightImport.rounded(v.z()));
+        return new Camera(UsdNumbers.rounded(from), UsdNumbers.rounded(from.plus(view.times(distance))),
+                UsdNumbers.rounded(m.transformVector(Vec3.Y).normalized()),
+                UsdNumbers.rounded(Math.clamp(fov, SceneLimits.MIN_FOV, SceneLimits.MAX_FOV)));
     }
 }

@@ -37,25 +37,20 @@ final class UsdLightImport {
     private final SceneAssembler assembler;
     private final Transform upright;
     private final double meters;
-    /** Receives the notes of the frame that is converted. */
-    private ConversionNotes notes;
+    private final ConversionNotes notes;
 
     /**
      * Creates a converter.
      *
      * @param upright rotation of the stage to a scene with y up
      * @param meters meters per scene unit
+     * @param notes receives what cannot be imported
      */
-    UsdLightImport(SceneAssembler assembler, Transform upright, double meters) {
+    UsdLightImport(SceneAssembler assembler, Transform upright, double meters, ConversionNotes notes) {
         this.assembler = assembler;
         this.upright = upright;
         this.meters = meters;
-        notes = assembler.notes;
-    }
-
-    /** Writes no more notes: for further frames of lights. */
-    void silence() {
-        notes = new ConversionNotes();
+        this.notes = notes;
     }
 
     /** Returns a light without links; empty if it cannot be imported. */
@@ -81,7 +76,7 @@ final class UsdLightImport {
     }
 
     private Light distant(Light light, JsonValue in) throws MeshException {
-        double spread = Math.clamp(tidy(in.get("angle").number(0)) / 2, 0, SceneLimits.MAX_SPREAD);
+        double spread = Math.clamp(UsdNumbers.tidy(in.get("angle").number(0)) / 2, 0, SceneLimits.MAX_SPREAD);
         return placed(light, in).withType(LightType.DIRECTIONAL).withPosition(Vec3.ZERO).withFalloff(Falloff.CUSTOM)
                 .withArea(AreaShape.DEFAULT.withSpread(spread))
                 .withEmission(Emission.DEFAULT.withUnit(isNormalized(in) || spread == 0 ? IntensityUnit.LUX : IntensityUnit.NIT));
@@ -91,7 +86,7 @@ final class UsdLightImport {
         Vec3 scale = scale(in);
         noteScale(scale.x(), scale.y());
         noteScale(scale.x(), scale.z());
-        double radius = tidy(in.get("radius").number(0)) * (scale.x() + scale.y() + scale.z()) / 3;
+        double radius = UsdNumbers.tidy(in.get("radius").number(0)) * (scale.x() + scale.y() + scale.z()) / 3;
         boolean isPoint = in.get("treatAsPoint").bool(false);
         Light ball = placed(light, in).withArea(AreaShape.DEFAULT.withRadius(isPoint ? 0 : size(radius)));
         // A ball's surface is four times the disc as which it is seen.
@@ -105,7 +100,7 @@ final class UsdLightImport {
         Vec3 scale = scale(in);
         noteScale(scale.x(), scale.y());
         Light disc = placed(light, in).withType(LightType.DISC)
-                .withArea(AreaShape.DEFAULT.withRadius(size(tidy(in.get("radius").number(0)) * (scale.x() + scale.y()) / 2)));
+                .withArea(AreaShape.DEFAULT.withRadius(size(UsdNumbers.tidy(in.get("radius").number(0)) * (scale.x() + scale.y()) / 2)));
         disc = isNormalized(in) ? candela(disc, meters * meters) : nit(disc);
         // A spot has no cosine of its own.
         return isShaped(in.get("shaping")) ? cone(disc, in.get("shaping"), 1) : disc;
@@ -114,9 +109,9 @@ final class UsdLightImport {
     private Light rect(Light light, JsonValue in) throws MeshException {
         Vec3 scale = scale(in);
         Vec3 up = world(in).transformVector(Vec3.Y).normalized();
-        Light rect = placed(light, in).withType(LightType.RECT).withArea(AreaShape.DEFAULT.withUp(tidy(up))
-                .withWidth(size(tidy(in.get("width").number(0)) * scale.x()))
-                .withHeight(size(tidy(in.get("height").number(0)) * scale.y())));
+        Light rect = placed(light, in).withType(LightType.RECT).withArea(AreaShape.DEFAULT.withUp(UsdNumbers.rounded(up))
+                .withWidth(size(UsdNumbers.tidy(in.get("width").number(0)) * scale.x()))
+                .withHeight(size(UsdNumbers.tidy(in.get("height").number(0)) * scale.y())));
         notes.add("cones and profiles of rect lights", isShaped(in.get("shaping")) ? 1 : 0);
         return isNormalized(in) ? candela(rect, meters * meters) : nit(rect);
     }
@@ -124,22 +119,23 @@ final class UsdLightImport {
     /** A cylinder becomes a ball of the same area, and so of the same luminance and flux. Its own size stays in values without effect. */
     private Light cylinder(Light light, JsonValue in) throws MeshException {
         Vec3 scale = scale(in);
-        double length = size(tidy(in.get("length").number(0)) * scale.x());
-        double radius = size(tidy(in.get("radius").number(0)) * (scale.y() + scale.z()) / 2);
+        double length = size(UsdNumbers.tidy(in.get("length").number(0)) * scale.x());
+        double radius = size(UsdNumbers.tidy(in.get("radius").number(0)) * (scale.y() + scale.z()) / 2);
         notes.add("cylinder lights, imported as balls of the same area");
         notes.add("cones and profiles of cylinder lights", isShaped(in.get("shaping")) ? 1 : 0);
-        Light ball = placed(light, in).withArea(AreaShape.DEFAULT.withRadius(rounded(Math.sqrt(length * radius / 2))).withWidth(length)
-                .withHeight(rounded(2 * radius)).withUp(tidy(world(in).transformVector(Vec3.Y).normalized())));
+        Light ball = placed(light, in).withArea(AreaShape.DEFAULT.withRadius(UsdNumbers.rounded(Math.sqrt(length * radius / 2)))
+                .withWidth(length)
+                .withHeight(UsdNumbers.rounded(2 * radius)).withUp(UsdNumbers.rounded(world(in).transformVector(Vec3.Y).normalized())));
         return isNormalized(in) ? candela(ball, meters * meters / 4) : nit(ball);
     }
 
     private Light cone(Light light, JsonValue shaping, double cosine) throws IOException, MeshException {
-        double angle = Math.clamp(tidy(shaping.get("angle").number(90)), 0, SceneLimits.MAX_ANGLE);
-        double focus = SceneAssembler.clamp(tidy(shaping.get("focus").number(0)), SceneLimits.MAX_DROPOFF - 1);
+        double angle = Math.clamp(UsdNumbers.tidy(shaping.get("angle").number(90)), 0, SceneLimits.MAX_ANGLE);
+        double focus = SceneAssembler.clamp(UsdNumbers.tidy(shaping.get("focus").number(0)), SceneLimits.MAX_DROPOFF - 1);
         double softness = shaping.get("softness").number(0);
         notes.add("soft edges of cones (shaping:cone:softness), imported as hard at half intensity", softness > 0 ? 1 : 0);
         // The softness fades from angle · (1 − softness) to the angle.
-        double half = softness > 0 ? rounded(angle * (1 - Math.clamp(softness, 0, 1) / 2)) : angle;
+        double half = softness > 0 ? UsdNumbers.rounded(angle * (1 - Math.clamp(softness, 0, 1) / 2)) : angle;
         Light spot = light.withType(LightType.SPOT).withAngle(half).withDropoff(focus + cosine);
         notes.add("angle scales of IES profiles", shaping.get("angleScale").number(0) == 0 ? 0 : 1);
         return spot.withProfile(profile(shaping.get("profile")));
@@ -168,8 +164,8 @@ final class UsdLightImport {
 
     private Light placed(Light light, JsonValue in) throws MeshException {
         Transform m = world(in);
-        return light.withPosition(tidy(m.transformPoint(Vec3.ZERO)))
-                .withDirection(tidy(m.transformVector(new Vec3(0, 0, -1)).normalized()));
+        return light.withPosition(UsdNumbers.rounded(m.transformPoint(Vec3.ZERO)))
+                .withDirection(UsdNumbers.rounded(m.transformVector(new Vec3(0, 0, -1)).normalized()));
     }
 
     private Light emission(Light light, JsonValue in) throws MeshException {
@@ -177,24 +173,25 @@ final class UsdLightImport {
         double temperature = in.get("temperature").number(ColorTemperature.NEUTRAL);
         double allowed = Math.clamp(temperature, ColorTemperature.MIN, ColorTemperature.MAX);
         notes.add("color temperatures beyond 1667 to 25000 kelvin", allowed == temperature ? 0 : 1);
-        double exposure = tidy(in.get("exposure").number(0));
+        double exposure = UsdNumbers.tidy(in.get("exposure").number(0));
         double stops = Math.clamp(exposure, -Emission.MAX_EXPOSURE, Emission.MAX_EXPOSURE);
-        double intensity = tidy(in.get("intensity").number(1)) * light.intensity() * Math.pow(2, exposure - stops);
+        double intensity = UsdNumbers.tidy(in.get("intensity").number(1)) * light.intensity() * Math.pow(2, exposure - stops);
         notes.add("negative intensities of lights", intensity < 0 ? 1 : 0);
         return light.withColor(color(color)).withIntensity(SceneAssembler.clamp(shortened(intensity), SceneLimits.MAX_INTENSITY))
-                .withEmission(light.emission().withExposure(stops).withTemperature(tidy(allowed)))
+                .withEmission(light.emission().withExposure(stops).withTemperature(UsdNumbers.tidy(allowed)))
                 .withOn(!in.get("hidden").bool(false))
                 .withContribution(Contribution.DEFAULT.withCastsShadows(in.get("shadows").bool(true))
-                        .withDiffuse(SceneAssembler.clamp(tidy(in.get("diffuse").number(1)), SceneLimits.MAX_GAIN))
-                        .withSpecular(SceneAssembler.clamp(tidy(in.get("specular").number(1)), SceneLimits.MAX_GAIN)));
+                        .withDiffuse(SceneAssembler.clamp(UsdNumbers.tidy(in.get("diffuse").number(1)), SceneLimits.MAX_GAIN))
+                        .withSpecular(SceneAssembler.clamp(UsdNumbers.tidy(in.get("specular").number(1)), SceneLimits.MAX_GAIN)));
     }
 
     private Rgb color(double[] color) {
         double max = SceneLimits.MAX_LIGHT_COLOR;
-        Rgb result = new Rgb(SceneAssembler.clamp(tidy(color[0]), max), SceneAssembler.clamp(tidy(color[1]), max),
-                SceneAssembler.clamp(tidy(color[2]), max));
+        Rgb result = new Rgb(SceneAssembler.clamp(UsdNumbers.tidy(color[0]), max), SceneAssembler.clamp(UsdNumbers.tidy(color[1]), max),
+                SceneAssembler.clamp(UsdNumbers.tidy(color[2]), max));
         notes.add("colors of lights beyond 0 to 1000",
-                result.r() == tidy(color[0]) && result.g() == tidy(color[1]) && result.b() == tidy(color[2]) ? 0 : 1);
+                result.r() == UsdNumbers.tidy(color[0]) && result.g() == UsdNumbers.tidy(color[1])
+                        && result.b() == UsdNumbers.tidy(color[2]) ? 0 : 1);
         return result;
     }
 
@@ -222,7 +219,7 @@ final class UsdLightImport {
 
     private Vec3 scale(JsonValue in) throws MeshException {
         Transform m = world(in);
-        return tidy(new Vec3(m.transformVector(new Vec3(1, 0, 0)).length(), m.transformVector(Vec3.Y).length(),
+        return UsdNumbers.rounded(new Vec3(m.transformVector(new Vec3(1, 0, 0)).length(), m.transformVector(Vec3.Y).length(),
                 m.transformVector(new Vec3(0, 0, 1)).length()));
     }
 
@@ -231,26 +228,11 @@ final class UsdLightImport {
     }
 
     private static double size(double v) {
-        return rounded(SceneAssembler.clamp(v, SceneLimits.MAX_EXTENT));
-    }
-
-    /** Returns the shortest decimal number that is the same float: stages have floats. */
-    static double tidy(double v) {
-        return v == (float) v ? Double.parseDouble(Float.toString((float) v)) : rounded(v);
-    }
-
-    private static Vec3 tidy(Vec3 v) {
-        return new Vec3(rounded(v.x()), rounded(v.y()), rounded(v.z()));
+        return UsdNumbers.rounded(SceneAssembler.clamp(v, SceneLimits.MAX_EXTENT));
     }
 
     /** Rounds a product of floats to more digits than they have. */
     private static double shortened(double v) {
         return Double.isFinite(v) ? new BigDecimal(v).round(DIGITS).doubleValue() : v;
-    }
-
-    /** Rounds to about nine digits. */
-    static double rounded(double v) {
-        double nearest = Math.rint(v * 1e9) / 1e9;
-        return Math.abs(v) < 1e6 && (Math.abs(v) >= 1e-3 || nearest == 0) ? nearest + 0.0 : v;
     }
 }

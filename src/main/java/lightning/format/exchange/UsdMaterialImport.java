@@ -57,7 +57,7 @@ final class UsdMaterialImport {
         }
         double ior = in.get("ior").number(1.5);
         double f0 = Math.pow((1 - ior) / (1 + ior), 2);
-        return material.withF0(UsdLightImport.rounded(SceneAssembler.clamp(f0, 1)));
+        return material.withF0(UsdNumbers.rounded(SceneAssembler.clamp(f0, 1)));
     }
 
     private Material withNormals(Material material, JsonValue image) throws IOException, MeshException {
@@ -111,7 +111,7 @@ final class UsdMaterialImport {
     private double value(JsonValue in, String name, double fallback) throws IOException, MeshException {
         JsonValue image = in.get("textures").get(name);
         if (!image.isPresent()) {
-            return UsdLightImport.tidy(in.get(name).number(fallback));
+            return UsdNumbers.tidy(in.get(name).number(fallback));
         }
         Optional<byte[]> bytes = textures.bytes(image);
         if (bytes.isEmpty()) {
@@ -123,7 +123,7 @@ final class UsdMaterialImport {
             assembler.notes.add(name + " textures of materials, averaged");
             double[] scale = image.get("scale").numbers(1, 1, 1, 1);
             double[] bias = image.get("bias").numbers(0, 0, 0, 0);
-            return UsdLightImport.rounded(TextureMeans.mean(texture, channel) * scale[channel] + bias[channel]);
+            return UsdNumbers.rounded(TextureMeans.mean(texture, channel) * scale[channel] + bias[channel]);
         } catch (UnusableFileException e) {
             assembler.notes.add(name + " textures of materials");
             return fallback;
@@ -139,11 +139,11 @@ final class UsdMaterialImport {
 
     private static Rgb scale(JsonValue image) throws MeshException {
         double[] scale = image.get("scale").numbers(1, 1, 1, 1);
-        return new Rgb(UsdLightImport.tidy(scale[0]), UsdLightImport.tidy(scale[1]), UsdLightImport.tidy(scale[2]));
+        return new Rgb(UsdNumbers.tidy(scale[0]), UsdNumbers.tidy(scale[1]), UsdNumbers.tidy(scale[2]));
     }
 
     private Rgb color(JsonValue in, double max, String label) throws MeshException {
         double[] c = in.numbers(0, 0, 0);
-        return assembler.clampColor(new Rgb(UsdLightImport.tidy(c[0]), UsdLightImport.tidy(c[1]), UsdLightImport.tidy(c[2])), max, label);
+        return assembler.clampColor(new Rgb(UsdNumbers.tidy(c[0]), UsdNumbers.tidy(c[1]), UsdNumbers.tidy(c[2])), max, label);
     }
 }

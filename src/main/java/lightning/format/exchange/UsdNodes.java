@@ -25,7 +25,6 @@ final class UsdNodes {
     /** Prims inside each other. */
     private static final int MAX_DEPTH = 500;
     private static final int PROTOTYPE = -2;
-    private static final double FULL_TURN = 360;
 
     private final SceneAssembler assembler;
     private final UsdStage stage;
@@ -195,20 +194,8 @@ final class UsdNodes {
 
     /** Returns a placement with the same transform whose angles are nearest to those of the frame before. */
     private static Placement continued(Placement before, Placement placement) {
-        Vec3 r = placement.rotation();
-        Vec3 one = near(before.rotation(), r);
-        // The same rotation by other angles.
-        Vec3 other = near(before.rotation(), new Vec3(r.x() + 180, 180 - r.y(), r.z() + 180));
-        Vec3 best = one.minus(before.rotation()).length() <= other.minus(before.rotation()).length() ? one : other;
+        Vec3 best = NearestAngles.of(placement.rotation(), before.rotation(), UsdNumbers::rounded);
         return best.maxAbs() <= SceneLimits.MAX_ROTATION ? placement.withRotation(best) : placement;
-    }
-
-    private static Vec3 near(Vec3 before, Vec3 angles) {
-        return new Vec3(near(before.x(), angles.x()), near(before.y(), angles.y()), near(before.z(), angles.z()));
-    }
-
-    private static double near(double before, double angle) {
-        return UsdLightImport.rounded(angle + FULL_TURN * Math.rint((before - angle) / FULL_TURN));
     }
 
     private List<SceneNode> instances(JsonValue in, Transform world, Transform rest, int groups, int depth)

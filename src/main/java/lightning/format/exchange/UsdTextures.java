@@ -46,7 +46,7 @@ final class UsdTextures {
     }
 
     private static double repeat(double v) {
-        double limited = Math.clamp(UsdLightImport.tidy(v), -SceneLimits.MAX_REPEAT, SceneLimits.MAX_REPEAT);
+        double limited = Math.clamp(UsdNumbers.tidy(v), -SceneLimits.MAX_REPEAT, SceneLimits.MAX_REPEAT);
         return Math.abs(limited) < MIN_REPEAT ? 1 : limited;
     }
 
