@@ -86,7 +86,7 @@ final class BlenderCommand implements Callable<Integer> {
             copy(root.resolve(CLIENT_SOURCES), target.resolve(CLIENT));
         }
         String launcher = Optional.ofNullable(System.getProperty("jpackage.app-path")).orElse(root.resolve("bin/lightning").toString());
-        write(target.resolve("program.txt"), (launcher + "\n").getBytes(StandardCharsets.UTF_8));
+        AtomicFile.of(target.resolve("program.txt")).write((launcher + "\n").getBytes(StandardCharsets.UTF_8));
         console.print("%s: installed; enable Lightning in Blender under Edit > Preferences > Add-ons", target);
         return ExitCode.OK;
     }
@@ -137,7 +137,7 @@ final class BlenderCommand implements Callable<Integer> {
                 Path file = target.resolve(entry.getName()).normalize();
                 if (!entry.isDirectory() && file.startsWith(target)) {
                     Files.createDirectories(file.getParent());
-                    write(file, in.readAllBytes());
+                    AtomicFile.of(file).write(in.readAllBytes());
                 }
             }
         }
@@ -148,13 +148,9 @@ final class BlenderCommand implements Callable<Integer> {
         try (Stream<Path> files = Files.list(sources)) {
             for (Path file : files.filter(Files::isRegularFile).toList()) {
                 try (InputStream in = RegularFile.open(file, "the Blender add-on")) {
-                    write(target.resolve(file.getFileName()), in.readAllBytes());
+                    AtomicFile.of(target.resolve(file.getFileName())).write(in.readAllBytes());
                 }
             }
         }
-    }
-
-    private static void write(Path file, byte[] bytes) throws IOException {
-        AtomicFile.write(file, out -> out.write(bytes));
     }
 }

@@ -50,9 +50,6 @@ import picocli.CommandLine.Parameters;
             "  lightning explain scenes/bird.jen 150,230",
             "  lightning explain scenes/bird.jen 960,540 --size 1920x1080"})
 final class ExplainCommand implements Callable<Integer> {
-    /** Minimum share of a pixel's color for which rays through transparent surfaces are printed. */
-    private static final double MIN_SHARE = 0.002;
-
     private final Console console;
 
     @Mixin
@@ -83,11 +80,13 @@ final class ExplainCommand implements Callable<Integer> {
         console.print("pixel %d,%d of %d x %d", pixel.x(), pixel.y(), width, height);
         print(explainer, report, "", 1);
         printPaths(indirect);
-        float[] color = printPixel(scene, explainer.geometry(), report.color());
-        int displayed = SceneView.of(scene).pack(color[0], color[1], color[2]);
+        float[] color = pixelColor(scene, explainer.geometry(), report.color());
+        int[] displayed = SceneView.of(scene).displayed(color[0], color[1], color[2]);
+        console.print("pixel: linear %s %s %s, displayed %d %d %d", color[0], color[1], color[2], displayed[0], displayed[1],
+                displayed[2]);
         console.report().setResult(new ExplainReport(pixel.x(), pixel.y(), width, height, new PointReporter(explainer).report(report),
                 indirectReport(indirect), scene.picture().sampling().isSupersampled() ? scene.picture().sampling().samplesPerPixel() : 1,
-                color, new int[] {displayed >> 16 & 0xFF, displayed >> 8 & 0xFF, displayed & 0xFF}));
+                color, displayed));
         return ExitCode.OK;
     }
 
@@ -119,25 +118,22 @@ final class ExplainCommand implements Callable<Integer> {
     }
 
     /**
-     * Prints the pixel; with anti-aliasing, an edge pixel is the mean of several rays, of which only the center's was
-     * explained. Returns its color in the film.
+     * Returns the pixel's color in the film. With anti-aliasing, an edge pixel is the mean of several rays, of which only the center's was
+     * explained: prints that.
      */
-    private float[] printPixel(Scene scene, Geometry geometry, float[] center) {
-        float[] c = center;
-        if (scene.picture().sampling().isSupersampled()) {
-            c = supersampled(scene, geometry);
-            if (!Arrays.equals(c, center)) {
-                console.print("center: linear %s %s %s; the pixel is the mean of %s", center[0], center[1], center[2],
-                        Console.count(scene.picture().sampling().samplesPerPixel(), "ray"));
-            }
+    private float[] pixelColor(Scene scene, Geometry geometry, float[] center) {
+        if (!scene.picture().sampling().isSupersampled()) {
+            return center;
         }
-        int displayed = SceneView.of(scene).pack(c[0], c[1], c[2]);
-        console.print("pixel: linear %s %s %s, displayed %d %d %d", c[0], c[1], c[2], displayed >> 16 & 0xFF, displayed >> 8 & 0xFF,
-                displayed & 0xFF);
-        return c;
+        float[] color = supersampled(scene, geometry);
+        if (!Arrays.equals(color, center)) {
+            console.print("center: linear %s %s %s; the pixel is the mean of %s", center[0], center[1], center[2],
+                    Console.count(scene.picture().sampling().samplesPerPixel(), "ray"));
+        }
+        return color;
     }
 
-    /** Returns the pixel's color in the film. */
+    /** Returns a pixel's color from a full trace of its tile. */
     private float[] supersampled(Scene scene, Geometry geometry) {
         MemoryEstimate.checkFilm(scene.picture(), HeapBudget.availableBytes());
         int x = pixel.x();
@@ -175,7 +171,7 @@ final class ExplainCommand implements Callable<Integer> {
         if (report.normals() != null) {
             printNormals(report.normals(), indent);
         }
-        double total = channelSum(report.color());
+        double total = PointContributions.sum(report.color());
         PointContributions parts = PointContributions.of(material, at);
         console.print("%s  %-12s adds %s %s", indent, "ambient", formatRgb(report.ambient()), formatShare(report.ambient(), total));
         if (!material.glow().isBlack()) {
@@ -197,15 +193,13 @@ final class ExplainCommand implements Callable<Integer> {
         printPart("mirror", mirrored, total, indent);
         printPart("behind", refracted, total, indent);
         console.print("%s  sum          is   %s", indent, formatRgb(report.color()));
-        // Transparent surfaces split rays in two, recursively: hundreds for a pixel.
-        double minTotal = at.backSide() == null ? 0 : MIN_SHARE;
-        if (mirrored != null && share * channelSum(mirrored) >= minTotal * total) {
+        if (mirrored != null && parts.shouldFollow(mirrored, report.color(), share)) {
             console.print("%s  reflected ray hits", indent);
-            print(explainer, report.reflected(), indent + "    ", share * channelSum(mirrored) / Math.max(total, Float.MIN_NORMAL));
+            print(explainer, report.reflected(), indent + "    ", PointContributions.rayShare(mirrored, report.color(), share));
         }
-        if (refracted != null && share * channelSum(refracted) >= minTotal * total) {
+        if (refracted != null && parts.shouldFollow(refracted, report.color(), share)) {
             console.print("%s  refracted ray hits", indent);
-            print(explainer, report.refracted(), indent + "    ", share * channelSum(refracted) / Math.max(total, Float.MIN_NORMAL));
+            print(explainer, report.refracted(), indent + "    ", PointContributions.rayShare(refracted, report.color(), share));
         }
     }
 
@@ -281,10 +275,6 @@ final class ExplainCommand implements Callable<Integer> {
     }
 
     private static String formatShare(float[] part, double total) {
-        return total == 0 ? "        " : Console.text("(%5.1f %%)", 100 * channelSum(part) / total);
-    }
-
-    private static double channelSum(float[] c) {
-        return (double) c[0] + c[1] + c[2];
+        return total == 0 ? "        " : Console.text("(%5.1f %%)", 100 * PointContributions.sum(part) / total);
     }
 }

@@ -74,7 +74,6 @@ final class HelpCommand implements Callable<Integer> {
     }
 
     private static void write(Path file, String text) throws IOException {
-        byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
-        AtomicFile.write(file, out -> out.write(bytes));
+        AtomicFile.of(file).write(text.getBytes(StandardCharsets.UTF_8));
     }
 }

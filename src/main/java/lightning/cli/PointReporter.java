@@ -30,7 +30,7 @@ final class PointReporter {
         Material material = geometry.material(at.primitive());
         PointContributions parts = PointContributions.of(material, at);
         Vec3 position = geometry.toScene(new Vec3(at.px(), at.py(), at.pz()));
-        double total = sum(report.color());
+        double total = PointContributions.sum(report.color());
         return new ExplainReport.Point(name(at.primitive()), material.name(), holes, numbers(position),
                 new double[] {at.nx(), at.ny(), at.nz()}, normals(report.normals()), report.ambient(), report.glow(),
                 report.lights().stream().map(light -> light(light, parts.ofLight(light), total)).toList(),
@@ -45,7 +45,7 @@ final class PointReporter {
     private ExplainReport.LightShare light(LightReport light, float[] adds, double total) {
         return new ExplainReport.LightShare(light.light().name(), light.state().name().toLowerCase(Locale.ROOT),
                 light.blocker() < 0 ? null : name(light.blocker()), light.visibleSamples(), light.samples(), light.cosine(),
-                light.specular(), light.falloff(), light.tint(), adds, 100 * sum(adds) / total);
+                light.specular(), light.falloff(), light.tint(), adds, 100 * PointContributions.sum(adds) / total);
     }
 
     private static ExplainReport.Normals normals(NormalSteps steps) {
@@ -60,9 +60,5 @@ final class PointReporter {
 
     private static double[] numbers(Vec3 v) {
         return new double[] {v.x(), v.y(), v.z()};
-    }
-
-    private static double sum(float[] color) {
-        return (double) color[0] + color[1] + color[2];
     }
 }

@@ -42,8 +42,10 @@ final class PixelRequest {
         ObjectNode result = JsonLines.JSON.createObjectNode();
         result.putArray("pixel").add(x).add(y);
         add(result.putArray("color"), film.red(x, y), film.green(x, y), film.blue(x, y));
-        int displayed = SceneView.of(scene).pack(film.red(x, y), film.green(x, y), film.blue(x, y));
-        result.putArray("displayed").add(displayed >> 16 & 0xFF).add(displayed >> 8 & 0xFF).add(displayed & 0xFF);
+        ArrayNode displayed = result.putArray("displayed");
+        for (int code : SceneView.of(scene).displayed(film.red(x, y), film.green(x, y), film.blue(x, y))) {
+            displayed.add(code);
+        }
         result.set("center", PointDescription.of(explainer.geometry(), report));
         return result;
     }

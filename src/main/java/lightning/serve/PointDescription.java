@@ -13,9 +13,6 @@ import tools.jackson.databind.node.ObjectNode;
 
 /** Report of a point and of the rays from it as JSON. Colors are linear red, green and blue. */
 final class PointDescription {
-    /** Smallest share of a pixel's color for which rays through transparent surfaces are described: they branch. */
-    private static final double MIN_SHARE = 0.002;
-
     private final Geometry geometry;
 
     private PointDescription(Geometry geometry) {
@@ -47,25 +44,21 @@ final class PointDescription {
         if (report.indirect() != null) {
             add(node.putArray("indirect"), parts.ofIndirect(report.indirect()));
         }
-        // Transparent surfaces split rays in two, recursively: hundreds for a pixel.
-        double minimum = at.backSide() == null ? 0 : MIN_SHARE;
         if (report.reflected() != null) {
-            describeRay(node, "reflected", report.reflected(), parts.reflectedPart(report.reflected().color()), report.color(), share,
-                    minimum);
+            describeRay(node.putObject("reflected"), report.reflected(), parts.reflectedPart(report.reflected().color()), report.color(),
+                    parts, share);
         }
         if (report.refracted() != null) {
-            describeRay(node, "refracted", report.refracted(), parts.refractedPart(report.refracted().color()), report.color(), share,
-                    minimum);
+            describeRay(node.putObject("refracted"), report.refracted(), parts.refractedPart(report.refracted().color()), report.color(),
+                    parts, share);
         }
         return node;
     }
 
-    private void describeRay(ObjectNode node, String name, PointReport ray, float[] part, float[] color, double share, double minimum) {
-        ObjectNode child = node.putObject(name);
-        add(child.putArray("adds"), part);
-        double partShare = share * sum(part);
-        if (partShare >= minimum * sum(color)) {
-            child.set("point", describe(ray, partShare / Math.max(sum(color), Float.MIN_NORMAL)));
+    private void describeRay(ObjectNode node, PointReport ray, float[] part, float[] color, PointContributions parts, double share) {
+        add(node.putArray("adds"), part);
+        if (parts.shouldFollow(part, color, share)) {
+            node.set("point", describe(ray, PointContributions.rayShare(part, color, share)));
         }
     }
 
@@ -85,9 +78,5 @@ final class PointDescription {
         for (float value : color) {
             array.add(value);
         }
-    }
-
-    private static double sum(float[] color) {
-        return (double) color[0] + color[1] + color[2];
     }
 }

@@ -23,7 +23,8 @@ final class SharedPictures {
      * @param path path that the client names; empty for a file in shared memory
      */
     SharedMemoryFile file(Client client, Optional<Path> path, long bytes) throws IOException {
-        Object key = path.isPresent() ? path.get().toAbsolutePath().normalize() : client;
+        Optional<Path> named = path.map(p -> p.toAbsolutePath().normalize());
+        Object key = named.isPresent() ? named.get() : client;
         SharedMemoryFile known = files.get(key);
         if (known != null && known.bytes() == bytes) {
             return known;
@@ -32,8 +33,7 @@ final class SharedPictures {
             files.remove(key);
             known.close();
         }
-        SharedMemoryFile created =
-                SharedMemoryFile.create(path.isPresent() ? path.get().toAbsolutePath().normalize() : server.newSharedPath(), bytes);
+        SharedMemoryFile created = SharedMemoryFile.create(named.isPresent() ? named.get() : server.newSharedPath(), bytes);
         files.put(key, created);
         return created;
     }

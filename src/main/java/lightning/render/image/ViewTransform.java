@@ -212,6 +212,12 @@ public record ViewTransform(double exposure, DisplayCurve curve, Optional<CubeLu
         return displayedPixel(red * gain, green * gain, blue * gain);
     }
 
+    /** Returns red, green and blue of the display color of one linear pixel, 0 to 255, {@code int[3]}. */
+    public int[] displayed(float red, float green, float blue) {
+        int packed = pack(red, green, blue);
+        return new int[] {packed >> 16 & 0xFF, packed >> 8 & 0xFF, packed & 0xFF};
+    }
+
     /** Returns the display color of values after exposure. */
     private int displayedPixel(float r, float g, float b) {
         if (curve == DisplayCurve.FALSE) {

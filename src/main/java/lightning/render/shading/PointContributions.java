@@ -12,6 +12,8 @@ import lightning.scene.Material;
  * @param surfaceShare weights of the surface and of what is behind it
  */
 public record PointContributions(SurfacePoint at, float[] reflectivity, SurfaceWeights surfaceShare) {
+    /** Smallest share of a pixel's color for which rays through transparent surfaces are described. */
+    private static final double MIN_SHARE = 0.002;
 
     /** Returns the contributions at a point of a material. */
     public static PointContributions of(Material material, SurfacePoint point) {
@@ -52,6 +54,28 @@ public record PointContributions(SurfacePoint at, float[] reflectivity, SurfaceW
         return new float[] {surfaceShare.refractionWeight(reflectivity[0], 0) * color[0],
             surfaceShare.refractionWeight(reflectivity[1], 1) * color[1],
             surfaceShare.refractionWeight(reflectivity[2], 2) * color[2]};
+    }
+
+    /**
+     * Returns whether a description should follow a ray from the point: transparent surfaces split rays in two, recursively, hundreds for
+     * a pixel.
+     *
+     * @param part       the ray's part of the point's color
+     * @param color      the point's color
+     * @param pointShare approximate share of the pixel's color that the point contributes
+     */
+    public boolean shouldFollow(float[] part, float[] color, double pointShare) {
+        return at.backSide() == null || pointShare * sum(part) >= MIN_SHARE * sum(color);
+    }
+
+    /** Returns the approximate share of the pixel's color that a ray from the point contributes; parameters as above. */
+    public static double rayShare(float[] part, float[] color, double pointShare) {
+        return pointShare * sum(part) / Math.max(sum(color), Float.MIN_NORMAL);
+    }
+
+    /** Returns red + green + blue. */
+    public static double sum(float[] color) {
+        return (double) color[0] + color[1] + color[2];
     }
 
     private static float[] toFloats(Rgb c) {
