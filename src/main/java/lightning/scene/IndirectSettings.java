@@ -8,10 +8,13 @@ import lightning.base.text.Messages;
  *
  * @param bounces    diffuse bounces between a light and the surface that is seen, 1 to 8
  * @param rays       rays by which a gather point collects light: 16, 64, 256 or 1024
- * @param spacing    distance of gather points on open surfaces, pixels, 2 to 64
+ * @param spacing    distance of gather points on open surfaces, pixels, 2 to 64; in pictures larger than {@link #FULL_HD}, pixels of a
+ *                   picture of that size, so that they do not become finer than anyone sees
  * @param background true if the background lights the scene where a ray leaves it
  */
 public record IndirectSettings(int bounces, int rays, int spacing, boolean background) {
+    /** Shorter side of a picture, pixels, up to which {@link #spacing} counts its pixels. */
+    public static final int FULL_HD = 1080;
     public static final int MAX_BOUNCES = 8;
     public static final int MIN_SPACING = 2;
     public static final int MAX_SPACING = 64;
@@ -59,6 +62,16 @@ public record IndirectSettings(int bounces, int rays, int spacing, boolean backg
 
     public IndirectSettings withBackground(boolean v) {
         return new IndirectSettings(bounces, rays, spacing, v);
+    }
+
+    /** Returns the distance of gather points in a picture, in its own pixels. */
+    public double pixelSpacing(PictureSettings picture) {
+        return spacing * pixelScale(picture);
+    }
+
+    /** Returns the pixels of a picture along one pixel of {@link #spacing}, at least 1. */
+    public static double pixelScale(PictureSettings picture) {
+        return Math.max(1, Math.min(picture.width(), picture.height()) / (double) FULL_HD);
     }
 
     /** Returns the rays along each side of the square pattern of a gather point: the square root of {@link #rays}. */

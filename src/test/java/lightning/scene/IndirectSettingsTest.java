@@ -28,6 +28,12 @@ class IndirectSettingsTest {
         assertThat(new IndirectSettings(1, 16, 2, true).label()).isEqualTo("1 bounce, 16 rays, every 2 pixels, background");
     }
 
+    @ParameterizedTest
+    @CsvSource({"1920, 1080, 8", "480, 270, 8", "3840, 2160, 16", "1080, 1920, 8", "2160, 3840, 16", "4000, 1080, 8", "1620, 1620, 12"})
+    void spacing_countsPixelsOfFullHd(int width, int height, double pixels) {
+        assertThat(IndirectSettings.DEFAULT.pixelSpacing(new PictureSettings(width, height, 0))).isEqualTo(pixels);
+    }
+
     @Test
     void attributes_setOneValueEach() {
         IndirectSettings all = IndirectSettings.BOUNCES.with(IndirectSettings.DEFAULT, 5);

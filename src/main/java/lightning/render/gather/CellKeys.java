@@ -48,7 +48,7 @@ public final class CellKeys {
         eyeY = eye.y();
         eyeZ = eye.z();
         double height = 2 * StrictMath.tan(StrictMath.toRadians(camera.fov() / 2));
-        pointSide = settings.spacing() * height / picture.height();
+        pointSide = settings.pixelSpacing(picture) * height / picture.height();
         surfelSide = height / SURFELS_PER_HEIGHT;
     }
 

@@ -79,8 +79,8 @@ public final class GatherBuilder {
     }
 
     /** Returns the distance of the pixels through which candidates for gather points are traced. */
-    public static int candidateStep(IndirectSettings settings) {
-        return Math.max(1, settings.spacing() / CANDIDATES_PER_CELL);
+    public static int candidateStep(IndirectSettings settings, PictureSettings picture) {
+        return Math.max(1, (int) (settings.pixelSpacing(picture) / CANDIDATES_PER_CELL));
     }
 
     /** Returns the maximum bytes of a surfel without rays: its row, its cell, and what lights and solving need. */
@@ -98,7 +98,8 @@ public final class GatherBuilder {
      */
     public GatherStructure build() {
         CandidateTracer[] candidateTracers = new CandidateTracer[workers.count()];
-        Arrays.setAll(candidateTracers, worker -> new CandidateTracer(geometry, scene, tracers[worker], candidateStep(settings)));
+        Arrays.setAll(candidateTracers,
+                worker -> new CandidateTracer(geometry, scene, tracers[worker], candidateStep(settings, scene.picture())));
         List<SurfaceColumns> candidates = traceCandidates(candidateTracers);
         PathMemory memory = new PathMemory(settings, memoryBytes);
         PathCaster pointCaster = caster(new DirectionTable(settings.raysPerSide()), memory, true);

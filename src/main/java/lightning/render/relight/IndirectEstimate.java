@@ -21,7 +21,7 @@ import lightning.scene.PictureSettings;
  * @param surfelBuildBytes bytes of surfels while paths are built, in the same picture
  * @param buildFactor   bytes of gather points while paths are built, relative to those kept
  */
-record IndirectEstimate(double bytesPerPixel, double borderBytes, double surfelBytes, double surfelBuildBytes, int side,
+record IndirectEstimate(double bytesPerPixel, double borderBytes, double surfelBytes, double surfelBuildBytes, double side,
         double buildFactor) {
     static final IndirectEstimate NONE = new IndirectEstimate(0, 0, 0, 0, 1, 1);
     /**
@@ -33,10 +33,10 @@ record IndirectEstimate(double bytesPerPixel, double borderBytes, double surfelB
     private static final int SURFEL_BYTES = 4 + 28 + 8 + 4 + 16;
 
     /** Measured indirect light of a small picture. */
-    record Sample(long pixels, int side, long pointBytes, long surfelBytes, long pointBuildBytes, long surfelBuildBytes) {
+    record Sample(double pixels, double side, long pointBytes, long surfelBytes, long pointBuildBytes, long surfelBuildBytes) {
         static Sample of(PictureSettings picture, IndirectCache indirect) {
-            long pixels = (long) picture.width() * picture.height();
-            int side = Math.max(picture.width(), picture.height());
+            double pixels = placedPixels(picture);
+            double side = longerSide(picture);
             if (indirect == null) {
                 return new Sample(pixels, side, 0, 0, 0, 0);
             }
@@ -46,7 +46,7 @@ record IndirectEstimate(double bytesPerPixel, double borderBytes, double surfelB
         }
 
         private double bytesPerPixel() {
-            return (double) pointBytes / pixels;
+            return pointBytes / pixels;
         }
 
         private double buildFactor() {
@@ -69,20 +69,25 @@ record IndirectEstimate(double bytesPerPixel, double borderBytes, double surfelB
 
     /** Returns the bytes in a finished picture. */
     double bytes(PictureSettings picture) {
-        return pointBytes(picture) + surfelBytes * Math.sqrt((double) longerSide(picture) / side);
+        return pointBytes(picture) + surfelBytes * Math.sqrt(longerSide(picture) / side);
     }
 
     /** Returns the bytes while paths are built, before there are other rows. */
     double buildBytes(PictureSettings picture) {
-        return buildFactor * pointBytes(picture) + surfelBuildBytes * Math.sqrt((double) longerSide(picture) / side);
+        return buildFactor * pointBytes(picture) + surfelBuildBytes * Math.sqrt(longerSide(picture) / side);
     }
 
     private double pointBytes(PictureSettings picture) {
-        return (double) picture.width() * picture.height() * (bytesPerPixel + borderBytes / Math.max(longerSide(picture), side));
+        return placedPixels(picture) * (bytesPerPixel + borderBytes / Math.max(longerSide(picture), side));
     }
 
-    private static int longerSide(PictureSettings picture) {
-        return Math.max(picture.width(), picture.height());
+    /** Returns the pixels by which gather points are placed. */
+    private static double placedPixels(PictureSettings picture) {
+        return picture.width() / IndirectSettings.pixelScale(picture) * (picture.height() / IndirectSettings.pixelScale(picture));
+    }
+
+    private static double longerSide(PictureSettings picture) {
+        return Math.max(picture.width(), picture.height()) / IndirectSettings.pixelScale(picture);
     }
 
     /**
@@ -98,7 +103,7 @@ record IndirectEstimate(double bytesPerPixel, double borderBytes, double surfelB
             return 0;
         }
         IndirectSettings settings = picture.indirect().get();
-        int along = Math.ceilDiv(Film.TILE_SIZE, GatherBuilder.candidateStep(settings));
+        int along = Math.ceilDiv(Film.TILE_SIZE, GatherBuilder.candidateStep(settings, picture));
         double candidates = (double) Film.tilesAlong(picture.width()) * Film.tilesAlong(picture.height()) * along * along * (1 + levels);
         double rays = candidates * settings.rays();
         int linkBytes = RayLinks.BUILD_BYTES + RayLinks.TINT_BUILD_BYTES + Integer.BYTES;

@@ -76,7 +76,7 @@ final class ReferenceGatherPoints {
     private void traceCandidates() {
         PictureSettings picture = scene.picture();
         PixelRays pixels = new PixelRays(scene);
-        int step = Math.max(1, settings.spacing() / CANDIDATES_PER_SPACING);
+        int step = Math.max(1, (int) (settings.pixelSpacing(picture) / CANDIDATES_PER_SPACING));
         for (int y0 = 0; y0 < picture.height(); y0 += Film.TILE_SIZE) {
             for (int x0 = 0; x0 < picture.width(); x0 += Film.TILE_SIZE) {
                 List<Ray> pixelRays = new ArrayList<>();
