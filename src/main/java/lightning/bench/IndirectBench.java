@@ -21,7 +21,7 @@ import lightning.scene.effects.RenderEffect;
  */
 final class IndirectBench {
     static final String ROOM = "room";
-    private static final PictureSize ERROR_SIZE = new PictureSize(480, 270);
+    private static final PictureSize ERROR_SIZE = new PictureSize(1920, 1080);
     private static final PictureSize QUICK_ERROR_SIZE = new PictureSize(64, 36);
     private static final PictureSize COST_SIZE = new PictureSize(1920, 1080);
     private static final PictureSize QUICK_COST_SIZE = new PictureSize(96, 54);
@@ -34,10 +34,12 @@ final class IndirectBench {
     private static final List<Integer> RAYS = List.of(16, 64, 256);
     private static final List<Integer> QUICK_RAYS = List.of(16, 64);
     private static final List<Integer> BOUNCES = List.of(1, 4);
-    /** First passes per setting: settings differ by factors, so few suffice. */
-    private static final int ERROR_REPETITIONS = 2;
+    /** First passes per setting: settings differ by factors, so one suffices. */
+    private static final int ERROR_REPETITIONS = 1;
+    /** Most rays of a gather point over the square of the spacing; more would take minutes. */
+    private static final double MAX_DENSITY = 4;
     /** Predicted milliseconds of each part of a scene. */
-    private static final double ERROR_MS = 60_000;
+    private static final double ERROR_MS = 120_000;
     private static final double COST_MS = 75_000;
     private static final double ABSENCE_MS = 6000;
     private static final double QUICK_MS = 3000;
@@ -111,7 +113,9 @@ final class IndirectBench {
         IndirectSettings initial = IndirectSettings.DEFAULT.withBackground(background);
         for (int spacing : SPACINGS) {
             for (int rays : settings.quick() ? QUICK_RAYS : RAYS) {
-                measured.add(initial.withSpacing(spacing).withRays(rays));
+                if (rays <= MAX_DENSITY * spacing * spacing) {
+                    measured.add(initial.withSpacing(spacing).withRays(rays));
+                }
             }
         }
         BOUNCES.forEach(bounces -> measured.add(initial.withBounces(bounces)));
