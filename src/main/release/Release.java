@@ -6,7 +6,6 @@ import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.io.File;
 import java.io.IOException;
-import java.net.URI;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
@@ -23,7 +22,6 @@ import java.util.ArrayList;
 import java.util.HexFormat;
 import java.util.List;
 import java.util.Map;
-import java.util.Set;
 import java.util.TreeMap;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
@@ -33,7 +31,7 @@ import javax.imageio.ImageIO;
 /**
  * Builder of an installable image that includes Java, run by {@code mvn -Prelease package}. Arguments: the program's folder, the release
  * folder, version, time of the sources, and package type ({@code deb}, {@code rpm}, {@code msi}, {@code dmg}). The build is reproducible:
- * all files have the sources' time, and the class archive comes from a sorted list.
+ * all files have the sources' time, and the class archive comes from a list that is part of the release.
  */
 final class Release {
     /** Java modules of the program and its libraries; the last has the number formats of other countries. */
@@ -107,37 +105,30 @@ final class Release {
     }
 
     /**
-     * Creates the class archive. A training start records the loaded classes. Sorted, and without hints that depend on the order of its
-     * threads, the list is the same each time, and so is the archive.
+     * Creates the class archive, from the list of another build if {@code LIGHTNING_CLASSES} names one. The list is part of the release:
+     * with it, anyone can build the same archive.
      */
     private void archive() throws IOException, InterruptedException {
         Path training = Files.createDirectories(made.resolve("training"));
-        Path list = training.resolve("classes");
-        java(training, "-XX:DumpLoadedClassList=" + list.toAbsolutePath(), "-Dlightning.home=" + shipped.toAbsolutePath(),
-                "-Dlightning.data=" + training.resolve("data").toAbsolutePath(), "-Dglass.platform=Headless", "-Dprism.order=sw",
-                "lightning.ArchiveTraining", training.resolve("picture.png").toAbsolutePath().toString());
-        List<String> classes = Files.readAllLines(list).stream().filter(line -> !line.startsWith("#") && !line.startsWith("@cp"))
-                .map(line -> line.replaceFirst(" id: .*", "")).toList();
-        Files.write(list, Stream.concat(classes.stream(), waiting(classes)).distinct().sorted().toList());
+        Path list = made.resolve("dist/lightning-relight-" + version + ".classes");
+        String other = System.getenv("LIGHTNING_CLASSES");
+        Files.write(list, other == null || other.isEmpty() ? train(training) : Files.readAllLines(Path.of(other)));
         java(training, "-Xshare:dump", "-XX:SharedClassListFile=" + list.toAbsolutePath(),
                 "-XX:SharedArchiveFile=" + shipped.resolve("lightning.jsa").toAbsolutePath());
         Files.setLastModifiedTime(shipped.resolve("lightning.jsa"), time);
     }
 
     /**
-     * Returns the nested classes of the loaded {@code java.util.concurrent} classes: some, such as {@code Phaser$QNode}, are loaded only if
-     * a thread must wait for another, and so only by some starts.
+     * Returns the classes that a training start loads, sorted, without hints that depend on the order of its threads. Some classes are loaded
+     * only by a fast start, or by one whose threads wait for each other, so two lists can differ.
      */
-    private static Stream<String> waiting(List<String> classes) throws IOException {
-        String place = "java/util/concurrent/";
-        Set<String> loaded = Set.copyOf(classes);
-        Path folder = Path.of(URI.create("jrt:/java.base/" + place));
-        List<String> all;
-        try (Stream<Path> files = Files.walk(folder)) {
-            all = files.map(file -> place + folder.relativize(file)).filter(file -> file.endsWith(".class"))
-                    .map(file -> file.substring(0, file.length() - ".class".length())).toList();
-        }
-        return all.stream().filter(name -> name.contains("$") && loaded.contains(name.substring(0, name.indexOf('$'))));
+    private List<String> train(Path training) throws IOException, InterruptedException {
+        Path loaded = training.resolve("classes");
+        java(training, "-XX:DumpLoadedClassList=" + loaded.toAbsolutePath(), "-Dlightning.home=" + shipped.toAbsolutePath(),
+                "-Dlightning.data=" + training.resolve("data").toAbsolutePath(), "-Dglass.platform=Headless", "-Dprism.order=sw",
+                "lightning.ArchiveTraining", training.resolve("picture.png").toAbsolutePath().toString());
+        return Files.readAllLines(loaded).stream().filter(line -> !line.startsWith("#") && !line.startsWith("@cp"))
+                .map(line -> line.replaceFirst(" id: .*", "")).distinct().sorted().toList();
     }
 
     /** Runs the linked Java in the folder of the shipped files, on the class path of the launcher. */
