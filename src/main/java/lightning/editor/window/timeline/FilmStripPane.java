@@ -18,7 +18,6 @@ import javafx.stage.Window;
 import javafx.stage.WindowEvent;
 import javafx.util.Subscription;
 import lightning.base.text.Messages;
-import lightning.base.work.HeapBudget;
 import lightning.editor.document.EditorState;
 import lightning.editor.window.command.PathPrompt;
 import lightning.editor.window.model.EditorModel;
@@ -229,7 +228,7 @@ final class FilmStripPane extends StackPane implements AutoCloseable {
     }
 
     private boolean fitsInMemory(Shot shot) {
-        return LocalFrames.maxBytes(editor.document().content().base(), shot) <= HeapBudget.availableBytes() / 2;
+        return LocalFrames.maxBytes(editor.document().content().base(), shot) <= LocalFrames.budget();
     }
 
     private void showCost(Shot shot) {

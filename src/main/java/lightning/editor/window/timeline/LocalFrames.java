@@ -2,6 +2,7 @@ package lightning.editor.window.timeline;
 
 import java.util.OptionalInt;
 import java.util.concurrent.atomic.AtomicBoolean;
+import lightning.base.work.HeapBudget;
 import lightning.base.work.WorkerPool;
 import lightning.render.relight.MemoryEstimate;
 import lightning.render.relight.plan.ReflectionMode;
@@ -31,12 +32,21 @@ record LocalFrames(ShotRelighter shot, AtomicBoolean pictureBusy) implements Fil
         return RenderOptions.DEFAULT.withReflections(ReflectionMode.CURRENT);
     }
 
-    /** Returns the maximum memory of a shot's thumbnails and their relighting caches, bytes. */
+    /** Returns the memory that a shot's thumbnails may take, bytes. */
+    static long budget() {
+        return HeapBudget.availableBytes() / 2;
+    }
+
+    /**
+     * Returns the maximum memory of a shot's thumbnails and their relighting caches, bytes. With indirect light it is at most the budget:
+     * the bound of its paths is hundreds of times what they take, and frames that do not fit are traced again.
+     */
     static long maxBytes(Scene scene, Shot shot) {
         Scene small = FilmStrip.thumbnailScene(scene);
         PictureSettings picture = small.picture();
         long bytesPerFrame = MemoryEstimate.upperBound(small, options()) + 4L * picture.width() * picture.height();
-        return bytesPerFrame * ((long) shot.last() - shot.first() + 1);
+        long bytes = bytesPerFrame * ((long) shot.last() - shot.first() + 1);
+        return picture.indirect().isPresent() ? Math.min(bytes, budget()) : bytes;
     }
 
     @Override

@@ -4,16 +4,19 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Files;
 import java.util.Arrays;
+import java.util.Optional;
 import javafx.css.PseudoClass;
 import javafx.scene.Node;
 import javafx.scene.image.Image;
 import javafx.scene.image.ImageView;
 import javafx.scene.image.PixelFormat;
 import lightning.editor.document.Command;
+import lightning.editor.document.EditOutcome;
 import lightning.editor.document.NumericParameter;
 import lightning.editor.document.OpenDocument;
 import lightning.editor.window.EditorFixture;
 import lightning.render.shading.ReferenceTracer;
+import lightning.scene.IndirectSettings;
 import lightning.scene.LightAttribute;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -80,6 +83,15 @@ class FilmStripPaneTest extends EditorFixture {
         assertThat(robot.lookup("#strip-cost").query().getParent().isVisible()).isFalse();
         robot.interact(() -> model().commands().run(Command.FILM_STRIP));
         assertThat(robot.lookup("#strip").tryQuery()).isEmpty();
+    }
+
+    /** The bound of the memory of paths is far above what a thumbnail takes. */
+    @Test
+    void indirectLight_leavesRoomForThumbnails() {
+        robot.interact(() -> model().editor().edit(scene -> new EditOutcome.Applied(scene.withPicture(
+                scene.picture().withDepth(5).withIndirect(Optional.of(IndirectSettings.DEFAULT.withRays(1024)))))));
+        assertThat(text("strip-cost")).contains("Caches 4 thumbnails").doesNotContain("Not enough");
+        assertThat(robot.lookup("#strip-begin").query().isDisabled()).isFalse();
     }
 
     @Test
