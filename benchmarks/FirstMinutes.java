@@ -4,24 +4,14 @@ import static lightning.editor.window.Window.await;
 import static lightning.editor.window.Window.onWindow;
 import static lightning.editor.window.Window.print;
 
-import java.awt.image.BufferedImage;
 import java.io.File;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.concurrent.Callable;
 import javafx.application.Platform;
 import javafx.geometry.Bounds;
-import javafx.geometry.Rectangle2D;
-import javafx.scene.Node;
 import javafx.scene.Parent;
-import javafx.scene.control.Button;
-import javafx.scene.image.PixelReader;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.MouseButton;
-import javafx.scene.robot.Robot;
-import javafx.stage.Screen;
-import javafx.stage.Window;
-import javax.imageio.ImageIO;
 import lightning.editor.document.Command;
 
 /**
@@ -30,17 +20,15 @@ import lightning.editor.document.Command;
  */
 public final class FirstMinutes {
     private static final long START = Long.getLong("start");
-    /** Time after which a pane is drawn, milliseconds. */
-    private static final long DRAW_MS = 400;
     private static final int DRAG_STEPS = 10;
 
     private static Path folder;
     private static File model;
-    private final Robot robot;
+    private final Screen screen;
     private int pictures;
 
-    private FirstMinutes(Robot robot) {
-        this.robot = robot;
+    private FirstMinutes() throws Exception {
+        screen = new Screen();
     }
 
     /** Arguments: folder of the pictures, model to import. */
@@ -57,7 +45,7 @@ public final class FirstMinutes {
         void editorOpened(Editor editor) {
             Thread.ofPlatform().daemon().start(() -> {
                 try {
-                    new FirstMinutes(onWindow(Robot::new)).run(editor);
+                    new FirstMinutes().run(editor);
                 } catch (Throwable e) {
                     e.printStackTrace();
                 }
@@ -72,52 +60,52 @@ public final class FirstMinutes {
         capture("first picture");
         await(editor::isIdle);
         capture("finished picture beside the welcome page");
-        key(KeyCode.ESCAPE);
+        screen.key(KeyCode.ESCAPE);
         command(editor, Command.ARRANGE_LIGHT);
-        Thread.sleep(DRAW_MS);
+        Thread.sleep(Screen.DRAW_MS);
         capture("arrangement for lighting");
         dragFader(editor);
         capture("first light of the mixer dimmed");
         command(editor, Command.ADD_LIGHT);
         await(editor::isIdle);
         capture("new light");
-        click(node("#traced-picture"), MouseButton.SECONDARY);
-        Thread.sleep(DRAW_MS);
+        screen.click(Screen.node("#traced-picture"), MouseButton.SECONDARY);
+        Thread.sleep(Screen.DRAW_MS);
         capture("menu of a pixel");
-        key(KeyCode.ESCAPE);
+        screen.key(KeyCode.ESCAPE);
         command(editor, Command.ARRANGE_COMPARE);
-        Thread.sleep(DRAW_MS);
+        Thread.sleep(Screen.DRAW_MS);
         capture("arrangement for comparing");
         // The choice waits for an answer.
         Platform.runLater(() -> editor.window().openDropped(List.of(model)));
-        Thread.sleep(2 * DRAW_MS);
+        Thread.sleep(2 * Screen.DRAW_MS);
         capture("question about unsaved changes");
-        fire("Don't Save");
-        Thread.sleep(10 * DRAW_MS);
+        Screen.fire("Don't Save");
+        Thread.sleep(10 * Screen.DRAW_MS);
         capture("model with a choice of lighting");
     }
 
     /** Drags a fader down in small steps, and waits for the exact picture. */
     private void dragFader(Editor editor) throws Exception {
-        Bounds thumb = screenBounds(((Parent) node("#fader-her_spot")).getChildrenUnmodifiable().getLast());
+        Bounds thumb = Screen.bounds(((Parent) Screen.node("#fader-her_spot")).getChildrenUnmodifiable().getLast());
         double x = thumb.getCenterX();
         double y = thumb.getCenterY();
         onWindow(() -> {
-            robot.mouseMove(x, y);
-            robot.mousePress(MouseButton.PRIMARY);
+            screen.robot.mouseMove(x, y);
+            screen.robot.mousePress(MouseButton.PRIMARY);
             return null;
         });
         for (int i = 1; i <= DRAG_STEPS; i++) {
             int step = i;
             onWindow(() -> {
-                robot.mouseMove(x, y + 2 * step);
+                screen.robot.mouseMove(x, y + 2 * step);
                 return null;
             });
             Thread.sleep(100);
         }
         long released = System.nanoTime();
         onWindow(() -> {
-            robot.mouseRelease(MouseButton.PRIMARY);
+            screen.robot.mouseRelease(MouseButton.PRIMARY);
             return null;
         });
         await(editor::isIdle);
@@ -131,59 +119,10 @@ public final class FirstMinutes {
         });
     }
 
-    private void key(KeyCode key) throws Exception {
-        onWindow(() -> {
-            robot.keyType(key);
-            return null;
-        });
-        Thread.sleep(DRAW_MS);
-    }
-
-    private void click(Node node, MouseButton button) throws Exception {
-        Bounds at = screenBounds(node);
-        onWindow(() -> {
-            robot.mouseMove(at.getCenterX(), at.getCenterY());
-            robot.mouseClick(button);
-            return null;
-        });
-    }
-
-    /** Presses a button of a dialog. */
-    private static void fire(String text) throws Exception {
-        onWindow(() -> {
-            Window.getWindows().stream().flatMap(window -> window.getScene().getRoot().lookupAll(".button").stream())
-                    .filter(node -> node instanceof Button button && text.equals(button.getText())).findFirst()
-                    .ifPresent(button -> Platform.runLater(((Button) button)::fire));
-            return null;
-        });
-    }
-
-    private static Bounds screenBounds(Node node) throws Exception {
-        return onWindow(() -> node.localToScreen(node.getBoundsInLocal()));
-    }
-
-    private static Node node(String selector) throws Exception {
-        Callable<Node> find = () -> Window.getWindows().getFirst().getScene().getRoot().lookup(selector);
-        await(() -> find.call() != null);
-        return onWindow(find);
-    }
-
     /** Stores a picture of the screen and prints the time since the start of the program. */
     private void capture(String step) throws Exception {
         long time = System.currentTimeMillis() - START;
-        Thread.sleep(DRAW_MS);
-        Rectangle2D screen = Screen.getPrimary().getBounds();
-        PixelReader pixels = onWindow(() -> robot.getScreenCapture(null, screen, false)).getPixelReader();
-        double scale = Screen.getPrimary().getOutputScaleX();
-        BufferedImage image =
-                new BufferedImage((int) (screen.getWidth() * scale), (int) (screen.getHeight() * scale), BufferedImage.TYPE_INT_RGB);
-        for (int y = 0; y < image.getHeight(); y++) {
-            for (int x = 0; x < image.getWidth(); x++) {
-                image.setRGB(x, y, pixels.getArgb(x, y));
-            }
-        }
-        File file = folder.resolve("%02d %s.png".formatted(++pictures, step)).toFile();
-        ImageIO.write(image, "png", file);
+        screen.capture(javafx.stage.Screen.getPrimary().getBounds(), folder.resolve("%02d %s.png".formatted(++pictures, step)));
         print("%6.1f s  %s", time / 1e3, step);
     }
 }
