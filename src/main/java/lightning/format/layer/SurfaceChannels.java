@@ -31,6 +31,8 @@ final class SurfaceChannels implements ChannelSource {
     private final PixelRays eye;
     private final Geometry geometry;
     private final Vec3 viewDirection;
+    /** Number of visible shapes, without faces of lights. */
+    private final int shapeCount;
 
     /** @param normalType type of normals; all other channels are FLOAT */
     SurfaceChannels(PixelCache cache, ExrType normalType) {
@@ -38,6 +40,7 @@ final class SurfaceChannels implements ChannelSource {
         this.normalType = normalType;
         eye = new PixelRays(cache.scene());
         geometry = cache.geometry();
+        shapeCount = cache.scene().stage().shapes().size();
         viewDirection = cache.scene().camera().to().minus(cache.scene().camera().from()).normalized();
     }
 
@@ -67,7 +70,8 @@ final class SurfaceChannels implements ChannelSource {
         });
     }
 
-    /** Writes the values of a pixel, in the order of {@link #CHANNELS}; all except the depth are 0 for the background. */
+    /** Writes the values of a pixel, in the order of {@link #CHANNELS}; all except the depth are 0 for the background. Faces of lights have no
+     * ids. */
     private void sample(int x, int y, float[] out) {
         Ray ray = eye.ray(x, y);
         int primitive = geometry.nearest(ray);
@@ -86,7 +90,8 @@ final class SurfaceChannels implements ChannelSource {
         out[4] = (float) point.y();
         out[5] = (float) point.z();
         out[6] = (float) position.minus(ray.origin()).dot(viewDirection);
-        out[7] = geometry.owner(primitive) + 1;
-        out[8] = surface.material() + 1;
+        boolean isObject = geometry.owner(primitive) < shapeCount;
+        out[7] = isObject ? geometry.owner(primitive) + 1 : 0;
+        out[8] = isObject ? surface.material() + 1 : 0;
     }
 }
