@@ -96,7 +96,7 @@ final class MatteChannels implements ChannelSource {
         for (int sample = 0; sample < hits.count(pixel); sample++) {
             int primitive = hits.primitive(pixel, sample);
             // Faces of lights are no objects.
-            if (primitive >= 0 && geometry.owner(primitive) < table.shapeCount()) {
+            if (primitive >= 0 && !geometry.isLightFace(primitive)) {
                 ranking.add(table.bits(geometry.owner(primitive)));
             }
         }

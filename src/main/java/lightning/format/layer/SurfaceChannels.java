@@ -31,8 +31,6 @@ final class SurfaceChannels implements ChannelSource {
     private final PixelRays eye;
     private final Geometry geometry;
     private final Vec3 viewDirection;
-    /** Number of visible shapes, without faces of lights. */
-    private final int shapeCount;
 
     /** @param normalType type of normals; all other channels are FLOAT */
     SurfaceChannels(PixelCache cache, ExrType normalType) {
@@ -40,7 +38,6 @@ final class SurfaceChannels implements ChannelSource {
         this.normalType = normalType;
         eye = new PixelRays(cache.scene());
         geometry = cache.geometry();
-        shapeCount = cache.scene().stage().shapes().size();
         viewDirection = cache.scene().camera().to().minus(cache.scene().camera().from()).normalized();
     }
 
@@ -90,7 +87,7 @@ final class SurfaceChannels implements ChannelSource {
         out[4] = (float) point.y();
         out[5] = (float) point.z();
         out[6] = (float) position.minus(ray.origin()).dot(viewDirection);
-        boolean isObject = geometry.owner(primitive) < shapeCount;
+        boolean isObject = !geometry.isLightFace(primitive);
         out[7] = isObject ? geometry.owner(primitive) + 1 : 0;
         out[8] = isObject ? surface.material() + 1 : 0;
     }

@@ -26,11 +26,6 @@ public final class MatteTable {
         }
     }
 
-    /** Returns the number of shapes, without faces of lights. */
-    public int shapeCount() {
-        return bits.length;
-    }
-
     /** Returns the bits of the id of a shape: its position in {@link Stage#shapes}. */
     public int bits(int shape) {
         return bits[shape];

@@ -384,6 +384,11 @@ public final class Geometry {
         return shapes.get(owner(primitive));
     }
 
+    /** Returns true if a primitive is the face of a visible light, whose name its {@link #shape} has: it is no object of the scene. */
+    public boolean isLightFace(int primitive) {
+        return owner(primitive) >= scene.stage().shapes().size();
+    }
+
     /** Returns the material of a primitive. */
     public Material material(int primitive) {
         return materials.material(materialIndex(primitive));

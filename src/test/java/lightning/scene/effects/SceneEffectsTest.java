@@ -177,7 +177,7 @@ class SceneEffectsTest {
                 RenderEffect.TINTED_SHADOWS, RenderEffect.BARN_DOORS, RenderEffect.GOBOS,
                 RenderEffect.PROFILES, RenderEffect.LIGHT_LINKS,
                 RenderEffect.SHADOW_LINKS, RenderEffect.LIGHT_GAINS,
-                RenderEffect.LIGHT_GROUPS, RenderEffect.SOFT_SHADOWS, RenderEffect.ANTIALIASING, RenderEffect.ENVIRONMENT,
+                RenderEffect.LIGHT_GROUPS, RenderEffect.VISIBLE_LIGHTS, RenderEffect.SOFT_SHADOWS, RenderEffect.ANTIALIASING, RenderEffect.ENVIRONMENT,
                 RenderEffect.INDIRECT,
                 RenderEffect.of("rect-lights"),
                 RenderEffect.of("disc-lights"),
