@@ -1,6 +1,7 @@
 package lightning.scene;
 
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import lightning.base.math.Rgb;
@@ -24,11 +25,13 @@ record LightFace(Shape shape, Material material) {
      */
     static List<LightFace> of(LightRig rig, int shapeCount, Set<String> materials) {
         List<LightFace> faces = null;
+        Set<String> names = null;
         for (Light light : rig.lights()) {
             int room = Math.min(SceneLimits.MAX_SHAPES - shapeCount, SceneLimits.MAX_MATERIALS - materials.size());
             if (isVisible(light) && (faces == null ? 0 : faces.size()) < room) {
                 faces = faces == null ? new ArrayList<>() : faces;
-                Material material = material(light, rig, materials, faces);
+                names = names == null ? new HashSet<>(materials) : names;
+                Material material = material(light, rig, names);
                 faces.add(new LightFace(shape(light, material.name()), material));
             }
         }
@@ -48,7 +51,8 @@ record LightFace(Shape shape, Material material) {
         AreaShape area = light.area();
         return switch (light.type()) {
             case RECT -> plane(light, area.right(light.direction().normalized()), area.width(), area.height(), material);
-            case DISC -> plane(light, AreaShape.DEFAULT.right(light.direction().normalized()), 2 * area.radius(), 2 * area.radius(), material);
+            case DISC ->
+                    plane(light, AreaShape.DEFAULT.right(light.direction().normalized()), 2 * area.radius(), 2 * area.radius(), material);
             case POINT, SPOT, DIRECTIONAL -> new Shape(Solid.SPHERE, light.name(), material,
                     new Placement(light.position(), Vec3.ZERO, Vec3.ONE.times(area.radius())));
         };
@@ -56,8 +60,9 @@ record LightFace(Shape shape, Material material) {
 
     /** Returns a plane whose upper side faces the light's direction. */
     private static Shape plane(Light light, Vec3 right, double width, double height, String material) {
-        return new Shape(Solid.PLANE, light.name(), material, new Placement(light.position(), rotation(right, light.direction().normalized()),
-                new Vec3(Math.min(width, SceneLimits.MAX_SCALE), 1, Math.min(height, SceneLimits.MAX_SCALE))));
+        return new Shape(Solid.PLANE, light.name(), material,
+                new Placement(light.position(), rotation(right, light.direction().normalized()),
+                        new Vec3(Math.min(width, SceneLimits.MAX_SCALE), 1, Math.min(height, SceneLimits.MAX_SCALE))));
     }
 
     /**
@@ -77,8 +82,8 @@ record LightFace(Shape shape, Material material) {
         return new Vec3(StrictMath.toDegrees(aroundX), StrictMath.toDegrees(aroundY), StrictMath.toDegrees(aroundZ));
     }
 
-    private static Material material(Light light, LightRig rig, Set<String> used, List<LightFace> before) {
-        Material black = Material.of(uniqueName(light.name(), used, before)).withAmbient(Rgb.BLACK).withDiffuse(Rgb.BLACK)
+    private static Material material(Light light, LightRig rig, Set<String> names) {
+        Material black = Material.of(uniqueName(light.name(), names)).withAmbient(Rgb.BLACK).withDiffuse(Rgb.BLACK)
                 .withSpecular(Rgb.BLACK).withTransmission(Transmission.NONE.withShadows(ShadowCasting.NONE))
                 .withCutout(AlphaCutout.NONE.withClip(switch (light.type()) {
                     case RECT -> AlphaCutout.Clip.BACK;
@@ -103,17 +108,14 @@ record LightFace(Shape shape, Material material) {
                 : effective.weight();
     }
 
-    /** Returns a name that no material of the document and no earlier face has, the same for the same light if possible. */
-    private static String uniqueName(String light, Set<String> used, List<LightFace> before) {
+    /** Returns a name that is not among the given ones, the same for the same light if possible, and adds it to them. */
+    private static String uniqueName(String light, Set<String> names) {
         int end = light.offsetByCodePoints(0, Math.min(light.codePointCount(0, light.length()), MAX_STEM));
-        String name = PREFIX + light.substring(0, end).strip();
-        for (int n = 2; isUsed(name, used, before); n++) {
-            name = PREFIX + light.substring(0, end).strip() + " " + n;
+        String stem = PREFIX + light.substring(0, end).strip();
+        String name = stem;
+        for (int n = 2; !names.add(name); n++) {
+            name = stem + " " + n;
         }
         return name;
-    }
-
-    private static boolean isUsed(String name, Set<String> used, List<LightFace> before) {
-        return used.contains(name) || before.stream().anyMatch(face -> face.material.name().equals(name));
     }
 }

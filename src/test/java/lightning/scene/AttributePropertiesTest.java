@@ -34,7 +34,8 @@ class AttributePropertiesTest {
             String> KEYWORDS = Map.ofEntries(entry("World.lightCount", "lamps"), entry("Transmission.color", "transparency"),
                     entry("BumpMapping.normalMap", "normals"), entry("Light.angle", "cone half-angle"),
                     entry("Light.dropoff", "edge falloff"), entry("Light.doors", "barn doors"), entry("Light.profile", "IES profile"),
-                    entry("AreaShape.up", "roll axis"), entry("AreaShape.visibility", "visible to camera"), entry("Transmission.ior", "IOR"),
+                    entry("AreaShape.up", "roll axis"), entry("AreaShape.visibility", "visible to camera"),
+                    entry("Transmission.ior", "IOR"),
                     entry("Emission.unit", "intensity unit"),
                     entry("Contribution.diffuse", "diffuse gain"), entry("Contribution.specular", "specular gain"),
                     entry("Contribution.gains", "gains on objects"));

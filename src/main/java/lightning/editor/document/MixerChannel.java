@@ -164,7 +164,8 @@ public sealed interface MixerChannel {
         return switch (this) {
             case OfLight(String name) -> scene.isActive(LightEdits.light(scene, name));
             case OfLightGroup(String name) -> scene.lights().stream().anyMatch(l -> l.lightGroup().equals(name) && scene.isActive(l));
-            case OfEnvironment _ -> isOn(scene) && (scene.world().solo() || scene.rig().effectiveLights().stream().noneMatch(l -> l.solo() && l.on()));
+            case OfEnvironment _ ->
+                    isOn(scene) && (scene.world().solo() || scene.rig().effectiveLights().stream().noneMatch(l -> l.solo() && l.on()));
         };
     }
 

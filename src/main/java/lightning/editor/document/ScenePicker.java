@@ -70,7 +70,8 @@ public final class ScenePicker {
         Ray ray = new Ray(geometry.toRenderSpace(from), toLight.normalized());
         // Faces of lights and materials without shadows are no occluders.
         Geometry casters = geometry.shadowGeometry(ShapeLinks.ALL);
-        return toHit(casters.castsShadows() ? casters.nearest(ray) : -1, ray, from).filter(f -> isDirectional || f.point().minus(from).length() < toLight.length());
+        return toHit(casters.castsShadows() ? casters.nearest(ray) : -1, ray, from)
+                .filter(f -> isDirectional || f.point().minus(from).length() < toLight.length());
     }
 
     private Optional<SurfaceHit> toHit(int shape, Ray ray, Vec3 eye) {

@@ -50,8 +50,9 @@ record PixelReport(int x, int y, String shape, String face, Vec3 point, Vec3 nor
 
     /** Returns the light that contributes most to this pixel, or whose face it shows; empty if there is none. */
     Optional<String> strongest() {
-        return !face.isEmpty() ? Optional.of(face) : contributions().stream().filter(c -> c.brightness() > 0).max(Comparator.comparingDouble(Contribution::brightness))
-                .map(c -> c.light().name());
+        return !face.isEmpty() ? Optional.of(face)
+                : contributions().stream().filter(c -> c.brightness() > 0).max(Comparator.comparingDouble(Contribution::brightness))
+                        .map(c -> c.light().name());
     }
 
     private static double brightness(LightReport light) {
@@ -70,7 +71,8 @@ record PixelReport(int x, int y, String shape, String face, Vec3 point, Vec3 nor
      * @param values text from {@link PixelValues}
      */
     String headline(String values) {
-        String position = x + ", " + y + "  " + (!face.isEmpty() ? Messages.tr("light {0}", face) : shape.isEmpty() ? Messages.tr("background") : shape);
+        String position = x + ", " + y + "  "
+                + (!face.isEmpty() ? Messages.tr("light {0}", face) : shape.isEmpty() ? Messages.tr("background") : shape);
         return position + (normal == null ? "" : "  " + text(Messages.key("normal %.2f %.2f %.2f"), normal)
                 + (geometricNormal == null ? "" : text(Messages.key(", geometric normal %.2f %.2f %.2f"), geometricNormal)))
                 + "\n" + (values.isEmpty() ? " " : values);

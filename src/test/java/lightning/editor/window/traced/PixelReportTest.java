@@ -33,8 +33,9 @@ class PixelReportTest {
 
     @Test
     void indirectLight_isTheLastLine() {
-        var report = new PixelReport(3, 4, "ball", "", Vec3.ZERO, new Vec3(0, 1, 0), null, List.of(light("key", LightReport.State.LIT, 0.75f)),
-                List.of(), new float[] {0.25f, 0.25f, 0.25f});
+        var report =
+                new PixelReport(3, 4, "ball", "", Vec3.ZERO, new Vec3(0, 1, 0), null, List.of(light("key", LightReport.State.LIT, 0.75f)),
+                        List.of(), new float[] {0.25f, 0.25f, 0.25f});
         assertThat(report.lightLines()).containsExactly("key  75 %", "indirect light  25 %");
     }
 
