@@ -52,6 +52,15 @@ class PixelReportTest {
                 .containsExactly("3, 4  ball  normal 0.60 0.80 0.00, geometric normal 0.00 1.00 0.00", " ");
     }
 
+    /** A click selects the strongest light. */
+    @Test
+    void faceOfALight_selectsIt() {
+        var face = new PixelReport(3, 4, "", "lamp", Vec3.ZERO, new Vec3(0, 1, 0), null, List.of(light("key", LightReport.State.LIT, 0)),
+                List.of(), null);
+        assertThat(face.strongest()).contains("lamp");
+        assertThat(face.headline("").lines().findFirst().orElseThrow()).startsWith("3, 4  light lamp  normal");
+    }
+
     @Test
     void lightBelowSurface_isReported() {
         var light = new LightReport(Light.of("key", LightType.POINT), LightReport.State.SHADOWED, 0, 0, 1, 1, 0.5f, 0, 0, 0, new float[3],
