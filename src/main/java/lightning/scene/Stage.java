@@ -29,9 +29,10 @@ public final class Stage {
     private final boolean hasBulbs;
     /** Faces of the visible lights of the scene that contains this stage. */
     private final List<LightFace> faces;
-    /** These shapes with {@link #faces}, made on demand; until then those with earlier faces, null for none. */
-    private volatile Stage faced;
-    private volatile boolean isFacedCurrent;
+    /** These shapes with earlier faces; null if unknown. */
+    private final NodeTree earlier;
+    /** These shapes and materials with {@link #faces}, made on demand. */
+    private volatile Stage rendered;
 
     /**
      * @param materials materials with unique names
@@ -43,10 +44,10 @@ public final class Stage {
         this(materials, new NodeTree(nodes), List.of(), null);
     }
 
-    /** @param faced these shapes with other faces, or with other materials; null if unknown */
-    private Stage(List<Material> materials, NodeTree tree, List<LightFace> faces, Stage faced) {
+    /** @param earlier these shapes with earlier faces; null if unknown */
+    private Stage(List<Material> materials, NodeTree tree, List<LightFace> faces, NodeTree earlier) {
         this.faces = faces;
-        this.faced = faced;
+        this.earlier = earlier;
         this.materials = List.copyOf(materials);
         this.tree = tree;
         SceneLimits.checkRange("the number of materials", this.materials.size(), 0, SceneLimits.MAX_MATERIALS);
@@ -67,7 +68,7 @@ public final class Stage {
 
     /** Returns these shapes with other materials. */
     public Stage withMaterials(List<Material> v) {
-        return v.equals(materials) ? this : new Stage(v, tree, List.of(), faced);
+        return v.equals(materials) ? this : new Stage(v, tree, List.of(), knownFaces());
     }
 
     /** Returns this stage with the bulbs of a rig's lights as bright as the lights. */
@@ -80,7 +81,7 @@ public final class Stage {
     /** Returns this stage with the faces of a rig's visible lights. */
     Stage withFaces(LightRig rig) {
         List<LightFace> v = LightFace.of(rig, tree.shapeCount, materialsByName.keySet());
-        return v.equals(faces) ? this : new Stage(materials, tree, v, v.isEmpty() ? null : faced);
+        return v.equals(faces) ? this : new Stage(materials, tree, v, v.isEmpty() ? null : knownFaces());
     }
 
     /**
@@ -91,11 +92,18 @@ public final class Stage {
         if (faces.isEmpty()) {
             return this;
         }
-        if (!isFacedCurrent) {
-            faced = withFaceShapes(faced);
-            isFacedCurrent = true;
+        Stage made = rendered;
+        if (made == null) {
+            // A race between threads makes two equal stages.
+            made = withFaceShapes(earlier);
+            rendered = made;
         }
-        return faced;
+        return made;
+    }
+
+    /** Returns these shapes with the latest known faces; null for none. */
+    private NodeTree knownFaces() {
+        return rendered == null ? earlier : rendered.tree;
     }
 
     /** Returns the names of the lights whose faces {@link #rendered} contains, in its order. */
@@ -104,18 +112,18 @@ public final class Stage {
     }
 
     /** @param known these shapes with faces, possibly of other lights; null for none */
-    private Stage withFaceShapes(Stage known) {
+    private Stage withFaceShapes(NodeTree known) {
         List<Material> all = new ArrayList<>(materials);
         faces.forEach(face -> all.add(face.material()));
         List<Shape> shapes = faces.stream().map(LightFace::shape).toList();
         int count = nodes().size();
-        if (known == null || known.nodes().size() != count + shapes.size()
-                || !IntStream.range(0, shapes.size()).allMatch(i -> known.nodes().get(count + i).name().equals(shapes.get(i).name()))) {
+        if (known == null || known.nodes.size() != count + shapes.size()
+                || !IntStream.range(0, shapes.size()).allMatch(i -> known.nodes.get(count + i).name().equals(shapes.get(i).name()))) {
             List<SceneNode> nodes = new ArrayList<>(nodes());
             nodes.addAll(shapes);
             return new Stage(all, nodes);
         }
-        NodeTree updated = known.tree;
+        NodeTree updated = known;
         for (int i = 0; i < shapes.size(); i++) {
             int[] path = {count + i};
             var splice = new NodeSplice(updated.nodes, path, List.of(shapes.get(i)));
@@ -204,7 +212,15 @@ public final class Stage {
             return this;
         }
         var splice = new NodeSplice(nodes(), path.get(), replacement);
-        return replacement.equals(List.of(splice.removed)) ? this : new Stage(materials, new NodeTree(tree, splice), List.of(), null);
+        if (replacement.equals(List.of(splice.removed))) {
+            return this;
+        }
+        var changed = new NodeTree(tree, splice);
+        NodeTree known = knownFaces();
+        // Drags of a shape keep its name, so that no face can have it.
+        boolean canKeep = known != null && replacement.size() == 1 && replacement.getFirst() instanceof Shape s && s.name().equals(name);
+        return new Stage(materials, changed, List.of(),
+                canKeep ? new NodeTree(known, new NodeSplice(known.nodes, path.get(), replacement)) : null);
     }
 
     /** Returns whether both share their table of names, because one was made from the other. */

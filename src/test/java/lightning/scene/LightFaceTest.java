@@ -110,7 +110,7 @@ class LightFaceTest {
     }
 
     @Test
-    void movedLight_keepsTheOtherNodesOfTheRenderedStage() {
+    void edits_keepTheOtherNodesOfTheRenderedStage() {
         Light second = SOFTBOX.withName("fill");
         Scene scene = new Scene(PictureSettings.DEFAULT, Camera.DEFAULT, World.DEFAULT, List.of(),
                 List.of(new Shape(Solid.SPHERE, "ball", "default", Placement.IDENTITY)), List.of(SOFTBOX, second));
@@ -119,6 +119,15 @@ class LightFaceTest {
         assertThat(moved.sharesStructure(before)).isTrue();
         assertThat(moved.nodes().get(2)).isNotEqualTo(before.nodes().get(2));
         assertThat(scene.withLight(second.withIntensity(2)).stage().rendered().hasSameNodes(before)).isTrue();
+        Scene dragged = scene.replaceNode("ball", List.of(new Shape(Solid.CONE, "ball", "default", Placement.IDENTITY)));
+        assertThat(dragged.stage().rendered().sharesStructure(before)).isTrue();
+        assertThat(dragged.stage().rendered().shapes().getFirst().solid()).isEqualTo(Solid.CONE);
+        assertThat(dragged.withLight(SOFTBOX.withPosition(Vec3.Y)).stage().rendered().sharesStructure(before)).isTrue();
+        // Another material, then a shape that has it.
+        Scene recolored = scene.withMaterials(List.of(Material.of("new")))
+                .replaceNode("ball", List.of(new Shape(Solid.CONE, "ball", "new", Placement.IDENTITY)));
+        assertThat(recolored.stage().rendered().sharesStructure(before)).isTrue();
+        assertThat(recolored.stage().rendered().usedMaterials()).containsExactly("new", "light key", "light fill");
         Stage swapped = scene.withLights(List.of(second, SOFTBOX)).stage().rendered();
         assertThat(swapped.shapes()).extracting(Shape::name).containsExactly("ball", "fill", "key");
     }
