@@ -166,7 +166,11 @@ final class ExplainCommand implements Callable<Integer> {
         Shape shape = geometry.shape(at.primitive());
         Material material = geometry.material(at.primitive());
         Vec3 point = geometry.toScene(new Vec3(at.px(), at.py(), at.pz()));
-        console.print("%s%s of material %s", indent, shape.name(), material.name());
+        if (geometry.isLightFace(at.primitive())) {
+            console.print("%sthe face of light %s", indent, shape.name());
+        } else {
+            console.print("%s%s of material %s", indent, shape.name(), material.name());
+        }
         console.print("%s  at %.6g %.6g %.6g, normal %.6g %.6g %.6g", indent, point.x(), point.y(), point.z(), at.nx(), at.ny(), at.nz());
         if (report.normals() != null) {
             printNormals(report.normals(), indent);
@@ -174,7 +178,7 @@ final class ExplainCommand implements Callable<Integer> {
         double total = PointContributions.sum(report.color());
         PointContributions parts = PointContributions.of(material, at);
         console.print("%s  %-12s adds %s %s", indent, "ambient", formatRgb(report.ambient()), formatShare(report.ambient(), total));
-        if (!material.glow().isBlack()) {
+        if (!material.emission().isBlack()) {
             console.print("%s  %-12s adds %s %s", indent, "glow", formatRgb(report.glow()), formatShare(report.glow(), total));
         }
         for (LightReport light : report.lights()) {

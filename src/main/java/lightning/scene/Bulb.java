@@ -19,7 +19,12 @@ public record Bulb(String light, double exposure, Rgb glow) implements BulbBuild
     Bulb litBy(LightRig rig) {
         Rgb weight = rig.light(light).filter(rig::isActive).map(l -> rig.effectiveLight(l).weight()).orElse(Rgb.BLACK);
         double gain = StrictMath.pow(2, exposure);
-        return new Bulb(light, exposure, new Rgb(limited(weight.r() * gain), limited(weight.g() * gain), limited(weight.b() * gain)));
+        return new Bulb(light, exposure, limited(weight.times(gain)));
+    }
+
+    /** Returns a color that a surface may emit. */
+    static Rgb limited(Rgb color) {
+        return new Rgb(limited(color.r()), limited(color.g()), limited(color.b()));
     }
 
     private static double limited(double channel) {

@@ -65,7 +65,7 @@ public enum IntensityUnit {
     }
 
     /** Returns the area that is seen along the axis, in square scene units; of a directional light, its projected solid angle. */
-    private static double luminousArea(Light light) {
+    static double luminousArea(Light light) {
         AreaShape area = light.area();
         return switch (light.type()) {
             case DIRECTIONAL -> Math.PI * square(StrictMath.sin(Math.toRadians(area.spread())));

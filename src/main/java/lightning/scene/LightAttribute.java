@@ -114,6 +114,11 @@ public final class LightAttribute<V> extends SceneAttribute<Light, V> {
             of("samples", NumericKind.integer(SceneLimits.MIN_LIGHT_SAMPLES, SceneLimits.MAX_LIGHT_SAMPLES),
                     AreaShape.DEFAULT.samples(), "soft shadow samples", l -> l.area().samples(),
                     (l, v) -> l.withArea(l.area().withSamples(v)), Section.AREA, forAllTypes(LightTerm.SOURCE));
+    public static final LightAttribute<Boolean> VISIBLE =
+            of("visible", "visible to camera", ChoiceKind.YES_OR_NO, AreaShape.DEFAULT.visibility() != FaceVisibility.HIDDEN, "",
+                    l -> l.area().visibility() != FaceVisibility.HIDDEN,
+                    (l, v) -> l.withArea(l.area().withVisibility(v ? FaceVisibility.GLOWING : FaceVisibility.HIDDEN)), Section.AREA,
+                    Map.of(POINT, LightTerm.FACE, SPOT, LightTerm.FACE, RECT, LightTerm.FACE, DISC, LightTerm.FACE));
     public static final LightAttribute<Boolean> ON = of("on", ChoiceKind.YES_OR_NO, true, "", Light::on, Light::withOn,
             Section.SWITCHES, Map.of());
     public static final LightAttribute<Boolean> SOLO = of("solo", ChoiceKind.YES_OR_NO, false, "", Light::solo, Light::withSolo,

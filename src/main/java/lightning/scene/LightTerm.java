@@ -2,6 +2,8 @@ package lightning.scene;
 
 /** Term of the lighting equation that a light's attribute changes, from the cheapest change to the most expensive. */
 public enum LightTerm {
+    /** The light's own surface in the picture, which is no part of its contributions. */
+    FACE,
     /** Color times intensity and gains, the factors of all contributions. */
     WEIGHT,
     /** Falloff with distance and direction. */

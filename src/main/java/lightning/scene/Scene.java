@@ -17,7 +17,7 @@ public record Scene(PictureSettings picture, Camera camera, World world, Stage s
     public Scene {
         rig.names().checkDisjoint(stage);
         rig = rig.withWorld(world);
-        stage = stage.withBulbs(rig);
+        stage = stage.withBulbs(rig).withFaces(rig);
         OverflowCheck.check(stage, rig);
     }
 
@@ -74,7 +74,7 @@ public record Scene(PictureSettings picture, Camera camera, World world, Stage s
      * differ in lights, materials, the world and the reflection depth.
      */
     public boolean hasSameShapes(Scene o) {
-        return hasSameView(o) && stage.hasSameNodes(o.stage);
+        return hasSameView(o) && stage.rendered().hasSameNodes(o.stage.rendered());
     }
 
     /** Returns whether both have the same camera and image size. */

@@ -27,6 +27,12 @@ public final class Stage {
     private final Material sharpestMaterial;
     /** True if any material is a light's bulb. */
     private final boolean hasBulbs;
+    /** Faces of the visible lights of the scene that contains this stage. */
+    private final List<LightFace> faces;
+    /** These shapes with earlier faces; null if unknown. */
+    private final NodeTree earlier;
+    /** These shapes and materials with {@link #faces}, made on demand. */
+    private volatile Stage rendered;
 
     /**
      * @param materials materials with unique names
@@ -35,10 +41,13 @@ public final class Stage {
      *     {@link SceneLimits} allows, or if combined scales are out of range
      */
     public Stage(List<Material> materials, List<SceneNode> nodes) {
-        this(materials, new NodeTree(nodes));
+        this(materials, new NodeTree(nodes), List.of(), null);
     }
 
-    private Stage(List<Material> materials, NodeTree tree) {
+    /** @param earlier these shapes with earlier faces; null if unknown */
+    private Stage(List<Material> materials, NodeTree tree, List<LightFace> faces, NodeTree earlier) {
+        this.faces = faces;
+        this.earlier = earlier;
         this.materials = List.copyOf(materials);
         this.tree = tree;
         SceneLimits.checkRange("the number of materials", this.materials.size(), 0, SceneLimits.MAX_MATERIALS);
@@ -59,7 +68,7 @@ public final class Stage {
 
     /** Returns these shapes with other materials. */
     public Stage withMaterials(List<Material> v) {
-        return v.equals(materials) ? this : new Stage(v, tree);
+        return v.equals(materials) ? this : new Stage(v, tree, List.of(), knownFaces());
     }
 
     /** Returns this stage with the bulbs of a rig's lights as bright as the lights. */
@@ -67,6 +76,60 @@ public final class Stage {
         return !hasBulbs ? this : withMaterials(materials.stream()
                 .map(m -> m.bulb().light().isEmpty() || m.bulb().litBy(rig).equals(m.bulb()) ? m : m.withBulb(m.bulb().litBy(rig)))
                 .toList());
+    }
+
+    /** Returns this stage with the faces of a rig's visible lights. */
+    Stage withFaces(LightRig rig) {
+        List<LightFace> v = LightFace.of(rig, tree.shapeCount, materialsByName.keySet());
+        return v.equals(faces) ? this : new Stage(materials, tree, v, v.isEmpty() ? null : knownFaces());
+    }
+
+    /**
+     * Returns the shapes and materials that camera rays meet: these, followed by the faces of visible lights. A face has the name of its
+     * light.
+     */
+    public Stage rendered() {
+        if (faces.isEmpty()) {
+            return this;
+        }
+        Stage made = rendered;
+        if (made == null) {
+            // A race between threads makes two equal stages.
+            made = withFaceShapes(earlier);
+            rendered = made;
+        }
+        return made;
+    }
+
+    /** Returns these shapes with the latest known faces; null for none. */
+    private NodeTree knownFaces() {
+        return rendered == null ? earlier : rendered.tree;
+    }
+
+    /** Returns the names of the lights whose faces {@link #rendered} contains, in its order. */
+    public List<String> faceNames() {
+        return faces.stream().map(face -> face.shape().name()).toList();
+    }
+
+    /** @param known these shapes with faces, possibly of other lights; null for none */
+    private Stage withFaceShapes(NodeTree known) {
+        List<Material> all = new ArrayList<>(materials);
+        faces.forEach(face -> all.add(face.material()));
+        List<Shape> shapes = faces.stream().map(LightFace::shape).toList();
+        int count = nodes().size();
+        if (known == null || known.nodes.size() != count + shapes.size()
+                || !IntStream.range(0, shapes.size()).allMatch(i -> known.nodes.get(count + i).name().equals(shapes.get(i).name()))) {
+            List<SceneNode> nodes = new ArrayList<>(nodes());
+            nodes.addAll(shapes);
+            return new Stage(all, nodes);
+        }
+        NodeTree updated = known;
+        for (int i = 0; i < shapes.size(); i++) {
+            int[] path = {count + i};
+            var splice = new NodeSplice(updated.nodes, path, List.of(shapes.get(i)));
+            updated = shapes.get(i).equals(splice.removed) ? updated : new NodeTree(updated, splice);
+        }
+        return new Stage(all, updated, List.of(), null);
     }
 
     /** Returns this stage with the bulbs of a light as those of its new name. */
@@ -77,7 +140,7 @@ public final class Stage {
 
     /** Returns these materials with other shapes. */
     public Stage withNodes(List<SceneNode> v) {
-        return v.equals(nodes()) ? this : new Stage(materials, new NodeTree(v));
+        return v.equals(nodes()) ? this : new Stage(materials, new NodeTree(v), List.of(), null);
     }
 
     public List<Material> materials() {
@@ -149,7 +212,15 @@ public final class Stage {
             return this;
         }
         var splice = new NodeSplice(nodes(), path.get(), replacement);
-        return replacement.equals(List.of(splice.removed)) ? this : new Stage(materials, new NodeTree(tree, splice));
+        if (replacement.equals(List.of(splice.removed))) {
+            return this;
+        }
+        var changed = new NodeTree(tree, splice);
+        NodeTree known = knownFaces();
+        // Drags of a shape keep its name, so that no face can have it.
+        boolean canKeep = known != null && replacement.size() == 1 && replacement.getFirst() instanceof Shape s && s.name().equals(name);
+        return new Stage(materials, changed, List.of(),
+                canKeep ? new NodeTree(known, new NodeSplice(known.nodes, path.get(), replacement)) : null);
     }
 
     /** Returns whether both share their table of names, because one was made from the other. */
@@ -185,20 +256,20 @@ public final class Stage {
     }
 
     /**
-     * Returns for each of the {@link #shapes} whether it is linked; read-only.
+     * Returns for each shape of the {@link #rendered} stage whether it is linked; read-only.
      *
-     * @return {@code boolean[shapes().size()]}
+     * @return {@code boolean[rendered().shapes().size()]}
      */
     public boolean[] linkMask(ShapeLinks links) {
-        return tree.linkMask(links);
+        return rendered().tree.linkMask(links);
     }
 
     /**
-     * Returns for each of the {@link #shapes} which gain applies to it: the position after that of its own name or that of its innermost named
-     * group in {@code names}; 0 if none is named. Read-only.
+     * Returns for each shape of the {@link #rendered} stage which gain applies to it: the position after that of its own name or that of its
+     * innermost named group in {@code names}; 0 if none is named. Read-only.
      */
     public short[] gainEntries(List<String> names) {
-        return tree.gainEntries(names);
+        return rendered().tree.gainEntries(names);
     }
 
     private void forEachPlacedShape(List<SceneNode> nodes, Transform outer, Transform outerInverse, PlacementError outerError,
@@ -219,7 +290,7 @@ public final class Stage {
 
     @Override
     public boolean equals(Object o) {
-        return this == o || o instanceof Stage s && hasSameNodes(s) && materials.equals(s.materials);
+        return this == o || o instanceof Stage s && hasSameNodes(s) && materials.equals(s.materials) && faces.equals(s.faces);
     }
 
     @Override

@@ -48,7 +48,10 @@ public final class VisibleState {
         // A solo light darkens the environment even if it is dark itself.
         boolean solo = light.on() && light.solo() && scene.world().environment().isPresent();
         if (!scene.isActive(light) || light.weight().isBlack()) {
-            return Light.of(name, LightType.POINT).withIntensity(0).withOn(solo).withSolo(solo);
+            Light dark = Light.of(name, LightType.POINT).withIntensity(0).withOn(solo).withSolo(solo);
+            // The face of a dark light is black, but hides what is farther away.
+            return light.area().visibility() == FaceVisibility.HIDDEN ? dark
+                    : dark.withType(light.type()).withPosition(light.position()).withDirection(light.direction()).withArea(light.area());
         }
         Light normalized = Light.of(name, light.type()).withSolo(solo);
         for (LightAttribute<?> attribute : LightAttribute.ALL) {

@@ -20,11 +20,12 @@ import lightning.base.text.Messages;
  * @param intensity   factor of all light from the environment
  * @param lightCount  number of directional lights that represent it
  * @param softness    spread of each light over its region, 0 … 1
+ * @param solo        true if its light is soloed: if its intensity is not 0, all lights that are not solo are dark
  * @param meters      meters per scene unit, for photometric units of lights
  */
 @RecordBuilder
 public record World(double ambience, Rgb background, Optional<Environment> environment, double rotation, double intensity, int lightCount,
-        double softness, double meters) implements WorldBuilder.With {
+        double softness, boolean solo, double meters) implements WorldBuilder.With {
     public static final SceneAttribute<World, Double> AMBIENCE = new SceneAttribute<>("ambience", "ambience", "ambient light",
             NumericKind.number(0, SceneLimits.MAX_AMBIENCE, 0.1), 1.0, "", World::ambience, World::withAmbience);
     public static final SceneAttribute<World, Rgb> BACKGROUND = new SceneAttribute<>("background", "background",
@@ -45,13 +46,16 @@ public record World(double ambience, Rgb background, Optional<Environment> envir
     public static final SceneAttribute<World, Double> SOFTNESS = new SceneAttribute<>("softness", "environment shadow smoothing",
             NumericKind.number(0, 1, 0.1), 0.0, "0 = sharp shadows, 1 = smooth", World::softness, World::withSoftness);
 
+    public static final SceneAttribute<World, Boolean> SOLO = new SceneAttribute<>("solo", "environment solo", ChoiceKind.YES_OR_NO, false,
+            "", World::solo, World::withSolo);
+
     public static final SceneAttribute<World, Double> METERS = new SceneAttribute<>("meters", "meters per unit",
             NumericKind.number(SceneLimits.MIN_METERS, SceneLimits.MAX_METERS, 0.1), 1.0, "meters per scene unit", World::meters,
             World::withMeters);
 
     /** All attributes, in file order. */
     public static final List<SceneAttribute<World, ?>> ATTRIBUTES =
-            List.of(AMBIENCE, BACKGROUND, ENVIRONMENT, ROTATION, INTENSITY, LIGHT_COUNT, SOFTNESS, METERS);
+            List.of(AMBIENCE, BACKGROUND, ENVIRONMENT, ROTATION, INTENSITY, LIGHT_COUNT, SOFTNESS, SOLO, METERS);
 
     /** Number of environment lights that leave neither stripes nor much grain: docs/decisions/0164-first-steps-of-an-artist.md. */
     private static final int SOFT_LIGHTS = 48;
@@ -74,7 +78,7 @@ public record World(double ambience, Rgb background, Optional<Environment> envir
     /** Creates a world without an environment. */
     public World(double ambience, Rgb background) {
         this(ambience, background, ENVIRONMENT.initial(), ROTATION.initial(), INTENSITY.initial(), LIGHT_COUNT.initial(),
-                SOFTNESS.initial(), METERS.initial());
+                SOFTNESS.initial(), SOLO.initial(), METERS.initial());
     }
 
     /**
@@ -89,7 +93,8 @@ public record World(double ambience, Rgb background, Optional<Environment> envir
 
     /** Returns a clause that says why an attribute has no effect in this world; empty if it has. */
     public Optional<String> inactiveReason(SceneAttribute<World, ?> attribute) {
-        boolean needsEnvironment = attribute == ROTATION || attribute == INTENSITY || attribute == LIGHT_COUNT || attribute == SOFTNESS;
+        boolean needsEnvironment = attribute == ROTATION || attribute == INTENSITY || attribute == LIGHT_COUNT || attribute == SOFTNESS
+                || attribute == SOLO;
         return needsEnvironment && environment.isEmpty() ? Optional.of(Messages.tr("the scene has no environment")) : Optional.empty();
     }
 
@@ -117,6 +122,7 @@ public record World(double ambience, Rgb background, Optional<Environment> envir
                             direction.x() * sin - direction.z() * cos))
                     .withColor(maxChannel > 0 ? new Rgb(source.red() / maxChannel, source.green() / maxChannel, source.blue() / maxChannel)
                             : Rgb.BLACK)
+                    .withSolo(solo && intensity > 0)
                     .withIntensity(Math.min(maxChannel * intensity, SceneLimits.MAX_ENVIRONMENT_LIGHT_INTENSITY))
                     .withArea(AreaShape.DEFAULT.withSpread(source.spread() * softness).withSamples(SAMPLES_PER_LIGHT)));
         }

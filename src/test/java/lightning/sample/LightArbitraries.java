@@ -11,6 +11,7 @@ import lightning.scene.BarnDoors;
 import lightning.scene.ColorTemperature;
 import lightning.scene.Contribution;
 import lightning.scene.Emission;
+import lightning.scene.FaceVisibility;
 import lightning.scene.Falloff;
 import lightning.scene.Gobo;
 import lightning.scene.IesProfile;
@@ -30,6 +31,9 @@ import net.jqwik.api.Tuple;
 final class LightArbitraries {
     private static final Arbitrary<String> LINKED_NAMES =
             Arbitraries.of("floor", "shell", "n0", "n1", "n1_0", "n2", "n2_1", "n3", "n4", "twin0", "wrap");
+
+    /** Weight of area lights that the camera sees, to 2 that it does not see. */
+    private static final int VISIBLE = Integer.getInteger("lightning.test.visible", 1);
 
     private LightArbitraries() {}
 
@@ -172,7 +176,11 @@ final class LightArbitraries {
                 Tuple.of(1, Arbitraries.of(1e-9, 90.0)));
         Arbitrary<Vec3> up = Arbitraries.frequencyOf(Tuple.of(1, Arbitraries.of(Vec3.Y, new Vec3(0, -1, 0))),
                 Tuple.of(1, NumberArbitraries.vectors(-2, 2).filter(v -> v.maxAbs() > 1e-3)));
-        return Combinators.combine(length, spread, length, length, up, samples()).as(AreaShape::new);
+        return Combinators.combine(length, spread, length, length, up, samples(), visibilities()).as(AreaShape::new);
+    }
+
+    private static Arbitrary<FaceVisibility> visibilities() {
+        return Arbitraries.frequency(Tuple.of(2, FaceVisibility.HIDDEN), Tuple.of(VISIBLE, FaceVisibility.GLOWING));
     }
 
     static Arbitrary<Integer> samples() {

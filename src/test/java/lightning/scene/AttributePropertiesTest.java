@@ -32,9 +32,10 @@ class AttributePropertiesTest {
     /** Titles, or keywords of scene files, that differ from the name of their component. */
     private static final Map<String,
             String> KEYWORDS = Map.ofEntries(entry("World.lightCount", "lamps"), entry("Transmission.color", "transparency"),
-                    entry("BumpMapping.normalMap", "normals"), entry("AlphaCutout.map", "cutout"), entry("Light.angle", "cone half-angle"),
+                    entry("BumpMapping.normalMap", "normals"), entry("Light.angle", "cone half-angle"),
                     entry("Light.dropoff", "edge falloff"), entry("Light.doors", "barn doors"), entry("Light.profile", "IES profile"),
-                    entry("AreaShape.up", "roll axis"), entry("Transmission.ior", "IOR"),
+                    entry("AreaShape.up", "roll axis"), entry("AreaShape.visibility", "visible to camera"),
+                    entry("Transmission.ior", "IOR"),
                     entry("Emission.unit", "intensity unit"),
                     entry("Contribution.diffuse", "diffuse gain"), entry("Contribution.specular", "specular gain"),
                     entry("Contribution.gains", "gains on objects"));
@@ -79,9 +80,13 @@ class AttributePropertiesTest {
             // Its glow is derived from the light.
             return Stream.of("bulb of", "bulb exposure");
         }
+        if (component.getType() == AlphaCutout.class) {
+            // Only the face of a light is clipped.
+            return Stream.of("cutout", "cutoff");
+        }
         return component.getType() == AreaShape.class || component.getType() == Emission.class || component.getType() == BumpMapping.class
                 || component.getType() == Transmission.class
-                || component.getType() == AlphaCutout.class || component.getType() == Contribution.class
+                || component.getType() == Contribution.class
                         ? components(component.getType().asSubclass(Record.class)).stream() : Stream.of(keyword(component));
     }
 

@@ -141,12 +141,12 @@ public sealed interface MixerChannel {
         };
     }
 
-    /** Tests if the channel is solo; the environment never is. */
+    /** Tests if the channel is solo. */
     default boolean isSolo(Scene scene) {
         return switch (this) {
             case OfLight(String name) -> LightEdits.light(scene, name).solo();
             case OfLightGroup(String name) -> LightGroupEdits.lightGroup(scene, name).solo();
-            case OfEnvironment _ -> false;
+            case OfEnvironment _ -> scene.world().solo();
         };
     }
 
@@ -155,7 +155,7 @@ public sealed interface MixerChannel {
         return switch (this) {
             case OfLight(String name) -> scene.withLight(LightEdits.light(scene, name).withSolo(v));
             case OfLightGroup(String name) -> scene.withRig(scene.rig().with(LightGroupEdits.lightGroup(scene, name).withSolo(v)));
-            case OfEnvironment _ -> scene;
+            case OfEnvironment _ -> scene.withWorld(scene.world().withSolo(v));
         };
     }
 
@@ -164,7 +164,8 @@ public sealed interface MixerChannel {
         return switch (this) {
             case OfLight(String name) -> scene.isActive(LightEdits.light(scene, name));
             case OfLightGroup(String name) -> scene.lights().stream().anyMatch(l -> l.lightGroup().equals(name) && scene.isActive(l));
-            case OfEnvironment _ -> isOn(scene) && scene.rig().effectiveLights().stream().noneMatch(l -> l.solo() && l.on());
+            case OfEnvironment _ ->
+                    isOn(scene) && (scene.world().solo() || scene.rig().effectiveLights().stream().noneMatch(l -> l.solo() && l.on()));
         };
     }
 

@@ -8,6 +8,7 @@ import lightning.render.trace.MaterialTable;
 import lightning.render.trace.SurfacePoint;
 import lightning.scene.Light;
 import lightning.scene.Scene;
+import lightning.scene.ShapeLinks;
 
 /** Ray-cast picking of surfaces. Shared by all scenes that differ only in lights and materials. */
 public final class ScenePicker {
@@ -39,7 +40,7 @@ public final class ScenePicker {
     /**
      * Picked surface point.
      *
-     * @param shape  name of the shape
+     * @param shape  name of the shape, or of the light whose face it is
      * @param point  point on its surface, in the scene
      * @param normal unit normal on the side of the eye
      * @param eye    origin of the pick ray
@@ -67,7 +68,10 @@ public final class ScenePicker {
         double offset = OFF_SURFACE * surface.point().minus(surface.eye()).length();
         Vec3 from = surface.point().plus(surface.normal().times(offset));
         Ray ray = new Ray(geometry.toRenderSpace(from), toLight.normalized());
-        return toHit(geometry.nearest(ray), ray, from).filter(f -> isDirectional || f.point().minus(from).length() < toLight.length());
+        // Faces of lights and materials without shadows are no occluders.
+        Geometry casters = geometry.shadowGeometry(ShapeLinks.ALL);
+        return toHit(casters.castsShadows() ? casters.nearest(ray) : -1, ray, from)
+                .filter(f -> isDirectional || f.point().minus(from).length() < toLight.length());
     }
 
     private Optional<SurfaceHit> toHit(int shape, Ray ray, Vec3 eye) {

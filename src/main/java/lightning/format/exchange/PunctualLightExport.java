@@ -32,6 +32,8 @@ final class PunctualLightExport {
         notes.add("spots wider than 90 degrees", type.hasCone() && light.angle() > 90 ? 1 : 0);
         notes.add("edges of spots, falloff approximated", type.hasCone() && light.dropoff() > 0 || type.isSurface() ? 1 : 0);
         double dropoff = type.isSurface() ? 1 : light.dropoff();
+        notes.add("faces of visible lights",
+                light.isArea() && LightAttribute.VISIBLE.appliesTo(type) && LightAttribute.VISIBLE.get(light) ? 1 : 0);
         notes.add("barn doors", LightAttribute.DOORS.appliesTo(type) && !light.doors().isOpen() ? 1 : 0);
         notes.add("gobos", type.hasCone() && light.gobo().isPresent() ? 1 : 0);
         notes.add("profiles", LightAttribute.PROFILE.appliesTo(type) && light.profile().isPresent() ? 1 : 0);

@@ -19,7 +19,8 @@ import lightning.render.trace.Geometry;
 
 /**
  * Mattes by Cryptomatte's specification: for each kind, numbered layers of two ids and their coverages. An object's coverage is the
- * share of a pixel's samples whose camera ray hits it first, so mirrors and glass count as themselves. Background has no id.
+ * share of a pixel's samples whose camera ray hits it first, so mirrors and glass count as themselves. Background and faces of lights
+ * have no id.
  */
 final class MatteChannels implements ChannelSource {
     /** Id and coverage of an even rank, then of an odd one. */
@@ -94,7 +95,8 @@ final class MatteChannels implements ChannelSource {
         ranking.clear();
         for (int sample = 0; sample < hits.count(pixel); sample++) {
             int primitive = hits.primitive(pixel, sample);
-            if (primitive >= 0) {
+            // Faces of lights are no objects.
+            if (primitive >= 0 && !geometry.isLightFace(primitive)) {
                 ranking.add(table.bits(geometry.owner(primitive)));
             }
         }

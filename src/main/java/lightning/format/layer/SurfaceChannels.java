@@ -67,7 +67,8 @@ final class SurfaceChannels implements ChannelSource {
         });
     }
 
-    /** Writes the values of a pixel, in the order of {@link #CHANNELS}; all except the depth are 0 for the background. */
+    /** Writes the values of a pixel, in the order of {@link #CHANNELS}; all except the depth are 0 for the background. Faces of lights have no
+     * ids. */
     private void sample(int x, int y, float[] out) {
         Ray ray = eye.ray(x, y);
         int primitive = geometry.nearest(ray);
@@ -86,7 +87,8 @@ final class SurfaceChannels implements ChannelSource {
         out[4] = (float) point.y();
         out[5] = (float) point.z();
         out[6] = (float) position.minus(ray.origin()).dot(viewDirection);
-        out[7] = geometry.owner(primitive) + 1;
-        out[8] = surface.material() + 1;
+        boolean isObject = !geometry.isLightFace(primitive);
+        out[7] = isObject ? geometry.owner(primitive) + 1 : 0;
+        out[8] = isObject ? surface.material() + 1 : 0;
     }
 }

@@ -5,6 +5,7 @@ import java.util.List;
 import lightning.base.math.Rgb;
 import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
+import lightning.scene.FaceVisibility;
 import lightning.scene.Light;
 import lightning.scene.LightAttribute;
 import lightning.scene.LightType;
@@ -48,6 +49,9 @@ final class PovLightWriter {
         if (!light.contribution().castsShadows()) {
             // POV-Ray's shadowless lights have neither a cone nor highlights.
             warnings.add("light " + light.name() + ": it casts shadows here");
+        }
+        if (light.isArea() && light.type().hasPosition() && light.area().visibility() != FaceVisibility.HIDDEN) {
+            warnings.add("light " + light.name() + ": its face is left out, the camera does not see it");
         }
         List<String> statements = new ArrayList<>();
         statements.add(PovFormat.vector(position(light)));

@@ -19,6 +19,7 @@ import lightning.render.shading.WeightedLight;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.SamplePositions;
 import lightning.scene.Bulb;
+import lightning.scene.FaceVisibility;
 import lightning.scene.Light;
 import lightning.scene.Scene;
 import lightning.scene.Stage;
@@ -40,7 +41,9 @@ public final class LightImage {
         List<Light> lights = new ArrayList<>();
         for (Light l : scene.lights()) {
             // A solo light that is switched off mutes no light.
-            lights.add(l.name().equals(light) && scene.isActive(l) ? l : l.withOn(false));
+            Light shown = l.name().equals(light) && scene.isActive(l) ? l : l.withOn(false);
+            boolean hasFace = l.area().visibility() != FaceVisibility.HIDDEN;
+            lights.add(hasFace ? shown.withArea(l.area().withVisibility(FaceVisibility.BLACK)) : shown);
         }
         Stage stage =
                 scene.stage().withMaterials(scene.materials().stream()

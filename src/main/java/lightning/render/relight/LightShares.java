@@ -58,10 +58,12 @@ public record LightShares(Scene scene, double[] lights, double environment) {
         return whole > 0 ? (whole - region.luminance(without)) / whole : 0;
     }
 
-    /** Renders the picture without its environment. */
+    /** Renders the picture without its environment; lights that its solo darkens stay dark. */
     static Film withoutEnvironment(Renderer renderer, PixelCache cache, Progress progress) {
+        Scene scene = cache.scene();
         renderer.restore(cache);
-        renderer.render(cache.scene().withWorld(cache.scene().world().withIntensity(0)), progress);
+        renderer.render(scene.withLights(scene.lights().stream().map(l -> scene.isActive(l) ? l : l.withOn(false)).toList())
+                .withWorld(scene.world().withIntensity(0)), progress);
         return renderer.film();
     }
 

@@ -25,6 +25,7 @@ import lightning.scene.Material;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
 import lightning.scene.ShapeLinks;
+import lightning.scene.Stage;
 
 /**
  * A scene's shapes and materials in render space, without its lights, as rays intersect them.
@@ -76,12 +77,12 @@ public final class Geometry {
      */
     public Geometry(Scene scene, Predicate<Material> castsReflections) {
         this.scene = scene;
-        shapes = scene.stage().shapes();
+        shapes = scene.stage().rendered().shapes();
         materialNames = MaterialTable.materialNames(shapes);
         vertexColorMaterials = MaterialTable.vertexColorMaterials(shapes);
         this.castsReflections = castsReflections;
         materials = new MaterialTable(materialNames, vertexColorMaterials, scene, null, castsReflections);
-        bvh = new Bvh(PrimitiveTable.of(scene.stage(), materialIndices(), scene.camera().origin()));
+        bvh = new Bvh(PrimitiveTable.of(scene.stage().rendered(), materialIndices(), scene.camera().origin()));
         primitives = bvh.primitives;
         shadowCasters = null;
         castsShadows = true;
@@ -147,12 +148,12 @@ public final class Geometry {
     /** Prepares other shapes seen from the same camera position; materials keep their indices. */
     private Geometry(Scene scene, Geometry previous) {
         this.scene = scene;
-        shapes = scene.stage().shapes();
+        shapes = scene.stage().rendered().shapes();
         materialNames = MaterialTable.materialNames(previous.materialNames, shapes);
         vertexColorMaterials = MaterialTable.vertexColorMaterials(shapes);
         castsReflections = previous.castsReflections;
         materials = new MaterialTable(materialNames, vertexColorMaterials, scene, previous.materials, castsReflections);
-        bvh = Bvh.refitOrRebuild(PrimitiveTable.of(scene.stage(), materialIndices(), scene.camera().origin()), previous.bvh);
+        bvh = Bvh.refitOrRebuild(PrimitiveTable.of(scene.stage().rendered(), materialIndices(), scene.camera().origin()), previous.bvh);
         primitives = bvh.primitives;
         shadowCasters = null;
         castsShadows = true;
@@ -283,17 +284,19 @@ public final class Geometry {
     }
 
     private boolean hasSameShapes(Scene other) {
-        return scene.nodes().equals(other.nodes()) && hasSameRays(other);
+        return scene.stage().rendered().nodes().equals(other.stage().rendered().nodes()) && hasSameRays(other);
     }
 
     /** Returns true if another scene's materials produce the same hits: equal normal mapping, refraction and shadow casting. */
     private boolean hasSameRays(Scene other) {
-        if (scene.materials() == other.materials()) {
+        Stage stage = scene.stage().rendered();
+        Stage otherStage = other.stage().rendered();
+        if (stage.materials() == otherStage.materials()) {
             return true;
         }
-        Map<String, Material> thisMaterials = scene.materialsByName();
-        Map<String, Material> otherMaterials = other.materialsByName();
-        return scene.stage().usedMaterials().stream().allMatch(m -> thisMaterials.get(m).hasSameRays(otherMaterials.get(m)));
+        Map<String, Material> thisMaterials = stage.materialsByName();
+        Map<String, Material> otherMaterials = otherStage.materialsByName();
+        return stage.usedMaterials().stream().allMatch(m -> thisMaterials.get(m).hasSameRays(otherMaterials.get(m)));
     }
 
     /**
@@ -336,7 +339,7 @@ public final class Geometry {
         if (!canServe(other)) {
             throw new IllegalArgumentException("the geometry belongs to another scene");
         }
-        return scene.materials().equals(other.materials()) ? this : new Geometry(this, other);
+        return scene.stage().rendered().materials().equals(other.stage().rendered().materials()) ? this : new Geometry(this, other);
     }
 
     /**
@@ -379,6 +382,11 @@ public final class Geometry {
     /** Returns the shape that a primitive belongs to. */
     public Shape shape(int primitive) {
         return shapes.get(owner(primitive));
+    }
+
+    /** Returns true if a primitive is the face of a visible light, whose name its {@link #shape} has: it is no object of the scene. */
+    public boolean isLightFace(int primitive) {
+        return owner(primitive) >= scene.stage().shapes().size();
     }
 
     /** Returns the material of a primitive. */

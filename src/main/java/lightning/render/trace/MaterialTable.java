@@ -54,7 +54,7 @@ public final class MaterialTable {
      */
     MaterialTable(List<String> names, Set<String> vertexColorMaterials, Scene scene, MaterialTable previous,
             Predicate<Material> castsReflections) {
-        Map<String, Material> byName = scene.materialsByName();
+        Map<String, Material> byName = scene.stage().rendered().materialsByName();
         materials = IntStream.range(0, names.size()).mapToObj(m -> {
             Material material = byName.get(names.get(m));
             return material == null ? previous.material(m) : material;

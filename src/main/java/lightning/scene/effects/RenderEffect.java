@@ -17,6 +17,7 @@ import lightning.scene.Bulb;
 import lightning.scene.BumpMapping;
 import lightning.scene.Contribution;
 import lightning.scene.Environment;
+import lightning.scene.FaceVisibility;
 import lightning.scene.Falloff;
 import lightning.scene.Light;
 import lightning.scene.LightAttribute;
@@ -98,6 +99,10 @@ public final class RenderEffect {
     public static final RenderEffect LIGHT_GROUPS = register("banks", "light groups", EffectUsers::lightGroups,
             scene -> scene.withRig(LightRig.of(scene.lights().stream().map(l -> l.withLightGroup("")).toList())),
             UnaryOperator.identity(), false);
+    public static final RenderEffect VISIBLE_LIGHTS =
+            register("visible-lights", "visible lights", uses -> uses.scene().stage().faceNames().stream(),
+                    scene -> EffectRemoval.mapLights(scene, l -> l.withArea(l.area().withVisibility(FaceVisibility.HIDDEN))),
+                    UnaryOperator.identity(), false);
     public static final RenderEffect SOFT_SHADOWS =
             register("soft-shadows", "soft shadows", uses -> uses.lights(Light::isArea),
                     scene -> EffectRemoval.mapLights(scene, EffectRemoval::removeArea),

@@ -12,6 +12,7 @@ import lightning.render.shading.ReferenceTracer;
 import lightning.sample.StudioScene;
 import lightning.scene.Environment;
 import lightning.scene.EnvironmentMap;
+import lightning.scene.Light;
 import lightning.scene.LightType;
 import lightning.scene.Scene;
 import lightning.scene.World;
@@ -64,6 +65,27 @@ class EnvironmentWorkTest {
             assertThat(update.rowsTouched()).isZero();
             assertThat(update.rowsComposed()).isPositive();
         }
+    }
+
+    @Test
+    void solo_darkensOtherLightsWithoutRays() {
+        assertNoRay(render(world().withSolo(true)));
+        assertThat(studio.scene().isActive(studio.scene().lights().getFirst())).isFalse();
+        assertNoRay(render(world().withIntensity(0)));
+        assertThat(studio.scene().isActive(studio.scene().lights().getFirst())).isTrue();
+        assertNoRay(render(world().withIntensity(1)));
+        assertNoRay(render(world().withSolo(false)));
+    }
+
+    /** A solo light next to a solo environment shines too; alone it darkens the environment. */
+    @Test
+    void soloLight_staysOnWithASoloEnvironment() {
+        Scene scene = studio.scene();
+        Scene both = scene.withWorld(world().withSolo(true)).withLight(scene.lights().getFirst().withSolo(true));
+        assertThat(both.rig().effectiveLights()).allMatch(both::isActive);
+        Scene light = both.withWorld(both.world().withSolo(false));
+        assertThat(light.rig().effectiveLights()).filteredOn(light::isActive).extracting(Light::name)
+                .containsExactly(scene.lights().getFirst().name());
     }
 
     @Test

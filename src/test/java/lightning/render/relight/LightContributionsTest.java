@@ -161,6 +161,10 @@ class LightContributionsTest {
         Film alone = new ReferenceTracer(LightContributions.switchOff(lit, scene.lights().stream().map(Light::name).toList())).trace();
         assertThat(environment.imageShare()).isCloseTo(luminance(alone) / luminance(picture), within(1e-5));
         assertThat(of(scene, new LightContributions.Region(0, 0, 5, 5)).environment()).isEmpty();
+        // Lights that its solo darkens stay dark while its share is measured.
+        LightContribution solo = of(scene.withWorld(around.withSolo(true)), new LightContributions.Region(0, 0, 5, 5)).environment()
+                .orElseThrow();
+        assertThat(solo.imageShare()).isEqualTo(1);
     }
 
     private static double luminance(Film film) {

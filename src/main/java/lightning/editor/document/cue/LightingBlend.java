@@ -191,7 +191,8 @@ public final class LightingBlend {
     private World world() {
         World first = from.world();
         World last = to.world();
-        World world = first;
+        // The lights are off or on as the solos at both ends decide.
+        World world = first.withSolo(false);
         for (SceneAttribute<World, ?> attribute : World.ATTRIBUTES) {
             world = interpolateAttribute(attribute, world, first, last);
         }
@@ -201,6 +202,7 @@ public final class LightingBlend {
         World environmentSource = t < 0.5 ? first : last;
         return world.withEnvironment(environmentSource.environment()).withRotation(environmentSource.rotation())
                 .withLightCount(environmentSource.lightCount())
-                .withSoftness(environmentSource.softness()).withIntensity(environmentSource.intensity() * Math.abs(1 - 2 * t));
+                .withSoftness(environmentSource.softness())
+                .withIntensity(environmentSource.intensity() * Math.abs(1 - 2 * t));
     }
 }

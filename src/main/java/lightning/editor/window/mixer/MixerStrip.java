@@ -109,7 +109,6 @@ final class MixerStrip extends VBox {
         switches.getStyleClass().add("switches");
         if (channel instanceof MixerChannel.OfEnvironment) {
             color.setVisible(false);
-            solo.setVisible(false);
         }
         var faderRow = new HBox(meter, fader);
         faderRow.getStyleClass().add("throw");

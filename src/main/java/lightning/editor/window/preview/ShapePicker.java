@@ -44,9 +44,15 @@ final class ShapePicker {
         find(viewport, point, shape -> menu.show(canvas, shape, x, y));
     }
 
-    /** Selects the shape at a point; does nothing if there is none. */
+    /** Selects the shape at a point, or the light whose face it is; does nothing if there is none. */
     void select(Viewport viewport, Viewport.Pixel point) {
-        find(viewport, point, editor.selection()::selectNode);
+        find(viewport, point, name -> {
+            if (editor.scene().light(name).isPresent()) {
+                editor.selection().selectLight(name);
+            } else {
+                editor.selection().selectNode(name);
+            }
+        });
     }
 
     private void find(Viewport viewport, Viewport.Pixel point, Consumer<String> onFound) {

@@ -75,7 +75,8 @@ public final class PropertyPane extends VBox {
         /** A directional light keeps its position, where its gizmo is drawn. */
         private static boolean actsOn(Light light, LightAttribute<?> attribute) {
             return attribute == LightAttribute.POSITION
-                    || attribute.inactiveReason(light).isEmpty() && (attribute != LightAttribute.SAMPLES || light.isArea());
+                    || attribute.inactiveReason(light).isEmpty()
+                            && (attribute != LightAttribute.SAMPLES && attribute != LightAttribute.VISIBLE || light.isArea());
         }
     }
 

@@ -5,13 +5,16 @@ import java.util.List;
 import java.util.stream.Stream;
 import javafx.beans.value.ObservableValue;
 import javafx.scene.Node;
+import javafx.scene.control.CheckBox;
 import javafx.scene.control.ComboBox;
 import javafx.scene.control.ScrollPane;
+import javafx.scene.control.Tooltip;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.VBox;
 import lightning.base.text.Messages;
 import lightning.base.text.NumberUnit;
 import lightning.editor.document.Command;
+import lightning.editor.document.EditOutcome;
 import lightning.editor.document.EditorState;
 import lightning.editor.document.NumericParameter;
 import lightning.editor.window.command.CommandButton;
@@ -35,6 +38,7 @@ final class WorldPane extends VBox {
     private final VBox environmentRows;
     private final ComboBox<DisplayCurve> curve = new ComboBox<>();
     private final ArrowWidget exposure;
+    private final CheckBox solo = new CheckBox(Messages.tr("Solo"));
     private Object shownDocument;
     private boolean isUpdating;
 
@@ -46,9 +50,15 @@ final class WorldPane extends VBox {
         setId("world");
         getStyleClass().add("properties");
         background = new WorldColor(editor).sliders();
+        solo.setId("world-solo");
+        solo.setTooltip(new Tooltip(Messages.tr("Mute all lights that are not solo")));
+        solo.setOnAction(_ -> {
+            boolean isSolo = solo.isSelected();
+            editor.editOrReport(scene -> EditOutcome.of(() -> scene.withWorld(scene.world().withSolo(isSolo))));
+        });
         backgroundRows = new VBox(SectionLayout.caption(Messages.tr("Background")), background);
         environmentRows = new VBox(number(NumericParameter.ENVIRONMENT_INTENSITY), number(NumericParameter.ENVIRONMENT_ROTATION),
-                number(NumericParameter.ENVIRONMENT_LAMPS), number(NumericParameter.ENVIRONMENT_SOFTNESS));
+                number(NumericParameter.ENVIRONMENT_LAMPS), number(NumericParameter.ENVIRONMENT_SOFTNESS), solo);
         Stream.of(backgroundRows, environmentRows).forEach(rows -> rows.getStyleClass().add("section-rows"));
         exposure = new ArrowWidget(Messages.tr("Exposure"), "exposure", exposureSetting());
         exposure.setId("world-exposure");
@@ -113,6 +123,7 @@ final class WorldPane extends VBox {
         setShown(environmentRows, hasEnvironment);
         setShown(backgroundRows, !hasEnvironment);
         background.show(state.scene().world().background());
+        solo.setSelected(state.scene().world().solo());
     }
 
     /** Shows a part only while it has an effect. */

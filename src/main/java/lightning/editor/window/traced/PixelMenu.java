@@ -80,7 +80,7 @@ final class PixelMenu {
         all.add(newLights(picker, hit.get(), target.canvas()));
         all.add(new SeparatorMenuItem());
         Light selected = editor.selection().light();
-        if (selected != null) {
+        if (selected != null && report.face().isEmpty()) {
             all.add(link(selected, LightAttribute.ILLUMINATES, report.shape(), Messages.tr("{0} Illuminates {1}", selected.name(),
                     report.shape())));
             all.add(link(selected, LightAttribute.SHADOWED_BY, report.shape(), Messages.tr("{1} Casts Shadows from {0}", selected.name(),

@@ -19,7 +19,8 @@ import lightning.scene.ShapeGains;
  *
  * @param x column from the left
  * @param y row from the top
- * @param shape name of the shape; empty for the background
+ * @param shape name of the shape; empty for the background and for the face of a light
+ * @param face name of the light whose face the pixel shows; empty for none
  * @param point position in the scene; null for the background
  * @param normal shading normal; null for the background
  * @param geometricNormal geometric normal if it differs from the shading normal; otherwise null
@@ -27,7 +28,7 @@ import lightning.scene.ShapeGains;
  * @param environmentLights contribution of each environment sample
  * @param indirect indirect light: red, green, blue; null if there is none
  */
-record PixelReport(int x, int y, String shape, Vec3 point, Vec3 normal, Vec3 geometricNormal, List<LightReport> lights,
+record PixelReport(int x, int y, String shape, String face, Vec3 point, Vec3 normal, Vec3 geometricNormal, List<LightReport> lights,
         List<LightReport> environmentLights, float[] indirect) {
     /**
      * Creates a report.
@@ -36,19 +37,22 @@ record PixelReport(int x, int y, String shape, Vec3 point, Vec3 normal, Vec3 geo
      */
     static PixelReport of(Geometry geometry, PointReport report, int lightCount, int x, int y) {
         if (report.isBackground()) {
-            return new PixelReport(x, y, "", null, null, null, List.of(), List.of(), null);
+            return new PixelReport(x, y, "", "", null, null, null, List.of(), List.of(), null);
         }
         var hit = report.hit();
-        return new PixelReport(x, y, geometry.shape(hit.primitive()).name(),
+        String name = geometry.shape(hit.primitive()).name();
+        boolean isFace = geometry.isLightFace(hit.primitive());
+        return new PixelReport(x, y, isFace ? "" : name, isFace ? name : "",
                 geometry.toScene(new Vec3(hit.px(), hit.py(), hit.pz())), new Vec3(hit.nx(), hit.ny(), hit.nz()),
                 report.normals() == null ? null : report.normals().geometric(), report.lights().subList(0, lightCount),
                 report.lights().subList(lightCount, report.lights().size()), report.indirect());
     }
 
-    /** Returns the light that contributes most to this pixel; empty if none does. */
+    /** Returns the light that contributes most to this pixel, or whose face it shows; empty if there is none. */
     Optional<String> strongest() {
-        return contributions().stream().filter(c -> c.brightness() > 0).max(Comparator.comparingDouble(Contribution::brightness))
-                .map(c -> c.light().name());
+        return !face.isEmpty() ? Optional.of(face)
+                : contributions().stream().filter(c -> c.brightness() > 0).max(Comparator.comparingDouble(Contribution::brightness))
+                        .map(c -> c.light().name());
     }
 
     private static double brightness(LightReport light) {
@@ -67,7 +71,8 @@ record PixelReport(int x, int y, String shape, Vec3 point, Vec3 normal, Vec3 geo
      * @param values text from {@link PixelValues}
      */
     String headline(String values) {
-        String position = x + ", " + y + "  " + (shape.isEmpty() ? Messages.tr("background") : shape);
+        String position = x + ", " + y + "  "
+                + (!face.isEmpty() ? Messages.tr("light {0}", face) : shape.isEmpty() ? Messages.tr("background") : shape);
         return position + (normal == null ? "" : "  " + text(Messages.key("normal %.2f %.2f %.2f"), normal)
                 + (geometricNormal == null ? "" : text(Messages.key(", geometric normal %.2f %.2f %.2f"), geometricNormal)))
                 + "\n" + (values.isEmpty() ? " " : values);

@@ -121,7 +121,13 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         commands.setAction(Command.TRACED_ZOOM_OUT, () -> picture.zoomBy(1 / ZOOM_STEP));
         commands.setAction(Command.PICK_MATERIAL,
                 () -> mouse.pickNext(Messages.tr("Click an object to edit its material"),
-                        report -> model.materials().chooseForShape(report.shape())));
+                        report -> {
+                            if (report.face().isEmpty()) {
+                                model.materials().chooseForShape(report.shape());
+                            } else {
+                                editor.message().show(Messages.tr("No object here"));
+                            }
+                        }));
         mirrorsBadge.setTooltip(new Tooltip(
                 Messages.tr("Reflections are updated on request in this accuracy mode.\nClick to update them (F6).")));
         mirrorsBadge.setOnMouseClicked(_ -> commands.run(Command.UPDATE_REFLECTIONS));

@@ -12,6 +12,7 @@ public final class CutoutTest implements AlphaTest {
     private int s;
     private TextureMap map;
     private double cutoff;
+    private AlphaCutout.Clip clip;
     private double ox;
     private double oy;
     private double oz;
@@ -31,7 +32,8 @@ public final class CutoutTest implements AlphaTest {
             double directionZ) {
         AlphaCutout cutout = primitives.cutout(primitive);
         s = primitive;
-        map = cutout.map().orElseThrow();
+        map = cutout.hasHoles() ? cutout.map().orElseThrow() : null;
+        clip = cutout.clip();
         cutoff = cutout.cutoff();
         ox = originX;
         oy = originY;
@@ -52,6 +54,15 @@ public final class CutoutTest implements AlphaTest {
         double localX = m[i] * x + m[i + 1] * y + m[i + 2] * z + m[i + 3];
         double localY = m[i + 4] * x + m[i + 5] * y + m[i + 6] * z + m[i + 7];
         double localZ = m[i + 8] * x + m[i + 9] * y + m[i + 10] * z + m[i + 11];
+        if (clip != AlphaCutout.Clip.NONE) {
+            boolean isCorner = clip == AlphaCutout.Clip.BACK_AND_CORNERS && localX * localX + localZ * localZ > 0.25;
+            if (isCorner || m[i + 4] * dx + m[i + 5] * dy + m[i + 6] * dz >= 0) {
+                return true;
+            }
+        }
+        if (map == null) {
+            return false;
+        }
         MeshSolid mesh = primitives.mesh(s);
         if (mesh == null) {
             primitives.kind(s).geometry().textureCoordinates(m, i, localX, localY, localZ, uv);

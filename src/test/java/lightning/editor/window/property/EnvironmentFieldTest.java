@@ -11,6 +11,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 import javafx.event.EventType;
 import javafx.scene.Node;
+import javafx.scene.control.CheckBox;
 import javafx.scene.control.Label;
 import javafx.scene.control.MenuButton;
 import javafx.scene.control.MenuItem;
@@ -87,6 +88,20 @@ class EnvironmentFieldTest extends EditorFixture {
         choose("b.hdr");
         waitFor("the file is read", () -> choiceText().equals("b.hdr"));
         assertThat(world().lightCount()).isEqualTo(16);
+    }
+
+    @Test
+    void solo_darkensLightsUntilItIsUndone() throws IOException {
+        writeEnvironmentMap("a.hdr");
+        choose("a.hdr");
+        waitFor("the file is read", () -> choiceText().equals("a.hdr"));
+        click("world-solo");
+        assertThat(world().solo()).isTrue();
+        assertThat(model().editor().scene().lights()).noneMatch(model().editor().scene()::isActive);
+        assertThat(model().editor().editorStateProperty().get().undoLabel().orElse("")).startsWith("environment solo no → yes");
+        click("undo");
+        assertThat(world().solo()).isFalse();
+        assertThat(robot.lookup("#world-solo").queryAs(CheckBox.class).isSelected()).isFalse();
     }
 
     @Test
@@ -188,6 +203,7 @@ class EnvironmentFieldTest extends EditorFixture {
         assertThat(world().intensity()).isZero();
         click("mute-environment");
         assertThat(world().intensity()).isEqualTo(2.5);
-        assertThat(isShown("solo-environment")).as("the environment has no solo").isFalse();
+        click("solo-environment");
+        assertThat(world().solo()).isTrue();
     }
 }

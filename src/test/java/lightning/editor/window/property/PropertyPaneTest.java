@@ -347,8 +347,12 @@ class PropertyPaneTest {
         assertThat(robot.lookup("#angle").query().isManaged()).isFalse();
         assertThat(robot.lookup("#radius").query().isManaged()).isTrue();
         assertThat(robot.lookup("#samples").query().isManaged()).isFalse();
+        assertThat(robot.lookup("#visible").query().getParent().isManaged()).isFalse();
         type(robot, "radius", "0.5");
         assertThat(robot.lookup("#samples").query().isManaged()).isTrue();
+        robot.interact(() -> robot.lookup("#visible").queryComboBox().getSelectionModel().selectFirst());
+        assertThat(LightAttribute.VISIBLE.get(TestEditors.light(model, TestEditors.POINT))).isTrue();
+        assertThat(model.editor().editorStateProperty().get().undoLabel().orElse("")).contains("visible to camera no → yes");
         robot.interact(() -> robot.lookup("#falloff").queryComboBox().getSelectionModel().selectLast());
         assertThat(TestEditors.light(model, TestEditors.POINT).falloff()).isEqualTo(Falloff.INVERSE_SQUARE);
         assertThat(robot.lookup("#quadratic").query().isManaged()).isFalse();

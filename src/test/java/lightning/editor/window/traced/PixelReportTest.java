@@ -19,7 +19,7 @@ class PixelReportTest {
     }
 
     private static PixelReport report(List<LightReport> lights, List<LightReport> environmentLights) {
-        return new PixelReport(3, 4, "ball", Vec3.ZERO, new Vec3(0, 1, 0), null, lights, environmentLights, null);
+        return new PixelReport(3, 4, "ball", "", Vec3.ZERO, new Vec3(0, 1, 0), null, lights, environmentLights, null);
     }
 
     @Test
@@ -33,8 +33,9 @@ class PixelReportTest {
 
     @Test
     void indirectLight_isTheLastLine() {
-        var report = new PixelReport(3, 4, "ball", Vec3.ZERO, new Vec3(0, 1, 0), null, List.of(light("key", LightReport.State.LIT, 0.75f)),
-                List.of(), new float[] {0.25f, 0.25f, 0.25f});
+        var report =
+                new PixelReport(3, 4, "ball", "", Vec3.ZERO, new Vec3(0, 1, 0), null, List.of(light("key", LightReport.State.LIT, 0.75f)),
+                        List.of(), new float[] {0.25f, 0.25f, 0.25f});
         assertThat(report.lightLines()).containsExactly("key  75 %", "indirect light  25 %");
     }
 
@@ -46,9 +47,18 @@ class PixelReportTest {
     @Test
     void mappedNormal_isReportedWithGeometricNormal() {
         assertThat(report(List.of(), List.of()).headline("1 2 3").lines()).containsExactly("3, 4  ball  normal 0.00 1.00 0.00", "1 2 3");
-        var bumpy = new PixelReport(3, 4, "ball", Vec3.ZERO, new Vec3(0.6, 0.8, 0), new Vec3(0, 1, 0), List.of(), List.of(), null);
+        var bumpy = new PixelReport(3, 4, "ball", "", Vec3.ZERO, new Vec3(0.6, 0.8, 0), new Vec3(0, 1, 0), List.of(), List.of(), null);
         assertThat(bumpy.headline("").lines())
                 .containsExactly("3, 4  ball  normal 0.60 0.80 0.00, geometric normal 0.00 1.00 0.00", " ");
+    }
+
+    /** A click selects the strongest light. */
+    @Test
+    void faceOfALight_selectsIt() {
+        var face = new PixelReport(3, 4, "", "lamp", Vec3.ZERO, new Vec3(0, 1, 0), null, List.of(light("key", LightReport.State.LIT, 0)),
+                List.of(), null);
+        assertThat(face.strongest()).contains("lamp");
+        assertThat(face.headline("").lines().findFirst().orElseThrow()).startsWith("3, 4  light lamp  normal");
     }
 
     @Test

@@ -1,0 +1,121 @@
+package lightning.scene;
+
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import lightning.base.math.Rgb;
+import lightning.base.math.Vec3;
+
+/**
+ * Surface of a visible area light, as rays of the camera meet it: a shape with the light's name that glows, casts no shadows and reflects
+ * nothing. It is no part of the document.
+ *
+ * @param shape    one-sided plane of a rectangle or disc, or ball of a point or spot light
+ * @param material its material, with a name that no material of the document has
+ */
+record LightFace(Shape shape, Material material) {
+    /** Prefix of a material's name; the light's name follows as far as names may be long. */
+    private static final String PREFIX = "light ";
+    private static final int MAX_STEM = SceneLimits.MAX_NAME - 20;
+
+    /**
+     * Returns the faces of a rig's visible lights, in the order of the lights. A stage with the maximum number of shapes or materials has
+     * room for no more.
+     */
+    static List<LightFace> of(LightRig rig, int shapeCount, Set<String> materials) {
+        List<LightFace> faces = null;
+        Set<String> names = null;
+        for (Light light : rig.lights()) {
+            int room = Math.min(SceneLimits.MAX_SHAPES - shapeCount, SceneLimits.MAX_MATERIALS - materials.size());
+            if (isVisible(light) && (faces == null ? 0 : faces.size()) < room) {
+                faces = faces == null ? new ArrayList<>() : faces;
+                names = names == null ? new HashSet<>(materials) : names;
+                Material material = material(light, rig, names);
+                faces.add(new LightFace(shape(light, material.name()), material));
+            }
+        }
+        return faces == null ? List.of() : List.copyOf(faces);
+    }
+
+    private static boolean isVisible(Light light) {
+        AreaShape area = light.area();
+        return area.visibility() != FaceVisibility.HIDDEN && switch (light.type()) {
+            case DIRECTIONAL -> false;
+            case RECT -> area.width() >= SceneLimits.MIN_SCALE && area.height() >= SceneLimits.MIN_SCALE;
+            case POINT, SPOT, DISC -> area.radius() >= SceneLimits.MIN_SCALE;
+        };
+    }
+
+    private static Shape shape(Light light, String material) {
+        AreaShape area = light.area();
+        return switch (light.type()) {
+            case RECT -> plane(light, area.right(light.direction().normalized()), area.width(), area.height(), material);
+            case DISC ->
+                    plane(light, AreaShape.DEFAULT.right(light.direction().normalized()), 2 * area.radius(), 2 * area.radius(), material);
+            case POINT, SPOT, DIRECTIONAL -> new Shape(Solid.SPHERE, light.name(), material,
+                    new Placement(light.position(), Vec3.ZERO, Vec3.ONE.times(area.radius())));
+        };
+    }
+
+    /** Returns a plane whose upper side faces the light's direction. */
+    private static Shape plane(Light light, Vec3 right, double width, double height, String material) {
+        return new Shape(Solid.PLANE, light.name(), material,
+                new Placement(light.position(), rotation(right, light.direction().normalized()),
+                        new Vec3(Math.min(width, SceneLimits.MAX_SCALE), 1, Math.min(height, SceneLimits.MAX_SCALE))));
+    }
+
+    /**
+     * Returns the angles about x, y and z, in degrees, of the rotation that maps the axis x to {@code x} and the axis y to {@code y}.
+     *
+     * @param x unit vector
+     * @param y unit vector perpendicular to it
+     */
+    static Vec3 rotation(Vec3 x, Vec3 y) {
+        Vec3 z = x.cross(y);
+        double cosine = StrictMath.hypot(y.z(), z.z());
+        double aroundY = StrictMath.atan2(-x.z(), cosine);
+        // Without a cosine, only the sum or difference of the two other angles is defined.
+        boolean isLocked = cosine < 1e-9;
+        double aroundX = isLocked ? StrictMath.atan2(-z.y(), y.y()) : StrictMath.atan2(y.z(), z.z());
+        double aroundZ = isLocked ? 0 : StrictMath.atan2(x.y(), x.x());
+        return new Vec3(StrictMath.toDegrees(aroundX), StrictMath.toDegrees(aroundY), StrictMath.toDegrees(aroundZ));
+    }
+
+    private static Material material(Light light, LightRig rig, Set<String> names) {
+        Material black = Material.of(uniqueName(light.name(), names)).withAmbient(Rgb.BLACK).withDiffuse(Rgb.BLACK)
+                .withSpecular(Rgb.BLACK).withTransmission(Transmission.NONE.withShadows(ShadowCasting.NONE))
+                .withCutout(AlphaCutout.NONE.withClip(switch (light.type()) {
+                    case RECT -> AlphaCutout.Clip.BACK;
+                    case DISC -> AlphaCutout.Clip.BACK_AND_CORNERS;
+                    case POINT, SPOT, DIRECTIONAL -> AlphaCutout.Clip.NONE;
+                }));
+        return light.area().visibility() == FaceVisibility.GLOWING && rig.isActive(light)
+                ? black.withBulb(Bulb.NONE.withGlow(Bulb.limited(radiance(light, rig.effectiveLight(light)))))
+                : black;
+    }
+
+    /**
+     * Returns the value of the face in the picture: its luminance in nits for a photometric unit. An inverse-square light is as bright as
+     * white paper that it would light if it touched the paper and filled its view: π/A times color and intensity, where A is the area seen
+     * along the axis. Other relative lights have no luminance: their face has color times intensity, as white paper at falloff 1.
+     *
+     * @param effective the light with group, exposure, unit and temperature applied
+     */
+    static Rgb radiance(Light light, Light effective) {
+        boolean isPhysical = light.falloff() == Falloff.INVERSE_SQUARE || light.emission().unit() == IntensityUnit.NIT;
+        return isPhysical ? effective.weight().times(Math.min(Math.PI / IntensityUnit.luminousArea(light), SceneLimits.MAX_INTENSITY))
+                : effective.weight();
+    }
+
+    /** Returns a name that is not among the given ones, the same for the same light if possible, and adds it to them. */
+    private static String uniqueName(String light, Set<String> names) {
+        int end = light.offsetByCodePoints(0, Math.min(light.codePointCount(0, light.length()), MAX_STEM));
+        String stem = PREFIX + light.substring(0, end).strip();
+        String name = stem;
+        for (int n = 2; !names.add(name); n++) {
+            name = stem + " " + n;
+        }
+        return name;
+    }
+}
