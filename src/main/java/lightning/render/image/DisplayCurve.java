@@ -17,10 +17,10 @@ public enum DisplayCurve {
     FILMIC("filmic", "Filmic (Hable)", v -> Srgb.encoded(ToneCurves.filmic(v)), ToneCurves.FILMIC_WHITE),
     /** {@link ToneCurves#aces}, then sRGB. */
     ACES("aces", "ACES (Approximation)", v -> Srgb.encoded(ToneCurves.aces(v)), ToneCurves.ACES_WHITE),
-    /** {@link AgX}: mixes the channels. Single values are shown as grays. */
-    AGX("agx", "AgX", AgX::gray, AgX.WHITE),
     /** {@link Aces2Table ACES 2}: mixes the channels. Single values are shown as grays. */
     ACES2("aces2", "ACES 2", Aces2Table::gray, Aces2Table.WHITE),
+    /** {@link AgX}: mixes the channels. Single values are shown as grays. */
+    AGX("agx", "AgX", AgX::gray, AgX.WHITE),
     /** {@link FalseColor}: exposure stops as colors. Single values are encoded as sRGB. */
     FALSE("false", "False Color", Srgb::encoded, 1);
 
