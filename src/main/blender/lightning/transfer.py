@@ -12,7 +12,7 @@ from . import axes, gltf, lights, materials, program, shot, world
 
 PROPERTY = "lightning"
 # Lightning's curves for Blender's view transforms.
-VIEWS = {"AgX": "agx", "Filmic": "filmic", "Standard": "srgb", "Raw": "linear"}
+VIEWS = {"AgX": "agx", "ACES 2.0": "aces2", "Filmic": "filmic", "Standard": "srgb", "Raw": "linear"}
 
 
 # Parts of messages of the import that say nothing new: Lightning has no clipping planes.

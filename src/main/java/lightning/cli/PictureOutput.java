@@ -45,7 +45,7 @@ abstract sealed class PictureOutput permits SinglePictureOutput, StepPictureOutp
     abstract Path file();
 
     @Option(names = "--view", paramLabel = "VIEW", converter = ViewConverter.class,
-            description = "View transform, for PNG and XPM: srgb, 1998 (linear, no curve), filmic, aces or agx (highlight roll-off), false "
+            description = "View transform, for PNG and XPM: srgb, 1998 (linear, no curve), filmic, aces, aces2 or agx (highlight roll-off), false "
                     + "(false color, one color per stop), a .cube LUT, a transform with a LUT: filmic+look.cube, or a logarithm with a "
                     + "LUT: log2:-10,6.5+look.cube (default: the scene's).")
     private ViewTransform view;

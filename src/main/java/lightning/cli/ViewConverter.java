@@ -57,7 +57,8 @@ final class ViewConverter implements ITypeConverter<ViewTransform> {
 
     private static CubeLut table(String file) {
         if (!file.endsWith(CubeLutReader.EXTENSION)) {
-            throw new TypeConversionException("expected srgb, 1998, filmic, aces, agx, false or a .cube file, found " + Quote.of(file));
+            throw new TypeConversionException(
+                    "expected srgb, 1998, filmic, aces, aces2, agx, false or a .cube file, found " + Quote.of(file));
         }
         try {
             return CubeLutReader.read(Path.of(file));

@@ -13,6 +13,8 @@ public enum ViewCurve {
     FILMIC,
     /** Narkowicz's fit of ACES. */
     ACES,
+    /** Output transform of ACES 2. */
+    ACES2,
     /** Sobotka's AgX. */
     AGX;
 

@@ -287,7 +287,7 @@ class RenderCommandTest {
         "--depth | -1 | --depth must be from 0 to 10, was -1",
         "--depth | x | --depth",
         "--threads | 0 | --threads must be from 1 to 1024, was 0",
-        "--view | rec709 | expected srgb, 1998, filmic, aces, agx, false or a .cube file, found 'rec709'",
+        "--view | rec709 | expected srgb, 1998, filmic, aces, aces2, agx, false or a .cube file, found 'rec709'",
         "--view | log2 | expected a .cube file after log2, such as log2+look.cube",
         "--view | log2:1+a.cube | expected two numbers of stops such as log2:-6.5,6.5, found 'log2:1'",
         "--view | log2:2,x+a.cube | log2: expected two rising numbers of stops from -64 to 64, found 2,NaN",

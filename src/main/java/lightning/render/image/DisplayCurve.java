@@ -1,6 +1,8 @@
 package lightning.render.image;
 
 import java.util.function.DoubleUnaryOperator;
+import lightning.base.math.CurveTable;
+import lightning.render.image.aces.Aces2Table;
 
 /** Tone curve from linear light to 8- or 16-bit display codes, correctly rounded. */
 public enum DisplayCurve {
@@ -15,6 +17,8 @@ public enum DisplayCurve {
     FILMIC("filmic", "Filmic (Hable)", v -> Srgb.encoded(ToneCurves.filmic(v)), ToneCurves.FILMIC_WHITE),
     /** {@link ToneCurves#aces}, then sRGB. */
     ACES("aces", "ACES (Approximation)", v -> Srgb.encoded(ToneCurves.aces(v)), ToneCurves.ACES_WHITE),
+    /** {@link Aces2Table ACES 2}: mixes the channels. Single values are shown as grays. */
+    ACES2("aces2", "ACES 2", Aces2Table::gray, Aces2Table.WHITE),
     /** {@link AgX}: mixes the channels. Single values are shown as grays. */
     AGX("agx", "AgX", AgX::gray, AgX.WHITE),
     /** {@link FalseColor}: exposure stops as colors. Single values are encoded as sRGB. */
@@ -44,6 +48,11 @@ public enum DisplayCurve {
     /** Returns the menu title. */
     public String title() {
         return title;
+    }
+
+    /** Returns true if a channel of the shown color depends on all channels. */
+    boolean mixesChannels() {
+        return this == AGX || this == ACES2;
     }
 
     /** Returns the smallest linear value that is shown as white. */

@@ -4,13 +4,14 @@ import io.soabase.recordbuilder.core.RecordBuilder;
 import java.math.BigDecimal;
 import java.util.Optional;
 import lightning.base.text.Quote;
+import lightning.render.image.aces.Aces2Table;
 
 /**
  * View transform from a linear film to clamped display pixels. The film itself is never clamped.
  *
  * <p>Each channel becomes {@code curve(linear · 2^exposure)} clamped to 0…1, in 8 bits, correctly rounded. The gain {@code
- * 2^exposure} is rounded to float and so is the product; NaN counts as 0. {@link DisplayCurve#AGX} mixes the channels; its values are
- * within 10⁻⁵ of the formula.
+ * 2^exposure} is rounded to float and so is the product; NaN counts as 0. {@link DisplayCurve#AGX} and
+ * {@link DisplayCurve#ACES2} mix the channels. AgX is within 10⁻⁵ of its formula; see {@link Aces2Table} for ACES 2.
  *
  * @param exposure      stops, −64 to 64; one more doubles the brightness
  * @param lut           lookup table applied after the curve, if any; {@link DisplayCurve#LINEAR} is not clamped before it; ignored
@@ -95,7 +96,7 @@ public record ViewTransform(double exposure, DisplayCurve curve, Optional<CubeLu
     }
 
     private boolean mixesChannels() {
-        return hasLut() || curve == DisplayCurve.AGX;
+        return hasLut() || curve.mixesChannels();
     }
 
     /** Returns the display values of linear values after exposure. */
@@ -104,8 +105,9 @@ public record ViewTransform(double exposure, DisplayCurve curve, Optional<CubeLu
             Log2Shaper log = shaper.get();
             return applyLut(log.encode(red), log.encode(green), log.encode(blue));
         }
-        if (curve == DisplayCurve.AGX) {
-            double[] color = agx(finite(red), finite(green), finite(blue));
+        if (curve.mixesChannels()) {
+            double[] color =
+                    curve == DisplayCurve.AGX ? agx(finite(red), finite(green), finite(blue)) : Aces2Table.encoded(red, green, blue);
             return hasLut() ? applyLut(color[0], color[1], color[2]) : color;
         }
         return applyLut(curve.value(red), curve.value(green), curve.value(blue));
@@ -125,7 +127,7 @@ public record ViewTransform(double exposure, DisplayCurve curve, Optional<CubeLu
     }
 
     private static double clamped(double v) {
-        return Math.clamp(v, 0, 1);
+        return v > 0 ? Math.min(v, 1) : 0;
     }
 
     private double[] applyLut(double red, double green, double blue) {
@@ -135,7 +137,8 @@ public record ViewTransform(double exposure, DisplayCurve curve, Optional<CubeLu
     }
 
     private static int code(double v, double max) {
-        return (int) Math.floor(max * Math.clamp(v, 0, 1) + 0.5);
+        // NaN is not above 0.
+        return v > 0 ? (int) (max * Math.min(v, 1) + 0.5) : 0;
     }
 
     /** Returns the linear value, 0…1, that {@link #DEFAULT} shows as {@code code}, 0 to 255: the inverse of sRGB. */
@@ -223,7 +226,8 @@ public record ViewTransform(double exposure, DisplayCurve curve, Optional<CubeLu
         if (curve == DisplayCurve.FALSE) {
             return 0xFF000000 | FalseColor.rgb(r, g, b);
         }
-        int codes = mixesChannels() ? mixedCodes(r, g, b) : codes(r, g, b);
+        int codes = !mixesChannels() ? codes(r, g, b)
+                : curve == DisplayCurve.ACES2 && !hasLut() ? Aces2Table.packed(r, g, b) : mixedCodes(r, g, b);
         if (marksClipping) {
             boolean over = r > curve.white() || g > curve.white() || b > curve.white();
             return 0xFF000000 | (over ? CLIPPED_MARK : codes == 0 ? BLACK_MARK : codes);

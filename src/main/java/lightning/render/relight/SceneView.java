@@ -23,6 +23,7 @@ public final class SceneView {
             case LINEAR -> DisplayCurve.LINEAR;
             case FILMIC -> DisplayCurve.FILMIC;
             case ACES -> DisplayCurve.ACES;
+            case ACES2 -> DisplayCurve.ACES2;
             case AGX -> DisplayCurve.AGX;
         };
     }
@@ -34,6 +35,7 @@ public final class SceneView {
             case LINEAR -> Optional.of(ViewCurve.LINEAR);
             case FILMIC -> Optional.of(ViewCurve.FILMIC);
             case ACES -> Optional.of(ViewCurve.ACES);
+            case ACES2 -> Optional.of(ViewCurve.ACES2);
             case AGX -> Optional.of(ViewCurve.AGX);
             case FALSE -> Optional.empty();
         };

@@ -67,10 +67,15 @@ public abstract class EditorFixture {
     /** File that the file dialogs return; null cancels them. */
     public volatile Path answer;
 
+    /** Returns the text of the scene that the editor opens. */
+    protected String sceneText() {
+        return SCENE;
+    }
+
     @BeforeEach
     void open() throws Exception {
         FxToolkit.registerPrimaryStage();
-        Path file = Files.writeString(folder.resolve("desk.jen"), SCENE);
+        Path file = Files.writeString(folder.resolve("desk.jen"), sceneText());
         FxToolkit.setupFixture(() -> {
             ColorTheme.DARK.apply();
             stage = new Stage();

@@ -49,7 +49,7 @@ class ViewPropertiesTest {
     /** False colors and clipping marks are for viewing only. */
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {
-        "view false | view must be srgb, linear, filmic, aces or agx, was 'false'",
+        "view false | view must be srgb, linear, filmic, aces, aces2 or agx, was 'false'",
         "view 1998 | view",
         "exposure 65 | exposure must be from -64 to 64"})
     void invalidView_isRejected(String property, String message) {

@@ -191,7 +191,8 @@ public final class PreviewCanvas extends Region implements AutoCloseable {
         Scene shown = showsShadows ? previewScene.of(scene, editor.selection().lightName()) : previewScene.of(scene);
         loop.draw(new PreviewLoop.Request(shown, camera.get(), frame.width(), frame.height(),
                 model.picture().viewProperty().get().forOutput(),
-                effects.with(RenderEffect.SHADOWS, showsShadows), isCameraMoving,
+                effects.with(RenderEffect.SHADOWS, showsShadows).with(RenderEffect.REFLECTION, PreviewScene.showsReflections(scene)),
+                isCameraMoving,
                 model.picture().frame() == null ? null : model.picture().frame().geometry()));
     }
 

@@ -17,7 +17,7 @@ import lightning.scene.Scene;
 import lightning.scene.effects.ViewEffects;
 
 /**
- * Renders the preview on a separate thread, always the newest request, without shadows and reflections. An edit of a light updates the
+ * Renders the preview on a separate thread, always the newest request. An edit of a light updates the
  * sharp picture. While the camera moves, coarser pictures follow immediately, and a sharp one when it rests. The origin of render space
  * stays fixed meanwhile, so that no shape or bounding box has to be transformed again.
  */

@@ -13,8 +13,9 @@ import lightning.scene.Stage;
 import lightning.scene.World;
 
 /**
- * Converts a scene for the preview, which has no reflections, and shadows of one light at most: adds diffuse color to materials that would be
- * black without reflections, dims environments that would overexpose the picture without shadows, and removes other shadows.
+ * Converts a scene for the preview, which has a few levels of reflections, and shadows of one light at most: limits the depth, dims
+ * environments that would overexpose the picture without shadows, and removes other shadows. If the scene shows no reflections, it adds diffuse
+ * color to materials that would be black without them.
  */
 final class PreviewScene {
     /** Remaining metalness of a metal. The rest becomes diffuse, in place of its reflections. */
@@ -24,6 +25,9 @@ final class PreviewScene {
 
     /** Approximate upper limit of a white diffuse surface's brightness in an environment. */
     private static final double MAX_WHITE = 0.9;
+
+    /** Maximum bounces of a scene without transparent materials. Glass would be black where a ray needs more bounces to leave it. */
+    private static final int MAX_DEPTH = 3;
 
     private Stage stage;
     private Stage previewStage;
@@ -50,14 +54,30 @@ final class PreviewScene {
                 .map(light -> light.name().equals(shadowLight) ? light : LightAttribute.SHADOWED_BY.with(light, ShapeLinks.NONE)).toList());
     }
 
+    /** Returns true if the preview of a scene shows reflections. */
+    static boolean showsReflections(Scene scene) {
+        return scene.picture().depth() > 0;
+    }
+
     Scene of(Scene scene) {
+        World world = scene.world();
+        Scene dimmed = scene.withWorld(world.environment().map(e -> dim(world, e)).orElse(world));
+        return showsReflections(scene) ? dimmed.withPicture(scene.picture().withDepth(depth(scene)))
+                : dimmed.withStage(withoutReflections(scene));
+    }
+
+    private static int depth(Scene scene) {
+        int depth = scene.picture().depth();
+        return scene.materials().stream().anyMatch(m -> m.transmission().isTransparent()) ? depth : Math.min(depth, MAX_DEPTH);
+    }
+
+    private Stage withoutReflections(Scene scene) {
         if (scene.stage() != stage) {
             stage = scene.stage();
             // withMaterials returns the same stage for an equal list, so that caches stay valid.
             previewStage = stage.withMaterials(stage.materials().stream().map(PreviewScene::scatterReflections).toList());
         }
-        World world = scene.world();
-        return scene.withStage(previewStage).withWorld(world.environment().map(e -> dim(world, e)).orElse(world));
+        return previewStage;
     }
 
     static Material scatterReflections(Material material) {

@@ -57,8 +57,8 @@ final class ExposureControl extends HBox {
         slider.addEventFilter(MouseEvent.MOUSE_PRESSED, this::press);
         slider.addEventFilter(MouseEvent.MOUSE_DRAGGED, this::drag);
         slider.addEventFilter(MouseEvent.MOUSE_RELEASED, this::release);
-        // Dragging sets tenths of a stop; typed values keep all digits.
-        slider.valueProperty().subscribe(v -> {
+        // Dragging sets tenths of a stop; typed values keep all digits. The slider's first value is not an edit.
+        slider.valueProperty().subscribe((_, v) -> {
             if (!isUpdating) {
                 set(Math.rint(v.doubleValue() / STEPS.step()) / Math.rint(1 / STEPS.step()), drag);
             }

@@ -52,7 +52,7 @@ public record ErrorBound(double relative, double absolute) {
             case SRGB -> SRGB_RELATIVE_SLOPE * relative + SRGB_STEEPEST * scaled;
             case LINEAR -> relative + scaled;
             // The slopes of these curves are not bounded here, so any error may be visible.
-            case FILMIC, ACES, AGX, FALSE -> relative + scaled > 0 ? Double.POSITIVE_INFINITY : 0;
+            case FILMIC, ACES, ACES2, AGX, FALSE -> relative + scaled > 0 ? Double.POSITIVE_INFINITY : 0;
         };
     }
 }

@@ -1,6 +1,7 @@
 package lightning.editor.window.preview;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
 import java.util.Optional;
@@ -25,6 +26,7 @@ import lightning.scene.ShapeLinks;
 import lightning.scene.Solid;
 import lightning.scene.Stage;
 import lightning.scene.World;
+import lightning.scene.effects.RenderEffect;
 import lightning.scene.effects.ViewEffects;
 import org.junit.jupiter.api.Test;
 
@@ -37,7 +39,8 @@ class PreviewSceneTest {
     }
 
     private static Rgb middle(Scene scene) {
-        Film film = new ReferenceTracer(ViewEffects.PREVIEW.apply(scene)).trace();
+        ViewEffects effects = ViewEffects.PREVIEW.with(RenderEffect.REFLECTION, PreviewScene.showsReflections(scene));
+        Film film = new ReferenceTracer(effects.apply(scene)).trace();
         return new Rgb(film.red(4, 4), film.green(4, 4), film.blue(4, 4));
     }
 
@@ -72,6 +75,20 @@ class PreviewSceneTest {
         Material mirror = Material.of("mirror").withDiffuse(Rgb.BLACK).withReflective(new Rgb(0.8, 0.8, 0.8));
         Scene scene = ball(mirror, World.DEFAULT.withAmbience(0), environmentLight());
         assertThat(middle(new PreviewScene().of(scene)).g()).isGreaterThan(0.15);
+    }
+
+    @Test
+    void mirror_showsBackground() {
+        Material mirror = Material.of("mirror").withDiffuse(Rgb.BLACK).withReflective(new Rgb(0.8, 0.8, 0.8));
+        Scene flat = ball(mirror, World.DEFAULT.withAmbience(0).withBackground(new Rgb(0.1, 0.2, 0.5)));
+        Scene scene = flat.withPicture(flat.picture().withDepth(5));
+        Rgb shown = middle(new PreviewScene().of(scene));
+        assertThat(shown.r()).isCloseTo(0.08, within(1e-6));
+        assertThat(shown.b()).isCloseTo(0.4, within(1e-6));
+        assertThat(new PreviewScene().of(scene).picture().depth()).isEqualTo(3);
+        Scene glass = ball(mirror.withTransmission(mirror.transmission().withColor(Rgb.WHITE)), World.DEFAULT);
+        assertThat(new PreviewScene().of(glass.withPicture(scene.picture())).picture().depth()).as("of glass").isEqualTo(5);
+        assertThat(new PreviewScene().of(scene.withPicture(flat.picture().withDepth(1))).picture().depth()).isEqualTo(1);
     }
 
     @Test

@@ -1,4 +1,4 @@
-package lightning.render.image;
+package lightning.base.math;
 
 import java.util.function.DoubleUnaryOperator;
 
@@ -7,7 +7,7 @@ import java.util.function.DoubleUnaryOperator;
  *
  * @param start the curve at the smallest float of each bucket, and at that of the next bucket
  */
-record CurveTable(float[] start) {
+public record CurveTable(float[] start) {
     // An array in a record: written once by its creator, never after.
 
     private static final int BUCKET_SHIFT = 23 - 8;
@@ -15,8 +15,12 @@ record CurveTable(float[] start) {
     private static final int BUCKETS = Float.floatToRawIntBits(Float.POSITIVE_INFINITY) >> BUCKET_SHIFT;
     private static final double SHARE = 1.0 / (1 << BUCKET_SHIFT);
 
-    /** @param curve function from linear values ≥ 0 to 0…1 */
-    static CurveTable of(DoubleUnaryOperator curve) {
+    /**
+     * Creates the table of a curve.
+     *
+     * @param curve function from values ≥ 0 to 0…1
+     */
+    public static CurveTable of(DoubleUnaryOperator curve) {
         float[] start = new float[BUCKETS + 2];
         for (int i = 0; i < BUCKETS; i++) {
             start[i] = (float) Math.clamp(curve.applyAsDouble(Float.intBitsToFloat(i << BUCKET_SHIFT)), 0, 1);
@@ -27,7 +31,7 @@ record CurveTable(float[] start) {
     }
 
     /** Returns the curve at a value; below 0 and NaN count as 0. */
-    double value(float linear) {
+    public double value(float linear) {
         if (!(linear > 0)) {
             return start[0];
         }
