@@ -49,6 +49,9 @@ final class PovLightWriter {
             // POV-Ray's shadowless lights have neither a cone nor highlights.
             warnings.add("light " + light.name() + ": it casts shadows here");
         }
+        if (light.faceImage().isPresent()) {
+            warnings.add("light " + light.name() + ": its texture is left out");
+        }
         List<String> statements = new ArrayList<>();
         statements.add(PovFormat.vector(position(light)));
         statements.add(color(light, fade.gain()));

@@ -181,20 +181,34 @@ final class AreaLightKernel {
         RowBits.selectState(changed.state, rows.count, LightRows.LIT, anyLit);
         int lit = RowBits.count(anyLit, rows.count);
         return lit == 0 ? LightRows.unlit(changed.state, changed.visibleSamples)
-                : new LightRows(changed.state, merge(rows, before.cosine, changed.cosine, columns),
-                        merge(rows, before.specular, changed.specular, columns), merge(rows, before.grazing, changed.grazing, columns),
-                        null, changed.visibleSamples, lit);
+                : new LightRows(changed.state, merge(rows, before.cosine, changed.cosine, 0, columns),
+                        merge(rows, before.specular, changed.specular, 0, columns),
+                        merge(rows, before.grazing, changed.grazing, 0, columns),
+                        null, changed.visibleSamples, lit)
+                        .withFaceColors(mergeColors(rows, before.face, changed.face, columns),
+                                mergeColors(rows, before.highlight, changed.highlight, columns));
     }
 
-    /** Merges two columns; null stands for zeros. */
-    private float[] merge(HitRows rows, float[] before, float[] changed, ColumnAllocator columns) {
+    private float[][] mergeColors(HitRows rows, float[][] before, float[][] changed, ColumnAllocator columns) {
+        if (before == null && changed == null) {
+            return null;
+        }
+        float[][] merged = new float[3][];
+        for (int c = 0; c < 3; c++) {
+            merged[c] = merge(rows, before == null ? null : before[c], changed == null ? null : changed[c], 1, columns);
+        }
+        return merged;
+    }
+
+    /** Merges two columns; null stands for {@code missing} in all rows. */
+    private float[] merge(HitRows rows, float[] before, float[] changed, float missing, ColumnAllocator columns) {
         if (before == null && changed == null) {
             return null;
         }
         float[] merged = columns.floats(rows.count);
         for (int i = 0; i < rows.count; i++) {
             float[] from = RowBits.contains(queried, i) ? changed : before;
-            merged[i] = from == null ? 0 : from[i];
+            merged[i] = from == null ? missing : from[i];
         }
         return merged;
     }
