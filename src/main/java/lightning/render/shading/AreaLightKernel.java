@@ -248,9 +248,13 @@ final class AreaLightKernel {
         } else {
             System.arraycopy(facing[s], 0, inside[s], 0, words);
         }
-        links.retainLit(source, rows, inside[s]);
         for (int b = 0; b < words; b++) {
             anyFacing[b] |= facing[s][b];
+            // Rows behind a sample of a surface cast no ray to it: its half-space moves only with the light.
+            facing[s][b] = source.type().isSurface() ? inside[s][b] : facing[s][b];
+        }
+        links.retainLit(source, rows, inside[s]);
+        for (int b = 0; b < words; b++) {
             anyInside[b] |= inside[s][b];
         }
     }

@@ -166,9 +166,11 @@ public final class PixelExplainer {
         for (int s = 0; s < samples; s++) {
             LightReport one =
                     lightReport(light, sample(light.source(), hit, s), hit, normals);
-            // A visible sample counts even outside the cone, as in rows, whose shadow rays are not cast again when the cone moves.
+            // A visible sample counts even outside the cone, as in rows, whose shadow rays are not cast again when the cone moves. A surface has a
+            // half-space that does not.
             LightSource sample = sample(light.source(), hit, s);
-            if (one.state() != LightReport.State.AWAY && (one.state() == LightReport.State.LIT || blocker(sample, hit) < 0)) {
+            boolean isBehind = light.source().type().isSurface() && one.state() == LightReport.State.OUTSIDE;
+            if (one.state() != LightReport.State.AWAY && !isBehind && (one.state() == LightReport.State.LIT || blocker(sample, hit) < 0)) {
                 float[] passed = tint(sample, hit);
                 for (int c = 0; c < 3; c++) {
                     tints[c] += passed[c];

@@ -276,8 +276,9 @@ public final class ReferenceTracer {
         int freeCount = 0;
         for (int s = 0; s < samples; s++) {
             LightSource sample = source.at(area.position(used, s));
-            // A visible sample counts even outside the cone.
-            if (equation(sample, hit).cosine(hit.nx(), hit.ny(), hit.nz()) > 0 && isVisible(sample, sampleTarget(sample), hit)) {
+            // A visible sample counts even outside the cone, but not behind a surface.
+            if (equation(sample, hit).cosine(hit.nx(), hit.ny(), hit.nz()) > 0
+                    && (!source.type().isSurface() || equation(sample, hit).insideCone()) && isVisible(sample, sampleTarget(sample), hit)) {
                 float[] one = Transmittance.ofShadowRay(geometry, sample, sampleTarget(sample), hit);
                 tint[0] += one[0];
                 tint[1] += one[1];
