@@ -119,8 +119,8 @@ final class LightArbitraries {
             return new Texture(image.width(), image.height(), rgb);
         });
         return Arbitraries.frequencyOf(Tuple.of(5, Arbitraries.of(Optional.<LightTexture>empty())),
-                Tuple.of(4, MaterialArbitraries.images().map(image -> Optional.of(new LightTexture("face.png", image)))),
-                Tuple.of(1, bright.map(image -> Optional.of(new LightTexture("face.hdr", image)))));
+                Tuple.of(4, MaterialArbitraries.images().map(image -> Optional.of(new LightTexture("sample.png", image)))),
+                Tuple.of(1, bright.map(image -> Optional.of(new LightTexture("sample.hdr", image)))));
     }
 
     /** Returns profiles of all types and symmetries, with steps and dark directions. */

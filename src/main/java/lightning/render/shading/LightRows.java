@@ -312,7 +312,8 @@ public final class LightRows implements LightLayer {
             compacted = compacted.with(Column.STATE, UNIFORM_STATES[state[0]]);
         }
         if (specular != null && grazing == null && !hasHighlight(rows)) {
-            compacted = withChannels(compacted.with(Column.SPECULAR, null), Column.HIGHLIGHT_COLUMNS, null);
+            compacted = compacted.with(Column.SPECULAR, null);
+            compacted = highlight == null ? compacted : withChannels(compacted, Column.HIGHLIGHT_COLUMNS, null);
         }
         return compacted == columns ? this : new LightRows(compacted, litCount);
     }
