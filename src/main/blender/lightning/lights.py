@@ -225,7 +225,7 @@ def receive(obj, settings: dict, groups: dict, messages: list[str]) -> None:
         light.specular_factor = settings["specular"]
     if changed("bank"):
         obj.lightgroup = settings["bank"]
-    for key, neutral, what in (("doors", [90, 90, 90, 90], "barn doors"), ("gobo", "", "the gobo"), ("gains", {}, "gains")):
+    for key, neutral, what in (("doors", [90, 90, 90, 90], "barn doors"), ("gobo", "", "the gobo"), ("texture", "", "the texture"), ("gains", {}, "gains")):
         if settings.get(key, neutral) != neutral and changed(key):
             messages.append(f"{obj.name}: {what} stay in Lightning only")
 

@@ -149,10 +149,10 @@ class LiveView:
         return self._folder / str(self._sent) / "live.jen"
 
     def _copy_files(self, scene, folder: Path) -> None:
-        """Copies files that lights got in Lightning, such as gobos."""
+        """Copies files that lights got in Lightning, such as gobos and textures."""
         source = Path(bpy.path.abspath(scene.lightning_file)).parent if scene.lightning_file else None
         settings = [lights.stored(obj).get("settings", {}) for obj in transfer.lamps(scene)] + [transfer.memory(scene).get("world", {})]
-        for name in [s[key] for s in settings for key in ("gobo", "profile", "environment") if s.get(key)]:
+        for name in [s[key] for s in settings for key in ("gobo", "profile", "texture", "environment") if s.get(key)]:
             if source and (source / name).is_file():
                 shutil.copyfile(source / name, folder / Path(name).name)
 

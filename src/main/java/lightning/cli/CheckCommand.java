@@ -38,7 +38,8 @@ final class CheckCommand implements Callable<Integer> {
         Scene scene = input.read().scene();
         Map<String, Long> objects = count(scene.placedShapes().stream().map(s -> s.shape().solid().typeName()));
         Map<String, Long> lights = count(scene.lights().stream().map(CheckCommand::typeName));
-        long textures = scene.materials().stream().flatMap(m -> m.texture().stream()).map(t -> t.file()).distinct().count();
+        long textures = Stream.concat(scene.materials().stream().flatMap(m -> m.texture().stream()).map(t -> t.file()),
+                scene.lights().stream().flatMap(l -> l.texture().stream()).map(t -> t.file())).distinct().count();
         List<String> parts = new ArrayList<>();
         parts.add(describeCounts("object", objects));
         parts.add(describeCounts("light", lights));

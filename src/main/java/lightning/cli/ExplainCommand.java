@@ -243,7 +243,7 @@ final class ExplainCommand implements Callable<Integer> {
                     light.cosine()) + describeBelow(light);
             case LIT -> (light.samples() > 1 ? describeSamples(explainer, light)
                     : Console.text("lit, cosine %.6g, specular %.6g, falloff %.6g", light.cosine(), light.specular(), light.falloff()))
-                    + describeBelow(light) + describeTint(light.tint()) + describeGains(light);
+                    + describeBelow(light) + describeTint(light.tint()) + describeFace(light.face()) + describeGains(light);
         };
     }
 
@@ -256,6 +256,11 @@ final class ExplainCommand implements Callable<Integer> {
     /** Describes a light's attenuation by transparent shapes; empty if there are none. */
     private static String describeTint(float[] tint) {
         return tint[0] == 1 && tint[1] == 1 && tint[2] == 1 ? "" : ", filtered by transparent objects: " + formatRgb(tint);
+    }
+
+    /** Describes the mean color of a light's image; empty if it has none. */
+    private static String describeFace(float[] face) {
+        return face[0] == 1 && face[1] == 1 && face[2] == 1 ? "" : ", color of its texture: " + formatRgb(face);
     }
 
     /** Describes the gains of a light that differ from 1; empty if there are none. */

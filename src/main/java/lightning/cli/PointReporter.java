@@ -45,7 +45,7 @@ final class PointReporter {
     private ExplainReport.LightShare light(LightReport light, float[] adds, double total) {
         return new ExplainReport.LightShare(light.light().name(), light.state().name().toLowerCase(Locale.ROOT),
                 light.blocker() < 0 ? null : name(light.blocker()), light.visibleSamples(), light.samples(), light.cosine(),
-                light.specular(), light.falloff(), light.tint(), adds, 100 * PointContributions.sum(adds) / total);
+                light.specular(), light.falloff(), light.tint(), light.face(), adds, 100 * PointContributions.sum(adds) / total);
     }
 
     private static ExplainReport.Normals normals(NormalSteps steps) {

@@ -1,7 +1,7 @@
 package lightning.scene;
 
 /** File referenced by a scene, with its decoded content. */
-public sealed interface FileAsset permits Gobo, IesProfile, Environment {
+public sealed interface FileAsset permits Gobo, IesProfile, LightTexture, Environment {
     /** Returns the name as written in the scene file. */
     String file();
 

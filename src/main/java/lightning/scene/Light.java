@@ -19,6 +19,7 @@ import lightning.base.math.Vec3;
  * @param angle       half-angle of a spot's cone
  * @param dropoff     exponent of a spot's falloff from its axis
  * @param area        size of an area light
+ * @param texture     image on the face of a rectangle or disc
  * @param on          true if switched on
  * @param solo        true if soloed: if any light is solo, all others are dark
  * @param lightGroup  name of its light group; empty for none
@@ -30,7 +31,7 @@ import lightning.base.math.Vec3;
 public record Light(String name, LightType type, Rgb color, double intensity, Emission emission, Vec3 position,
         Vec3 direction, Falloff falloff, Attenuation attenuation, double angle, double dropoff, BarnDoors doors, double feather,
         Optional<Gobo> gobo,
-        Optional<IesProfile> profile, AreaShape area, boolean on,
+        Optional<IesProfile> profile, AreaShape area, Optional<LightTexture> texture, boolean on,
         boolean solo, String lightGroup, ShapeLinks illuminates, ShapeLinks shadowedBy, Contribution contribution)
         implements LightBuilder.With {
 
@@ -65,7 +66,7 @@ public record Light(String name, LightType type, Rgb color, double intensity, Em
                 LightAttribute.ATTENUATION.initial(),
                 LightAttribute.ANGLE.initial(), LightAttribute.DROPOFF.initial(), LightAttribute.DOORS.initial(),
                 LightAttribute.FEATHER.initial(), LightAttribute.GOBO.initial(), LightAttribute.PROFILE.initial(), AreaShape.DEFAULT,
-                LightAttribute.ON.initial(),
+                LightAttribute.TEXTURE.initial(), LightAttribute.ON.initial(),
                 LightAttribute.SOLO.initial(), LightAttribute.LIGHT_GROUP.initial(), LightAttribute.ILLUMINATES.initial(),
                 LightAttribute.SHADOWED_BY.initial(), Contribution.DEFAULT);
     }
@@ -122,9 +123,19 @@ public record Light(String name, LightType type, Rgb color, double intensity, Em
         return falloff.max(type, area);
     }
 
-    /** Returns the largest effective intensity: times the largest falloff it is one that any light may have. */
+    /** Returns the image on its face, if it has one and a face. */
+    public Optional<Texture> faceImage() {
+        return type.isSurface() && isArea() ? texture.map(LightTexture::image) : Optional.empty();
+    }
+
+    /** Returns the largest factor of a contribution by its falloff with distance and the image on its face, at least 1. */
+    double maxFactor() {
+        return Math.max(1, maxFalloff()) * Math.max(1, faceImage().map(image -> image.areas().max()).orElse(1f));
+    }
+
+    /** Returns the largest effective intensity: times the largest falloff and image value it is one that any light may have. */
     double maxIntensity() {
-        return SceneLimits.MAX_INTENSITY / Math.max(1, maxFalloff());
+        return SceneLimits.MAX_INTENSITY / maxFactor();
     }
 
     /** Returns whether its falloff with distance is 1 everywhere. */

@@ -110,6 +110,9 @@ public final class LightAttribute<V> extends SceneAttribute<Light, V> {
     public static final LightAttribute<Vec3> UP = of("up", "roll axis", NumericKind.direction(), AreaShape.DEFAULT.up(),
             "any nonzero vector", l -> l.area().up(), (l, v) -> l.withArea(l.area().withUp(v)), Section.AREA,
             Map.of(RECT, LightTerm.SOURCE));
+    public static final LightAttribute<Optional<LightTexture>> TEXTURE =
+            of("texture", new ValueKind.LightTextureKind(), Optional.empty(), "a PNG, JPEG, Radiance HDR or OpenEXR file",
+                    Light::texture, Light::withTexture, Section.AREA, Map.of(RECT, LightTerm.FALLOFF, DISC, LightTerm.FALLOFF));
     public static final LightAttribute<Integer> SAMPLES =
             of("samples", NumericKind.integer(SceneLimits.MIN_LIGHT_SAMPLES, SceneLimits.MAX_LIGHT_SAMPLES),
                     AreaShape.DEFAULT.samples(), "soft shadow samples", l -> l.area().samples(),
@@ -203,11 +206,12 @@ public final class LightAttribute<V> extends SceneAttribute<Light, V> {
     }
 
     /**
-     * Returns the term that it changes for this light; the number of samples has no effect on a point light, nor have custom terms on an
+     * Returns the term that it changes for this light; the number of samples and an image have no effect on a point light, nor have custom terms on an
      * inverse-square falloff.
      */
     public Optional<LightTerm> term(Light light) {
-        return this == SAMPLES && !light.isArea() || isReplacedBy(light.falloff()) ? Optional.empty() : term(light.type());
+        return (this == SAMPLES || this == TEXTURE) && !light.isArea() || isReplacedBy(light.falloff()) ? Optional.empty()
+                : term(light.type());
     }
 
     private boolean isReplacedBy(Falloff falloff) {

@@ -99,13 +99,20 @@ record LightFace(Shape shape, Material material) {
      * Returns the value of the face in the picture: its luminance in nits for a photometric unit. An inverse-square light is as bright as
      * white paper that it would light if it touched the paper and filled its view: π/A times color and intensity, where A is the area seen
      * along the axis. Other relative lights have no luminance: their face has color times intensity, as white paper at falloff 1.
+     * A texture counts as its mean color, everywhere on the face.
      *
      * @param effective the light with group, exposure, unit and temperature applied
      */
     static Rgb radiance(Light light, Light effective) {
         boolean isPhysical = light.falloff() == Falloff.INVERSE_SQUARE || light.emission().unit() == IntensityUnit.NIT;
-        return isPhysical ? effective.weight().times(Math.min(Math.PI / IntensityUnit.luminousArea(light), SceneLimits.MAX_INTENSITY))
+        Rgb radiance = isPhysical
+                ? effective.weight().times(Math.min(Math.PI / IntensityUnit.luminousArea(light), SceneLimits.MAX_INTENSITY))
                 : effective.weight();
+        return light.faceImage().map(image -> radiance.times(mean(image.areas()))).orElse(radiance);
+    }
+
+    private static Rgb mean(SummedAreaTable image) {
+        return new Rgb(image.mean(0, 0, 1, 1, 0), image.mean(0, 0, 1, 1, 1), image.mean(0, 0, 1, 1, 2));
     }
 
     /** Returns a name that is not among the given ones, the same for the same light if possible, and adds it to them. */

@@ -45,7 +45,7 @@ public record OverflowCheck(Light light, Material material, double limit, double
         return Stream.of(light, light.withLightGroup(""))
                 .flatMap(l -> Stream.of(l, l.withContribution(Contribution.DEFAULT)))
                 .flatMap(l -> Stream.of(l, l.withArea(point)))
-                .mapToDouble(l -> rig.effectiveLight(l).maxWeight() * Math.max(1, l.maxFalloff())).max().orElse(0);
+                .mapToDouble(l -> rig.effectiveLight(l).maxWeight() * l.maxFactor()).max().orElse(0);
     }
 
     /** @throws IllegalArgumentException if the lights are too bright; the message says which */

@@ -2,7 +2,10 @@ package lightning.scene;
 
 import java.util.Arrays;
 
-/** Decoded image: linear RGB in 0…1, rows from the top, immutable. Used as a color texture, gobo, bump map or normal map. */
+/**
+ * Decoded image: linear RGB in 0…1, rows from the top, immutable. Used as a color texture, gobo, bump map or normal map; on the face of a light,
+ * values may be larger.
+ */
 public final class Texture {
     private final int width;
     private final int height;
@@ -10,6 +13,8 @@ public final class Texture {
     private final float[] rgb;
     private final byte[] codes;
     private final float[] values;
+    /** Created on first use. */
+    private volatile SummedAreaTable areas;
 
     /**
      * Creates a texture of linear values.
@@ -103,6 +108,16 @@ public final class Texture {
     private double luminance(int x, int y) {
         int i = 3 * (y * width + x);
         return 0.2126 * value(i) + 0.7152 * value(i + 1) + 0.0722 * value(i + 2);
+    }
+
+    /** Returns the integrals of the image, which are computed on first use. */
+    public SummedAreaTable areas() {
+        SummedAreaTable known = areas;
+        if (known == null) {
+            known = new SummedAreaTable(this);
+            areas = known;
+        }
+        return known;
     }
 
     /** Returns whether both have the same size and the same values, or the same codes with the same values. */

@@ -135,6 +135,9 @@ public sealed interface ValueKind<V> permits ValueKind.LightKind, ValueKind.Mate
     /** Optional IES profile; without it the light is uniform. */
     record ProfileKind() implements AssetKind<IesProfile> {}
 
+    /** Optional image on the face of an area light. */
+    record LightTextureKind() implements AssetKind<LightTexture> {}
+
     /** Optional environment map. */
     record EnvironmentKind() implements AssetKind<Environment> {}
 

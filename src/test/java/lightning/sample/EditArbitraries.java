@@ -63,6 +63,7 @@ public final class EditArbitraries {
                 LightArbitraries.dropoffs().map(LightChange.Dropoff::new),
                 LightArbitraries.doors().map(d -> new LightChange.SetAttribute<>(LightAttribute.DOORS, d)),
                 LightArbitraries.gobos().map(g -> new LightChange.SetAttribute<>(LightAttribute.GOBO, g)),
+                LightArbitraries.textures().map(t -> new LightChange.SetAttribute<>(LightAttribute.TEXTURE, t)),
                 LightArbitraries.profiles().map(p -> new LightChange.SetAttribute<>(LightAttribute.PROFILE, p)),
                 LightArbitraries.feathers().map(f -> new LightChange.SetAttribute<>(LightAttribute.FEATHER, f)),
                 LightArbitraries.links().map(l -> new LightChange.SetAttribute<>(LightAttribute.ILLUMINATES, l)),

@@ -18,10 +18,12 @@ import lightning.scene.IesProfile;
 import lightning.scene.IntensityUnit;
 import lightning.scene.Light;
 import lightning.scene.LightGroup;
+import lightning.scene.LightTexture;
 import lightning.scene.LightType;
 import lightning.scene.Photometry;
 import lightning.scene.ShapeGains;
 import lightning.scene.ShapeLinks;
+import lightning.scene.Texture;
 import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.Combinators;
@@ -44,7 +46,8 @@ final class LightArbitraries {
                         .withIntensity(intensity).withAttenuation(attenuation).withAngle(angle).withDropoff(dropoff)
                         .withOn(shines[0]).withSolo(shines[1]).withArea(area))
                 .flatMap(light -> doors().map(light::withDoors)).flatMap(light -> feathers().map(light::withFeather))
-                .flatMap(light -> gobos().map(light::withGobo)).flatMap(light -> profiles().map(light::withProfile))
+                .flatMap(light -> textures().map(light::withTexture)).flatMap(light -> gobos().map(light::withGobo))
+                .flatMap(light -> profiles().map(light::withProfile))
                 .flatMap(light -> Combinators.combine(emissions(), falloffs()).as((e, f) -> light.withEmission(e).withFalloff(f)))
                 .flatMap(light -> rarelyTrue().map(light::withIlluminates)).flatMap(light -> rarelyTrue().map(light::withShadowedBy))
                 .flatMap(light -> contributions().map(light::withContribution))
@@ -108,6 +111,20 @@ final class LightArbitraries {
     static Arbitrary<Optional<Gobo>> gobos() {
         return Arbitraries.frequencyOf(Tuple.of(3, Arbitraries.of(Optional.<Gobo>empty())),
                 Tuple.of(1, MaterialArbitraries.images().map(image -> Optional.of(new Gobo("sample.png", image)))));
+    }
+
+    /** Returns images on faces, half of them none, some with values above 1. */
+    static Arbitrary<Optional<LightTexture>> textures() {
+        Arbitrary<Texture> bright = Combinators.combine(MaterialArbitraries.images(), Arbitraries.of(3.7f, 1e6f)).as((image, factor) -> {
+            float[] rgb = new float[3 * image.width() * image.height()];
+            for (int i = 0; i < rgb.length; i++) {
+                rgb[i] = factor * image.channel(i / 3 % image.width(), i / 3 / image.width(), i % 3);
+            }
+            return new Texture(image.width(), image.height(), rgb);
+        });
+        return Arbitraries.frequencyOf(Tuple.of(5, Arbitraries.of(Optional.<LightTexture>empty())),
+                Tuple.of(4, MaterialArbitraries.images().map(image -> Optional.of(new LightTexture("sample.png", image)))),
+                Tuple.of(1, bright.map(image -> Optional.of(new LightTexture("sample.hdr", image)))));
     }
 
     /** Returns profiles of all types and symmetries, with steps and dark directions. */

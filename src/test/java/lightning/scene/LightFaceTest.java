@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import lightning.base.math.Rgb;
 import lightning.base.math.Transform;
@@ -52,6 +53,13 @@ class LightFaceTest {
     @Test
     void lightOfCustomFalloff_hasItsWeight() {
         assertThat(glow(SOFTBOX.withIntensity(3).withColor(new Rgb(1, 0.5, 0)), 1)).isEqualTo(new Rgb(3, 1.5, 0));
+    }
+
+    @Test
+    void texture_countsAsItsMeanColor() {
+        Texture image = new Texture(2, 1, new float[] {1, 0, 0.5f, 0, 0, 0.5f});
+        Light light = SOFTBOX.withIntensity(4).withTexture(Optional.of(new LightTexture("t.png", image)));
+        assertThat(glow(light, 1)).isEqualTo(new Rgb(2, 0, 2));
     }
 
     @Test

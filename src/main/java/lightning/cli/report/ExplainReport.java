@@ -43,11 +43,12 @@ public record ExplainReport(int x, int y, int widthPixels, int heightPixels, Poi
      * @param shadowedBy     nearest object between point and light; absent if there is none
      * @param visibleSamples of {@code samples}; both are 1 for a light without a size
      * @param cosine         for a light with several samples, times the falloff, as is {@code specular}
+     * @param face           mean color of its texture as the point sees it; 1 without one
      * @param adds           its part of the point's color
      * @param sharePercent   of the point's color; null if the point is black
      */
     public record LightShare(String light, String state, String shadowedBy, int visibleSamples, int samples, float cosine, float specular,
-            float falloff, float[] tint, float[] adds, double sharePercent) {}
+            float falloff, float[] tint, float[] face, float[] adds, double sharePercent) {}
 
     /**
      * A reflected or refracted ray.

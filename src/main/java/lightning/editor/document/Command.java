@@ -83,6 +83,11 @@ public enum Command {
             "",
             DisabledReasons.NONE),
 
+    CHOOSE_LIGHT_TEXTURE(Messages.key("Choose Light Texture"),
+            Messages.key("Show an image from the scene's folder on the light's face"), "mdi2t-television",
+            "",
+            DisabledReasons.NONE),
+
     CHOOSE_ENVIRONMENT(Messages.key("Choose Environment"),
             Messages.key("Light the scene with an environment image from its folder"),
             "mdi2i-image-filter-hdr", "", DisabledReasons.NONE),

@@ -13,6 +13,7 @@ import lightning.scene.EnvironmentMap;
 import lightning.scene.FileAsset;
 import lightning.scene.Gobo;
 import lightning.scene.IesProfile;
+import lightning.scene.LightTexture;
 import lightning.scene.NumericKind;
 import lightning.scene.Photometry;
 import lightning.scene.SceneAttribute;
@@ -54,7 +55,7 @@ final class AttributeJson {
             case ValueKind.GainsKind _ -> gains(out.putObject(name), (ShapeGains) value);
             case ValueKind.NameKind _ -> out.put(name, (String) value);
             case ValueKind.AssetKind<?> _ -> ((Optional<?>) value).ifPresent(file -> out.put(name, ((FileAsset) file).file()));
-            case ValueKind.TextureKind _ -> throw new AssertionError("no light has a texture");
+            case ValueKind.TextureKind _ -> throw new AssertionError("no light has a texture that repeats");
         }
     }
 
@@ -108,6 +109,8 @@ final class AttributeJson {
             case ValueKind.GainsKind _ -> (V) gains(in);
             case ValueKind.NameKind _ -> (V) text(in);
             case ValueKind.GoboKind _ -> (V) Optional.of(new Gobo(file(FileKind.TEXTURE, in, files),
+                    new Texture(1, 1, new float[] {1, 1, 1})));
+            case ValueKind.LightTextureKind _ -> (V) Optional.of(new LightTexture(file(FileKind.LIGHT_TEXTURE, in, files),
                     new Texture(1, 1, new float[] {1, 1, 1})));
             case ValueKind.ProfileKind _ -> (V) Optional.of(new IesProfile(file(FileKind.PROFILE, in, files),
                     new Photometry(Photometry.Type.C, new double[] {0, 180}, new double[] {0}, new double[] {1, 1})));

@@ -36,6 +36,7 @@ final class PunctualLightExport {
                 light.isArea() && LightAttribute.VISIBLE.appliesTo(type) && LightAttribute.VISIBLE.get(light) ? 1 : 0);
         notes.add("barn doors", LightAttribute.DOORS.appliesTo(type) && !light.doors().isOpen() ? 1 : 0);
         notes.add("gobos", type.hasCone() && light.gobo().isPresent() ? 1 : 0);
+        notes.add("textures of lights", light.faceImage().isPresent() ? 1 : 0);
         notes.add("profiles", LightAttribute.PROFILE.appliesTo(type) && light.profile().isPresent() ? 1 : 0);
         notes.add("light linking, exported as illuminating everything", light.isLinked() ? 1 : 0);
         notes.add("lights without shadows", light.contribution().castsShadows() ? 0 : 1);

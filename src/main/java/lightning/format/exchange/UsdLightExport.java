@@ -119,6 +119,10 @@ final class UsdLightExport {
             prim.set("asset inputs:shaping:ies:file", LightAttribute.PROFILE.appliesTo(light.type()) && light.profile().isPresent()
                     ? asset(FileKind.PROFILE, light.profile().get().file()) : "@@");
         }
+        if (type.equals("RectLight")) {
+            prim.set("asset inputs:texture:file", light.faceImage().isPresent()
+                    ? asset(FileKind.LIGHT_TEXTURE, light.texture().orElseThrow().file()) : "@@");
+        }
         addLinks(prim, "lightLink", light.illuminates());
         addLinks(prim, "shadowLink", light.shadowedBy());
         noteLosses(light);
@@ -162,6 +166,7 @@ final class UsdLightExport {
         LightType type = light.type();
         notes.add("barn doors", LightAttribute.DOORS.appliesTo(type) && !light.doors().isOpen() ? 1 : 0);
         notes.add("gobos", type.hasCone() && light.gobo().isPresent() ? 1 : 0);
+        notes.add("textures of disc lights", type == LightType.DISC && light.faceImage().isPresent() ? 1 : 0);
         notes.add("gains on single objects", light.contribution().gains().isNone() ? 0 : 1);
         notes.add("lights without inverse-square falloff, exact only at distance 1",
                 type.hasPosition() && light.falloff() == Falloff.CUSTOM

@@ -11,6 +11,8 @@ import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
 import lightning.format.gltf.JsonValue;
 import lightning.format.ies.IesReader;
+import lightning.format.jen.LightTextureReader;
+import lightning.format.jen.UnusableFileException;
 import lightning.format.mesh.ConversionNotes;
 import lightning.format.mesh.MeshException;
 import lightning.format.usd.UsdStage;
@@ -22,9 +24,11 @@ import lightning.scene.Falloff;
 import lightning.scene.IesProfile;
 import lightning.scene.IntensityUnit;
 import lightning.scene.Light;
+import lightning.scene.LightTexture;
 import lightning.scene.LightType;
 import lightning.scene.Photometry;
 import lightning.scene.SceneLimits;
+import lightning.scene.Texture;
 
 /**
  * Converter from UsdLux, whose intensity is the luminance of a light's surface in nits, or that times its area if normalized.
@@ -67,7 +71,8 @@ final class UsdLightImport {
                 default -> Optional.empty();
             };
             notes.add("lights of type " + type, shaped.isEmpty() ? 1 : 0);
-            notes.add("textures of lights", shaped.isPresent() && in.get("texture").isPresent() ? 1 : 0);
+            notes.add("textures of lights",
+                    shaped.isPresent() && shaped.get().texture().isEmpty() && in.get("texture").isPresent() ? 1 : 0);
             return shaped.isEmpty() ? shaped : Optional.of(emission(shaped.get(), in));
         } catch (IllegalArgumentException | ArithmeticException e) {
             notes.add("lights that cannot be placed");
@@ -106,14 +111,30 @@ final class UsdLightImport {
         return isShaped(in.get("shaping")) ? cone(disc, in.get("shaping"), 1) : disc;
     }
 
-    private Light rect(Light light, JsonValue in) throws MeshException {
+    private Light rect(Light light, JsonValue in) throws IOException, MeshException {
         Vec3 scale = scale(in);
         Vec3 up = world(in).transformVector(Vec3.Y).normalized();
         Light rect = placed(light, in).withType(LightType.RECT).withArea(AreaShape.DEFAULT.withUp(UsdNumbers.rounded(up))
                 .withWidth(size(UsdNumbers.tidy(in.get("width").number(0)) * scale.x()))
                 .withHeight(size(UsdNumbers.tidy(in.get("height").number(0)) * scale.y())));
         notes.add("cones and profiles of rect lights", isShaped(in.get("shaping")) ? 1 : 0);
-        return isNormalized(in) ? candela(rect, meters * meters) : nit(rect);
+        return (isNormalized(in) ? candela(rect, meters * meters) : nit(rect)).withTexture(texture(in.get("texture")));
+    }
+
+    /** Returns the image on a rectangle; empty if there is none, or it cannot be used. */
+    private Optional<LightTexture> texture(JsonValue file) throws IOException, MeshException {
+        Optional<Path> place = file.isPresent() ? UsdStage.place(file) : Optional.empty();
+        if (place.isEmpty()) {
+            return Optional.empty();
+        }
+        try {
+            String name = file.get("name").text().orElse("texture");
+            // Read before it is copied: a hostile stage may name any file of this machine.
+            Texture image = LightTextureReader.read(name, place.get());
+            return Optional.of(new LightTexture(assembler.addFile(place.get(), name), image));
+        } catch (IOException | UnusableFileException e) {
+            return Optional.empty();
+        }
     }
 
     /** A cylinder becomes a ball of the same area, and so of the same luminance and flux. Its own size stays in values without effect. */

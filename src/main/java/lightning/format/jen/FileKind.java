@@ -22,6 +22,15 @@ public enum FileKind {
             TextureDecoder.decodeNumbers(name, RegularFile.readBytes(file, "a PNG or JPEG file", JenLimits.TEXTURE_BYTES));
         }
     },
+    /** Image on the face of a light. */
+    LIGHT_TEXTURE("texture", "a PNG, JPEG, Radiance HDR or OpenEXR file", Messages.key("PNG, JPEG, HDR, EXR"), JenLimits.TEXTURE_BYTES,
+            "png",
+            "jpg", "jpeg", "hdr", "exr") {
+        @Override
+        void read(String name, Path file) throws IOException, UnusableFileException {
+            LightTextureReader.read(name, file);
+        }
+    },
     /** Photometric profile of a light. */
     PROFILE("profile", "an IES file", Messages.key("IES profiles"), IesReader.MAX_BYTES, "ies") {
         @Override

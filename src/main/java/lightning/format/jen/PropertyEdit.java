@@ -147,7 +147,7 @@ public final class PropertyEdit {
     }
 
     /**
-     * Returns the scene with a file on a light: a gobo or a profile.
+     * Returns the scene with a file on a light: a gobo, a profile or a texture.
      *
      * @param file file name; empty for none
      * @param folder folder that the file is resolved against
@@ -356,7 +356,7 @@ public final class PropertyEdit {
         } else {
             values.put(property, parseValue(type, name, property, value));
         }
-        for (TextureProperty picture : TextureProperty.ALL) {
+        for (TextureProperty picture : TextureProperty.of(type)) {
             if (picture.repeatProperty().filter(property::equals).isPresent() && values.get(picture.name()) instanceof Value.Absent) {
                 throw new IllegalArgumentException("material " + Quote.of(name) + ": " + picture.missingMessage());
             }
@@ -379,8 +379,7 @@ public final class PropertyEdit {
                         && (property.equals(LightAttribute.LIGHT_GROUP.name()) || property.equals(LightAttribute.PROFILE.name())
                                 || property.equals(LightAttribute.GAINS.name()))
                 || type == BlockTypes.MATERIAL && property.equals(MaterialAttribute.BULB.name())
-                || (type == BlockTypes.LIGHT || type == BlockTypes.MATERIAL)
-                        && TextureProperty.ALL.stream().anyMatch(p -> p.name().equals(property));
+                || TextureProperty.of(type).stream().anyMatch(p -> p.name().equals(property));
     }
 
     private static Value parseValue(BlockType<?> type, String name, String property, String text) {

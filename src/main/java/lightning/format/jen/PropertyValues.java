@@ -8,6 +8,7 @@ import lightning.scene.ChoiceKind;
 import lightning.scene.Environment;
 import lightning.scene.Gobo;
 import lightning.scene.IesProfile;
+import lightning.scene.LightTexture;
 import lightning.scene.NumericKind;
 import lightning.scene.SceneAttribute;
 import lightning.scene.ShapeGains;
@@ -47,6 +48,8 @@ record PropertyValues(Function<String, Value> lookup, AssetSource files) {
                     : ShapeGains.NONE);
             case ValueKind.NameKind _ -> unchecked(lookup.apply(attribute.name()) instanceof Value.Name(String name) ? name : "");
             case ValueKind.GoboKind _ -> unchecked(fileValue(attribute, file -> new Gobo(file, files.texture(file, TextureUsage.COLOR))));
+            case ValueKind.LightTextureKind _ ->
+                    unchecked(fileValue(attribute, file -> new LightTexture(file, files.texture(file, TextureUsage.EMISSION))));
             case ValueKind.ProfileKind _ -> unchecked(fileValue(attribute, file -> new IesProfile(file, files.profile(file))));
             case ValueKind.EnvironmentKind _ -> unchecked(fileValue(attribute, file -> new Environment(file, files.environment(file))));
             case ValueKind.TextureKind t -> unchecked(fileValue(attribute, file -> textureMap(file, t)));

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
@@ -51,7 +52,8 @@ public final class ReferencedFiles {
 
     private static Stream<String> texturesAndProfiles(Scene scene) {
         Stream<String> materials = scene.materials().stream().flatMap(ReferencedFiles::texturesAndProfiles);
-        Stream<FileAsset> lights = scene.lights().stream().flatMap(l -> Stream.<FileAsset>concat(l.gobo().stream(), l.profile().stream()));
+        Stream<FileAsset> lights = scene.lights().stream()
+                .flatMap(l -> Stream.<Optional<? extends FileAsset>>of(l.gobo(), l.profile(), l.texture()).flatMap(Optional::stream));
         return Stream.concat(materials, Stream.concat(lights, scene.world().environment().stream()).map(FileAsset::file));
     }
 

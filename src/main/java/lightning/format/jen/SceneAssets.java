@@ -10,6 +10,7 @@ import lightning.scene.Environment;
 import lightning.scene.EnvironmentMap;
 import lightning.scene.Gobo;
 import lightning.scene.IesProfile;
+import lightning.scene.LightTexture;
 import lightning.scene.Material;
 import lightning.scene.Mesh;
 import lightning.scene.NodeGroup;
@@ -35,13 +36,17 @@ record SceneAssets(Scene scene, Optional<Path> folder) implements AssetSource {
         Optional<Texture> projected =
                 scene.lights().stream().flatMap(l -> l.gobo().stream()).filter(g -> samples == TextureUsage.COLOR && g.file().equals(file))
                         .map(Gobo::image).findFirst();
-        return existing.or(() -> projected).orElseGet(() -> read("texture", file, f -> new TextureFolder(f).load(file, samples)));
+        Optional<Texture> shown = scene.lights().stream().flatMap(l -> l.texture().stream())
+                .filter(t -> samples == TextureUsage.EMISSION && t.file().equals(file)).map(LightTexture::image).findFirst();
+        return existing.or(() -> projected).or(() -> shown)
+                .orElseGet(() -> read("texture", file, f -> new TextureFolder(f).load(file, samples)));
     }
 
     private static Stream<TextureMap> maps(Material material, TextureUsage samples) {
         BumpMapping relief = material.bumpMapping();
         return switch (samples) {
             case COLOR -> material.texture().stream();
+            case EMISSION -> Stream.empty();
             case DATA -> Stream.concat(relief.bump().stream(), relief.normalMap().stream());
             case OPACITY -> material.cutout().map().stream();
         };

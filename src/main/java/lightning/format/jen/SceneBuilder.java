@@ -236,7 +236,7 @@ final class SceneBuilder {
 
     /** Builds the record of a block; empty if a problem prevents it. */
     private <T> Optional<T> buildRecord(Block block, BlockType<T> type, List<SceneNode> children) {
-        for (TextureProperty textureProperty : TextureProperty.ALL) {
+        for (TextureProperty textureProperty : TextureProperty.of(type)) {
             Block.Entry repeat = textureProperty.repeatProperty().map(block::entry).orElse(null);
             if (repeat != null && !block.isWritten(textureProperty.name())) {
                 problems.add(tokens.start(repeat.nameToken()), block.title() + ": " + textureProperty.missingMessage());
@@ -284,7 +284,7 @@ final class SceneBuilder {
     /** Loads the textures of a block; returns false if any failed. */
     private boolean loadTextures(Block block, Map<LoadedAssets.TextureKey, Texture> loadedTextures) {
         boolean hasAllTextures = true;
-        for (TextureProperty textureProperty : TextureProperty.ALL) {
+        for (TextureProperty textureProperty : TextureProperty.of(block.type)) {
             Block.Entry entry = block.entry(textureProperty.name());
             if (entry != null && entry.value() instanceof Value.Quoted(String file)) {
                 Texture texture = loadAsset(block, textureProperty.name(), name -> textures.load(name, textureProperty.samples()));

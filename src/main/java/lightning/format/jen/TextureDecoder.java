@@ -124,7 +124,7 @@ public final class TextureDecoder {
 
     private static Texture texture(BufferedImage image, TextureUsage samples) {
         return switch (samples) {
-            case COLOR -> texture(image, true);
+            case COLOR, EMISSION -> texture(image, true);
             case DATA -> texture(image, false);
             case OPACITY -> opacity(image);
         };

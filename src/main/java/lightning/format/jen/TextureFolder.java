@@ -35,8 +35,8 @@ final class TextureFolder {
      * Loads a texture.
      *
      * @param samples meaning of the samples
-     * @throws UnusableFileException if the file does not exist in the folders, a link leads out of them, or it is not a PNG
-     *     or JPEG within {@link JenLimits}
+     * @throws UnusableFileException if the file does not exist in the folders, a link leads out of them, or it is not an
+     *     image within {@link JenLimits}
      */
     Texture load(String file, TextureUsage samples) throws UnusableFileException {
         return searchPath.read(file, path -> load(file, samples, path));
@@ -52,7 +52,9 @@ final class TextureFolder {
             throw new UnusableFileException("a scene may have at most " + JenLimits.TEXTURES + " textures, found another, "
                     + Quote.of(file));
         }
-        Texture texture = TextureDecoder.decode(file, path, samples, JenLimits.TOTAL_TEXTURE_PIXELS - pixels);
+        long pixelsLeft = JenLimits.TOTAL_TEXTURE_PIXELS - pixels;
+        Texture texture = samples == TextureUsage.EMISSION ? LightTextureReader.read(file, path, pixelsLeft)
+                : TextureDecoder.decode(file, path, samples, pixelsLeft);
         pixels += (long) texture.width() * texture.height();
         cache.put(key, texture);
         return texture;

@@ -18,14 +18,20 @@ import lightning.scene.ValueKind;
  * @param samples meaning of the samples
  */
 record TextureProperty(String name, Optional<String> repeatProperty, TextureUsage samples) {
-    /** All image properties of all blocks; their names are unique. */
-    static final List<TextureProperty> ALL = Stream.concat(MaterialAttribute.ALL.stream(), LightAttribute.ALL.stream())
-            .flatMap(TextureProperty::of).toList();
+    private static final List<TextureProperty> OF_MATERIAL = MaterialAttribute.ALL.stream().flatMap(TextureProperty::of).toList();
+    private static final List<TextureProperty> OF_LIGHT = LightAttribute.ALL.stream().flatMap(TextureProperty::of).toList();
+
+    /** Returns the image properties of a block. */
+    static List<TextureProperty> of(BlockType<?> type) {
+        return type == BlockTypes.MATERIAL ? OF_MATERIAL : type == BlockTypes.LIGHT ? OF_LIGHT : List.of();
+    }
 
     private static Stream<TextureProperty> of(SceneAttribute<?, ?> attribute) {
         return switch (attribute.kind()) {
             case ValueKind.TextureKind t -> Stream.of(new TextureProperty(attribute.name(), Optional.of(t.repeatName()), t.usage()));
             case ValueKind.GoboKind _ -> Stream.of(new TextureProperty(attribute.name(), Optional.empty(), TextureUsage.COLOR));
+            case ValueKind.LightTextureKind _ ->
+                    Stream.of(new TextureProperty(attribute.name(), Optional.empty(), TextureUsage.EMISSION));
             case NumericKind<?> _,ChoiceKind<
                     ?> _,ValueKind.LinksKind _,ValueKind.GainsKind _,ValueKind.NameKind _,ValueKind.ProfileKind _,ValueKind.EnvironmentKind _ ->
                     Stream.empty();

@@ -53,6 +53,9 @@ final class PovLightWriter {
         if (light.isArea() && light.type().hasPosition() && light.area().visibility() != FaceVisibility.HIDDEN) {
             warnings.add("light " + light.name() + ": its face is left out, the camera does not see it");
         }
+        if (light.faceImage().isPresent()) {
+            warnings.add("light " + light.name() + ": its texture is left out");
+        }
         List<String> statements = new ArrayList<>();
         statements.add(PovFormat.vector(position(light)));
         statements.add(color(light, fade.gain()));

@@ -1,5 +1,6 @@
 package lightning.render.column;
 
+import java.util.Arrays;
 import java.util.Set;
 
 /**
@@ -19,12 +20,21 @@ public final class ColumnSet<C extends Enum<C> & ColumnKind> {
 
     /** All kinds, by ordinal. */
     private final C[] kinds;
-    /** Columns by the kind's ordinal; null for missing ones. */
+    /** Columns by the kind's ordinal; null for missing ones. Ends with the last existing one, since there are millions of sets. */
     private final Object[] columns;
 
     private ColumnSet(C[] kinds, Object[] columns) {
         this.kinds = kinds;
-        this.columns = columns;
+        int length = columns.length;
+        while (length > 0 && columns[length - 1] == null) {
+            length--;
+        }
+        this.columns = length == columns.length ? columns : Arrays.copyOf(columns, length);
+    }
+
+    /** Returns a copy of the columns with a place for each kind. */
+    private Object[] copy() {
+        return Arrays.copyOf(columns, kinds.length);
     }
 
     /** The constants of a type are of that type. */
@@ -49,38 +59,38 @@ public final class ColumnSet<C extends Enum<C> & ColumnKind> {
     /** Allocates columns of some kinds for {@code rows} rows, all 0. */
     public static <C extends Enum<C> & ColumnKind> ColumnSet<C> allocate(Class<C> kinds, Set<C> selected, int rows) {
         C[] allKinds = kindsOf(kinds);
-        ColumnSet<C> set = new ColumnSet<>(allKinds, new Object[allKinds.length]);
+        Object[] columns = new Object[allKinds.length];
         for (C kind : selected) {
-            set.columns[kind.ordinal()] = kind.element().column(rows);
+            columns[kind.ordinal()] = kind.element().column(rows);
         }
-        return set;
+        return new ColumnSet<>(allKinds, columns);
     }
 
     /** Returns these columns; columns of {@code source} take precedence. */
     public ColumnSet<C> with(ColumnSet<C> source) {
-        ColumnSet<C> set = new ColumnSet<>(kinds, columns.clone());
+        Object[] merged = copy();
         for (C kind : kinds) {
             if (source.has(kind)) {
-                set.columns[kind.ordinal()] = source.get(kind);
+                merged[kind.ordinal()] = source.get(kind);
             }
         }
-        return set;
+        return new ColumnSet<>(kinds, merged);
     }
 
     /** Returns these columns with another array of a kind, or without it if null. */
     public ColumnSet<C> with(C kind, Object column) {
-        ColumnSet<C> set = new ColumnSet<>(kinds, columns.clone());
-        set.columns[kind.ordinal()] = column;
-        return set;
+        Object[] changed = copy();
+        changed[kind.ordinal()] = column;
+        return new ColumnSet<>(kinds, changed);
     }
 
     /** Returns these columns without some kinds. */
     public ColumnSet<C> without(Set<C> removed) {
-        ColumnSet<C> set = new ColumnSet<>(kinds, columns.clone());
+        Object[] kept = copy();
         for (C kind : removed) {
-            set.columns[kind.ordinal()] = null;
+            kept[kind.ordinal()] = null;
         }
-        return set;
+        return new ColumnSet<>(kinds, kept);
     }
 
     /** Returns all kinds, in order. */
@@ -90,7 +100,8 @@ public final class ColumnSet<C extends Enum<C> & ColumnKind> {
 
     /** Returns the array of a kind, typed by its element type; null if missing. */
     public Object get(C kind) {
-        return columns[kind.ordinal()];
+        int i = kind.ordinal();
+        return i < columns.length ? columns[i] : null;
     }
 
     public boolean has(C kind) {
@@ -110,13 +121,13 @@ public final class ColumnSet<C extends Enum<C> & ColumnKind> {
 
     /** Returns copies of these columns for {@code count} rows; shared columns stay shared. */
     public ColumnSet<C> deepCopy(int count) {
-        ColumnSet<C> set = new ColumnSet<>(kinds, columns.clone());
+        Object[] copies = copy();
         for (C kind : kinds) {
             if (has(kind)) {
-                set.columns[kind.ordinal()] = kind.element().copy(get(kind), count);
+                copies[kind.ordinal()] = kind.element().copy(get(kind), count);
             }
         }
-        return set;
+        return new ColumnSet<>(kinds, copies);
     }
 
     /** Returns the bytes of a kind's array without its header; 0 if it is missing or shared. */

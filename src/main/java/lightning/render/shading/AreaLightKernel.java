@@ -181,20 +181,34 @@ final class AreaLightKernel {
         RowBits.selectState(changed.state, rows.count, LightRows.LIT, anyLit);
         int lit = RowBits.count(anyLit, rows.count);
         return lit == 0 ? LightRows.unlit(changed.state, changed.visibleSamples)
-                : new LightRows(changed.state, merge(rows, before.cosine, changed.cosine, columns),
-                        merge(rows, before.specular, changed.specular, columns), merge(rows, before.grazing, changed.grazing, columns),
-                        null, changed.visibleSamples, lit);
+                : new LightRows(changed.state, merge(rows, before.cosine, changed.cosine, 0, columns),
+                        merge(rows, before.specular, changed.specular, 0, columns),
+                        merge(rows, before.grazing, changed.grazing, 0, columns),
+                        null, changed.visibleSamples, lit)
+                        .withFaceColors(mergeColors(rows, before.face, changed.face, columns),
+                                mergeColors(rows, before.highlight, changed.highlight, columns));
     }
 
-    /** Merges two columns; null stands for zeros. */
-    private float[] merge(HitRows rows, float[] before, float[] changed, ColumnAllocator columns) {
+    private float[][] mergeColors(HitRows rows, float[][] before, float[][] changed, ColumnAllocator columns) {
+        if (before == null && changed == null) {
+            return null;
+        }
+        float[][] merged = new float[3][];
+        for (int c = 0; c < 3; c++) {
+            merged[c] = merge(rows, before == null ? null : before[c], changed == null ? null : changed[c], 1, columns);
+        }
+        return merged;
+    }
+
+    /** Merges two columns; null stands for {@code missing} in all rows. */
+    private float[] merge(HitRows rows, float[] before, float[] changed, float missing, ColumnAllocator columns) {
         if (before == null && changed == null) {
             return null;
         }
         float[] merged = columns.floats(rows.count);
         for (int i = 0; i < rows.count; i++) {
             float[] from = RowBits.contains(queried, i) ? changed : before;
-            merged[i] = from == null ? 0 : from[i];
+            merged[i] = from == null ? missing : from[i];
         }
         return merged;
     }
@@ -234,9 +248,13 @@ final class AreaLightKernel {
         } else {
             System.arraycopy(facing[s], 0, inside[s], 0, words);
         }
-        links.retainLit(source, rows, inside[s]);
         for (int b = 0; b < words; b++) {
             anyFacing[b] |= facing[s][b];
+            // Rows behind a sample of a surface cast no ray to it: its half-space moves only with the light.
+            facing[s][b] = source.type().isSurface() ? inside[s][b] : facing[s][b];
+        }
+        links.retainLit(source, rows, inside[s]);
+        for (int b = 0; b < words; b++) {
             anyInside[b] |= inside[s][b];
         }
     }

@@ -11,6 +11,8 @@ import lightning.scene.AreaShape;
 import lightning.scene.Light;
 import lightning.scene.LightType;
 import lightning.scene.SamplingSettings;
+import lightning.scene.SummedAreaTable;
+import lightning.scene.Texture;
 
 /**
  * Sample points of an area light in render space, or unit vectors towards a directional light. The light is the mean of its
@@ -26,6 +28,10 @@ import lightning.scene.SamplingSettings;
  * <li>the sphere of a point or spot light by height 1 − 2u along y and longitude 2πv (Archimedes);
  * <li>a cap of directions by cosine 1 − u·(1 − cos spread) and longitude 2πv.
  * </ul>
+ *
+ * <p>If the light has an image, a sample has the mean color of a patch of it: the square of the unit square with area 1/n around the point of the
+ * sample, n being the light's samples ({@link lightning.scene.AreaShape#samples}). On a disc, the patch is as large, in the square
+ * around the disc that the image covers. Beyond the edges the image is mirrored. Seen from where the light shines, the image is upright.
  *
  * <p>A row of a pixel center uses all n samples, in one of {@link #ROTATIONS} rotations, chosen by a hash of its point. A finer
  * sample of a pixel uses a part of the samples: every k-th of k·m, where k is the number of parts ({@link SamplePattern}) and m is
@@ -46,11 +52,13 @@ public final class AreaSamples {
     public final double[] x;
     public final double[] y;
     public final double[] z;
+    /** Colors by the same index: red, green and blue; null if all are white. Must not be modified. */
+    final float[][] color;
     private final double extent;
     private final Vec3 min;
     private final Vec3 max;
 
-    private AreaSamples(Vec3 center, Vec3[] offsets, int patterns) {
+    private AreaSamples(Vec3 center, Vec3[] offsets, int patterns, float[][] colors) {
         this.patterns = patterns;
         count = offsets.length / patterns;
         x = new double[offsets.length];
@@ -68,6 +76,7 @@ public final class AreaSamples {
             minPoint = new Vec3(Math.min(minPoint.x(), at.x()), Math.min(minPoint.y(), at.y()), Math.min(minPoint.z(), at.z()));
             maxPoint = new Vec3(Math.max(maxPoint.x(), at.x()), Math.max(maxPoint.y(), at.y()), Math.max(maxPoint.z(), at.z()));
         }
+        color = colors;
         extent = farthest;
         min = minPoint;
         max = maxPoint;
@@ -101,6 +110,8 @@ public final class AreaSamples {
         Vec3 right = (light.type() == LightType.RECT ? area : AreaShape.DEFAULT).right(axis);
         Vec3 top = right.cross(axis);
         Vec3[] offsets = new Vec3[n * patterns];
+        SummedAreaTable image = light.faceImage().map(Texture::areas).orElse(null);
+        float[][] colors = image == null ? null : new float[3][offsets.length];
         for (int pattern = 0; pattern < patterns; pattern++) {
             int t = pattern / parts;
             for (int i = 0; i < n; i++) {
@@ -118,9 +129,20 @@ public final class AreaSamples {
                         yield toward.normalized().minus(source);
                     }
                 };
+                if (image != null) {
+                    boolean disc = light.type() == LightType.DISC;
+                    double across = disc ? 0.5 + 0.5 * Math.sqrt(u) * Transform.cosDegrees(360 * v) : u;
+                    double up = disc ? 0.5 + 0.5 * Math.sqrt(u) * Transform.sinDegrees(360 * v) : v;
+                    double half = 0.5 * Math.sqrt((disc ? Math.PI / 4 : 1) / area.samples());
+                    for (int c = 0; c < 3; c++) {
+                        // A viewer of the face looks against the light's direction, so that left and right are swapped.
+                        colors[c][patterns * i + pattern] = image.mean(1 - across - half, 1 - up - half, 1 - across + half,
+                                1 - up + half, c);
+                    }
+                }
             }
         }
-        return new AreaSamples(source, offsets, patterns);
+        return new AreaSamples(source, offsets, patterns, colors);
     }
 
     private static Vec3 onCircle(Vec3 right, Vec3 top, double radius, double rotation) {

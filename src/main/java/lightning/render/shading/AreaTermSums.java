@@ -19,6 +19,10 @@ final class AreaTermSums {
     private final double[] diffuseSum = new double[TermKernel.MAX_ROWS];
     private final double[] specularSum = new double[TermKernel.MAX_ROWS];
     private final double[] grazingSum = new double[TermKernel.MAX_ROWS];
+    /** Sums for a light with an image: terms times color, and the specular terms; allocated on first use. */
+    private double[][] diffuseColor;
+    private double[][] specularColor;
+    private double[] specularWeight;
     /** True if any row's material has specular terms or is metallic; computed once per tile and light. */
     private boolean hasSpecular;
     private boolean hasMetallic;
@@ -37,10 +41,26 @@ final class AreaTermSums {
         if (hasMetallic) {
             Arrays.fill(grazingSum, 0);
         }
+        if (source.samples(rows).color != null) {
+            beginColors(rows.count);
+        }
         Arrays.fill(mayHaveHighlight, 0);
         if (hasSpecular) {
             columnWriter.addPossibleHighlights(rows, source, mayHaveHighlight);
         }
+    }
+
+    private void beginColors(int rows) {
+        if (diffuseColor == null) {
+            diffuseColor = new double[3][TermKernel.MAX_ROWS];
+            specularColor = new double[3][TermKernel.MAX_ROWS];
+            specularWeight = new double[TermKernel.MAX_ROWS];
+        }
+        for (int c = 0; c < 3; c++) {
+            Arrays.fill(diffuseColor[c], 0, rows, 0);
+            Arrays.fill(specularColor[c], 0, rows, 0);
+        }
+        Arrays.fill(specularWeight, 0, rows, 0);
     }
 
     /**
@@ -65,6 +85,27 @@ final class AreaTermSums {
         }
         if (hasMetallic) {
             addGrazing(rows, falloffOrNull, rowSet);
+        }
+        if (source.samples(rows).color != null) {
+            addColors(rows, source.samples(rows), s, rowSet, cosine, rays);
+        }
+    }
+
+    /** Adds the terms times the color of sample {@code s}; the falloffs, and the terms of rows with highlights, are those of the sample. */
+    private void addColors(HitRows rows, AreaSamples samples, int s, int[] rowSet, float[] cosine, RowShadowRays rays) {
+        for (int b = 0; b < RowBits.words(rows.count); b++) {
+            for (int left = rowSet[b]; left != 0; left &= left - 1) {
+                int i = b * RowBits.WIDTH + Integer.numberOfTrailingZeros(left);
+                int at = samples.index(s, rays.pattern[i]);
+                double diffuse = (double) cosine[i] * falloff[i];
+                double shine = hasSpecular && RowBits.contains(highlightRows, i) ? (double) specular[i] * falloff[i] : 0;
+                shine += hasMetallic && RowBits.contains(metallicRows, i) ? (double) grazing[i] * falloff[i] : 0;
+                specularWeight[i] += shine;
+                for (int c = 0; c < 3; c++) {
+                    diffuseColor[c][i] += diffuse * samples.color[c][at];
+                    specularColor[c][i] += shine * samples.color[c][at];
+                }
+            }
         }
     }
 
@@ -102,9 +143,23 @@ final class AreaTermSums {
             return LightRows.unlit(state, visibleSamples);
         }
         int samples = source.samples(rows).samples();
-        return new LightRows(state, meanColumn(diffuseSum, samples, rows, columns),
+        LightRows layer = new LightRows(state, meanColumn(diffuseSum, samples, rows, columns),
                 hasSpecular ? meanColumn(specularSum, samples, rows, columns) : null,
                 hasMetallic ? meanColumn(grazingSum, samples, rows, columns) : null, null, visibleSamples, lit);
+        return source.samples(rows).color == null ? layer
+                : layer.withFaceColors(meanColors(diffuseColor, diffuseSum, rows, columns),
+                        hasSpecular ? meanColors(specularColor, specularWeight, rows, columns) : null);
+    }
+
+    private static float[][] meanColors(double[][] sum, double[] weight, HitRows rows, ColumnAllocator columns) {
+        float[][] mean = new float[3][];
+        for (int c = 0; c < 3; c++) {
+            mean[c] = columns.floats(rows.count);
+            for (int i = 0; i < rows.count; i++) {
+                mean[c][i] = LightingEquation.weightedMean(sum[c][i], weight[i]);
+            }
+        }
+        return mean;
     }
 
     private static float[] meanColumn(double[] sum, int samples, HitRows rows, ColumnAllocator columns) {

@@ -287,13 +287,14 @@ public final class LightKernel {
         }
         boolean metallic = before.grazing != null || columnWriter.hasMetallic(rows);
         if (!columnWriter.hasSpecular(rows) && !metallic) {
-            return before.specular == null ? before : before.with(LightRows.Column.SPECULAR, null);
+            return before.specular == null ? before : before.withoutSpecular();
         }
         if (source.isArea()) {
             rowsTouched += before.litCount;
             LightRows recomputed = areaKernel().recomputeTerms(rows, source, before, columns);
             return before.with(LightRows.Column.SPECULAR, recomputed.specular).with(LightRows.Column.GRAZING, recomputed.grazing)
-                    .with(LightRows.Column.COSINE, metallic ? reuseIfEqual(rows, before.cosine, recomputed.cosine) : before.cosine);
+                    .with(LightRows.Column.COSINE, metallic ? reuseIfEqual(rows, before.cosine, recomputed.cosine) : before.cosine)
+                    .withFaceColors(metallic ? recomputed.face : before.face, recomputed.highlight);
         }
         RowBits.selectState(before.state, rows.count, LightRows.LIT, lit);
         System.arraycopy(lit, 0, litBefore, 0, RowBits.words(rows.count));
@@ -359,12 +360,13 @@ public final class LightKernel {
         known.removeIf(kind -> kind == LightRows.Column.FALLOFF && (!haveFalloff || premultiplied)
                 || kind == LightRows.Column.SPECULAR && !columnWriter.hasSpecular(rows)
                 || kind == LightRows.Column.GRAZING && before.grazing == null && !columnWriter.hasMetallic(rows)
-                || LightRows.Column.TINT_COLUMNS.contains(kind) && before.tint == null && (added == null || added.tint == null)
-                || LightRows.Column.SAMPLE_COLUMNS.contains(kind) && !before.columns().has(kind)
+                || LightRows.Column.HIGHLIGHT_COLUMNS.contains(kind) && !columnWriter.hasSpecular(rows)
+                || (LightRows.Column.COLOR_COLUMNS.stream().anyMatch(colors -> colors.contains(kind))
+                        || LightRows.Column.SAMPLE_COLUMNS.contains(kind)) && !before.columns().has(kind)
                         && (added == null || !added.columns().has(kind)));
         ColumnSet<LightRows.Column> columns = ColumnSet.allocate(LightRows.Column.class, known, rows.count);
-        splice.fill(columns, LightRows.withDefaultTint(before.columns(), LightRows.Column.TINT_COLUMNS),
-                added == null ? null : LightRows.withDefaultTint(added.columns(), LightRows.Column.TINT_COLUMNS));
+        splice.fill(columns, LightRows.withDefaultColors(before.columns()),
+                added == null ? null : LightRows.withDefaultColors(added.columns()));
         byte[] state = (byte[]) columns.get(LightRows.Column.STATE);
         RowBits.selectState(state, rows.count, LightRows.LIT, lit);
         int count = RowBits.count(lit, rows.count);

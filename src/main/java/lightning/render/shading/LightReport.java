@@ -21,6 +21,7 @@ import lightning.scene.Light;
  * @param highlight           its part of Σ Ispec, linear, {@code float[3]}
  * @param sheen               its part of Σ Igraz, linear, {@code float[3]}
  * @param tint                transmittance of clear shapes between the point and the light, {@code float[3]}; 1 if there are none
+ * @param face                mean color of the light's image, weighted by the diffuse terms of its samples, {@code float[3]}; 1 if there is none
  * @param gain                gain of the light on the shape; 1 if it has none
  */
 public record LightReport(Light light, State state, int blocker, int visibleSamples, int samples, int samplesBelowSurface, float cosine,
@@ -28,7 +29,7 @@ public record LightReport(Light light, State state, int blocker, int visibleSamp
         float grazing,
         float falloff,
         float[] diffuse,
-        float[] highlight, float[] sheen, float[] tint, float gain) {
+        float[] highlight, float[] sheen, float[] tint, float[] face, float gain) {
 
     /** Result of the tests, which run in this order except for {@link #DARK}, which comes first. */
     public enum State {

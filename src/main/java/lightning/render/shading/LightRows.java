@@ -54,10 +54,22 @@ public final class LightRows implements LightLayer {
         /** Transmittance of clear shapes on an unblocked shadow ray; 1 if there are none. */
         TINT_RED(ElementType.FLOAT, "tinted shadow colors"),
         TINT_GREEN(ElementType.FLOAT, "tinted shadow colors"),
-        TINT_BLUE(ElementType.FLOAT, "tinted shadow colors");
+        TINT_BLUE(ElementType.FLOAT, "tinted shadow colors"),
+        /** Only for a light with an image: mean color of its samples, weighted by their diffuse terms. */
+        FACE_RED(ElementType.FLOAT, "colors of images on lights"),
+        FACE_GREEN(ElementType.FLOAT, "colors of images on lights"),
+        FACE_BLUE(ElementType.FLOAT, "colors of images on lights"),
+        /** The same, weighted by the specular terms; only with a specular column. */
+        HIGHLIGHT_RED(ElementType.FLOAT, "colors of images on lights"),
+        HIGHLIGHT_GREEN(ElementType.FLOAT, "colors of images on lights"),
+        HIGHLIGHT_BLUE(ElementType.FLOAT, "colors of images on lights");
 
         static final List<Column> SAMPLE_COLUMNS = List.of(SEEN_0, SEEN_1, SEEN_2, SEEN_3);
         static final List<Column> TINT_COLUMNS = List.of(TINT_RED, TINT_GREEN, TINT_BLUE);
+        static final List<Column> FACE_COLUMNS = List.of(FACE_RED, FACE_GREEN, FACE_BLUE);
+        static final List<Column> HIGHLIGHT_COLUMNS = List.of(HIGHLIGHT_RED, HIGHLIGHT_GREEN, HIGHLIGHT_BLUE);
+        /** Three columns of factors each, which are 1 where they are missing. */
+        static final List<List<Column>> COLOR_COLUMNS = List.of(TINT_COLUMNS, FACE_COLUMNS, HIGHLIGHT_COLUMNS);
 
         private final ElementType element;
         private final String title;
@@ -109,6 +121,10 @@ public final class LightRows implements LightLayer {
     final short[][] visibleSamples;
     /** Red, green and blue tints of unblocked shadow rays; null if all are 1. */
     final float[][] tint;
+    /** Mean colors of the light's image for the diffuse terms: red, green and blue; null if all are 1. */
+    final float[][] face;
+    /** Mean colors of the light's image for the specular and grazing terms; null if all are 1. */
+    final float[][] highlight;
     /** Number of lit rows. */
     public final int litCount;
 
@@ -123,7 +139,7 @@ public final class LightRows implements LightLayer {
     public LightRows(byte[] state, float[] cosine, float[] specular, float[] grazing, float[] falloff, short[][] visibleSamples, int lit) {
         this(ColumnSet.of(Column.class, state, cosine, specular, grazing, falloff, sampleColumn(visibleSamples, 0),
                 sampleColumn(visibleSamples, 1), sampleColumn(visibleSamples, 2),
-                sampleColumn(visibleSamples, 3), null, null, null), lit);
+                sampleColumn(visibleSamples, 3), null, null, null, null, null, null, null, null, null), lit);
     }
 
     LightRows(ColumnSet<Column> columns, int lit) {
@@ -136,6 +152,8 @@ public final class LightRows implements LightLayer {
         falloff = (float[]) columns.get(Column.FALLOFF);
         visibleSamples = readVisibleSamples(columns, Column.SAMPLE_COLUMNS);
         tint = readChannels(columns, Column.TINT_COLUMNS);
+        face = readChannels(columns, Column.FACE_COLUMNS);
+        highlight = readChannels(columns, Column.HIGHLIGHT_COLUMNS);
     }
 
     /** Returns the column of samples 16·{@code group} and up, or null. */
@@ -164,6 +182,15 @@ public final class LightRows implements LightLayer {
         return result;
     }
 
+    /** Returns the columns with missing factors filled with 1. */
+    static ColumnSet<Column> withDefaultColors(ColumnSet<Column> columns) {
+        ColumnSet<Column> result = columns;
+        for (List<Column> channels : Column.COLOR_COLUMNS) {
+            result = withDefaultTint(result, channels);
+        }
+        return result;
+    }
+
     /** Returns the columns with missing tints filled with 1. */
     public static <C extends Enum<C> & ColumnKind> ColumnSet<C> withDefaultTint(ColumnSet<C> columns, List<C> channels) {
         return columns.has(channels.getFirst()) ? columns : withChannels(columns, channels, WHITE_TINT);
@@ -182,6 +209,10 @@ public final class LightRows implements LightLayer {
         }
         if (!metallic) {
             columns.remove(Column.GRAZING);
+        }
+        if (light.faceImage().isEmpty()) {
+            columns.removeAll(Column.FACE_COLUMNS);
+            columns.removeAll(Column.HIGHLIGHT_COLUMNS);
         }
         columns.removeAll(Column.SAMPLE_COLUMNS.subList(sampleColumnCount(light), Column.SAMPLE_COLUMNS.size()));
         if (light.isArea()) {
@@ -208,6 +239,38 @@ public final class LightRows implements LightLayer {
     /** Returns this layer with other tints, or without tints if null. */
     public LightRows withTint(float[][] tints) {
         return tints == tint ? this : new LightRows(withChannels(columns, Column.TINT_COLUMNS, tints), litCount);
+    }
+
+    /** Returns this layer with other colors of the light's image for its diffuse and specular terms, or without them if null. */
+    LightRows withFaceColors(float[][] diffuse, float[][] specular) {
+        return diffuse == face && specular == highlight ? this
+                : new LightRows(withChannels(withChannels(columns, Column.FACE_COLUMNS, diffuse), Column.HIGHLIGHT_COLUMNS, specular),
+                        litCount);
+    }
+
+    /** Returns this layer without specular terms. */
+    LightRows withoutSpecular() {
+        return with(Column.SPECULAR, null).withFaceColors(face, null);
+    }
+
+    /**
+     * Returns the factor of one channel of a row's terms without the gain: tint times the mean color of the light's image.
+     *
+     * @param colors {@link #face} or {@link #highlight}
+     */
+    public float factor(float[][] colors, int channel, int row) {
+        float tinted = tint == null ? 1 : tint[channel][row];
+        return colors == null ? tinted : tinted * colors[channel][row];
+    }
+
+    /** Returns {@link #face}. */
+    public float[][] face() {
+        return face;
+    }
+
+    /** Returns {@link #highlight}. */
+    public float[][] highlight() {
+        return highlight;
     }
 
     /** Returns this layer with another column, or without it if null; the same rows are lit. */
@@ -250,6 +313,7 @@ public final class LightRows implements LightLayer {
         }
         if (specular != null && grazing == null && !hasHighlight(rows)) {
             compacted = compacted.with(Column.SPECULAR, null);
+            compacted = highlight == null ? compacted : withChannels(compacted, Column.HIGHLIGHT_COLUMNS, null);
         }
         return compacted == columns ? this : new LightRows(compacted, litCount);
     }

@@ -26,8 +26,9 @@ final class LightSum {
     /** Sums are computed for the rows {@code firstRow … rows − 1}. */
     private int firstRow;
     private int rows;
-    /** Tints times gains of the collected lights, by operand; allocated on first use. */
-    private final float[][][] gained = new float[SumOperands.MAX_LIGHTS][][];
+    /** Products of factors of the collected lights, by operand: of diffuse terms, and of others; allocated on first use. */
+    private final float[][][] diffuseFactors = new float[SumOperands.MAX_LIGHTS][][];
+    private final float[][][] specularFactors = new float[SumOperands.MAX_LIGHTS][][];
     /** Shape of each row; read only for lights with gains. */
     private int[] owners;
     private WeightedLight[] lights;
@@ -162,34 +163,63 @@ final class LightSum {
         for (int i = from; i < to; i++) {
             WeightedLight light = lights[chain[i]];
             LightRows layer = (LightRows) layers[chain[i]];
-            float[][] tint = light.gains() == null ? layer.tint : gainedTint(light.gains(), layer.tint);
-            diffuse.addLight(light.diffuse(), layer.cosine, layer.falloff, tint);
+            int operand = diffuse.lightCount;
+            float[][] factors = factors(light.gains(), layer.tint, layer.face, diffuseFactors, operand);
+            diffuse.addLight(light.diffuse(), layer.cosine, layer.falloff, factors);
+            if (layer.specular == null && layer.grazing == null) {
+                continue;
+            }
+            if (layer.face != null || layer.highlight != null) {
+                factors = factors(light.gains(), layer.tint, layer.highlight, specularFactors, operand);
+            }
             if (layer.specular != null) {
-                specular.addLight(light.specular(), layer.specular, layer.falloff, tint);
+                specular.addLight(light.specular(), layer.specular, layer.falloff, factors);
             }
             if (layer.grazing != null) {
-                grazing.addLight(light.specular(), layer.grazing, layer.falloff, tint);
+                grazing.addLight(light.specular(), layer.grazing, layer.falloff, factors);
             }
         }
     }
 
-    /** Returns the tint of a light times its gains: red, green and blue columns that are valid until the operands are cleared. */
-    private float[][] gainedTint(ObjectGains gains, float[][] tint) {
-        float[][] columns = gained[diffuse.lightCount];
-        if (tint == null) {
+    /**
+     * Returns the product of a light's tint, colors of its image, and gains: red, green and blue columns that are valid until the operands are
+     * cleared; null if all are 1.
+     *
+     * @param tint    null if all are 1, as {@code colors} and {@code gains}
+     * @param scratch columns for products, by operand
+     */
+    private float[][] factors(ObjectGains gains, float[][] tint, float[][] colors, float[][][] scratch, int operand) {
+        if (gains == null && (tint == null || colors == null)) {
+            return tint == null ? colors : tint;
+        }
+        float[][] columns = scratch[operand];
+        if (tint == null && colors == null) {
             columns = columns == null ? new float[][] {new float[TermKernel.MAX_ROWS], null, null} : columns;
             gains.write(owners, firstRow, rows, null, columns[0]);
-            gained[diffuse.lightCount] = columns;
+            scratch[operand] = columns;
             return new float[][] {columns[0], columns[0], columns[0]};
         }
         if (columns == null || columns[2] == null) {
             columns = new float[3][TermKernel.MAX_ROWS];
-            gained[diffuse.lightCount] = columns;
+            scratch[operand] = columns;
         }
         for (int c = 0; c < 3; c++) {
-            gains.write(owners, firstRow, rows, tint[c], columns[c]);
+            float[] factor = tint == null ? colors[c] : tint[c];
+            if (tint != null && colors != null) {
+                multiply(tint[c], colors[c], columns[c]);
+                factor = columns[c];
+            }
+            if (gains != null) {
+                gains.write(owners, firstRow, rows, factor, columns[c]);
+            }
         }
         return columns;
+    }
+
+    private void multiply(float[] a, float[] b, float[] to) {
+        for (int i = firstRow; i < rows; i++) {
+            to[i] = a[i] * b[i];
+        }
     }
 
     private void addBranch(SumColumns known) {

@@ -213,6 +213,11 @@ public final class LightingEquation {
         return (float) (sum / samples);
     }
 
+    /** Returns a mean of colors, weighted by the terms of samples; 1 if all terms are 0. */
+    static float weightedMean(double sum, double weight) {
+        return weight > 0 ? (float) (sum / weight) : 1;
+    }
+
     /** Adds {@code terms[from … to)} as a balanced tree: the first half's sum plus the second's. */
     static float sum(float[] terms, int from, int to) {
         if (to - from < 2) {

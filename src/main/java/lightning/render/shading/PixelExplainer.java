@@ -159,22 +159,36 @@ public final class PixelExplainer {
         LightReport best = null;
         LightReport blocked = null;
         double[] tints = new double[3];
+        double[][] faces = new double[2][3];
+        double shine = 0;
+        AreaSamples area = light.source().centerSamples();
         int freeCount = 0;
         for (int s = 0; s < samples; s++) {
             LightReport one =
                     lightReport(light, sample(light.source(), hit, s), hit, normals);
-            // A visible sample counts even outside the cone, as in rows, whose shadow rays are not cast again when the cone moves.
+            // A visible sample counts even outside the cone, as in rows, whose shadow rays are not cast again when the cone moves. A surface has a
+            // half-space that does not.
             LightSource sample = sample(light.source(), hit, s);
-            if (one.state() != LightReport.State.AWAY && (one.state() == LightReport.State.LIT || blocker(sample, hit) < 0)) {
+            boolean isBehind = light.source().type().isSurface() && one.state() == LightReport.State.OUTSIDE;
+            if (one.state() != LightReport.State.AWAY && !isBehind && (one.state() == LightReport.State.LIT || blocker(sample, hit) < 0)) {
                 float[] passed = tint(sample, hit);
                 for (int c = 0; c < 3; c++) {
                     tints[c] += passed[c];
                 }
                 freeCount++;
             }
-            diffuse += (double) one.falloff() * (one.state() == LightReport.State.LIT ? one.cosine() : 0);
-            specular += (double) one.specular() * one.falloff();
-            grazing += (double) one.grazing() * one.falloff();
+            double diffuseTerm = (double) one.falloff() * (one.state() == LightReport.State.LIT ? one.cosine() : 0);
+            double specularTerm = (double) one.specular() * one.falloff();
+            double grazingTerm = (double) one.grazing() * one.falloff();
+            diffuse += diffuseTerm;
+            specular += specularTerm;
+            grazing += grazingTerm;
+            shine += specularTerm + grazingTerm;
+            for (int c = 0; area.color != null && c < 3; c++) {
+                float color = area.color[c][area.index(s, AreaSamples.rotation(hit.px(), hit.py(), hit.pz()))];
+                faces[0][c] += diffuseTerm * color;
+                faces[1][c] += (specularTerm + grazingTerm) * color;
+            }
             visibleCount += one.state() == LightReport.State.LIT ? 1 : 0;
             below += one.samplesBelowSurface();
             best = best == null || one.state().compareTo(best.state()) > 0 ? one : best;
@@ -187,10 +201,23 @@ public final class PixelExplainer {
                 freeCount == 0 ? ONE : new float[] {LightingEquation.mean(tints[0], freeCount), LightingEquation.mean(tints[1], freeCount),
                     LightingEquation.mean(tints[2], freeCount)};
         float gain = light.gain(hit.primitive());
+        float[] face = area.color == null ? ONE : weightedMeans(faces[0], diffuse);
+        float[] diffuseFactor = product(tint, face);
+        float[] specularFactor = area.color == null ? tint : product(tint, weightedMeans(faces[1], shine));
         return new LightReport(light.light(), best.state(), blocked == null ? -1 : blocked.blocker(), visibleCount, samples, below,
                 visibleCount == 0 ? best.cosine() : cosine, highlight, sheen, visibleCount == 0 ? 0 : 1,
-                contribution(light.diffuse(), cosine, 1, tint, gain), contribution(light.specular(), highlight, 1, tint, gain),
-                contribution(light.specular(), sheen, 1, tint, gain), tint, gain);
+                contribution(light.diffuse(), cosine, 1, diffuseFactor, gain),
+                contribution(light.specular(), highlight, 1, specularFactor, gain),
+                contribution(light.specular(), sheen, 1, specularFactor, gain), tint, face, gain);
+    }
+
+    private static float[] weightedMeans(double[] sums, double weight) {
+        return new float[] {LightingEquation.weightedMean(sums[0], weight), LightingEquation.weightedMean(sums[1], weight),
+            LightingEquation.weightedMean(sums[2], weight)};
+    }
+
+    private static float[] product(float[] a, float[] b) {
+        return new float[] {a[0] * b[0], a[1] * b[1], a[2] * b[2]};
     }
 
     private LightReport lightReport(WeightedLight light, LightSource source, SurfacePoint hit, NormalSteps normals) {
@@ -213,7 +240,7 @@ public final class PixelExplainer {
             state = blocker < 0 ? LightReport.State.LIT : LightReport.State.SHADOWED;
         }
         if (state != LightReport.State.LIT) {
-            return new LightReport(light.light(), state, blocker, 0, 1, below, cosine, 0, 0, 0, ZERO, ZERO, ZERO, ONE,
+            return new LightReport(light.light(), state, blocker, 0, 1, below, cosine, 0, 0, 0, ZERO, ZERO, ZERO, ONE, ONE,
                     light.gain(hit.primitive()));
         }
         boolean metallic = materials.isMetallic(hit.material());
@@ -227,7 +254,7 @@ public final class PixelExplainer {
         float gain = light.gain(hit.primitive());
         return new LightReport(light.light(), state, blocker, 1, 1, below, diffuse, specular, grazing, falloff,
                 contribution(light.diffuse(), diffuse, falloff, tint, gain), contribution(light.specular(), specular, falloff, tint, gain),
-                contribution(light.specular(), grazing, falloff, tint, gain), tint, gain);
+                contribution(light.specular(), grazing, falloff, tint, gain), tint, ONE, gain);
     }
 
     private static float cosine(LightingEquation equation, Vec3 normal) {

@@ -31,6 +31,10 @@ public final class ReferenceTracer {
     private static final int DIFFUSE = 0;
     private static final int SPECULAR = 1;
     private static final int GRAZING = 3;
+    /** Red factors of the diffuse and of the other terms: tint, color of the light's image and gain; then green and blue. */
+    private static final int DIFFUSE_FACTOR = 4;
+    private static final int SPECULAR_FACTOR = 7;
+    private static final int TERMS = 10;
 
     private final Scene scene;
     private final Geometry geometry;
@@ -204,7 +208,8 @@ public final class ReferenceTracer {
         float[] contributions = new float[lights.length];
         for (int l = 0; l < lights.length; l++) {
             LightWeight weight = term == DIFFUSE ? lights[l].diffuse() : lights[l].specular();
-            contributions[l] = LightingEquation.contribution(weight.channel(c), terms[l][term], terms[l][2], terms[l][4 + c]);
+            int factor = term == DIFFUSE ? DIFFUSE_FACTOR : SPECULAR_FACTOR;
+            contributions[l] = LightingEquation.contribution(weight.channel(c), terms[l][term], terms[l][2], terms[l][factor + c]);
         }
         return LightingEquation.sum(contributions, 0, lights.length);
     }
@@ -218,18 +223,18 @@ public final class ReferenceTracer {
     }
 
     /**
-     * Returns for each light its diffuse and specular term, falloff, grazing term and tint with its gain at a point; all 0 if it does not reach
-     * the point.
+     * Returns for each light its diffuse and specular term, falloff, grazing term, and factors of diffuse and other terms at a point; all 0 if
+     * it does not reach the point.
      */
     private float[][] terms(SurfacePoint hit, int pattern) {
-        float[][] terms = new float[lights.length][7];
+        float[][] terms = new float[lights.length][TERMS];
         for (int l = 0; l < lights.length; l++) {
             LightSource source = lights[l].source();
             terms[l] = source.isArea() ? meanTerms(source, hit, pattern) : terms(source, hit, targets[l]);
             if (!source.light().contribution().gains().isNone()) {
                 float gain = gain(source.light(), geometry.shape(hit.primitive()).name());
-                for (int c = 0; c < 3; c++) {
-                    terms[l][4 + c] *= gain;
+                for (int c = DIFFUSE_FACTOR; c < TERMS; c++) {
+                    terms[l][c] *= gain;
                 }
             }
         }
@@ -249,12 +254,11 @@ public final class ReferenceTracer {
         LightingEquation equation = equation(source, hit);
         float cosine = equation.cosine(hit.nx(), hit.ny(), hit.nz());
         if (state(source, hit, target, equation, cosine) != LightRows.LIT) {
-            return new float[7];
+            return new float[TERMS];
         }
         float[] tint = Transmittance.ofShadowRay(geometry, source, target, hit);
         return new float[] {diffuse(equation, hit, cosine), specular(equation, hit), equation.falloff(), grazing(equation, hit), tint[0],
-            tint[1],
-            tint[2]};
+            tint[1], tint[2], tint[0], tint[1], tint[2]};
     }
 
     /** Returns the means over an area light's samples, falloff included. */
@@ -266,11 +270,15 @@ public final class ReferenceTracer {
         double specular = 0;
         double grazing = 0;
         double[] tint = new double[3];
+        double[] face = new double[3];
+        double[] highlight = new double[3];
+        double highlightWeight = 0;
         int freeCount = 0;
         for (int s = 0; s < samples; s++) {
             LightSource sample = source.at(area.position(used, s));
-            // A visible sample counts even outside the cone.
-            if (equation(sample, hit).cosine(hit.nx(), hit.ny(), hit.nz()) > 0 && isVisible(sample, sampleTarget(sample), hit)) {
+            // A visible sample counts even outside the cone, but not behind a surface.
+            if (equation(sample, hit).cosine(hit.nx(), hit.ny(), hit.nz()) > 0
+                    && (!source.type().isSurface() || equation(sample, hit).insideCone()) && isVisible(sample, sampleTarget(sample), hit)) {
                 float[] one = Transmittance.ofShadowRay(geometry, sample, sampleTarget(sample), hit);
                 tint[0] += one[0];
                 tint[1] += one[1];
@@ -281,10 +289,24 @@ public final class ReferenceTracer {
             diffuse += (double) terms[0] * terms[2];
             specular += (double) terms[1] * terms[2];
             grazing += (double) terms[3] * terms[2];
+            double shine = (double) terms[1] * terms[2] + (double) terms[3] * terms[2];
+            highlightWeight += shine;
+            for (int c = 0; area.color != null && c < 3; c++) {
+                face[c] += (double) terms[0] * terms[2] * area.color[c][area.index(s, used)];
+                highlight[c] += shine * area.color[c][area.index(s, used)];
+            }
         }
-        return new float[] {LightingEquation.mean(diffuse, samples), LightingEquation.mean(specular, samples), 1,
-            LightingEquation.mean(grazing, samples), LightingEquation.mean(tint[0], freeCount == 0 ? 1 : freeCount),
-            LightingEquation.mean(tint[1], freeCount == 0 ? 1 : freeCount), LightingEquation.mean(tint[2], freeCount == 0 ? 1 : freeCount)};
+        float[] mean = new float[TERMS];
+        mean[0] = LightingEquation.mean(diffuse, samples);
+        mean[1] = LightingEquation.mean(specular, samples);
+        mean[2] = 1;
+        mean[3] = LightingEquation.mean(grazing, samples);
+        for (int c = 0; c < 3; c++) {
+            float tinted = LightingEquation.mean(tint[c], freeCount == 0 ? 1 : freeCount);
+            mean[DIFFUSE_FACTOR + c] = area.color == null ? tinted : tinted * LightingEquation.weightedMean(face[c], diffuse);
+            mean[SPECULAR_FACTOR + c] = area.color == null ? tinted : tinted * LightingEquation.weightedMean(highlight[c], highlightWeight);
+        }
+        return mean;
     }
 
     private ShadowRayTarget sampleTarget(LightSource sample) {

@@ -78,27 +78,29 @@ public final class RowContribution {
 
     private static float diffuse(WeightedLight light, LightLayer layer, HitRows rows, int row, int c) {
         return switch (layer) {
-            case LightRows l -> term(light.diffuse(), light, l, l.cosine, rows, row, c);
+            case LightRows l -> term(light.diffuse(), light, l, l.cosine, l.face, rows, row, c);
             case WeightedLayer w -> column(w.diffuse, row, c);
         };
     }
 
     private static float specular(WeightedLight light, LightLayer layer, HitRows rows, int row, int c) {
         return switch (layer) {
-            case LightRows l -> term(light.specular(), light, l, l.specular, rows, row, c);
+            case LightRows l -> term(light.specular(), light, l, l.specular, l.highlight, rows, row, c);
             case WeightedLayer w -> column(w.specular, row, c);
         };
     }
 
     private static float grazing(WeightedLight light, LightLayer layer, HitRows rows, int row, int c) {
         return switch (layer) {
-            case LightRows l -> term(light.specular(), light, l, l.grazing, rows, row, c);
+            case LightRows l -> term(light.specular(), light, l, l.grazing, l.highlight, rows, row, c);
             case WeightedLayer w -> column(w.grazing, row, c);
         };
     }
 
-    private static float term(LightWeight weight, WeightedLight light, LightRows layer, float[] term, HitRows rows, int row, int c) {
-        float tint = layer.tint == null ? 1 : layer.tint[c][row];
+    private static float term(LightWeight weight, WeightedLight light, LightRows layer, float[] term, float[][] colors, HitRows rows,
+            int row,
+            int c) {
+        float tint = layer.factor(colors, c, row);
         return term == null ? 0 : LightingEquation.contribution(weight.channel(c), term[row],
                 layer.falloff == null ? 1 : layer.falloff[row], light.gains() == null ? tint : tint * light.gains().of(rows.owner[row]));
     }

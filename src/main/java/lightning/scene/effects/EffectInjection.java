@@ -4,6 +4,7 @@ import java.util.Optional;
 import lightning.scene.AlphaCutout;
 import lightning.scene.BarnDoors;
 import lightning.scene.BumpMapping;
+import lightning.scene.LightTexture;
 import lightning.scene.LightType;
 import lightning.scene.Scene;
 import lightning.scene.Texture;
@@ -30,6 +31,12 @@ final class EffectInjection {
     static Scene addFlatBumps(Scene scene) {
         return EffectRemoval.mapMaterials(scene,
                 m -> m.bumpMapping().isFlat() ? m.withBumpMapping(BumpMapping.NONE.withBump(Optional.of(WHITE))) : m);
+    }
+
+    /** Gives every rectangle and disc light without a texture a white one. */
+    static Scene addWhiteLightTextures(Scene scene) {
+        return EffectRemoval.mapLights(scene, l -> l.type().isSurface() && l.faceImage().isEmpty()
+                ? l.withTexture(Optional.of(new LightTexture(WHITE.file(), WHITE.image()))) : l);
     }
 
     /** Makes every point light without a profile a spot light with a full cone, no dropoff, open barn doors and no gobo. */

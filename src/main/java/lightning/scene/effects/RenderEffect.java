@@ -83,6 +83,9 @@ public final class RenderEffect {
     public static final RenderEffect PROFILES = register("profiles", "IES profiles",
             uses -> uses.lights(l -> LightAttribute.PROFILE.appliesTo(l.type()) && l.profile().isPresent()),
             scene -> EffectRemoval.mapLights(scene, l -> l.withProfile(Optional.empty())));
+    public static final RenderEffect LIGHT_TEXTURES =
+            register("light-textures", "textures of lights", uses -> uses.lights(l -> l.faceImage().isPresent()),
+                    scene -> EffectRemoval.mapLights(scene, l -> l.withTexture(Optional.empty())), EffectInjection::addWhiteLightTextures);
     public static final RenderEffect LIGHT_LINKS =
             register("light-links", "light linking", uses -> uses.lights(l -> !l.illuminates().isAll()),
                     scene -> EffectRemoval.mapLights(scene, l -> l.withIlluminates(ShapeLinks.ALL)), UnaryOperator.identity(), false);

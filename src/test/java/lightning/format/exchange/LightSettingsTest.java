@@ -25,6 +25,7 @@ import lightning.scene.Light;
 import lightning.scene.LightAttribute;
 import lightning.scene.LightGroup;
 import lightning.scene.LightRig;
+import lightning.scene.LightTexture;
 import lightning.scene.LightType;
 import lightning.scene.Scene;
 import lightning.scene.ShapeGains;
@@ -80,7 +81,7 @@ class LightSettingsTest {
     Arbitrary<LightRig> rigs() {
         return Combinators.combine(AttributeArbitraries.lights(), Arbitraries.of(true, false), Arbitraries.of(true, false))
                 .as((changed, isGrouped, isOn) -> {
-                    Light light = changed.after().withGobo(Optional.empty()).withProfile(Optional.empty())
+                    Light light = changed.after().withGobo(Optional.empty()).withProfile(Optional.empty()).withTexture(Optional.empty())
                             .retainLinks("floor"::equals);
                     return LightRig.of(List.of(isGrouped ? light.withLightGroup(GROUP.name()) : light), List.of(GROUP.withOn(isOn)));
                 });
@@ -170,8 +171,10 @@ class LightSettingsTest {
     void existingFiles_areRestored() throws Exception {
         Files.copy(Path.of("textures/gobo_window.png"), folder.resolve("window.png"));
         Files.copy(Path.of("textures/downlight.ies"), folder.resolve("lamp.ies"));
+        Files.copy(Path.of("textures/evening_sky.hdr"), folder.resolve("screen.hdr"));
         Light light = RICH.withGobo(Optional.of(new Gobo("window.png", new Texture(1, 1, new float[3]))))
-                .withProfile(Optional.of(new IesProfile("lamp.ies", IesReader.read(Path.of("textures/downlight.ies")))));
+                .withProfile(Optional.of(new IesProfile("lamp.ies", IesReader.read(Path.of("textures/downlight.ies")))))
+                .withTexture(Optional.of(new LightTexture("screen.hdr", new Texture(1, 1, new float[3]))));
         ImportedScene imported =
                 SceneImporter.read(exported(LightRig.of(List.of(light)), LightUnits.CANDELA), folder.resolve("b.jen"), LightUnits.CANDELA,
                         Progress.NONE);
@@ -179,7 +182,8 @@ class LightSettingsTest {
         Light reimported = JenReader.read(folder.resolve("b.jen")).scene().lights().getFirst();
         assertThat(reimported.gobo().orElseThrow().file()).isEqualTo("window.png");
         assertThat(reimported.profile()).isEqualTo(light.profile());
-        assertThat(reimported.withGobo(Optional.empty()).withProfile(Optional.empty())).isEqualTo(RICH);
+        assertThat(reimported.texture().orElseThrow().file()).isEqualTo("screen.hdr");
+        assertThat(reimported.withGobo(Optional.empty()).withProfile(Optional.empty()).withTexture(Optional.empty())).isEqualTo(RICH);
     }
 
     @Example

@@ -3,12 +3,14 @@ package lightning.format.exchange;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.data.Offset.offset;
 
+import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import javax.imageio.ImageIO;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.base.work.Progress;
@@ -48,6 +50,7 @@ class UsdRoundTripTest {
             }
         }
         Files.writeString(folder.resolve("lamp.ies"), PROFILE);
+        ImageIO.write(new BufferedImage(3, 2, BufferedImage.TYPE_INT_RGB), "png", folder.resolve("window.png").toFile());
     }
 
     private JenDocument imported() throws Exception {
@@ -102,6 +105,7 @@ class UsdRoundTripTest {
         assertThat(spot.profile()).isPresent();
         assertThat(spot.illuminates()).isEqualTo(ShapeLinks.only("props"));
         assertThat(spot.shadowedBy()).isEqualTo(ShapeLinks.except("hero"));
+        assertThat(scene.light("window").orElseThrow().texture().orElseThrow().image().width()).isEqualTo(3);
         assertThat(scene.light("tube").orElseThrow().on()).isFalse();
         assertThat(scene.world().environment()).isPresent();
         assertThat(scene.world().meters()).isEqualTo(0.01);

@@ -38,7 +38,8 @@ class AttributeRoundTripTest {
 
     /** Returns the light without files, and with links to existing objects only, since others are rejected. */
     private Light withoutFiles(Light light) {
-        return light.withGobo(Optional.empty()).withProfile(Optional.empty()).retainLinks(studio.stage()::hasNode);
+        return light.withGobo(Optional.empty()).withProfile(Optional.empty()).withTexture(Optional.empty())
+                .retainLinks(studio.stage()::hasNode);
     }
 
     private static Material withoutFiles(Material material) {

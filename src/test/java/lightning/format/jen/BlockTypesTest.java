@@ -125,7 +125,7 @@ class BlockTypesTest {
         Map<String, Value> values = new HashMap<>(c.type.initials());
         values.put("type", new Value.Word("spot"));
         if (c.type == BlockTypes.MATERIAL) {
-            TextureProperty.ALL.forEach(p -> values.put(p.name(), new Value.Quoted("a.png")));
+            TextureProperty.of(c.type).forEach(p -> values.put(p.name(), new Value.Quoted("a.png")));
         }
         values.put(BlockTypes.FILE, new Value.Quoted("a.ply"));
         if (c.type == BlockTypes.CAMERA) {

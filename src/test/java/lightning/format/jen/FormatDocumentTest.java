@@ -37,7 +37,9 @@ class FormatDocumentTest {
     @ParameterizedTest
     @MethodSource("examples")
     void everyExample_roundTrips(String example) throws Exception {
-        ImageIO.write(new BufferedImage(2, 2, BufferedImage.TYPE_INT_RGB), "png", folder.resolve("wood.png").toFile());
+        for (String image : List.of("wood.png", "film.png")) {
+            ImageIO.write(new BufferedImage(2, 2, BufferedImage.TYPE_INT_RGB), "png", folder.resolve(image).toFile());
+        }
         Files.writeString(folder.resolve("statue.ply"), MeshBlockTest.TRIANGLE);
         String text = example.startsWith("jen") ? example : "jen 1\n" + example;
         JenDocument document = JenReader.read(text, "docs/jen-format.md", folder);

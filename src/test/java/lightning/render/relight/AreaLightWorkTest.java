@@ -3,10 +3,12 @@ package lightning.render.relight;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.function.UnaryOperator;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.base.work.Progress;
+import lightning.render.image.Film;
 import lightning.render.relight.plan.ReflectionMode;
 import lightning.render.relight.tile.MirrorStorage;
 import lightning.render.shading.LightRows;
@@ -17,6 +19,7 @@ import lightning.scene.Attenuation;
 import lightning.scene.BarnDoors;
 import lightning.scene.Camera;
 import lightning.scene.Light;
+import lightning.scene.LightTexture;
 import lightning.scene.LightType;
 import lightning.scene.Material;
 import lightning.scene.PictureSettings;
@@ -24,6 +27,7 @@ import lightning.scene.Placement;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
 import lightning.scene.Solid;
+import lightning.scene.Texture;
 import lightning.scene.World;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -32,6 +36,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 /** Tests the work of area light edits and that they are exact. */
 class AreaLightWorkTest {
     private static final int SAMPLES = 8;
+    private static final Texture RED_AND_GREEN = new Texture(2, 1, new float[] {1, 0, 0, 0, 1, 0});
 
     private static Light areaLight(Light light) {
         return light.withArea(new AreaShape(0.4, 5, 0.7, 0.5, Vec3.Y, SAMPLES));
@@ -70,6 +75,44 @@ class AreaLightWorkTest {
                     l -> l.withAngle(l.angle() * 0.7))) {
                 assertThat(edit(studio, edit).rays().shadow()).isZero();
             }
+        }
+    }
+
+    @ParameterizedTest
+    @EnumSource(names = {"RECT", "DISC"})
+    void texture_castsNoRays(LightType type) {
+        try (StudioRenderer studio = studio(type)) {
+            edit(studio, l -> l.withIntensity(0.9));
+            long bytes = studio.renderer().cache().bytes();
+            Film plain = new ReferenceTracer(studio.scene()).trace();
+            for (Texture image : List.of(RED_AND_GREEN, new Texture(1, 2, new float[] {4, 3, 2, 0, 0, 0.1f}))) {
+                UpdateResult update = edit(studio, l -> l.withTexture(Optional.of(new LightTexture("face.png", image))));
+                assertThat(update.rays().shadow()).isZero();
+                assertThat(update.rowsTouched()).isPositive();
+                assertThat(studio.renderer().film().hasSameBits(plain)).isFalse();
+                assertThat(edit(studio, l -> l.withIntensity(l.intensity() * 0.7)).rays().shadow()).isZero();
+            }
+            assertThat(studio.renderer().cache().bytes()).isGreaterThan(bytes);
+            edit(studio, l -> l.withTexture(Optional.empty()));
+            assertThat(studio.renderer().cache().bytes()).isEqualTo(bytes);
+        }
+    }
+
+    @ParameterizedTest
+    @EnumSource(LightType.class)
+    void whiteTexture_changesNoBit(LightType type) {
+        try (StudioRenderer studio = studio(type)) {
+            Film plain = new ReferenceTracer(studio.scene()).trace();
+            edit(studio, l -> l.withTexture(Optional.of(new LightTexture("white.png", new Texture(1, 1, new float[] {1, 1, 1})))));
+            assertThat(studio.renderer().film().hasSameBits(plain)).isTrue();
+        }
+    }
+
+    @Test
+    void textureOfLightWithoutFace_hasNoEffect() {
+        try (StudioRenderer studio = StudioRenderer.of(LightType.RECT)) {
+            UpdateResult update = studio.edit(l -> l.withTexture(Optional.of(new LightTexture("face.png", RED_AND_GREEN))));
+            assertThat(update.rowsTouched()).isZero();
         }
     }
 

@@ -3,13 +3,16 @@ package lightning.render.relight;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
+import java.util.Random;
 import java.util.function.UnaryOperator;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.render.image.FilmAssert;
 import lightning.render.relight.plan.ReflectionMode;
 import lightning.render.relight.tile.MirrorStorage;
+import lightning.render.shading.PixelExplainer;
 import lightning.render.shading.ReferenceTracer;
+import lightning.scene.AreaShape;
 import lightning.scene.Camera;
 import lightning.scene.Light;
 import lightning.scene.LightType;
@@ -62,6 +65,33 @@ class TintedShadowWorkTest {
 
     private static UpdateResult light(StudioRenderer studio, UnaryOperator<Light> edit) {
         return render(studio, studio.scene().withLight(edit.apply(studio.scene().lights().getFirst())));
+    }
+
+    /**
+     * A row in the plane of a rectangle is behind some of its samples by rounding. These count neither in a first trace nor after an edit of the
+     * glass, although the row faces them.
+     */
+    @Test
+    void rowInPlaneOfRectangle_countsSamplesInFrontOfIt() {
+        Vec3 at = new Vec3(1, 2, 0.3);
+        Random random = new Random(3);
+        for (int i = 0; i < 40; i++) {
+            // The row is lifted off the floor by a rounding of its distance.
+            Vec3 direction = at.minus(new Vec3(0, 10 - 9.999999f, 0))
+                    .cross(new Vec3(random.nextDouble(), random.nextDouble(), random.nextDouble() - 0.5)).normalized();
+            Light light = Light.of("sun", LightType.RECT).withPosition(at).withDirection(direction)
+                    .withArea(AreaShape.DEFAULT.withWidth(1.5).withHeight(1.5).withSamples(16));
+            Scene scene = scene().withPicture(new PictureSettings(3, 3, 1)).withLights(List.of(light)).withNodes(
+                    List.of(square("floor", "floor", Vec3.ZERO, 40),
+                            new Shape(Solid.SPHERE, "pane", "glass",
+                                    new Placement(new Vec3(0.4, 1, 0.15), Vec3.ZERO, Vec3.ONE.times(0.3)))));
+            try (StudioRenderer studio = new StudioRenderer(ReflectionMode.CURRENT, MirrorStorage.FULL_ROWS, scene)) {
+                FilmAssert.assertSameBits(studio.renderer().film(), new ReferenceTracer(scene).trace(), "tinted-shadow-work");
+                edit(studio, t -> t.withColor(new Rgb(1, 0.3, 0.2)));
+                assertThat(new PixelExplainer(studio.scene()).explainPixel(1, 1).color())
+                        .isEqualTo(new ReferenceTracer(studio.scene()).pixel(1, 1));
+            }
+        }
     }
 
     @Test

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.function.UnaryOperator;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
@@ -11,6 +12,7 @@ import lightning.scene.AreaShape;
 import lightning.scene.Attenuation;
 import lightning.scene.Camera;
 import lightning.scene.Light;
+import lightning.scene.LightTexture;
 import lightning.scene.LightType;
 import lightning.scene.Material;
 import lightning.scene.PictureSettings;
@@ -19,6 +21,7 @@ import lightning.scene.Scene;
 import lightning.scene.SceneNode;
 import lightning.scene.Shape;
 import lightning.scene.Solid;
+import lightning.scene.Texture;
 import lightning.scene.World;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -152,5 +155,44 @@ class AreaLightSamplesTest {
             visibleCount += along > 0 && center.minus(toTarget.times(along)).length() < 0.4 ? 0 : 1;
         }
         return (double) visibleCount / area.samples();
+    }
+
+    /** A screen at z = −3 that shines along z. A viewer in front of it sees the image upright, its left at −x. */
+    @ParameterizedTest
+    @EnumSource(names = {"RECT", "DISC"})
+    void texture_isUprightForViewerOfTheFace(LightType type) {
+        Texture corners = new Texture(2, 2, new float[] {1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0});
+        Light screen = lightAbove(type, a -> a.withWidth(2).withHeight(2).withRadius(1)).withPosition(new Vec3(0, 0, -3))
+                .withDirection(new Vec3(0, 0, 1)).withTexture(Optional.of(new LightTexture("corners.png", corners)));
+        AreaSamples samples = LightSource.of(screen, floor(9, List.of(FLOOR), screen)).centerSamples();
+        Vec3 center = screen.position().minus(floor(9, List.of(FLOOR), screen).camera().origin());
+        double[] sum = new double[3];
+        for (int i = 0; i < samples.x.length; i++) {
+            double x = samples.x[i] - center.x();
+            double y = samples.y[i] - center.y();
+            if (Math.abs(x) > 0.25 && Math.abs(y) > 0.25) {
+                assertThat(samples.color[0][i]).isEqualTo(x < 0 && y > 0 ? 1 : 0, within(1e-5f));
+                assertThat(samples.color[1][i]).isEqualTo(x > 0 && y > 0 ? 1 : 0, within(1e-5f));
+                assertThat(samples.color[2][i]).isEqualTo(x < 0 && y < 0 ? 1 : 0, within(1e-5f));
+            }
+            for (int c = 0; c < 3; c++) {
+                sum[c] += samples.color[c][i];
+            }
+        }
+        for (int c = 0; c < 3; c++) {
+            assertThat(sum[c] / samples.x.length).as("mirrored patches keep the mean").isCloseTo(0.25, within(0.005));
+        }
+    }
+
+    /** A floor below the middle of a light with one red half gets half of the light. */
+    @Test
+    void halfRedTexture_givesHalfOfTheRed() {
+        UnaryOperator<AreaShape> area = a -> a.withWidth(1).withHeight(1);
+        Light plain = lightAbove(LightType.RECT, area);
+        Light halves = plain.withTexture(Optional.of(new LightTexture("halves.png", new Texture(2, 1, new float[] {1, 0, 0, 0, 0, 0}))));
+        float[] full = new ReferenceTracer(floor(9, List.of(FLOOR), plain)).pixel(4, 4);
+        float[] half = new ReferenceTracer(floor(9, List.of(FLOOR), halves)).pixel(4, 4);
+        assertThat(half[0]).isCloseTo(full[0] / 2, within(0.02f * full[0]));
+        assertThat(half[1]).isZero();
     }
 }

@@ -175,7 +175,7 @@ class SceneEffectsTest {
         assertThat(SceneEffects.of(JenReader.read(Path.of("scenes/bird.jen")).scene()).unused()).containsExactly(RenderEffect.METALLIC,
                 RenderEffect.CUTOUTS, RenderEffect.BUMPS, RenderEffect.VERTEX_COLORS, RenderEffect.TRANSMISSION, RenderEffect.GLOW,
                 RenderEffect.TINTED_SHADOWS, RenderEffect.BARN_DOORS, RenderEffect.GOBOS,
-                RenderEffect.PROFILES, RenderEffect.LIGHT_LINKS,
+                RenderEffect.PROFILES, RenderEffect.LIGHT_TEXTURES, RenderEffect.LIGHT_LINKS,
                 RenderEffect.SHADOW_LINKS, RenderEffect.LIGHT_GAINS,
                 RenderEffect.LIGHT_GROUPS, RenderEffect.VISIBLE_LIGHTS, RenderEffect.SOFT_SHADOWS, RenderEffect.ANTIALIASING,
                 RenderEffect.ENVIRONMENT,

@@ -23,7 +23,7 @@ import lightning.scene.World;
  * <ul>
  * <li>Color times intensity is interpolated linearly, and so are positions, angles, sizes, attenuation and all other numbers. A light that
  * is off or muted by a solo counts as 0. Integers take the larger value. Directions follow the great circle.
- * <li>Lights of the same name are interpolated if type, unit, falloff, gobo, profile, links and the objects with a gain are equal. All others fade out or in, renamed if their
+ * <li>Lights of the same name are interpolated if type, unit, falloff, gobo, profile, texture, links and the objects with a gain are equal. All others fade out or in, renamed if their
  * names are taken.
  * <li>Light groups stay if they are equal at both ends. Otherwise they are merged into their lights.
  * <li>Environments with the same image are interpolated. Otherwise the first fades out in the first half, and the second fades in in the
@@ -90,7 +90,7 @@ public final class LightingBlend {
 
     private boolean canInterpolate(Light a, Light b) {
         return a.type() == b.type() && a.falloff() == b.falloff() && a.emission().unit() == b.emission().unit() && a.gobo().equals(b.gobo())
-                && a.profile().equals(b.profile())
+                && a.profile().equals(b.profile()) && a.texture().equals(b.texture())
                 && a.illuminates().equals(b.illuminates()) && a.shadowCasters().equals(b.shadowCasters())
                 && a.contribution().gains().names().equals(b.contribution().gains().names())
                 && (!hasSameGroups || a.lightGroup().equals(b.lightGroup()));

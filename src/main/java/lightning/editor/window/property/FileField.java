@@ -104,7 +104,7 @@ final class FileField<F extends FileAsset> extends StackPane {
         this.owner = owner;
         choice = new FileMenu(commands, files, Messages.tr("none"), fileChoice.command(), fileChoice.kind(), this::set,
                 () -> browse(fileChoice.command(), fileChoice.kind()));
-        choice.setId(owner.attribute().name());
+        choice.setId(fileChoice.id());
         choice.setAccessibleText(Messages.tr(owner.attribute().title()));
         choice.setMaxWidth(Double.MAX_VALUE);
         getChildren().add(choice);

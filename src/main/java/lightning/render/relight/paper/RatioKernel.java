@@ -83,9 +83,10 @@ public final class RatioKernel {
             return new RatioRows(states, null, null, null, copyCompact(rows, layer.visibleSamples()), 0)
                     .withTint(copyCompact(rows, layer.tint()));
         }
-        float[][] diffuse = weighted(rows, light, light.diffuse(), layer.cosine, layer);
-        float[][] specular = layer.specular == null ? null : weighted(rows, light, light.specular(), layer.specular, layer);
-        float[][] grazing = layer.grazing == null ? null : weighted(rows, light, light.specular(), layer.grazing, layer);
+        float[][] diffuse = weighted(rows, light, light.diffuse(), layer.cosine, layer.face(), layer);
+        float[][] specular =
+                layer.specular == null ? null : weighted(rows, light, light.specular(), layer.specular, layer.highlight(), layer);
+        float[][] grazing = layer.grazing == null ? null : weighted(rows, light, light.specular(), layer.grazing, layer.highlight(), layer);
         return new RatioRows(states, diffuse, specular, grazing, copyCompact(rows, layer.visibleSamples()), layer.litCount)
                 .withTint(copyCompact(rows, layer.tint()));
     }
@@ -103,9 +104,11 @@ public final class RatioKernel {
                         .toArray(short[][]::new);
     }
 
-    private static float[][] weighted(HitRows rows, WeightedLight light, LightWeight weight, float[] term, LightRows layer) {
-        if (light.gains() != null) {
-            return gained(rows, light, weight, term, layer);
+    /** @param colors mean colors of the light's image for the term; null if it has none */
+    private static float[][] weighted(HitRows rows, WeightedLight light, LightWeight weight, float[] term, float[][] colors,
+            LightRows layer) {
+        if (light.gains() != null || colors != null) {
+            return multiplied(rows, light, weight, term, colors, layer);
         }
         float[][] out = columns(rows);
         float[][] tint = layer.tint();
@@ -125,15 +128,15 @@ public final class RatioKernel {
         return out;
     }
 
-    /** Returns the contributions of a light with gains on single shapes. */
-    private static float[][] gained(HitRows rows, WeightedLight light, LightWeight weight, float[] term, LightRows layer) {
+    /** Returns the contributions of a light with gains on single shapes or an image. */
+    private static float[][] multiplied(HitRows rows, WeightedLight light, LightWeight weight, float[] term, float[][] colors,
+            LightRows layer) {
         float[][] out = columns(rows);
         for (int i = 0; i < rows.count; i++) {
-            float gain = light.gain(rows.owner[i]);
+            float gain = light.gains() == null ? 1 : light.gain(rows.owner[i]);
             float falloff = layer.falloff == null ? 1 : layer.falloff[i];
             for (int c = 0; c < 3; c++) {
-                out[c][i] = LightingEquation.contribution(weight.channel(c), term[i], falloff,
-                        layer.tint() == null ? gain : layer.tint()[c][i] * gain);
+                out[c][i] = LightingEquation.contribution(weight.channel(c), term[i], falloff, layer.factor(colors, c, i) * gain);
             }
         }
         return out;
@@ -149,7 +152,7 @@ public final class RatioKernel {
         if (to.source().isArea() && (cone != ConeChange.NONE || falloff)) {
             return recomputeArea(rows, to, before, cone);
         }
-        if (from.light().contribution().isGained() || to.light().contribution().isGained()) {
+        if (needsTerms(from) || needsTerms(to)) {
             return recomputeTerms(rows, to, before, cone);
         }
         IntensityRatio intensity = IntensityRatio.between(from, to);
@@ -172,6 +175,11 @@ public final class RatioKernel {
         return cone == ConeChange.NONE ? scaled : updateCone(rows, to, before, scaled, cone);
     }
 
+    /** Returns whether contributions have factors with roundings that the error bound of ratios does not include. */
+    private static boolean needsTerms(WeightedLight light) {
+        return light.light().contribution().isGained() || light.light().faceImage().isPresent();
+    }
+
     /**
      * Recomputes an area light's layer without casting rays. The samples of one row have different falloff ratios, so their sum has
      * no known ratio.
@@ -184,8 +192,8 @@ public final class RatioKernel {
     }
 
     /**
-     * Recomputes a layer that is tinted or has gains, without casting rays. Both add roundings that the error bound of ratios does not
-     * include.
+     * Recomputes a layer that is tinted or has gains or an image, without casting rays. These add roundings that the error bound of ratios
+     * does not include.
      */
     private RatioRows recomputeTerms(HitRows rows, WeightedLight light, RatioRows before, ConeChange cone) {
         scratch.reset();
@@ -300,21 +308,24 @@ public final class RatioKernel {
         LightRows premultiplied = lightKernel.update(rows, light.source(), updated, ConeChange.NONE, true, scratch);
         return new RatioRows(before.states(),
                 updated.cosine == known.cosine ? before.diffuse
-                        : recomputeChanged(rows, light, light.diffuse(), premultiplied, premultiplied.cosine, before.diffuse, changed),
-                recomputeChanged(rows, light, light.specular(), premultiplied, premultiplied.specular, before.specular, changed),
-                recomputeChanged(rows, light, light.specular(), premultiplied, premultiplied.grazing, before.grazing, changed),
+                        : recomputeChanged(rows, light, light.diffuse(), premultiplied, premultiplied.cosine, premultiplied.face(),
+                                before.diffuse, changed),
+                recomputeChanged(rows, light, light.specular(), premultiplied, premultiplied.specular, premultiplied.highlight(),
+                        before.specular, changed),
+                recomputeChanged(rows, light, light.specular(), premultiplied, premultiplied.grazing, premultiplied.highlight(),
+                        before.grazing, changed),
                 before.visibleSamples(),
                 before.litCount()).withTint(before.tint());
     }
 
     /** Returns a term's contributions; rows of unchanged materials keep theirs, if they had any. */
     private static float[][] recomputeChanged(HitRows rows, WeightedLight light, LightWeight weight, LightRows layer, float[] term,
-            float[][] before,
+            float[][] colors, float[][] before,
             MaterialSet changed) {
         if (term == null) {
             return null;
         }
-        float[][] updated = weighted(rows, light, weight, term, layer);
+        float[][] updated = weighted(rows, light, weight, term, colors, layer);
         for (int r = 0; r < rows.runCount && before != null; r++) {
             for (int i = rows.runStart(r); i < rows.runEnd[r] && !changed.contains(rows.runMaterial[r]); i++) {
                 copyRow(before, updated, i);

@@ -150,6 +150,7 @@ class PropertyPaneTest {
         for (LightAttribute<?> attribute : List.of(LightAttribute.GOBO, LightAttribute.PROFILE)) {
             robot.interact(() -> assertThat(pane.widgets(attribute).getLast().lookup("#" + attribute.name())).isNotNull());
         }
+        robot.interact(() -> assertThat(pane.widgets(LightAttribute.TEXTURE).getLast().lookup("#light-texture")).isNotNull());
     }
 
     @Test

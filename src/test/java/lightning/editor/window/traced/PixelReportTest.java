@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Test;
 class PixelReportTest {
     private static LightReport light(String name, LightReport.State state, float diffuse) {
         return new LightReport(Light.of(name, LightType.DIRECTIONAL), state, -1, 1, 1, 0, 1, 0, 0, 1,
-                new float[] {diffuse, diffuse, diffuse}, new float[3], new float[3], new float[] {1, 1, 1}, 1);
+                new float[] {diffuse, diffuse, diffuse}, new float[3], new float[3], new float[] {1, 1, 1}, new float[] {1, 1, 1}, 1);
     }
 
     private static PixelReport report(List<LightReport> lights, List<LightReport> environmentLights) {
@@ -64,7 +64,7 @@ class PixelReportTest {
     @Test
     void lightBelowSurface_isReported() {
         var light = new LightReport(Light.of("key", LightType.POINT), LightReport.State.SHADOWED, 0, 0, 1, 1, 0.5f, 0, 0, 0, new float[3],
-                new float[3], new float[3], new float[] {1, 1, 1}, 1);
+                new float[3], new float[3], new float[] {1, 1, 1}, new float[] {1, 1, 1}, 1);
         assertThat(report(List.of(light), List.of()).lightLines()).containsExactly("key  below the horizon");
     }
 
