@@ -32,10 +32,12 @@ final class UsdImport {
     private final boolean hasZUp;
     private final List<Track> tracks = new ArrayList<>();
     private final int firstFrame;
+    private final int levels;
     private UsdNodes nodes;
 
-    private UsdImport(UsdStage stage, Path source, Path sceneFile) throws MeshException {
+    private UsdImport(UsdStage stage, Path source, Path sceneFile, int levels) throws MeshException {
         this.stage = stage;
+        this.levels = levels;
         root = stage.root();
         assembler = new SceneAssembler(source, sceneFile);
         hasZUp = root.get("up").text().orElse("Y").equals("Z");
@@ -45,8 +47,9 @@ final class UsdImport {
         firstFrame = hasShot() ? root.get("frames").element(0).integer(0, Shot.MAX_FRAME) : 0;
     }
 
-    static ImportedScene read(Path source, Path sceneFile, Progress progress) throws IOException, MeshException {
-        return UsdStage.read(source, progress, stage -> new UsdImport(stage, source, sceneFile).assemble());
+    /** @param levels refinements of subdivision surfaces */
+    static ImportedScene read(Path source, Path sceneFile, int levels, Progress progress) throws IOException, MeshException {
+        return UsdStage.read(source, progress, stage -> new UsdImport(stage, source, sceneFile, levels).assemble());
     }
 
     private boolean hasShot() throws MeshException {
@@ -57,7 +60,7 @@ final class UsdImport {
         root.get("notes").node().properties().forEach(e -> assembler.notes.add(e.getKey(), Math.max(0, e.getValue().asInt(0))));
         UsdPaths.addAxis(assembler, hasZUp);
         UsdPaths.addShift(assembler, root.get("shift").integer(-Shot.MAX_FRAME, 0, 0));
-        nodes = new UsdNodes(assembler, stage, upright, firstFrame);
+        nodes = new UsdNodes(assembler, stage, upright, firstFrame, levels);
         nodes.build();
         tracks.addAll(nodes.tracks());
         importLights();
