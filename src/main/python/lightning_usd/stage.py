@@ -16,6 +16,17 @@ from pxr import Gf, Sdf, Usd, UsdGeom, UsdLux, UsdShade, UsdSkel, Vt
 LEFT_OUT = {"BasisCurves": "curves", "NurbsCurves": "curves", "HermiteCurves": "curves", "NurbsPatch": "NURBS patches",
             "Points": "point clouds", "Volume": "volumes", "TetMesh": "tetrahedral meshes"}
 
+MAX_INSTANCE_DEPTH = 32
+
+
+def outermost_instance(prim: Usd.Prim) -> Usd.Prim | None:
+    """Returns the instance that a prim is or is inside of; None without one."""
+    found = None
+    while prim and not prim.IsPseudoRoot():
+        found = prim if prim.IsInstance() else found
+        prim = prim.GetParent()
+    return found
+
 
 def describe(source: str, folder: Path) -> None:
     """Writes the description of a stage."""
@@ -73,17 +84,44 @@ class Walk:
 
     def bake_skinning(self) -> None:
         """Puts skinned meshes into their pose at the first frame."""
-        roots = [prim for prim in self.stage.Traverse() if prim.IsA(UsdSkel.Root)]
+        roots = self.skeleton_roots()
         if not roots:
             return
-        self.out.note("skeletons, meshes posed as at the first frame", len(roots))
-        self.stage.SetEditTarget(self.stage.GetSessionLayer())
         start = self.stage.GetStartTimeCode() if self.has_range else 0.0
         for root in roots:
+            if not root:
+                # Posed already, with a root that this one references.
+                continue
             try:
-                UsdSkel.BakeSkinning(UsdSkel.Root(root), Gf.Interval(start, start))
+                self.out.note("moving skeletons, with meshes posed as at the first frame", self.is_animated(root))
+                if not UsdSkel.BakeSkinning(root, Gf.Interval(start, start)):
+                    self.out.note("skeletons that cannot be evaluated")
             except Exception:
                 self.out.note("skeletons that cannot be evaluated")
+
+    def skeleton_roots(self) -> list[UsdSkel.Root]:
+        """Returns all roots of skeletons; instances with one are dissolved, since each may have its own pose."""
+        self.stage.SetEditTarget(self.stage.GetSessionLayer())
+        for _ in range(MAX_INSTANCE_DEPTH):
+            everything = Usd.PrimRange.Stage(self.stage, Usd.TraverseInstanceProxies(Usd.PrimDefaultPredicate))
+            roots = [prim for prim in everything if prim.IsA(UsdSkel.Root)]
+            instances = {instance.GetPath() for root in roots for instance in [outermost_instance(root)] if instance}
+            for path in instances:
+                self.stage.GetPrimAtPath(path).SetInstanceable(False)
+            if not instances:
+                break
+        return [UsdSkel.Root(prim) for prim in roots if not prim.IsInstanceProxy()]
+
+    @staticmethod
+    def is_animated(root: UsdSkel.Root) -> bool:
+        """Returns whether a skeleton or the shape of a mesh moves over time."""
+        cache = UsdSkel.Cache()
+        cache.Populate(root, Usd.PrimDefaultPredicate)
+        for binding in cache.ComputeSkelBindings(root, Usd.PrimDefaultPredicate):
+            query = cache.GetSkelQuery(binding.GetSkeleton()).GetAnimQuery()
+            if query and (query.JointTransformsMightBeTimeVarying() or query.BlendShapeWeightsMightBeTimeVarying()):
+                return True
+        return False
 
     def walk(self, root: Usd.Prim, parent: int, is_prototype: bool) -> int:
         """Adds the nodes of a prim and all below; returns the index of the first."""

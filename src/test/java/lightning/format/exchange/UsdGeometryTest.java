@@ -185,4 +185,58 @@ class UsdGeometryTest {
         assertThat(meshes(scene)).extracting(Mesh::triangleCount).containsExactly(8 * side * side, 192);
         assertThat(scene.notes()).containsEntry("subdivision surfaces refined less, to keep the number of triangles in bounds", 1);
     }
+
+    /** A ribbon along y from 0 to 2, whose upper half is bent to x at frame 1 and straight at frame 9. */
+    private static final String ARM = """
+            def SkelRoot "arm"
+            {
+                def Skeleton "skeleton" ( prepend apiSchemas = ["SkelBindingAPI"] )
+                {
+                    uniform token[] joints = ["a", "a/b"]
+                    uniform matrix4d[] bindTransforms = [((1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1, 0), (0, 0, 0, 1)),
+                        ((1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1, 0), (0, 1, 0, 1))]
+                    uniform matrix4d[] restTransforms = [((1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1, 0), (0, 0, 0, 1)),
+                        ((1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1, 0), (0, 1, 0, 1))]
+                    rel skel:animationSource = </arm/skeleton/bend>
+                    def SkelAnimation "bend"
+                    {
+                        uniform token[] joints = ["a", "a/b"]
+                        float3[] translations = [(0, 0, 0), (0, 1, 0)]
+                        half3[] scales = [(1, 1, 1), (1, 1, 1)]
+                        quatf[] rotations.timeSamples = {
+                            1: [(1, 0, 0, 0), (0.70710678, 0, 0, -0.70710678)],
+                            9: [(1, 0, 0, 0), (1, 0, 0, 0)],
+                        }
+                    }
+                }
+                def Mesh "skin" ( prepend apiSchemas = ["SkelBindingAPI"] )
+                {
+                    uniform token subdivisionScheme = "none"
+                    int[] faceVertexCounts = [4, 4]
+                    int[] faceVertexIndices = [0, 1, 3, 2, 2, 3, 5, 4]
+                    point3f[] points = [(0, 0, 0), (0, 0, 1), (0, 1, 0), (0, 1, 1), (0, 2, 0), (0, 2, 1)]
+                    int[] primvars:skel:jointIndices = [0, 0, 0, 0, 1, 1] ( elementSize = 1; interpolation = "vertex" )
+                    float[] primvars:skel:jointWeights = [1, 1, 1, 1, 1, 1] ( elementSize = 1; interpolation = "vertex" )
+                    rel skel:skeleton = </arm/skeleton>
+                }
+            }
+            """;
+
+    @Test
+    void skinnedMesh_hasPoseOfFirstFrame() throws Exception {
+        String range = HEADER.replace(")\n", "    startTimeCode = 1\n    endTimeCode = 9\n)\n");
+        String copies = "def Xform \"copy\" ( instanceable = true )\n{\n" + ARM.replace("/arm", "/copy/arm") + "}\n"
+                + "def Xform \"again\" ( instanceable = true; prepend references = </copy> )\n{\n}\n";
+        for (String prims : List.of(ARM, copies)) {
+            Path file = Files.writeString(folder.resolve("a.usda"), range + prims);
+            ImportedScene scene = SceneImporter.read(file, folder.resolve("a.jen"), LightUnits.CANDELA, Progress.NONE);
+            assertThat(meshes(scene)).hasSize(prims.equals(ARM) ? 1 : 2);
+            for (Mesh mesh : meshes(scene)) {
+                assertThat(most(mesh.positions(), 0)).isCloseTo(1, offset(1e-6f));
+                assertThat(most(mesh.positions(), 1)).isCloseTo(1, offset(1e-6f));
+            }
+            assertThat(scene.notes()).containsEntry("moving skeletons, with meshes posed as at the first frame", 1)
+                    .doesNotContainKey("skeletons that cannot be evaluated");
+        }
+    }
 }
