@@ -153,17 +153,23 @@ class Materials:
         if not path or not path.path:
             return None
         texture: dict[str, Any] = {"channel": channel, **self.out.file(path)}
+        if "<UDIM>" in path.path:
+            texture["tiles"] = self.tiles(shader.GetInput("file"), path)
         for name in ("scale", "bias"):
             value = self.value(shader, name, None)
             if value is not None:
                 texture[name] = numbers(value)
-        if "<UDIM>" in path.path:
-            self.out.note("textures of several tiles (UDIM)")
-            return texture | {"place": ""}
         if any(self.value(shader, "wrap" + axis, "repeat") not in ("repeat", "useMetadata") for axis in "ST"):
             self.out.note("textures that do not repeat, imported as repeating")
         self.placement(shader, texture, result)
         return texture
+
+    def tiles(self, source: UsdShade.Input, path: Sdf.AssetPath) -> list[dict[str, Any]]:
+        """Returns the existing files of a texture of several tiles."""
+        attribute = UsdShade.Utils.GetValueProducingAttributes(source)[0]
+        layers = [spec.layer for spec in attribute.GetPropertyStack(self.time) if spec.HasDefaultValue()]
+        found = UsdShade.UdimUtils.ResolveUdimTilePaths(path.path, layers[0]) if layers else []
+        return [{"tile": int(tile), **self.out.file(Sdf.AssetPath(place, place))} for place, tile in found]
 
     def placement(self, shader: UsdShade.Shader, texture: dict[str, Any], result: dict[str, Any]) -> None:
         """Adds how often a texture repeats, and the name of its coordinates."""

@@ -103,7 +103,7 @@ final class ArchitectureRules {
             row("format.usd", "base.text base.math base.work base.file scene format.mesh format.mesh.subdivision format.gltf"),
             row("format.exchange",
                     "base.text base.math base.work base.file scene scene.shot render.image render.trace render.fulltrace format.mesh"
-                            + " format.mesh.ply format.mesh.obj format.gltf format.nff format.usd format format.ies format.image format.jen"),
+                            + " format.mesh.ply format.mesh.obj format.gltf format.nff format.usd format format.ies format.exr format.image format.jen"),
             row("shot",
                     "base.text base.work base.file scene scene.shot render.column render.image render.trace render.shading render.cache"
                             + " render.relight.plan render.relight.tile render.relight"),

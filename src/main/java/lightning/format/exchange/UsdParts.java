@@ -41,8 +41,16 @@ final class UsdParts {
 
     /** Reads materials and meshes of all nodes. */
     void read(JsonValue nodes) throws IOException, MeshException {
-        var converter = new UsdMaterialImport(assembler, new UsdTextures(assembler));
+        var textures = new UsdTextures(assembler);
+        var converter = new UsdMaterialImport(assembler, textures);
         JsonValue all = stage.root().get("materials");
+        List<JsonValue> images = new ArrayList<>();
+        for (int i = 0; i < all.size(); i++) {
+            for (String input : UsdMaterialImport.MAPPED) {
+                images.add(all.element(i).get("textures").get(input));
+            }
+        }
+        textures.fit(images);
         for (int i = 0; i < all.size(); i++) {
             materials.add(assembler.addMaterial(all.element(i).get("name").text().orElse(""), converter.convert(all.element(i))));
         }
