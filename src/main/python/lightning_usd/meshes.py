@@ -87,9 +87,10 @@ class Meshes:
         has_normals = self.attach_normals(mesh, result)
         if scheme == "catmullClark" and not has_normals:
             result["subdivision"] = self.subdivision(mesh)
-        elif scheme != "none":
-            out.note("subdivision surfaces with normals of their own, imported as polygons" if has_normals
-                     else f"subdivision surfaces of scheme {scheme}, imported as their control meshes")
+        elif scheme == "catmullClark":
+            out.note("subdivision surfaces with normals of their own, imported as polygons")
+        elif scheme == "loop":
+            out.note("subdivision surfaces of scheme loop, imported as their control meshes")
         holes = mesh.GetHoleIndicesAttr().Get(self.time)
         if holes:
             result["holes"] = out.array(holes)

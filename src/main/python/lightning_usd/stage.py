@@ -6,6 +6,7 @@ import math
 from pathlib import Path
 from typing import Any
 
+import mtlx
 from cameras import camera, chosen_camera
 from lights import is_light, light, linked_nodes
 from materials import Materials
@@ -59,6 +60,7 @@ class Walk:
 
     def run(self) -> None:
         """Writes the description."""
+        kept_layers = mtlx.replace_references(self.stage, self.out)  # noqa: F841  layers without an owner vanish
         self.bake_skinning()
         self.walk(self.stage.GetPseudoRoot(), -1, False)
         cameras = [chosen_camera(self.stage, self.cameras)] if self.cameras else []

@@ -67,10 +67,11 @@ final class UsdMaterialImport {
             return material;
         }
         double[] scale = image.get("scale").numbers(2, 2, 2, 1);
+        double strength = image.get("strength").number(scale[0] == 1 ? 1 : scale[0] / 2);
         // A scale of 2 and a bias of −1 decode 0 … 1 to −1 … 1.
         assembler.notes.add("normal maps with y downwards", scale[0] * scale[1] < 0 ? 1 : 0);
         return material.withBumpMapping(BumpMapping.NONE.withNormalMap(normals)
-                .withStrength(Math.clamp(scale[0] == 1 ? 1 : scale[0] / 2, -SceneLimits.MAX_STRENGTH, SceneLimits.MAX_STRENGTH)));
+                .withStrength(Math.clamp(UsdNumbers.tidy(strength), -SceneLimits.MAX_STRENGTH, SceneLimits.MAX_STRENGTH)));
     }
 
     private Material withOpacity(Material material, JsonValue in) throws IOException, MeshException {
@@ -85,7 +86,8 @@ final class UsdMaterialImport {
         var transmission = new TransmissionImport(assembler);
         double transmitted = in.get("transmission").number(0);
         if (transmitted > 0) {
-            return transmission.withTransmission(material, SceneAssembler.clamp(transmitted, 1), material.base(), in.get("ior").number(1.5),
+            return transmission.withTransmission(material, SceneAssembler.clamp(transmitted, 1), material.base(),
+                    UsdNumbers.tidy(in.get("ior").number(1.5)),
                     false, material.metalness());
         }
         if (threshold > 0) {
