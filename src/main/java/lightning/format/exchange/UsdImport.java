@@ -87,9 +87,10 @@ final class UsdImport {
 
     private void importLights() throws IOException, MeshException {
         double meters = assembler.world.meters();
-        var converter = new UsdLightImport(assembler, upright, meters, assembler.notes);
+        var softCones = new SoftCones(assembler);
+        var converter = new UsdLightImport(assembler, upright, meters, assembler.notes, softCones);
         // Further frames repeat what is noted already.
-        var frameConverter = new UsdLightImport(assembler, upright, meters, new ConversionNotes());
+        var frameConverter = new UsdLightImport(assembler, upright, meters, new ConversionNotes(), softCones);
         JsonValue lights = root.get("lights");
         for (int i = 0; i < lights.size(); i++) {
             JsonValue in = lights.element(i);
