@@ -85,10 +85,11 @@ class Meshes:
             "smooth": scheme in ("catmullClark", "loop"),
         }
         has_normals = self.attach_normals(mesh, result)
-        if scheme == "catmullClark" and not has_normals:
+        if scheme == "catmullClark" and (mesh.GetSubdivisionSchemeAttr().HasAuthoredValue() or not has_normals):
             result["subdivision"] = self.subdivision(mesh)
         elif scheme == "catmullClark":
-            out.note("subdivision surfaces with normals of their own, imported as polygons")
+            # Written by a program that did not think of the default.
+            out.note("meshes with normals and without a subdivision scheme, imported as polygons")
         elif scheme == "loop":
             out.note("subdivision surfaces of scheme loop, imported as their control meshes")
         holes = mesh.GetHoleIndicesAttr().Get(self.time)
