@@ -47,7 +47,10 @@ class Materials:
         if not values:
             return -1
         is_constant = color.GetInterpolation() == "constant"
-        rgb = numbers(values[0]) if is_constant else [1.0, 1.0, 1.0]
+        rgb = amounts(values[0]) if is_constant else [1.0, 1.0, 1.0]
+        if len(rgb) != 3:
+            self.out.note("display colors of another type")
+            return -1
         opacity = api.FindPrimvarWithInheritance("displayOpacity")
         alphas = opacity.Get(self.time) if opacity and opacity.HasValue() else None
         key = ("display", *rgb, alphas[0] if alphas else 1.0)

@@ -45,7 +45,10 @@ def read(file: str, out: Output) -> Sdf.Layer | None:
     if not data or data.GetSize() > MAX_BYTES:
         return None
     try:
-        document = ElementTree.fromstring(bytes(data.GetBuffer() or b""))
+        text = bytes(data.GetBuffer() or b"")
+        # Programs write comments before the declaration, and inclusions without their namespace.
+        text = text[max(text.find(b"<?xml"), 0):].replace(b"<xi:", b"<").replace(b"</xi:", b"</")
+        document = ElementTree.fromstring(text)
         return File(document, place).layer()
     except (ElementTree.ParseError, ValueError, Tf.ErrorException):
         out.note("MaterialX files that are damaged")

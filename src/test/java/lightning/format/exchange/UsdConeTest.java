@@ -4,9 +4,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.data.Offset.offset;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Locale;
 import lightning.base.work.Progress;
 import lightning.format.jen.JenDocument;
 import lightning.format.jen.JenReader;
@@ -45,14 +47,14 @@ class UsdConeTest {
 
     private String exported(JenDocument document, Scene scene) throws IOException {
         return new String(LightExport.toUsd(document.text(), document.animatedScene().withScene(scene), folder.resolve("a.jen"),
-                folder.resolve("l.usda")).bytes());
+                folder.resolve("l.usda")).bytes(), StandardCharsets.UTF_8);
     }
 
     @Test
     void softness_isSmoothCurve() throws Exception {
         for (double angle : List.of(40.0, 90.0, 120.0)) {
             for (double softness : List.of(0.25, 1.0)) {
-                Light light = imported(SPOT.formatted("key", angle, " = " + softness)).scene().light("key").orElseThrow();
+                Light light = imported(String.format(Locale.ROOT, SPOT, "key", angle, " = " + softness)).scene().light("key").orElseThrow();
                 assertThat(light.angle()).isEqualTo(angle);
                 for (double degrees = 0; degrees < 180; degrees += 0.37) {
                     double t = Math.clamp((degrees - angle * (1 - softness)) / (angle * softness), 0, 1);
@@ -66,8 +68,9 @@ class UsdConeTest {
 
     @Test
     void softness_comesBack() throws Exception {
-        JenDocument document = imported(SPOT.formatted("key", 40, " = 0.3") + SPOT.formatted("fill", 40, " = 0.3")
-                + SPOT.formatted("rim", 35.5, " = 0"));
+        JenDocument document =
+                imported(String.format(Locale.ROOT, SPOT, "key", 40, " = 0.3") + String.format(Locale.ROOT, SPOT, "fill", 40, " = 0.3")
+                        + String.format(Locale.ROOT, SPOT, "rim", 35.5, " = 0"));
         Scene scene = document.scene();
         assertThat(scene.light("key").orElseThrow().profile()).isEqualTo(scene.light("fill").orElseThrow().profile());
         String layer = exported(document, scene);
@@ -79,7 +82,8 @@ class UsdConeTest {
 
     @Test
     void movingCone_isHard() throws Exception {
-        Light light = imported(SPOT.formatted("key", 40, ".timeSamples = { 1: 0.5, 4: 0.5001 }")).scene().light("key").orElseThrow();
+        Light light = imported(String.format(Locale.ROOT, SPOT, "key", 40, ".timeSamples = { 1: 0.5, 4: 0.5001 }")).scene().light("key")
+                .orElseThrow();
         assertThat(light.profile()).isEmpty();
         assertThat(light.angle()).isEqualTo(30);
         assertThat(imported.notes().keySet()).anyMatch(note -> note.startsWith("soft edges of cones"));

@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import lightning.base.work.Progress;
 import lightning.sample.PythonPrograms;
 import lightning.scene.Mesh;
@@ -119,12 +120,12 @@ class UsdGeometryTest {
     @Test
     void creasesAndCorners_staySharp() throws Exception {
         String top = "int[] creaseIndices = [4, 5, 7, 6, 4]\nint[] creaseLengths = [5]\nfloat[] creaseSharpnesses = [%s]\n";
-        Mesh sharp = only(CUBE + top.formatted("10"), 2);
+        Mesh sharp = only(CUBE + String.format(Locale.ROOT, top, "10"), 2);
         assertThat(most(sharp.positions(), 2)).isEqualTo(1);
         // The 16 points of the crease have a normal for each side; one that is sharp for a level has one.
         assertThat(sharp.positions()).hasSize(3 * (98 + 16));
-        assertThat(only(CUBE + top.formatted("1"), 2).positions()).hasSize(3 * 98);
-        assertThat(most(only(CUBE + top.formatted("10, 10, 10, 10"), 2).positions(), 2)).isEqualTo(1);
+        assertThat(only(CUBE + String.format(Locale.ROOT, top, "1"), 2).positions()).hasSize(3 * 98);
+        assertThat(most(only(CUBE + String.format(Locale.ROOT, top, "10, 10, 10, 10"), 2).positions(), 2)).isEqualTo(1);
         Mesh pointed = only(CUBE + "int[] cornerIndices = [7, 99]\nfloat[] cornerSharpnesses = [10, 10]\n", 2);
         for (int axis = 0; axis < 3; axis++) {
             assertThat(most(pointed.positions(), axis)).isEqualTo(1);
@@ -167,6 +168,13 @@ class UsdGeometryTest {
         }
         // 25 points for each texture tile, which corners of equal values share.
         assertThat(last.positions()).hasSize(75);
+    }
+
+    @Test
+    void displayColorOfAnotherType_isNoted() throws Exception {
+        ImportedScene scene = imported(mesh(CUBE + "float[] primvars:displayColor = [0.5] ( interpolation = \"constant\" )"), 1);
+        assertThat(meshes(scene)).hasSize(1);
+        assertThat(scene.notes()).containsEntry("display colors of another type", 1);
     }
 
     /** Dense meshes get fewer levels, each for itself. */

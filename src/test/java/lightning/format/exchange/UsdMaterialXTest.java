@@ -6,6 +6,7 @@ import static org.assertj.core.data.Offset.offset;
 import java.awt.image.BufferedImage;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Locale;
 import javax.imageio.ImageIO;
 import lightning.base.math.Rgb;
 import lightning.base.work.Progress;
@@ -102,7 +103,8 @@ class UsdMaterialXTest {
     }
 
     private Material network(String surface, String inputs) throws Exception {
-        return imported(SQUARE.formatted("/look") + NETWORK.formatted("ND_" + surface + "_surfaceshader", inputs));
+        return imported(String.format(Locale.ROOT, SQUARE, "/look")
+                + String.format(Locale.ROOT, NETWORK, "ND_" + surface + "_surfaceshader", inputs));
     }
 
     @Test
@@ -161,7 +163,7 @@ class UsdMaterialXTest {
     void otherNetworks_areNoted() throws Exception {
         network("standard_surface", "color3f inputs:base_color.connect = </look/place.outputs:out>");
         assertThat(imported.notes()).containsEntry("shading networks other than a texture", 1);
-        imported(SQUARE.formatted("/look") + NETWORK.formatted("ND_lama_surface", ""));
+        imported(String.format(Locale.ROOT, SQUARE, "/look") + String.format(Locale.ROOT, NETWORK, "ND_lama_surface", ""));
         assertThat(imported.notes().keySet()).anyMatch(note -> note.startsWith("materials without a UsdPreviewSurface"));
     }
 
@@ -187,7 +189,8 @@ class UsdMaterialXTest {
                   </surfacematerial>
                 </materialx>
                 """);
-        String stage = SQUARE.formatted("/looks/gold") + "def \"looks\" ( references = @./look.mtlx@</MaterialX/Materials> )\n{\n}\n";
+        String stage = String.format(Locale.ROOT, SQUARE, "/looks/gold")
+                + "def \"looks\" ( references = @./look.mtlx@</MaterialX/Materials> )\n{\n}\n";
         Material gold = imported(stage);
         assertThat(gold.name()).isEqualTo("gold");
         assertThat(gold.texture().orElseThrow().file()).isEqualTo("a.png");
@@ -198,7 +201,8 @@ class UsdMaterialXTest {
 
     @Test
     void damagedMaterialFiles_areNoted() throws Exception {
-        String stage = SQUARE.formatted("/looks/gold") + "def \"looks\" ( references = @./look.mtlx@</MaterialX/Materials> )\n{\n}\n";
+        String stage = String.format(Locale.ROOT, SQUARE, "/looks/gold")
+                + "def \"looks\" ( references = @./look.mtlx@</MaterialX/Materials> )\n{\n}\n";
         for (String text : new String[] {"", "<materialx>", "<a/>", """
                 <materialx><surfacematerial name="gold"><input name="surfaceshader" nodename="a"/></surfacematerial>
                 <standard_surface name="a" type="surfaceshader"><input name="base" type="float" value="x"/></standard_surface></materialx>

@@ -7,6 +7,7 @@ import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Locale;
 import javax.imageio.ImageIO;
 import lightning.base.math.SrgbCurve;
 import lightning.base.work.Progress;
@@ -63,7 +64,7 @@ class UsdTextureTest {
     }
 
     private Material material(String input, String file) throws Exception {
-        Path stage = Files.writeString(folder.resolve("a.usda"), STAGE.formatted(input, file));
+        Path stage = Files.writeString(folder.resolve("a.usda"), String.format(Locale.ROOT, STAGE, input, file));
         Path scene = Files.createDirectories(folder.resolve("scene")).resolve("a.jen");
         imported = SceneImporter.read(stage, scene, LightUnits.CANDELA, Progress.NONE);
         imported.write();
