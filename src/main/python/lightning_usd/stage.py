@@ -126,10 +126,13 @@ class Walk:
         return False
 
     def walk(self, root: Usd.Prim, parent: int, is_prototype: bool) -> int:
-        """Adds the nodes of a prim and all below; returns the index of the first."""
+        """Adds the nodes of a prim and all below; returns the index of the first, -1 if there are none."""
         first = len(self.nodes)
         stack = [parent]
-        walk = iter(Usd.PrimRange.PreAndPostVisit(root, Usd.TraverseInstanceProxies(Usd.PrimDefaultPredicate)))
+        # Prototypes may be classes or overs, which keeps them out of the stage itself.
+        is_plain = root.IsPseudoRoot() or root.IsDefined() and not root.IsAbstract()
+        kinds = Usd.PrimDefaultPredicate if is_plain else Usd.PrimIsActive & Usd.PrimIsLoaded
+        walk = iter(Usd.PrimRange.PreAndPostVisit(root, Usd.TraverseInstanceProxies(kinds)))
         for prim in walk:
             if walk.IsPostVisit():
                 stack.pop()
@@ -147,7 +150,7 @@ class Walk:
             if prim.IsA(UsdGeom.PointInstancer):
                 walk.PruneChildren()
             stack.append(index)
-        return first
+        return first if len(self.nodes) > first else -1
 
     def add(self, prim: Usd.Prim, parent: int, is_prototype: bool) -> int:
         """Adds the node of one prim."""

@@ -177,6 +177,35 @@ class UsdGeometryTest {
         assertThat(scene.notes()).containsEntry("display colors of another type", 1);
     }
 
+    /** Prototypes that are not in the stage itself, and one that shows nothing anywhere. */
+    @Test
+    void prototypesOfOtherKinds_areInstanced() throws Exception {
+        String prims = """
+                class Xform "model"
+                {
+                    def Cube "cube"
+                    {
+                    }
+                }
+                over "hidden"
+                {
+                    def Sphere "ball"
+                    {
+                    }
+                }
+                def Xform "off" ( active = false )
+                {
+                }
+                def PointInstancer "copies"
+                {
+                    int[] protoIndices = [0, 1, 2, 0]
+                    point3f[] positions = [(0, 0, 0), (3, 0, 0), (6, 0, 0), (9, 0, 0)]
+                    rel prototypes = [</model>, </hidden>, </off>]
+                }
+                """;
+        assertThat(imported(prims, 1).scene().placedShapes()).hasSize(3);
+    }
+
     /** Dense meshes get fewer levels, each for itself. */
     @Test
     void levels_areBounded() throws Exception {
