@@ -170,8 +170,10 @@ class UsdMaterialXTest {
     @Test
     void materialFile_isRead() throws Exception {
         Files.writeString(folder.resolve("look.mtlx"), """
+                <!-- a comment before the declaration, as some programs write -->
                 <?xml version="1.0"?>
                 <materialx version="1.38" fileprefix="./">
+                  <xi:include href="library.mtlx"/>
                   <nodegraph name="NG">
                     <input name="file" type="filename" value="a.png"/>
                     <image name="color" type="color3">
