@@ -61,6 +61,9 @@ def shaping(prim: Usd.Prim, time: Usd.TimeCode, out: Output) -> dict[str, Any]:
         "softness": float(value(prim, "inputs:shaping:cone:softness", time, 0.0)),
         "focus": float(value(prim, "inputs:shaping:focus", time, 0.0)),
     }
+    # Over time, a soft cone would need a profile for each frame.
+    result["moves"] = any(attribute.ValueMightBeTimeVarying() for name in ("angle", "softness")
+                          if (attribute := prim.GetAttribute("inputs:shaping:cone:" + name)))
     profile = value(prim, "inputs:shaping:ies:file", time, None)
     if profile and profile.path:
         result["profile"] = out.file(profile)

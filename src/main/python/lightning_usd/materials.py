@@ -4,19 +4,13 @@ from __future__ import annotations
 
 from typing import Any
 
+from materialx import CHANNELS, SURFACES, as_preview, is_image, multiply
 from meshes import identity
 from output import Output, numbers
 from pxr import Sdf, Usd, UsdGeom, UsdShade
 
 PREVIEW = {"diffuseColor": [0.18] * 3, "emissiveColor": [0.0] * 3, "useSpecularWorkflow": 0, "specularColor": [0.0] * 3, "metallic": 0.0,
            "roughness": 0.5, "clearcoat": 0.0, "opacity": 1.0, "opacityThreshold": 0.0, "ior": 1.5, "normal": None, "displacement": 0.0}
-STANDARD = {"diffuseColor": ("base_color", [0.8] * 3), "metallic": ("metalness", 0.0), "roughness": ("specular_roughness", 0.2),
-            "ior": ("specular_IOR", 1.5), "emissiveColor": ("emission_color", [1.0] * 3), "emission": ("emission", 0.0),
-            "transmission": ("transmission", 0.0), "weight": ("base", 1.0)}
-OPEN_PBR = {"diffuseColor": ("base_color", [0.8] * 3), "metallic": ("base_metalness", 0.0), "roughness": ("specular_roughness", 0.3),
-            "ior": ("specular_ior", 1.5), "emissiveColor": ("emission_color", [1.0] * 3), "emission": ("emission_luminance", 0.0),
-            "transmission": ("transmission_weight", 0.0), "weight": ("base_weight", 1.0)}
-MATERIALX = {"ND_standard_surface_surfaceshader": STANDARD, "ND_open_pbr_surface_surfaceshader": OPEN_PBR}
 
 
 class Materials:
@@ -53,7 +47,10 @@ class Materials:
         if not values:
             return -1
         is_constant = color.GetInterpolation() == "constant"
-        rgb = numbers(values[0]) if is_constant else [1.0, 1.0, 1.0]
+        rgb = amounts(values[0]) if is_constant else [1.0, 1.0, 1.0]
+        if len(rgb) != 3:
+            self.out.note("display colors of another type")
+            return -1
         opacity = api.FindPrimvarWithInheritance("displayOpacity")
         alphas = opacity.Get(self.time) if opacity and opacity.HasValue() else None
         key = ("display", *rgb, alphas[0] if alphas else 1.0)
@@ -78,9 +75,9 @@ class Materials:
             kind = shader.GetIdAttr().Get() if shader else None
             if kind in ("UsdPreviewSurface", "ND_UsdPreviewSurface_surfaceshader"):
                 return self.keep(material, self.preview(shader))
-            if kind in MATERIALX:
+            if kind in SURFACES:
                 self.out.note("MaterialX surfaces, without their less common inputs")
-                return self.keep(material, self.materialx(shader, MATERIALX[kind]))
+                return self.keep(material, self.materialx(shader, SURFACES[kind]))
         self.out.note("materials without a UsdPreviewSurface, imported as gray or in their display color")
         return -1
 
@@ -103,10 +100,7 @@ class Materials:
         result: dict[str, Any] = {"textures": {}}
         for target, (name, fallback) in names.items():
             self.resolve(shader, name, target, fallback, result)
-        emission, weight = result.pop("emission"), result.pop("weight")
-        result["emissiveColor"] = [v * emission for v in result["emissiveColor"]]
-        result["diffuseColor"] = [v * weight for v in result["diffuseColor"]]
-        return result
+        return as_preview(result, self.out)
 
     def resolve(self, shader: UsdShade.Shader, name: str, target: str, fallback: Any, result: dict[str, Any]) -> None:
         """Adds the value or the texture of an input."""
@@ -115,8 +109,8 @@ class Materials:
         attributes = UsdShade.Utils.GetValueProducingAttributes(source) if source else []
         if not attributes:
             return
-        attribute = attributes[0]
-        if UsdShade.Utils.GetType(attribute.GetName()) == UsdShade.AttributeType.Output:
+        attribute = self.constant(attributes[0])
+        if is_output(attribute):
             texture = self.texture(UsdShade.Shader(attribute.GetPrim()), attribute.GetName().split(":")[-1], result)
             if texture:
                 result["textures"][target] = texture
@@ -134,18 +128,48 @@ class Materials:
 
     def texture(self, shader: UsdShade.Shader, channel: str, result: dict[str, Any]) -> dict[str, Any] | None:
         """Returns a texture, followed through MaterialX nodes that pass one image on; None for other shaders."""
+        factors: list[list[float]] = []
+        strength = 1.0
         for _ in range(8):
             kind = str(shader.GetIdAttr().Get() or "")
-            if kind == "UsdUVTexture" or kind.startswith(("ND_image_", "ND_tiledimage_", "ND_UsdUVTexture")):
-                return self.image(shader, channel, result)
-            inputs = [shader.GetInput(name) for name in ("in", "in1", "basecolor") if shader.GetInput(name)]
-            sources = UsdShade.Utils.GetValueProducingAttributes(inputs[0]) if inputs else []
-            if not sources or UsdShade.Utils.GetType(sources[0].GetName()) != UsdShade.AttributeType.Output:
+            if is_image(kind):
+                texture = self.image(shader, channel, result)
+                for factor in factors if texture else []:
+                    multiply(texture, factor)
+                if texture and strength != 1:
+                    texture["strength"] = strength
+                return texture
+            inputs = [shader.GetInput(name) for name in ("in", "in1", "in2", "basecolor") if shader.GetInput(name)]
+            sources = [self.constant(found[0]) for found in map(UsdShade.Utils.GetValueProducingAttributes, inputs) if found]
+            images = [source for source in sources if is_output(source)]
+            if len(images) != 1:
                 return None
-            shader = UsdShade.Shader(sources[0].GetPrim())
-            if not kind.startswith("ND_normalmap"):
+            if kind.startswith("ND_multiply"):
+                factors += [amounts(source.Get(self.time)) for source in sources if not is_output(source)]
+            elif kind.startswith("ND_extract"):
+                channel = "rgba"[min(max(int(self.value(shader, "index", 0)), 0), 3)]
+            elif kind.startswith("ND_separate"):
+                channel = CHANNELS.get(channel, channel)
+            elif kind.startswith("ND_normalmap"):
+                strength = float(amounts(self.value(shader, "scale", 1.0))[0])
+            else:
                 self.out.note("shading nodes between a texture and its surface")
+            shader = UsdShade.Shader(images[0].GetPrim())
+            if not kind.startswith(("ND_extract", "ND_separate")):
+                channel = images[0].GetName().split(":")[-1] if channel in ("out", "rgb") else channel
         return None
+
+    def constant(self, attribute: Usd.Attribute) -> Usd.Attribute:
+        """Returns the value of a MaterialX constant instead of its output."""
+        for _ in range(8):
+            shader = UsdShade.Shader(attribute.GetPrim())
+            if not is_output(attribute) or not str(shader.GetIdAttr().Get() or "").startswith("ND_constant"):
+                break
+            sources = UsdShade.Utils.GetValueProducingAttributes(shader.GetInput("value")) if shader.GetInput("value") else []
+            if not sources:
+                break
+            attribute = sources[0]
+        return attribute
 
     def image(self, shader: UsdShade.Shader, channel: str, result: dict[str, Any]) -> dict[str, Any] | None:
         """Returns the file of a texture, with its scale and its place."""
@@ -153,20 +177,29 @@ class Materials:
         if not path or not path.path:
             return None
         texture: dict[str, Any] = {"channel": channel, **self.out.file(path)}
+        if "<UDIM>" in path.path:
+            texture["tiles"] = self.tiles(shader.GetInput("file"), path)
         for name in ("scale", "bias"):
             value = self.value(shader, name, None)
             if value is not None:
                 texture[name] = numbers(value)
-        if "<UDIM>" in path.path:
-            self.out.note("textures of several tiles (UDIM)")
-            return texture | {"place": ""}
         if any(self.value(shader, "wrap" + axis, "repeat") not in ("repeat", "useMetadata") for axis in "ST"):
             self.out.note("textures that do not repeat, imported as repeating")
         self.placement(shader, texture, result)
         return texture
 
+    def tiles(self, source: UsdShade.Input, path: Sdf.AssetPath) -> list[dict[str, Any]]:
+        """Returns the existing files of a texture of several tiles."""
+        attribute = UsdShade.Utils.GetValueProducingAttributes(source)[0]
+        layers = [spec.layer for spec in attribute.GetPropertyStack(self.time) if spec.HasDefaultValue()]
+        found = UsdShade.UdimUtils.ResolveUdimTilePaths(path.path, layers[0]) if layers else []
+        return [{"tile": int(tile), **self.out.file(Sdf.AssetPath(place, place))} for place, tile in found]
+
     def placement(self, shader: UsdShade.Shader, texture: dict[str, Any], result: dict[str, Any]) -> None:
         """Adds how often a texture repeats, and the name of its coordinates."""
+        tiling = self.value(shader, "uvtiling", None)
+        if tiling is not None:
+            texture["repeat"] = numbers(tiling)
         for _ in range(4):
             source = shader.GetInput("st") or shader.GetInput("in") or shader.GetInput("texcoord")
             attributes = UsdShade.Utils.GetValueProducingAttributes(source) if source else []
@@ -181,8 +214,12 @@ class Materials:
                 texture["repeat"] = numbers(scale)
                 if self.value(shader, "rotation", 0.0) or any(self.value(shader, "translation", (0, 0))):
                     self.out.note("rotations and translations of textures")
-            elif kind.startswith("UsdPrimvarReader"):
-                result["coordinates"] = str(self.value(shader, "varname", "st"))
+            elif kind.startswith("ND_place2d"):
+                texture["repeat"] = [1 / v if v else 1.0 for v in numbers(self.value(shader, "scale", (1, 1)))]
+                if self.value(shader, "rotate", 0.0) or any(self.value(shader, "offset", (0, 0))):
+                    self.out.note("rotations and translations of textures")
+            elif kind.startswith(("UsdPrimvarReader", "ND_UsdPrimvarReader", "ND_geompropvalue")):
+                result["coordinates"] = str(self.value(shader, "geomprop" if "geomprop" in kind else "varname", "st"))
                 return
 
     def value(self, shader: UsdShade.Shader, name: str, fallback: Any) -> Any:
@@ -191,3 +228,16 @@ class Materials:
         attributes = UsdShade.Utils.GetValueProducingAttributes(source) if source else []
         found = attributes[0].Get(self.time) if attributes else None
         return fallback if found is None else found
+
+
+def is_output(attribute: Usd.Attribute) -> bool:
+    """Returns whether an attribute is the output of a shader, not a value."""
+    return UsdShade.Utils.GetType(attribute.GetName()) == UsdShade.AttributeType.Output
+
+
+def amounts(value: Any) -> list[float]:
+    """Returns the numbers of a value; 1 for one of another type."""
+    try:
+        return numbers(value) if hasattr(value, "__len__") else [float(value)]
+    except (TypeError, ValueError):
+        return [1.0]

@@ -84,19 +84,20 @@ class Meshes:
             "left": mesh.GetOrientationAttr().Get() == UsdGeom.Tokens.leftHanded,
             "smooth": scheme in ("catmullClark", "loop"),
         }
+        has_normals = self.attach_normals(mesh, result)
+        if scheme == "catmullClark" and (mesh.GetSubdivisionSchemeAttr().HasAuthoredValue() or not has_normals):
+            result["subdivision"] = self.subdivision(mesh)
+        elif scheme == "catmullClark":
+            # Written by a program that did not think of the default.
+            out.note("meshes with normals and without a subdivision scheme, imported as polygons")
+        elif scheme == "loop":
+            out.note("subdivision surfaces of scheme loop, imported as their control meshes")
         holes = mesh.GetHoleIndicesAttr().Get(self.time)
         if holes:
             result["holes"] = out.array(holes)
-        if scheme in ("catmullClark", "loop"):
-            out.note("subdivision surfaces, imported as their control meshes")
         if mesh.GetPointsAttr().ValueMightBeTimeVarying():
             out.note("deforming meshes, at the first frame")
         api = UsdGeom.PrimvarsAPI(prim)
-        normals = api.GetPrimvar("normals")
-        if normals and normals.HasAuthoredValue():
-            self.attach(result, "normals", normals.Get(self.time), normals.GetIndices(self.time), str(normals.GetInterpolation()), Vt.Vec3fArray)
-        elif mesh.GetNormalsAttr().HasAuthoredValue():
-            self.attach(result, "normals", mesh.GetNormalsAttr().Get(self.time), None, str(mesh.GetNormalsInterpolation()), Vt.Vec3fArray)
         uv = self.texture_coordinates(api, coordinates)
         if uv:
             self.attach(result, "uv", uv.Get(self.time), uv.GetIndices(self.time), str(uv.GetInterpolation()), Vt.Vec2fArray)
@@ -105,6 +106,28 @@ class Meshes:
             self.attach(result, "colors", color.Get(self.time), color.GetIndices(self.time), str(color.GetInterpolation()), Vt.Vec3fArray)
         self.all.append(result)
         return len(self.all) - 1
+
+    def attach_normals(self, mesh: UsdGeom.Mesh, result: dict[str, Any]) -> bool:
+        """Adds the normals of a mesh; returns whether it has any."""
+        normals = UsdGeom.PrimvarsAPI(mesh.GetPrim()).GetPrimvar("normals")
+        if normals and normals.HasAuthoredValue():
+            self.attach(result, "normals", normals.Get(self.time), normals.GetIndices(self.time), str(normals.GetInterpolation()), Vt.Vec3fArray)
+        elif mesh.GetNormalsAttr().HasAuthoredValue():
+            self.attach(result, "normals", mesh.GetNormalsAttr().Get(self.time), None, str(mesh.GetNormalsInterpolation()), Vt.Vec3fArray)
+        return "normals" in result
+
+    def subdivision(self, mesh: UsdGeom.Mesh) -> dict[str, Any]:
+        """Returns the boundary rule, creases and corners of a subdivision surface."""
+        result: dict[str, Any] = {"boundary": str(mesh.GetInterpolateBoundaryAttr().Get(self.time))}
+        for name, attribute in (("creaseIndices", mesh.GetCreaseIndicesAttr()), ("creaseLengths", mesh.GetCreaseLengthsAttr()),
+                                ("creaseSharpnesses", mesh.GetCreaseSharpnessesAttr()), ("cornerIndices", mesh.GetCornerIndicesAttr()),
+                                ("cornerSharpnesses", mesh.GetCornerSharpnessesAttr())):
+            values = attribute.Get(self.time)
+            if values:
+                result[name] = self.out.array(values)
+        if mesh.GetTriangleSubdivisionRuleAttr().Get(self.time) == "smooth":
+            self.out.note("subdivision surfaces with the smooth rule for triangles, refined with the usual one")
+        return result
 
     def attach(self, result: dict[str, Any], name: str, values: Any, indices: Any, interpolation: str, kind: Any) -> None:
         """Adds values of vertices or faces."""

@@ -6,6 +6,7 @@ import math
 from pathlib import Path
 from typing import Any
 
+import mtlx
 from cameras import camera, chosen_camera
 from lights import is_light, light, linked_nodes
 from materials import Materials
@@ -15,6 +16,17 @@ from pxr import Gf, Sdf, Usd, UsdGeom, UsdLux, UsdShade, UsdSkel, Vt
 
 LEFT_OUT = {"BasisCurves": "curves", "NurbsCurves": "curves", "HermiteCurves": "curves", "NurbsPatch": "NURBS patches",
             "Points": "point clouds", "Volume": "volumes", "TetMesh": "tetrahedral meshes"}
+
+MAX_INSTANCE_DEPTH = 32
+
+
+def outermost_instance(prim: Usd.Prim) -> Usd.Prim | None:
+    """Returns the instance that a prim is or is inside of; None without one."""
+    found = None
+    while prim and not prim.IsPseudoRoot():
+        found = prim if prim.IsInstance() else found
+        prim = prim.GetParent()
+    return found
 
 
 def describe(source: str, folder: Path) -> None:
@@ -48,6 +60,7 @@ class Walk:
 
     def run(self) -> None:
         """Writes the description."""
+        kept_layers = mtlx.replace_references(self.stage, self.out)  # noqa: F841  layers without an owner vanish
         self.bake_skinning()
         self.walk(self.stage.GetPseudoRoot(), -1, False)
         cameras = [chosen_camera(self.stage, self.cameras)] if self.cameras else []
@@ -73,23 +86,53 @@ class Walk:
 
     def bake_skinning(self) -> None:
         """Puts skinned meshes into their pose at the first frame."""
-        roots = [prim for prim in self.stage.Traverse() if prim.IsA(UsdSkel.Root)]
+        roots = self.skeleton_roots()
         if not roots:
             return
-        self.out.note("skeletons, meshes posed as at the first frame", len(roots))
-        self.stage.SetEditTarget(self.stage.GetSessionLayer())
         start = self.stage.GetStartTimeCode() if self.has_range else 0.0
         for root in roots:
+            if not root:
+                # Posed already, with a root that this one references.
+                continue
             try:
-                UsdSkel.BakeSkinning(UsdSkel.Root(root), Gf.Interval(start, start))
+                self.out.note("moving skeletons, with meshes posed as at the first frame", self.is_animated(root))
+                if not UsdSkel.BakeSkinning(root, Gf.Interval(start, start)):
+                    self.out.note("skeletons that cannot be evaluated")
             except Exception:
                 self.out.note("skeletons that cannot be evaluated")
 
+    def skeleton_roots(self) -> list[UsdSkel.Root]:
+        """Returns all roots of skeletons; instances with one are dissolved, since each may have its own pose."""
+        self.stage.SetEditTarget(self.stage.GetSessionLayer())
+        for _ in range(MAX_INSTANCE_DEPTH):
+            everything = Usd.PrimRange.Stage(self.stage, Usd.TraverseInstanceProxies(Usd.PrimDefaultPredicate))
+            roots = [prim for prim in everything if prim.IsA(UsdSkel.Root)]
+            instances = {instance.GetPath() for root in roots for instance in [outermost_instance(root)] if instance}
+            for path in instances:
+                self.stage.GetPrimAtPath(path).SetInstanceable(False)
+            if not instances:
+                break
+        return [UsdSkel.Root(prim) for prim in roots if not prim.IsInstanceProxy()]
+
+    @staticmethod
+    def is_animated(root: UsdSkel.Root) -> bool:
+        """Returns whether a skeleton or the shape of a mesh moves over time."""
+        cache = UsdSkel.Cache()
+        cache.Populate(root, Usd.PrimDefaultPredicate)
+        for binding in cache.ComputeSkelBindings(root, Usd.PrimDefaultPredicate):
+            query = cache.GetSkelQuery(binding.GetSkeleton()).GetAnimQuery()
+            if query and (query.JointTransformsMightBeTimeVarying() or query.BlendShapeWeightsMightBeTimeVarying()):
+                return True
+        return False
+
     def walk(self, root: Usd.Prim, parent: int, is_prototype: bool) -> int:
-        """Adds the nodes of a prim and all below; returns the index of the first."""
+        """Adds the nodes of a prim and all below; returns the index of the first, -1 if there are none."""
         first = len(self.nodes)
         stack = [parent]
-        walk = iter(Usd.PrimRange.PreAndPostVisit(root, Usd.TraverseInstanceProxies(Usd.PrimDefaultPredicate)))
+        # Prototypes may be classes or overs, which keeps them out of the stage itself.
+        is_plain = root.IsPseudoRoot() or root.IsDefined() and not root.IsAbstract()
+        kinds = Usd.PrimDefaultPredicate if is_plain else Usd.PrimIsActive & Usd.PrimIsLoaded
+        walk = iter(Usd.PrimRange.PreAndPostVisit(root, Usd.TraverseInstanceProxies(kinds)))
         for prim in walk:
             if walk.IsPostVisit():
                 stack.pop()
@@ -107,7 +150,7 @@ class Walk:
             if prim.IsA(UsdGeom.PointInstancer):
                 walk.PruneChildren()
             stack.append(index)
-        return first
+        return first if len(self.nodes) > first else -1
 
     def add(self, prim: Usd.Prim, parent: int, is_prototype: bool) -> int:
         """Adds the node of one prim."""

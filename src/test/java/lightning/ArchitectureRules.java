@@ -87,6 +87,7 @@ final class ArchitectureRules {
                     "base.math base.work scene scene.effects render.image render.trace render.gather render.shading render.engine"
                             + " render.cache render.relight.plan render.relight.tile"),
             row("format.mesh", "base.text base.work base.file scene"),
+            row("format.mesh.subdivision", "format.mesh"),
             row("format.mesh.ply", "base.text base.math scene format.mesh"),
             row("format.mesh.obj", "base.text base.math scene format.mesh"),
             row("format.gltf", "base.text base.math base.work base.file scene format.mesh"),
@@ -101,10 +102,10 @@ final class ArchitectureRules {
             row("format.matte", "scene format.exr"),
             row("format.layer", ENGINE + " base.file format.exr format.matte"),
             row("format.pov", "base.math base.file scene render.image format.image"),
-            row("format.usd", "base.text base.math base.work base.file scene format.mesh format.gltf"),
+            row("format.usd", "base.text base.math base.work base.file scene format.mesh format.mesh.subdivision format.gltf"),
             row("format.exchange",
                     "base.text base.math base.work base.file scene scene.shot render.image render.trace render.fulltrace format.mesh"
-                            + " format.mesh.ply format.mesh.obj format.gltf format.nff format.usd format format.ies format.image format.jen"),
+                            + " format.mesh.ply format.mesh.obj format.gltf format.nff format.usd format format.ies format.exr format.image format.jen"),
             row("shot",
                     "base.text base.work base.file scene scene.shot render.column render.image render.trace render.shading render.cache"
                             + " render.relight.plan render.relight.tile render.relight"),

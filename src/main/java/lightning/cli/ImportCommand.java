@@ -48,6 +48,11 @@ final class ImportCommand implements Callable<Integer> {
             description = "Also write a small preview for each light unit next to the scene, such as scene.candela.png.")
     private boolean writesUnitPictures;
 
+    @Option(names = "--subdivision", paramLabel = "LEVELS",
+            description = "Refinements of the subdivision surfaces of a USD file, from 0 (their control meshes) to 4 (default: 2). Dense "
+                    + "meshes get fewer, at most a million triangles for each.")
+    private int levels = SceneImporter.DEFAULT_LEVELS;
+
     @Option(names = "--indirect", paramLabel = "WHEN",
             description = "Indirect light: on, off, or auto, which is on if the camera is in a closed room (default: auto).")
     private IndirectChoice indirect = IndirectChoice.AUTO;
@@ -68,10 +73,13 @@ final class ImportCommand implements Callable<Integer> {
         if (!JenFile.isJenFileName(name.toLowerCase(Locale.ROOT))) {
             throw new BadInputException(output + ": a scene's file name must end in " + JenFile.EXTENSION);
         }
+        if (levels < 0 || levels > SceneImporter.MAX_LEVELS) {
+            throw new BadInputException("--subdivision must be from 0 to " + SceneImporter.MAX_LEVELS + ", was " + levels);
+        }
         PictureOutput.checkFile(output);
         ImportedScene imported;
         try (var bar = new ProgressBar(console, "reading")) {
-            imported = SceneImporter.read(file, output, units == null ? LightUnits.CANDELA : units, bar);
+            imported = SceneImporter.read(file, output, units == null ? LightUnits.CANDELA : units, levels, bar);
         }
         imported = lighting.apply(indirect.apply(imported));
         imported.write();

@@ -107,6 +107,8 @@ class ImportCommandTest {
         CliResult.run("import", folder, "-o", folder.resolve("a.jen")).assertRejected("is a folder");
         CliResult.run("import", wrong, "-o", folder.resolve("a.png")).assertRejected("a scene's file name must end in .jen");
         CliResult.run("import", wrong, "-o", folder.resolve("a.jen"), "--light-units", "lumen").assertRejected("--light-units");
+        CliResult.run("import", wrong, "-o", folder.resolve("a.jen"), "--subdivision=5")
+                .assertRejected("--subdivision must be from 0 to 4, was 5");
         assertThat(folder.resolve("a.jen")).doesNotExist();
     }
 }

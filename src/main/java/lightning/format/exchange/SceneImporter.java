@@ -10,9 +10,15 @@ import lightning.base.work.Progress;
 import lightning.format.MeshFormat;
 import lightning.format.mesh.MeshException;
 import lightning.format.usd.UsdStage;
+import lightning.format.usd.UsdSubdivision;
 
 /** Importer of other programs' files: glTF, OBJ, PLY, NFF and USD. */
 public final class SceneImporter {
+    /** Refinements of subdivision surfaces that are made unless others are asked for. */
+    public static final int DEFAULT_LEVELS = UsdSubdivision.DEFAULT_LEVELS;
+    /** Largest number of refinements of subdivision surfaces. */
+    public static final int MAX_LEVELS = UsdSubdivision.MAX_LEVELS;
+
     private SceneImporter() {}
 
     /** Returns the file extensions that can be imported, in lower case. */
@@ -36,9 +42,25 @@ public final class SceneImporter {
      * @throws CancellationException if {@code progress} requested cancellation
      */
     public static ImportedScene read(Path file, Path sceneFile, LightUnits units, Progress progress) throws IOException, MeshException {
+        return read(file, sceneFile, units, DEFAULT_LEVELS, progress);
+    }
+
+    /**
+     * Reads a file and the files it references; writes nothing.
+     *
+     * @param sceneFile path of the future scene; assets are placed next to it
+     * @param units units of the file's lights, if it has any
+     * @param levels refinements of a stage's subdivision surfaces, from 0 to {@link #MAX_LEVELS}
+     * @param progress receives the number of KiB read
+     * @throws MeshException if the content is invalid
+     * @throws IOException if it cannot be read
+     * @throws CancellationException if {@code progress} requested cancellation
+     */
+    public static ImportedScene read(Path file, Path sceneFile, LightUnits units, int levels, Progress progress)
+            throws IOException, MeshException {
         if (UsdStage.isStageName(file.toString())) {
             RegularFile.open(file, "a USD file").close();
-            return UsdImport.read(file, sceneFile, progress);
+            return UsdImport.read(file, sceneFile, levels, progress);
         }
         return switch (MeshFormat.detect(file)) {
             case PLY -> ObjImport.importPly(file, sceneFile, progress);

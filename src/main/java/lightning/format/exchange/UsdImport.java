@@ -32,10 +32,12 @@ final class UsdImport {
     private final boolean hasZUp;
     private final List<Track> tracks = new ArrayList<>();
     private final int firstFrame;
+    private final int levels;
     private UsdNodes nodes;
 
-    private UsdImport(UsdStage stage, Path source, Path sceneFile) throws MeshException {
+    private UsdImport(UsdStage stage, Path source, Path sceneFile, int levels) throws MeshException {
         this.stage = stage;
+        this.levels = levels;
         root = stage.root();
         assembler = new SceneAssembler(source, sceneFile);
         hasZUp = root.get("up").text().orElse("Y").equals("Z");
@@ -45,8 +47,9 @@ final class UsdImport {
         firstFrame = hasShot() ? root.get("frames").element(0).integer(0, Shot.MAX_FRAME) : 0;
     }
 
-    static ImportedScene read(Path source, Path sceneFile, Progress progress) throws IOException, MeshException {
-        return UsdStage.read(source, progress, stage -> new UsdImport(stage, source, sceneFile).assemble());
+    /** @param levels refinements of subdivision surfaces */
+    static ImportedScene read(Path source, Path sceneFile, int levels, Progress progress) throws IOException, MeshException {
+        return UsdStage.read(source, progress, stage -> new UsdImport(stage, source, sceneFile, levels).assemble());
     }
 
     private boolean hasShot() throws MeshException {
@@ -57,7 +60,7 @@ final class UsdImport {
         root.get("notes").node().properties().forEach(e -> assembler.notes.add(e.getKey(), Math.max(0, e.getValue().asInt(0))));
         UsdPaths.addAxis(assembler, hasZUp);
         UsdPaths.addShift(assembler, root.get("shift").integer(-Shot.MAX_FRAME, 0, 0));
-        nodes = new UsdNodes(assembler, stage, upright, firstFrame);
+        nodes = new UsdNodes(assembler, stage, upright, firstFrame, levels);
         nodes.build();
         tracks.addAll(nodes.tracks());
         importLights();
@@ -84,9 +87,10 @@ final class UsdImport {
 
     private void importLights() throws IOException, MeshException {
         double meters = assembler.world.meters();
-        var converter = new UsdLightImport(assembler, upright, meters, assembler.notes);
+        var softCones = new SoftCones(assembler);
+        var converter = new UsdLightImport(assembler, upright, meters, assembler.notes, softCones);
         // Further frames repeat what is noted already.
-        var frameConverter = new UsdLightImport(assembler, upright, meters, new ConversionNotes());
+        var frameConverter = new UsdLightImport(assembler, upright, meters, new ConversionNotes(), softCones);
         JsonValue lights = root.get("lights");
         for (int i = 0; i < lights.size(); i++) {
             JsonValue in = lights.element(i);

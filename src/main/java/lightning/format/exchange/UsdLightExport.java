@@ -117,7 +117,8 @@ final class UsdLightExport {
         prim.set("uniform token[] xformOpOrder", "[\"!resetXformStack!\", \"xformOp:transform:lightning\"]");
         if (isShaped) {
             prim.set("asset inputs:shaping:ies:file", LightAttribute.PROFILE.appliesTo(light.type()) && light.profile().isPresent()
-                    ? asset(FileKind.PROFILE, light.profile().get().file()) : "@@");
+                    && SoftCones.softness(light).isEmpty()
+                            ? asset(FileKind.PROFILE, light.profile().get().file()) : "@@");
         }
         if (type.equals("RectLight")) {
             prim.set("asset inputs:texture:file", light.faceImage().isPresent()

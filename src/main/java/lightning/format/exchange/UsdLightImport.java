@@ -42,6 +42,7 @@ final class UsdLightImport {
     private final Transform upright;
     private final double meters;
     private final ConversionNotes notes;
+    private final SoftCones softCones;
 
     /**
      * Creates a converter.
@@ -49,12 +50,14 @@ final class UsdLightImport {
      * @param upright rotation of the stage to a scene with y up
      * @param meters meters per scene unit
      * @param notes receives what cannot be imported
+     * @param softCones profiles of the scene's soft cones
      */
-    UsdLightImport(SceneAssembler assembler, Transform upright, double meters, ConversionNotes notes) {
+    UsdLightImport(SceneAssembler assembler, Transform upright, double meters, ConversionNotes notes, SoftCones softCones) {
         this.assembler = assembler;
         this.upright = upright;
         this.meters = meters;
         this.notes = notes;
+        this.softCones = softCones;
     }
 
     /** Returns a light without links; empty if it cannot be imported. */
@@ -153,13 +156,18 @@ final class UsdLightImport {
     private Light cone(Light light, JsonValue shaping, double cosine) throws IOException, MeshException {
         double angle = Math.clamp(UsdNumbers.tidy(shaping.get("angle").number(90)), 0, SceneLimits.MAX_ANGLE);
         double focus = SceneAssembler.clamp(UsdNumbers.tidy(shaping.get("focus").number(0)), SceneLimits.MAX_DROPOFF - 1);
-        double softness = shaping.get("softness").number(0);
-        notes.add("soft edges of cones (shaping:cone:softness), imported as hard at half intensity", softness > 0 ? 1 : 0);
-        // The softness fades from angle · (1 − softness) to the angle.
-        double half = softness > 0 ? UsdNumbers.rounded(angle * (1 - Math.clamp(softness, 0, 1) / 2)) : angle;
-        Light spot = light.withType(LightType.SPOT).withAngle(half).withDropoff(focus + cosine);
+        double softness = SceneAssembler.clamp(UsdNumbers.tidy(shaping.get("softness").number(0)), 1);
+        Light spot = light.withType(LightType.SPOT).withAngle(angle).withDropoff(focus + cosine);
         notes.add("angle scales of IES profiles", shaping.get("angleScale").number(0) == 0 ? 0 : 1);
-        return spot.withProfile(profile(shaping.get("profile")));
+        boolean isSoft = softness > 0 && angle > 0;
+        Optional<IesProfile> soft = isSoft && !shaping.get("profile").isPresent() && !shaping.get("moves").bool(false)
+                ? softCones.profile(angle, softness) : Optional.empty();
+        if (soft.isPresent()) {
+            return spot.withProfile(soft);
+        }
+        notes.add("soft edges of cones (shaping:cone:softness) with a profile or animation, imported as hard at half intensity",
+                isSoft ? 1 : 0);
+        return spot.withAngle(UsdNumbers.rounded(angle * (1 - softness / 2))).withProfile(profile(shaping.get("profile")));
     }
 
     private Optional<IesProfile> profile(JsonValue file) throws IOException, MeshException {

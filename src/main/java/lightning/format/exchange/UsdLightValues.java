@@ -76,7 +76,7 @@ record UsdLightValues(String type, Light light, double meters, boolean hasZUp) {
                     result.put("bool treatAsPoint", light.area().radius() == 0 ? "1" : "0");
                 }
                 result.put("float inputs:shaping:cone:angle", UsdLayer.number(isSpot ? light.angle() : FULL_ANGLE));
-                result.put("float inputs:shaping:cone:softness", "0");
+                result.put("float inputs:shaping:cone:softness", UsdLayer.number(isSpot ? SoftCones.softness(light).orElse(0) : 0));
                 result.put("float inputs:shaping:focus",
                         UsdLayer.number(!isSpot ? 0 : type.equals("DiskLight") ? light.dropoff() - 1 : light.dropoff()));
             }

@@ -1,22 +1,23 @@
 package lightning.format.exchange;
 
 import java.io.IOException;
+import java.util.List;
 import java.util.Optional;
 import lightning.base.math.Rgb;
 import lightning.format.gltf.JsonValue;
-import lightning.format.jen.TextureDecoder;
-import lightning.format.jen.UnusableFileException;
 import lightning.format.mesh.MeshException;
 import lightning.scene.AlphaCutout;
 import lightning.scene.BumpMapping;
 import lightning.scene.Material;
 import lightning.scene.SceneLimits;
 import lightning.scene.ShadingModel;
-import lightning.scene.Texture;
 import lightning.scene.TextureMap;
+import lightning.scene.TextureUsage;
 
 /** Converter from UsdPreviewSurface to metallic materials. */
 final class UsdMaterialImport {
+    /** Inputs whose textures the scene shows. */
+    static final List<String> MAPPED = List.of("diffuseColor", "normal", "opacity");
     private static final double HALF = 0.5;
 
     private final SceneAssembler assembler;
@@ -34,7 +35,7 @@ final class UsdMaterialImport {
         }
         JsonValue images = in.get("textures");
         JsonValue baseImage = images.get("diffuseColor");
-        Optional<TextureMap> texture = textures.map(baseImage);
+        Optional<TextureMap> texture = textures.map(baseImage, TextureUsage.COLOR);
         Rgb base = texture.isPresent() ? factor(baseImage) : color(in.get("diffuseColor"), 1, "colors of materials");
         Material material = Material.of("material").withModel(ShadingModel.METALLIC).withBase(base).withTexture(texture)
                 .withMetalness(SceneAssembler.clamp(value(in, "metallic", 0), 1))
@@ -61,22 +62,23 @@ final class UsdMaterialImport {
     }
 
     private Material withNormals(Material material, JsonValue image) throws IOException, MeshException {
-        Optional<TextureMap> normals = textures.map(image);
+        Optional<TextureMap> normals = textures.map(image, TextureUsage.DATA);
         if (normals.isEmpty()) {
             return material;
         }
         double[] scale = image.get("scale").numbers(2, 2, 2, 1);
+        double strength = image.get("strength").number(scale[0] == 1 ? 1 : scale[0] / 2);
         // A scale of 2 and a bias of −1 decode 0 … 1 to −1 … 1.
         assembler.notes.add("normal maps with y downwards", scale[0] * scale[1] < 0 ? 1 : 0);
         return material.withBumpMapping(BumpMapping.NONE.withNormalMap(normals)
-                .withStrength(Math.clamp(scale[0] == 1 ? 1 : scale[0] / 2, -SceneLimits.MAX_STRENGTH, SceneLimits.MAX_STRENGTH)));
+                .withStrength(Math.clamp(UsdNumbers.tidy(strength), -SceneLimits.MAX_STRENGTH, SceneLimits.MAX_STRENGTH)));
     }
 
     private Material withOpacity(Material material, JsonValue in) throws IOException, MeshException {
         double threshold = in.get("opacityThreshold").number(0);
         JsonValue image = in.get("textures").get("opacity");
         if (image.isPresent()) {
-            Optional<TextureMap> map = textures.map(image);
+            Optional<TextureMap> map = textures.map(image, TextureUsage.OPACITY);
             assembler.notes.add("opacity maps, imported as cutouts at half opacity", map.isPresent() && threshold <= 0 ? 1 : 0);
             return material.withCutout(new AlphaCutout(map, threshold > 0 ? SceneAssembler.clamp(threshold, 1) : HALF));
         }
@@ -84,7 +86,8 @@ final class UsdMaterialImport {
         var transmission = new TransmissionImport(assembler);
         double transmitted = in.get("transmission").number(0);
         if (transmitted > 0) {
-            return transmission.withTransmission(material, SceneAssembler.clamp(transmitted, 1), material.base(), in.get("ior").number(1.5),
+            return transmission.withTransmission(material, SceneAssembler.clamp(transmitted, 1), material.base(),
+                    UsdNumbers.tidy(in.get("ior").number(1.5)),
                     false, material.metalness());
         }
         if (threshold > 0) {
@@ -99,11 +102,10 @@ final class UsdMaterialImport {
         if (!image.isPresent()) {
             return color(in.get("emissiveColor"), SceneLimits.MAX_EMISSION, "emission of materials");
         }
-        Optional<byte[]> bytes = textures.bytes(image);
-        Optional<Rgb> mean = bytes.isEmpty() ? Optional.empty() : TextureMeans.meanColor(bytes.get());
+        Optional<double[]> mean = textures.mean(image, TextureUsage.COLOR);
         assembler.notes.add("emission textures of materials, averaged");
         Rgb factor = scale(image);
-        return mean.map(m -> assembler.clampColor(new Rgb(m.r() * factor.r(), m.g() * factor.g(), m.b() * factor.b()),
+        return mean.map(m -> assembler.clampColor(new Rgb(m[0] * factor.r(), m[1] * factor.g(), m[2] * factor.b()),
                 SceneLimits.MAX_EMISSION, "emission of materials")).orElse(Rgb.BLACK);
     }
 
@@ -113,21 +115,16 @@ final class UsdMaterialImport {
         if (!image.isPresent()) {
             return UsdNumbers.tidy(in.get(name).number(fallback));
         }
-        Optional<byte[]> bytes = textures.bytes(image);
-        if (bytes.isEmpty()) {
-            return fallback;
-        }
-        int channel = Math.max(0, "rgb".indexOf(image.get("channel").text().orElse("r")));
-        try {
-            Texture texture = TextureDecoder.decodeNumbers(name, bytes.get());
-            assembler.notes.add(name + " textures of materials, averaged");
-            double[] scale = image.get("scale").numbers(1, 1, 1, 1);
-            double[] bias = image.get("bias").numbers(0, 0, 0, 0);
-            return UsdNumbers.rounded(TextureMeans.mean(texture, channel) * scale[channel] + bias[channel]);
-        } catch (UnusableFileException e) {
+        Optional<double[]> mean = textures.mean(image, TextureUsage.DATA);
+        if (mean.isEmpty()) {
             assembler.notes.add(name + " textures of materials");
             return fallback;
         }
+        int channel = Math.max(0, "rgb".indexOf(image.get("channel").text().orElse("r")));
+        assembler.notes.add(name + " textures of materials, averaged");
+        double[] scale = image.get("scale").numbers(1, 1, 1, 1);
+        double[] bias = image.get("bias").numbers(0, 0, 0, 0);
+        return UsdNumbers.rounded(mean.get()[channel] * scale[channel] + bias[channel]);
     }
 
     /** Returns the factor of a color texture. */

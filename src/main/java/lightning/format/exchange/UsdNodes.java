@@ -39,13 +39,13 @@ final class UsdNodes {
     private boolean[] shows;
     private long visits;
 
-    UsdNodes(SceneAssembler assembler, UsdStage stage, Transform upright, int firstFrame) throws MeshException {
+    UsdNodes(SceneAssembler assembler, UsdStage stage, Transform upright, int firstFrame, int levels) throws MeshException {
         this.assembler = assembler;
         this.stage = stage;
         this.upright = upright;
         this.firstFrame = firstFrame;
         nodes = stage.root().get("nodes");
-        parts = new UsdParts(assembler, stage);
+        parts = new UsdParts(assembler, stage, levels);
     }
 
     /** Adds all nodes to the scene. */

@@ -14,6 +14,7 @@ import lightning.format.mesh.UniqueNames;
 import lightning.format.usd.MeshFileWriter;
 import lightning.format.usd.UsdMesh;
 import lightning.format.usd.UsdStage;
+import lightning.format.usd.UsdSubdivision;
 import lightning.scene.Material;
 import lightning.scene.Mesh;
 import lightning.scene.Placement;
@@ -27,20 +28,33 @@ final class UsdParts {
     private final List<String> materials = new ArrayList<>();
     /** Parts by mesh and subsets: a mesh has the same in all instances, but each may have its materials. */
     private final Map<String, List<NamedMesh>> meshes = new HashMap<>();
+    private final int requestedLevels;
+    private int[] levels = {};
     private String meshFile = "";
 
-    UsdParts(SceneAssembler assembler, UsdStage stage) {
+    /** @param levels refinements of subdivision surfaces */
+    UsdParts(SceneAssembler assembler, UsdStage stage, int levels) {
         this.assembler = assembler;
         this.stage = stage;
+        requestedLevels = levels;
     }
 
     /** Reads materials and meshes of all nodes. */
     void read(JsonValue nodes) throws IOException, MeshException {
-        var converter = new UsdMaterialImport(assembler, new UsdTextures(assembler));
+        var textures = new UsdTextures(assembler);
+        var converter = new UsdMaterialImport(assembler, textures);
         JsonValue all = stage.root().get("materials");
+        List<JsonValue> images = new ArrayList<>();
+        for (int i = 0; i < all.size(); i++) {
+            for (String input : UsdMaterialImport.MAPPED) {
+                images.add(all.element(i).get("textures").get(input));
+            }
+        }
+        textures.fit(images);
         for (int i = 0; i < all.size(); i++) {
             materials.add(assembler.addMaterial(all.element(i).get("name").text().orElse(""), converter.convert(all.element(i))));
         }
+        levels = UsdSubdivision.levels(stage.root().get("meshes"), requestedLevels);
         List<NamedMesh> written = new ArrayList<>();
         var names = new UniqueNames();
         long triangles = 0;
@@ -71,13 +85,16 @@ final class UsdParts {
     }
 
     private List<NamedMesh> parts(JsonValue node, UniqueNames names) throws IOException, MeshException {
-        JsonValue in = node.get("mesh").resolve(stage.root().get("meshes"));
+        int mesh = node.get("mesh").index(stage.root().get("meshes"));
+        JsonValue in = stage.root().get("meshes").element(mesh);
+        assembler.notes.add("subdivision surfaces refined less, to keep the number of triangles in bounds",
+                UsdSubdivision.isSurface(in) && levels[mesh] < requestedLevels ? 1 : 0);
         JsonValue subsets = node.get("subsets");
         List<int[]> faces = new ArrayList<>();
         for (int i = 0; i < subsets.size(); i++) {
             faces.add(stage.ints(subsets.element(i).get("faces")));
         }
-        List<Mesh> read = UsdMesh.read(stage, in, faces, assembler.notes);
+        List<Mesh> read = UsdMesh.read(stage, in, levels[mesh], faces, assembler.notes);
         List<NamedMesh> result = new ArrayList<>();
         for (int i = 0; i < read.size(); i++) {
             String name = in.get("name").text().orElse("") + (i == 0 ? "" : " " + subsets.element(i - 1).get("name").text().orElse(""));

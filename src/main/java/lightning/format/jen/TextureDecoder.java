@@ -12,6 +12,7 @@ import java.util.Iterator;
 import java.util.Locale;
 import java.util.Set;
 import javax.imageio.ImageIO;
+import javax.imageio.ImageReadParam;
 import javax.imageio.ImageReader;
 import javax.imageio.stream.ImageInputStream;
 import javax.imageio.stream.MemoryCacheImageInputStream;
@@ -71,13 +72,53 @@ public final class TextureDecoder {
         return decode(name, file, TextureUsage.COLOR, JenLimits.TEXTURE_PIXELS);
     }
 
+    /**
+     * Decodes an image. One of too many pixels loses rows and columns until it has at most {@link JenLimits#TEXTURE_PIXELS}.
+     *
+     * @param name name of the file in messages
+     * @throws UnusableFileException if it is not a PNG or JPEG, or damaged
+     */
+    public static Texture decodeReduced(String name, byte[] file, TextureUsage samples) throws UnusableFileException {
+        return read(name, file, reader -> {
+            ImageReadParam reduction = reader.getDefaultReadParam();
+            int step = 1;
+            while ((long) Math.ceilDiv(reader.getWidth(0), step) * Math.ceilDiv(reader.getHeight(0), step) > JenLimits.TEXTURE_PIXELS) {
+                step++;
+            }
+            reduction.setSourceSubsampling(step, step, 0, 0);
+            return texture(reader.read(0, reduction), samples);
+        });
+    }
+
+    /**
+     * Returns the number of pixels of an image.
+     *
+     * @param name name of the file in messages
+     * @throws UnusableFileException if it is not a PNG or JPEG, or damaged
+     */
+    public static long pixels(String name, byte[] file) throws UnusableFileException {
+        return read(name, file, reader -> (long) reader.getWidth(0) * reader.getHeight(0));
+    }
+
     private static Texture decode(String name, byte[] file, TextureUsage samples, long pixelsLeft) throws UnusableFileException {
+        return read(name, file, reader -> {
+            checkSize(name, reader.getWidth(0), reader.getHeight(0), pixelsLeft);
+            return texture(reader.read(0), samples);
+        });
+    }
+
+    /** What is read from a file. */
+    @FunctionalInterface
+    private interface Reading<T> {
+        T from(ImageReader reader) throws IOException, UnusableFileException;
+    }
+
+    private static <T> T read(String name, byte[] file, Reading<T> reading) throws UnusableFileException {
         try (ImageInputStream in = new MemoryCacheImageInputStream(new ByteArrayInputStream(file))) {
             ImageReader reader = reader(name, in);
             try {
                 reader.setInput(in, true, true);
-                checkSize(name, reader.getWidth(0), reader.getHeight(0), pixelsLeft);
-                return texture(reader.read(0), samples);
+                return reading.from(reader);
             } catch (IOException | RuntimeException e) {
                 // The decoders throw arbitrary runtime exceptions for some damaged files.
                 throw unusable(name, "cannot be decoded: " + e.getMessage());

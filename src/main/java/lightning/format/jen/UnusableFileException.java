@@ -6,7 +6,8 @@ import lightning.base.text.UserFacingException;
 public final class UnusableFileException extends Exception implements UserFacingException {
     private static final long serialVersionUID = 1;
 
-    UnusableFileException(String message) {
+    /** @param message one sentence, with the name of the file */
+    public UnusableFileException(String message) {
         super(message);
     }
 }

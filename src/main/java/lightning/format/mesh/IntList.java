@@ -29,6 +29,11 @@ public final class IntList {
         size = 0;
     }
 
+    /** Removes the last values. */
+    public void truncate(int newSize) {
+        size = Math.min(size, newSize);
+    }
+
     /** Returns the backing array, which may be longer than the list; replaced when it is full. */
     public int[] array() {
         return values;

@@ -14,9 +14,24 @@ import lightning.format.mesh.VertexKeyTable;
  * @param indices     value of each element; empty if they are in order
  */
 record CornerValues(float[] values, int stride, Level level, int[] indices) {
-    /** Interpolations of USD. */
+    /** Interpolations of USD: values of points are linear in faces or, if smooth, refined as positions are. */
     private enum Level {
-        CONSTANT, FACE, POINT, CORNER
+        CONSTANT, FACE, POINT, SMOOTH_POINT, CORNER
+    }
+
+    /** Returns values that corners refer to. */
+    static CornerValues indexed(float[] values, int stride, int[] ofCorners) {
+        return new CornerValues(values, stride, Level.CORNER, ofCorners);
+    }
+
+    /** Returns one value for each point. */
+    static CornerValues ofPoints(float[] values, int stride) {
+        return new CornerValues(values, stride, Level.POINT, new int[0]);
+    }
+
+    /** Returns one value for each corner. */
+    static CornerValues ofCorners(float[] values, int stride) {
+        return new CornerValues(values, stride, Level.CORNER, new int[0]).merged();
     }
 
     /**
@@ -33,12 +48,13 @@ record CornerValues(float[] values, int stride, Level level, int[] indices) {
             case "constant" -> Level.CONSTANT;
             case "uniform" -> Level.FACE;
             case "faceVarying" -> Level.CORNER;
-            default -> Level.POINT;
+            case "varying" -> Level.POINT;
+            default -> Level.SMOOTH_POINT;
         };
         int elements = switch (level) {
             case CONSTANT -> 1;
             case FACE -> faces;
-            case POINT -> points;
+            case POINT, SMOOTH_POINT -> points;
             case CORNER -> corners;
         };
         var result = new CornerValues(stage.floats(in.get("values")), stride, level, stage.ints(in.get("indices")));
@@ -81,10 +97,35 @@ record CornerValues(float[] values, int stride, Level level, int[] indices) {
         int element = switch (level) {
             case CONSTANT -> 0;
             case FACE -> face;
-            case POINT -> point;
+            case POINT, SMOOTH_POINT -> point;
             case CORNER -> corner;
         };
         return indices.length == 0 ? element : indices[element];
+    }
+
+    /** Returns true if values are refined as positions are. */
+    boolean isSmooth() {
+        return level == Level.SMOOTH_POINT;
+    }
+
+    /** Returns the values of points, in order. */
+    float[] ofPoints(int points) {
+        float[] result = new float[stride * points];
+        for (int point = 0; point < points; point++) {
+            copy(index(0, point, 0), result, point);
+        }
+        return result;
+    }
+
+    /** Returns the values of corners, in order. */
+    float[] ofCorners(int[] counts, int[] points) {
+        float[] result = new float[stride * points.length];
+        for (int face = 0, corner = 0; face < counts.length; face++) {
+            for (int i = 0; i < counts[face]; i++, corner++) {
+                copy(index(face, points[corner], corner), result, corner);
+            }
+        }
+        return result;
     }
 
     /** Copies a value. */

@@ -19,66 +19,27 @@ import lightning.scene.Mesh;
 public final class UsdMesh {
     private static final int MIN_CORNERS = 3;
 
-    private final JsonValue in;
-    private final float[] points;
-    private final int[] counts;
-    private final int[] corners;
-    private final boolean isLeftHanded;
-    private final CornerValues normals;
-    private final CornerValues coordinates;
-    private final CornerValues colors;
+    private final UsdFaces faces;
     private final float[] smoothNormals;
     private final PolygonTriangulator triangulator = new PolygonTriangulator();
 
-    private UsdMesh(UsdStage stage, JsonValue in) throws IOException, MeshException {
-        this.in = in;
-        points = stage.floats(in.get("points"));
-        counts = stage.ints(in.get("counts"));
-        corners = stage.ints(in.get("indices"));
-        isLeftHanded = in.get("left").bool(false);
-        checkFaces();
-        int pointCount = points.length / 3;
-        normals = CornerValues.read(stage, in.get("normals"), 3, counts.length, pointCount, corners.length);
-        coordinates = CornerValues.read(stage, in.get("uv"), 2, counts.length, pointCount, corners.length);
-        colors = CornerValues.read(stage, in.get("colors"), 3, counts.length, pointCount, corners.length);
-        for (int hole : stage.ints(in.get("holes"))) {
-            if (hole >= 0 && hole < counts.length) {
-                // Keeps the corners in place.
-                counts[hole] = -counts[hole];
-            }
-        }
-        smoothNormals = normals == null && in.get("smooth").bool(false) ? VertexNormals.smooth(points, pointTriangles()) : null;
-    }
-
-    private void checkFaces() throws MeshException {
-        long sum = 0;
-        for (int count : counts) {
-            if (count < 0) {
-                throw in.problem("must have faces of at least 0 corners, was " + count);
-            }
-            sum += count;
-        }
-        if (sum != corners.length || points.length % 3 != 0) {
-            throw in.problem("must have " + sum + " corners by its faces, has " + corners.length);
-        }
-        for (int corner : corners) {
-            if (corner < 0 || corner >= points.length / 3) {
-                throw in.problem("must have corners from 0 to " + (points.length / 3 - 1) + ", was " + corner);
-            }
-        }
+    private UsdMesh(UsdFaces faces, boolean isSmooth) {
+        this.faces = faces;
+        smoothNormals = faces.normals() == null && isSmooth ? VertexNormals.smooth(faces.points(), pointTriangles()) : null;
     }
 
     /**
      * Returns one mesh for each part; null where a part has no triangles.
      *
+     * @param levels refinements of a subdivision surface; 0 for its control mesh
      * @param partOf part of each face, from the arrays of face numbers of all parts but the first, which has the other faces
      * @param notes receives a note if the numbers of a mesh are invalid; it then has no triangles
      */
-    public static List<Mesh> read(UsdStage stage, JsonValue in, List<int[]> partOf, ConversionNotes notes) throws IOException {
+    public static List<Mesh> read(UsdStage stage, JsonValue in, int levels, List<int[]> partOf, ConversionNotes notes) throws IOException {
         List<Mesh> result = new ArrayList<>(Collections.nCopies(partOf.size() + 1, null));
         try {
-            var mesh = new UsdMesh(stage, in);
-            int[] parts = new int[mesh.counts.length];
+            UsdFaces faces = UsdFaces.read(stage, in);
+            int[] parts = new int[faces.counts().length];
             for (int i = 0; i < partOf.size(); i++) {
                 for (int face : partOf.get(i)) {
                     if (face >= 0 && face < parts.length) {
@@ -86,6 +47,8 @@ public final class UsdMesh {
                     }
                 }
             }
+            var mesh = new UsdMesh(levels == 0 ? faces : UsdSubdivision.refine(faces, stage, in.get("subdivision"), levels),
+                    in.get("smooth").bool(false));
             for (int i = 0; i < result.size(); i++) {
                 result.set(i, mesh.part(parts, i, notes));
             }
@@ -98,10 +61,11 @@ public final class UsdMesh {
     private int[] pointTriangles() {
         var triangles = new IntList();
         var polygon = new IntList();
+        int[] counts = faces.counts();
         for (int face = 0, first = 0; face < counts.length; first += Math.abs(counts[face]), face++) {
             triangulate(first, counts[face], polygon);
             for (int i = 0; i < polygon.size(); i++) {
-                triangles.add(corners[first + polygon.get(i)]);
+                triangles.add(faces.corners()[first + polygon.get(i)]);
             }
         }
         return triangles.toArray();
@@ -111,9 +75,9 @@ public final class UsdMesh {
     private void triangulate(int first, int count, IntList triangles) {
         triangles.clear();
         if (count >= MIN_CORNERS) {
-            triangulator.triangulate(Arrays.copyOfRange(corners, first, first + count), count, points, triangles);
+            triangulator.triangulate(Arrays.copyOfRange(faces.corners(), first, first + count), count, faces.points(), triangles);
         }
-        for (int i = 0; isLeftHanded && i < triangles.size(); i += 3) {
+        for (int i = 0; faces.isLeftHanded() && i < triangles.size(); i += 3) {
             int second = triangles.get(i + 1);
             triangles.array()[i + 1] = triangles.get(i + 2);
             triangles.array()[i + 2] = second;
@@ -121,18 +85,22 @@ public final class UsdMesh {
     }
 
     private Mesh part(int[] parts, int part, ConversionNotes notes) {
+        CornerValues normals = faces.normals();
+        CornerValues coordinates = faces.coordinates();
+        CornerValues colors = faces.colors();
         var vertices = new VertexKeyTable();
         var values = new VertexKeyTable();
         var triangles = new IntList();
         var polygon = new IntList();
+        int[] counts = faces.counts();
         for (int face = 0, first = 0; face < counts.length; first += Math.abs(counts[face]), face++) {
-            if (parts[face] != part) {
+            if (faces.part(parts, face) != part) {
                 continue;
             }
             triangulate(first, counts[face], polygon);
             for (int i = 0; i < polygon.size(); i++) {
                 int corner = first + polygon.get(i);
-                int point = corners[corner];
+                int point = faces.corners()[corner];
                 int value = values.findOrAdd(coordinates == null ? 0 : coordinates.index(face, point, corner),
                         colors == null ? 0 : colors.index(face, point, corner), 0);
                 triangles.add(vertices.findOrAdd(point, normals == null ? 0 : normals.index(face, point, corner), value));
@@ -144,23 +112,24 @@ public final class UsdMesh {
     private Mesh mesh(VertexKeyTable vertices, VertexKeyTable values, int[] triangles, ConversionNotes notes) {
         int count = vertices.size();
         float[] positions = new float[3 * count];
+        CornerValues normals = faces.normals();
         float[] normal = normals == null && smoothNormals == null ? null : new float[3 * count];
-        float[] uv = coordinates == null ? null : new float[2 * count];
-        float[] rgb = colors == null ? null : new float[3 * count];
+        float[] uv = faces.coordinates() == null ? null : new float[2 * count];
+        float[] rgb = faces.colors() == null ? null : new float[3 * count];
         for (int v = 0; v < count; v++) {
             int point = vertices.key(v, 0);
             int value = vertices.key(v, 2);
-            System.arraycopy(points, 3 * point, positions, 3 * v, 3);
+            System.arraycopy(faces.points(), 3 * point, positions, 3 * v, 3);
             if (normals != null) {
                 normals.copy(vertices.key(v, 1), normal, v);
             } else if (smoothNormals != null) {
                 System.arraycopy(smoothNormals, 3 * point, normal, 3 * v, 3);
             }
             if (uv != null) {
-                coordinates.copy(values.key(value, 0), uv, v);
+                faces.coordinates().copy(values.key(value, 0), uv, v);
             }
             if (rgb != null) {
-                colors.copy(values.key(value, 1), rgb, v);
+                faces.colors().copy(values.key(value, 1), rgb, v);
             }
         }
         if (normal != null) {

@@ -35,7 +35,7 @@ class UsdStageTest {
 
     private List<Mesh> mesh(String json, ConversionNotes notes) throws IOException, MeshException {
         Files.writeString(folder.resolve("stage.json"), "{\"version\": 1, \"mesh\": " + json + "}");
-        return UsdStage.open(SOURCE, folder, stage -> UsdMesh.read(stage, stage.root().get("mesh"), List.of(new int[] {7, -1}), notes));
+        return UsdStage.open(SOURCE, folder, stage -> UsdMesh.read(stage, stage.root().get("mesh"), 0, List.of(new int[] {7, -1}), notes));
     }
 
     @Test

@@ -1,0 +1,229 @@
+package lightning.format.exchange;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.data.Offset.offset;
+
+import java.awt.image.BufferedImage;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Locale;
+import javax.imageio.ImageIO;
+import lightning.base.math.Rgb;
+import lightning.base.work.Progress;
+import lightning.sample.PythonPrograms;
+import lightning.scene.Material;
+import lightning.scene.TextureMap;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** MaterialX networks in stages and in files of their own, through usd-core. */
+class UsdMaterialXTest {
+    private static final String SQUARE = """
+            #usda 1.0
+            def Mesh "square" ( prepend apiSchemas = ["MaterialBindingAPI"] )
+            {
+                uniform token subdivisionScheme = "none"
+                int[] faceVertexCounts = [4]
+                int[] faceVertexIndices = [0, 1, 2, 3]
+                point3f[] points = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)]
+                texCoord2f[] primvars:st = [(0, 0), (1, 0), (1, 1), (0, 1)] ( interpolation = "vertex" )
+                rel material:binding = <%s>
+            }
+            """;
+    private static final String NETWORK = """
+            def Material "look"
+            {
+                token outputs:mtlx:surface.connect = </look/surface.outputs:surface>
+                def Shader "surface"
+                {
+                    uniform token info:id = "%s"
+                    %s
+                    token outputs:surface
+                }
+                def Shader "image"
+                {
+                    uniform token info:id = "ND_image_color3"
+                    asset inputs:file = @a.png@
+                    float2 inputs:texcoord.connect = </look/place.outputs:out>
+                    color3f outputs:out
+                }
+                def Shader "place"
+                {
+                    uniform token info:id = "ND_place2d_vector2"
+                    float2 inputs:scale = (0.5, 0.25)
+                    float2 outputs:out
+                }
+                def Shader "tint"
+                {
+                    uniform token info:id = "ND_constant_color3"
+                    color3f inputs:value = (0.5, 0.25, 1)
+                    color3f outputs:out
+                }
+                def Shader "tinted"
+                {
+                    uniform token info:id = "ND_multiply_color3"
+                    color3f inputs:in1.connect = </look/image.outputs:out>
+                    color3f inputs:in2.connect = </look/tint.outputs:out>
+                    color3f outputs:out
+                }
+                def Shader "blue"
+                {
+                    uniform token info:id = "ND_separate3_color3"
+                    color3f inputs:in.connect = </look/image.outputs:out>
+                    float outputs:outb
+                }
+                def Shader "bumps"
+                {
+                    uniform token info:id = "ND_normalmap_float"
+                    float3 inputs:in.connect = </look/image.outputs:out>
+                    float inputs:scale = 0.5
+                    float3 outputs:out
+                }
+            }
+            """;
+    @TempDir
+    private Path folder;
+    private ImportedScene imported;
+
+    @BeforeEach
+    void requireUsd() throws Exception {
+        PythonPrograms.require("pxr");
+        var image = new BufferedImage(2, 2, BufferedImage.TYPE_INT_RGB);
+        for (int i = 0; i < 4; i++) {
+            image.setRGB(i % 2, i / 2, 0xFF0033);
+        }
+        ImageIO.write(image, "png", folder.resolve("a.png").toFile());
+    }
+
+    private Material imported(String stage) throws Exception {
+        Path file = Files.writeString(folder.resolve("a.usda"), stage);
+        imported = SceneImporter.read(file, folder.resolve("a.jen"), LightUnits.CANDELA, Progress.NONE);
+        return imported.scene().materials().stream().findFirst().orElse(null);
+    }
+
+    private Material network(String surface, String inputs) throws Exception {
+        return imported(String.format(Locale.ROOT, SQUARE, "/look")
+                + String.format(Locale.ROOT, NETWORK, "ND_" + surface + "_surfaceshader", inputs));
+    }
+
+    @Test
+    void standardSurface_isMetallicMaterial() throws Exception {
+        Material material = network("standard_surface", """
+                float inputs:base = 0.5
+                color3f inputs:base_color.connect = </look/tinted.outputs:out>
+                float inputs:metalness.connect = </look/blue.outputs:outb>
+                float inputs:specular_roughness = 0.75
+                float3 inputs:normal.connect = </look/bumps.outputs:out>
+                color3f inputs:emission_color.connect = </look/image.outputs:out>
+                """);
+        TextureMap map = material.texture().orElseThrow();
+        assertThat(map.repeatU()).isEqualTo(2);
+        assertThat(map.repeatV()).isEqualTo(4);
+        assertThat(material.base()).isEqualTo(new Rgb(0.25, 0.125, 0.5));
+        assertThat(material.metalness()).isCloseTo(0x33 / 255.0, offset(1e-6));
+        assertThat(material.roughness()).isEqualTo(0.75);
+        assertThat(material.bumpMapping().normalMap()).isPresent();
+        assertThat(material.bumpMapping().strength()).isEqualTo(0.5);
+        // A texture of emission without a weight does not glow.
+        assertThat(material.glow()).isEqualTo(Rgb.BLACK);
+    }
+
+    @Test
+    void glass_hasTintOfItsTransmission() throws Exception {
+        Material glass = network("standard_surface", """
+                float inputs:base = 0
+                float inputs:transmission = 1
+                color3f inputs:transmission_color = (0.5, 1, 0.75)
+                float inputs:specular_IOR = 1.54
+                """);
+        assertThat(glass.transmission().ior()).isEqualTo(1.54);
+        assertThat(glass.transmission().color()).isEqualTo(new Rgb(0.5, 1, 0.75));
+        Material pbr = network("open_pbr_surface", """
+                float inputs:geometry_opacity = 0.25
+                float inputs:emission_luminance = 10
+                color3f inputs:emission_color = (1, 0.5, 0.25)
+                """);
+        assertThat(pbr.glow()).isEqualTo(new Rgb(10, 5, 2.5));
+        assertThat(pbr.transmission().color().max()).isPositive();
+    }
+
+    @Test
+    void gltfSurface_keepsItsAlphaMode() throws Exception {
+        String alpha = "float inputs:alpha.connect = </look/blue.outputs:outb>\ncolor3f inputs:base_color = (0.5, 0.5, 0.5)\n";
+        assertThat(network("gltf_pbr", alpha).cutout().map()).isEmpty();
+        Material masked = network("gltf_pbr", alpha + "int inputs:alpha_mode = 1\nfloat inputs:alpha_cutoff = 0.25");
+        assertThat(masked.cutout().map()).isPresent();
+        assertThat(masked.cutout().cutoff()).isEqualTo(0.25);
+        assertThat(masked.metalness()).isEqualTo(1);
+        assertThat(masked.base()).isEqualTo(new Rgb(0.5, 0.5, 0.5));
+    }
+
+    @Test
+    void otherNetworks_areNoted() throws Exception {
+        network("standard_surface", "color3f inputs:base_color.connect = </look/place.outputs:out>");
+        assertThat(imported.notes()).containsEntry("shading networks other than a texture", 1);
+        imported(String.format(Locale.ROOT, SQUARE, "/look") + String.format(Locale.ROOT, NETWORK, "ND_lama_surface", ""));
+        assertThat(imported.notes().keySet()).anyMatch(note -> note.startsWith("materials without a UsdPreviewSurface"));
+    }
+
+    @Test
+    void materialFile_isRead() throws Exception {
+        Files.writeString(folder.resolve("look.mtlx"), """
+                <!-- a comment before the declaration, as some programs write -->
+                <?xml version="1.0"?>
+                <materialx version="1.38" fileprefix="./">
+                  <xi:include href="library.mtlx"/>
+                  <nodegraph name="NG">
+                    <input name="file" type="filename" value="a.png"/>
+                    <image name="color" type="color3">
+                      <input name="file" type="filename" interfacename="file"/>
+                    </image>
+                    <output name="colored" type="color3" nodename="color"/>
+                  </nodegraph>
+                  <standard_surface name="SR" type="surfaceshader">
+                    <input name="base_color" type="color3" nodegraph="NG" output="colored"/>
+                    <input name="metalness" type="float" value="1"/>
+                    <input name="specular_roughness" type="float" value="0.5"/>
+                  </standard_surface>
+                  <surfacematerial name="gold" type="material">
+                    <input name="surfaceshader" type="surfaceshader" nodename="SR"/>
+                  </surfacematerial>
+                </materialx>
+                """);
+        String stage = String.format(Locale.ROOT, SQUARE, "/looks/gold")
+                + "def \"looks\" ( references = @./look.mtlx@</MaterialX/Materials> )\n{\n}\n";
+        Material gold = imported(stage);
+        assertThat(gold.name()).isEqualTo("gold");
+        assertThat(gold.texture().orElseThrow().file()).isEqualTo("a.png");
+        assertThat(gold.metalness()).isEqualTo(1);
+        assertThat(gold.roughness()).isEqualTo(0.5);
+        assertThat(imported.notes()).doesNotContainKey("references that cannot be loaded");
+    }
+
+    @Test
+    void damagedMaterialFiles_areNoted() throws Exception {
+        String stage = String.format(Locale.ROOT, SQUARE, "/looks/gold")
+                + "def \"looks\" ( references = @./look.mtlx@</MaterialX/Materials> )\n{\n}\n";
+        for (String text : new String[] {"", "<materialx>", "<a/>", """
+                <materialx><surfacematerial name="gold"><input name="surfaceshader" nodename="a"/></surfacematerial>
+                <standard_surface name="a" type="surfaceshader"><input name="base" type="float" value="x"/></standard_surface></materialx>
+                """, """
+                <materialx><surfacematerial name="gold"><input name="surfaceshader" nodename="a"/></surfacematerial>
+                <add name="a" type="float"><input name="in1" type="float" nodename="a"/></add></materialx>
+                """,
+            """
+                    <!DOCTYPE a [<!ENTITY a "aaaaaaaaaa"><!ENTITY b "&a;&a;&a;&a;&a;&a;&a;&a;&a;&a;"><!ENTITY c "&b;&b;&b;&b;&b;&b;&b;&b;&b;&b;">
+                    <!ENTITY d "&c;&c;&c;&c;&c;&c;&c;&c;&c;&c;"><!ENTITY e "&d;&d;&d;&d;&d;&d;&d;&d;&d;&d;">
+                    <!ENTITY f "&e;&e;&e;&e;&e;&e;&e;&e;&e;&e;"><!ENTITY g "&f;&f;&f;&f;&f;&f;&f;&f;&f;&f;">
+                    <!ENTITY h "&g;&g;&g;&g;&g;&g;&g;&g;&g;&g;">]><materialx>&h;</materialx>
+                    """}) {
+            Files.writeString(folder.resolve("look.mtlx"), text);
+            imported(stage);
+            assertThat(imported.scene().placedShapes()).hasSize(1);
+            assertThat(imported.notes().keySet()).as(text).anyMatch(note -> note.startsWith("MaterialX files")
+                    || note.startsWith("references that") || note.startsWith("objects without a material")
+                    || note.startsWith("materials without"));
+        }
+    }
+}
