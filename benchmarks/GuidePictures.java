@@ -214,8 +214,10 @@ public final class GuidePictures {
     private void compare() throws Exception {
         Node pane = Screen.node("#cues");
         run(() -> {
-            List<Node> a = pane.lookupAll(".toggle-button").stream().filter(n -> n instanceof ButtonBase b && b.getText().equals("A")).toList();
-            List<Node> b = pane.lookupAll(".toggle-button").stream().filter(n -> n instanceof ButtonBase c && c.getText().equals("B")).toList();
+            List<Node> a =
+                    pane.lookupAll(".toggle-button").stream().filter(n -> n instanceof ButtonBase b && b.getText().equals("A")).toList();
+            List<Node> b =
+                    pane.lookupAll(".toggle-button").stream().filter(n -> n instanceof ButtonBase c && c.getText().equals("B")).toList();
             ((ButtonBase) a.get(1)).fire();
             ((ButtonBase) b.get(2)).fire();
         });

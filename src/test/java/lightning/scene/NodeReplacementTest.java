@@ -88,7 +88,7 @@ class NodeReplacementTest {
         SceneNode node = nodes.get(Math.floorMod(index, nodes.size()));
         Stage stage = scene.stage().replaceNode(node.name(), of(node, kind));
         Stage read = new Stage(scene.materials(), replaceNaively(scene.nodes(), node.name(), of(node, kind)));
-        assertThat(stage).isEqualTo(read);
+        assertThat(stage.withFaces(scene.rig())).isEqualTo(read.withFaces(scene.rig()));
         assertThat(stage.shapes()).isEqualTo(read.shapes());
         assertThat(stage.shapeCount()).isEqualTo(read.shapeCount());
         assertThat(List.copyOf(stage.usedMaterials())).isEqualTo(List.copyOf(read.usedMaterials()));

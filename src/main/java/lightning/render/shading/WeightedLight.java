@@ -51,6 +51,11 @@ public record WeightedLight(Light light, LightWeight diffuse, LightWeight specul
                 LightSource.of(light, scene));
     }
 
+    /** Returns this light without gains on single shapes. */
+    public WeightedLight withoutGains() {
+        return gains == null ? this : new WeightedLight(light, diffuse, specular, null, source);
+    }
+
     /** Returns this light switched off. */
     public WeightedLight darkened() {
         return new WeightedLight(light, LightWeight.ZERO, LightWeight.ZERO, gains, source);

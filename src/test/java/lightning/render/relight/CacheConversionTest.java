@@ -3,9 +3,11 @@ package lightning.render.relight;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.CancellationException;
 import lightning.base.work.Progress;
+import lightning.format.jen.JenReader;
 import lightning.render.image.Film;
 import lightning.render.relight.plan.Accuracy;
 import lightning.render.relight.plan.ReflectionMode;
@@ -68,6 +70,30 @@ class CacheConversionTest {
             assertThat(update.rays()).isEqualTo(RayCounts.NONE);
             SessionAssert.assertSameBits(renderer.film(), new ReferenceTracer(last, renderer.cache().mirroredScene()).trace(),
                     "switch", session, session.scenes().size() - 1, update.plan().description());
+        }
+    }
+
+    /** The deletion of a shape removes its gain, too, so rows no longer store their shapes. */
+    @Test
+    void gainOnDeletedShape_endsWithIt() throws Exception {
+        Scene scene = JenReader.read("""
+                jen 1
+                picture { size 33 15  depth 2 }
+                camera { from -0.6 1 7 to 0 0 0 }
+                material mirror { reflective 0.5 0.5 0.5 }
+                plane floor { at 0 -1 0  scale 14 1 14 }
+                sphere ball { material mirror at -2 0 0 }
+                light lamp point { at 0 3 2 gains "ball" 0.3 }
+                """, "gain.jen", Path.of("")).scene();
+        for (boolean toRatio : new boolean[] {true, false}) {
+            try (Renderer renderer = new Renderer(toRatio ? EXACT : RATIO)) {
+                renderer.render(scene, Progress.NONE);
+                Scene without = scene.withNodes(scene.nodes().subList(0, 1));
+                renderer.render(without, Progress.NONE);
+                renderer.setOptions(toRatio ? RATIO : EXACT);
+                renderer.render(without, Progress.NONE);
+                assertThat(renderer.film().hasSameBits(new ReferenceTracer(without).trace())).isTrue();
+            }
         }
     }
 

@@ -21,7 +21,8 @@ record RatioUpdater(RatioKernel kernel) implements LayerUpdater {
 
     @Override
     public LightLayer update(HitRows rows, LightLayer before, LayerPlan plan, MaterialSet speculars) {
-        WeightedLight from = plan.computed();
+        // Without gains in the scene, rows have no owners. A light that had gains is then recomputed below, whatever its rows had before.
+        WeightedLight from = rows.owner == null ? plan.computed().withoutGains() : plan.computed();
         WeightedLight to = plan.target();
         RatioRows layer = kernel.updateSpeculars(rows, from, (RatioRows) before, speculars);
         layer = plan.shadows().isEmpty() ? layer : kernel.updateShadows(rows, from, layer, plan.shadows());
