@@ -1,8 +1,10 @@
 """Edits a scene while the live view runs: each picture equals, in every bit, a render of the scene that is sent anew."""
 
 import math
+import shutil
 import sys
 import time
+from pathlib import Path
 
 import blender_scene as sample
 import bpy
@@ -28,14 +30,21 @@ def follow() -> None:
     assert not view.error, view.error
 
 
-def sent(has_memory: bool):
-    """Returns a full trace of the scene that is sent anew; with `has_memory`, objects then remember what was sent."""
+def sent(name: str):
+    """Returns a full trace of the scene that is sent anew; for some edits with the button, objects then remember what was sent."""
     target = sample.FOLDER / "anew.jen"
-    if has_memory:
+    fields = {"file": str(target)}
+    if name in ("start", "several"):
         transfer.send(bpy.context, target, True)
-    else:
+    elif name in ("glass", "object, light, material and world", "object with a texture"):
         program.run(*transfer.prepare(bpy.context, target, []))
-    number = reference.request("open", file=str(target))["scene"]
+    else:
+        # The server imports as the command does, without the start of a process.
+        transfer.prepare(bpy.context, target, [])
+        fields = {"file": str(target.with_suffix(".glb")), "output": str(sample.FOLDER / f"{time.monotonic_ns()}" / "anew.jen"), "indirect": "off"}
+        shutil.copytree(sample.FOLDER, Path(fields["output"]).parent, ignore=lambda folder, names: [
+            n for n in names if not n.startswith("anew-") and not n.endswith(".ies")])
+    number = reference.request("open", **fields)["scene"]
     memory = reference.request("render", scene=number, memory=True)["memory"]
     result = numpy.fromfile(memory["path"], dtype="<f4").reshape(memory["shape"])[::-1]
     reference.request("close", scene=number)
@@ -49,11 +58,23 @@ def check(name: str, is_sent_again: bool = False) -> None:
     follow()
     assert (live.view()._sent > count) == is_sent_again, name
     shown = pixels(bpy.data.images["Lightning"])
-    expected = sent(name in ("start", "several"))
+    expected = sent(name)
     assert shown[:, :, :3].tobytes() == expected.tobytes(), f"{name}: {(shown[:, :, :3] != expected).any(axis=2).sum()} pixels differ"
     assert before is None or before.shape != shown.shape or not numpy.array_equal(shown, before), f"{name}: nothing changed"
     before = shown
     print(f"{name}: equal, {live.view().milliseconds:.1f} ms")
+
+
+def shader(name: str):
+    """Returns a socket of the material."""
+    return bpy.data.materials["Material"].node_tree.nodes["Principled BSDF"].inputs[name]
+
+
+def move_vertex(i: int) -> None:
+    """Edits the mesh that two objects show."""
+    mesh = bpy.data.objects["Cube"].data
+    mesh.vertices[0].co.x = -1 - i / 50
+    mesh.update_tag()
 
 
 def measure(width: int, height: int) -> None:
@@ -62,14 +83,18 @@ def measure(width: int, height: int) -> None:
     live.view().refresh()
     follow()
     for name, edit in (("color", lambda i: setattr(key.data, "color", (1, 0.5, 0.2 + i / 100))),
-                       ("location", lambda i: setattr(key, "location", (1 + i / 50, 2, 3)))):
+                       ("location", lambda i: setattr(key, "location", (1 + i / 50, 2, 3))),
+                       ("camera", lambda i: setattr(scene.camera, "location", (7.3 + i / 100, -6.9, 4.9))),
+                       ("object", lambda i: setattr(bpy.data.objects["Cube"], "location", (i / 50, 0, 0))),
+                       ("material", lambda i: setattr(shader("Base Color"), "default_value", (0.1, 0.6, 0.2 + i / 100, 1))),
+                       ("mesh", move_vertex)):
         times = []
-        for i in range(40):
+        for i in range(1, 16):
             start = time.perf_counter()
             edit(i)
             follow()
             times.append(1000 * (time.perf_counter() - start))
-        print(f"{width}x{height} {name}: smallest {min(times[5:]):.1f} ms, median {sorted(times[5:])[17]:.1f} ms")
+        print(f"{width}x{height} {name}: smallest {min(times[4:]):.1f} ms, median {sorted(times[4:])[5]:.1f} ms")
 
 
 sample.start()
@@ -82,6 +107,9 @@ key, spot, box = (bpy.data.objects[name] for name in ("Key", "Spot", "Soft Box")
 assert bpy.ops.lightning.live_view() == {"FINISHED"}
 before = None
 if len(sys.argv) > 2:
+    # Measures a scene with so many additional spheres of 960 triangles.
+    for n in range(int(sys.argv[2])):
+        bpy.ops.mesh.primitive_uv_sphere_add(segments=32, ring_count=16, radius=0.3, location=(n % 10 - 5, n // 10 - 5, -1))
     measure(480, 270)
     measure(960, 540)
     live.stop()
@@ -116,12 +144,63 @@ scene.world.node_tree.nodes["Background"].inputs["Color"].default_value = (0.1, 
 check("color of the world")
 key.data.type = "SUN"
 check("type", True)
-bpy.data.objects["Cube"].location.x = 0.5
-check("moved object", True)
-bpy.data.materials["Material"].node_tree.nodes["Principled BSDF"].inputs["Base Color"].default_value = (0.1, 0.6, 0.2, 1)
-check("material", True)
+cube, copy = bpy.data.objects["Cube"], bpy.data.objects["Copy"]
+cube.location.x = 0.5
+check("moved object")
+cube.rotation_euler, cube.scale = (0.3, -0.2, 0.7), (1, 1.25, -1)
+check("turned object")
+for name, value in (("Base Color", (0.1, 0.6, 0.2, 1)), ("Roughness", 0.15), ("Metallic", 1), ("Metallic", 0), ("Emission Strength", 0.4),
+                    ("Emission Color", (7, 2, 0.3, 1)), ("Emission Strength", 0), ("Alpha", 0.3), ("Alpha", 1), ("Base Color", (1, 1, 1, 1)),
+                    ("Specular IOR Level", 0.2)):
+    shader(name).default_value = value
+    check(f"{name} {value}", name.startswith("Specular"))
+shader("IOR").default_value = 1.3
+shader("Transmission Weight").default_value = 1
+check("glass", True)
+shader("IOR").default_value = 1.7
+check("index of glass")
+shader("Transmission Weight").default_value = 0
+check("no glass", True)
 scene.camera.location.z += 0.5
-check("camera", True)
+check("camera")
+scene.camera.rotation_euler.x += 0.05
+scene.camera.data.lens = 35
+check("turned camera, lens")
+scene.camera.data.sensor_fit = "VERTICAL"
+check("sensor")
+cube.location.z, key.rotation_euler.y, copy.scale.y = 0.25, 0.3, 2
+shader("Base Color").default_value = (0.8, 0.3, 0.1, 1)
+scene.world.node_tree.nodes["Background"].inputs["Strength"].default_value = 0.5
+check("object, light, material and world")
+copy.parent = cube
+check("parent")
+cube.location.y = -0.4
+check("object with a child")
+cube.data.vertices[0].co.x -= 0.5
+cube.data.update_tag()
+check("mesh", True)
+cube.location.y = 0
+check("object of the new mesh")
+# Not a bevel: its texture coordinates differ from export to export.
+cube.modifiers.new("Subdivision", "SUBSURF").levels = 1
+check("modifier", True)
+copy.hide_render = True
+check("hidden object", True)
+copy.hide_render = False
+check("shown object", True)
+tree = bpy.data.materials["Material"].node_tree
+image = bpy.data.images.new("Texture", 4, 4)
+image.generated_type = "COLOR_GRID"
+texture = tree.nodes.new("ShaderNodeTexImage")
+texture.image = image
+tree.links.new(texture.outputs["Color"], shader("Base Color"))
+check("texture", True)
+shader("Roughness").default_value = 0.6
+check("roughness with a texture")
+cube.location.x = -0.2
+check("object with a texture")
+tree.links.remove(tree.links[-1])
+check("no texture", True)
 for i in range(20):
     # A drag: the last edit counts.
     bpy.data.objects["Square"].location.x = 3 - i / 10

@@ -60,6 +60,9 @@ with Client(program=json.loads(command)) as client:
             assert sorted(os.listdir(out)) == ["a.exr", "a.jen", "a.png"]
             os.chdir("/")
         with lightning_relight.open(text=Path(scene_file).read_text(), client=client) as second:
+            assert second.replace(text="jen 1\npicture { size 20 10 }") == [] and second.lights == []
+            assert second.picture().shape == (10, 20, 3)
+            second.replace(os.path.abspath(scene_file))
             second.set("picture.size=64 64")
             assert second.picture().shape == (64, 64, 3)
             second.set("picture.size=1500 1500")

@@ -2,6 +2,7 @@
 """Blender add-on of Lightning: sends the scene, and gets the lights back."""
 
 import atexit
+import textwrap
 from pathlib import Path
 
 import bpy
@@ -118,7 +119,12 @@ class LIGHTNING_PT_panel(bpy.types.Panel):
         self.layout.operator("lightning.live_view", icon="PAUSE" if view else "PLAY", text="Stop Live View" if view else "Live View",
                              depress=view is not None)
         if view:
-            self.layout.label(text=view.status, icon="ERROR" if view.error else "NONE")
+            # A label does not wrap its text; a letter is about eight pixels wide, an icon as wide as five letters.
+            letters = max(context.region.width / (8 * context.preferences.system.ui_scale), 20)
+            icon = "ERROR" if view.error else "NONE"
+            for line in textwrap.wrap(view.status, int(letters), initial_indent="     " if view.error else ""):
+                self.layout.label(text=line.strip(), icon=icon)
+                icon = "NONE"
 
 
 def _draw_export(self, _context) -> None:

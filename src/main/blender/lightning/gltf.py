@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Binary glTF files: their JSON is read and replaced."""
+"""glTF files: the JSON of binary ones is read and replaced."""
 
 import json
 import struct
@@ -21,3 +21,17 @@ def write(path: Path, root: dict, rest: bytes) -> None:
     text += b" " * (-len(text) % 4)
     header = b"glTF" + struct.pack("<IIII", 2, 20 + len(text) + len(rest), len(text), _JSON)
     path.write_bytes(header + text + rest)
+
+
+def write_binary(path: Path, rest: bytes) -> None:
+    """Writes the binary chunk of a .glb file into a file of its own."""
+    path.write_bytes(rest[8:8 + struct.unpack_from("<I", rest, 0)[0]] if rest else b"")
+
+
+def write_text(path: Path, root: dict, binary: str) -> None:
+    """Writes a .gltf file whose binary chunk is another file, in one step."""
+    if root.get("buffers"):
+        root["buffers"][0]["uri"] = binary
+    temporary = path.with_suffix(".part")
+    temporary.write_text(json.dumps(root, ensure_ascii=False, separators=(",", ":"), allow_nan=False), encoding="utf-8")
+    temporary.replace(path)

@@ -27,9 +27,10 @@ def stored(obj) -> dict:
         return {}
 
 
-def store(obj, name: str, settings: dict, groups: dict) -> None:
-    """Remembers a light as it is in Lightning, and as Blender shows it now."""
-    obj[PROPERTY] = json.dumps({"name": name, "settings": settings, "shown": describe(obj, groups, []), "group": groups.get(settings["bank"], {})})
+def store(obj, name: str, settings: dict, groups: dict, tracks: dict | None = None) -> None:
+    """Remembers a light as it is in Lightning, and as Blender shows it now; `tracks` has digests of its animation there."""
+    obj[PROPERTY] = json.dumps({"name": name, "settings": settings, "shown": describe(obj, groups, []),
+                                "group": groups.get(settings["bank"], {}), "tracks": tracks or {}})
 
 
 def send(obj, groups: dict, messages: list[str]) -> dict:
@@ -126,15 +127,29 @@ def _area_factor(light, scale) -> float:
     return 4 * math.pi * light.shadow_soft_size ** 2 if light.shadow_soft_size > 0 else 4
 
 
+def emission_node(light):
+    """Returns the Emission node that is the only shader of a light's nodes; None if there is another one, or none."""
+    output = light.node_tree.get_output_node("ALL") or light.node_tree.get_output_node("CYCLES") if light.use_nodes and light.node_tree else None
+    links = output.inputs["Surface"].links if output else ()
+    node = links[0].from_node if links else None
+    return node if node is not None and node.bl_idname == "ShaderNodeEmission" else None
+
+
+def own_emission_node(light):
+    """Returns the Emission node whose color and strength are the light's; None if they come from other nodes, or there is none."""
+    node = emission_node(light)
+    return node if node is not None and not any(node.inputs[name].is_linked for name in ("Color", "Strength")) else None
+
+
 def _emission(light, name: str, messages: list[str]) -> tuple[list[float], float]:
     """Returns the color and strength of a light's nodes."""
-    node = None
-    if light.use_nodes and light.node_tree:
-        node = next((n for n in light.node_tree.nodes if n.bl_idname == "ShaderNodeEmission" and n.outputs[0].is_linked), None)
+    node = emission_node(light)
     if node is None:
+        if light.use_nodes and light.node_tree and any(link.to_socket.name == "Surface" for link in light.node_tree.links):
+            messages.append(f"{name}: its nodes have other shaders than one Emission, and are not exchanged")
         return [1, 1, 1], 1
     if node.inputs["Color"].is_linked or node.inputs["Strength"].is_linked:
-        messages.append(f"{name}: textures and IES profiles in a light's nodes are not sent")
+        messages.append(f"{name}: textures and IES profiles in a light's nodes are not exchanged")
     color = node.inputs["Color"].default_value if not node.inputs["Color"].is_linked else (1, 1, 1)
     return list(color[:3]), 1 if node.inputs["Strength"].is_linked else node.inputs["Strength"].default_value
 
@@ -190,8 +205,6 @@ def receive(obj, settings: dict, groups: dict, messages: list[str]) -> None:
 
     light = obj.data
     kind = settings["type"]
-    if settings != before and (obj.animation_data or light.animation_data):
-        messages.append(f"{obj.name}: its keyframes in Blender stay, and override what was edited")
     if changed("type") and (light.type != TYPES[kind] or _area_type(light) != kind):
         light.type = TYPES[kind]
         light = obj.data
@@ -287,11 +300,17 @@ def _receive_strength(obj, light, settings: dict, before: dict, groups: dict, me
     if before.get("temperature") != kelvin:
         light.use_temperature = kelvin != temperature.NEUTRAL
         light.temperature = kelvin
-    color, strength = _emission(light, obj.name, [])
+    color, strength = _emission(light, obj.name, messages)
     correction = temperature.correction(light, kelvin) if light.use_temperature else [1, 1, 1]
-    factors = zip(settings["color"], group["color"], color, correction)
-    rgb = [c * g / (e * k) if e * k > 0 else 0 for c, g, e, k in factors]
-    light.color = rgb
+    node = own_emission_node(light)
+    wanted = [c * g / k if k > 0 else 0 for c, g, k in zip(settings["color"], group["color"], correction)]
+    if node is None:
+        light.color = [c / e if e > 0 else 0 for c, e in zip(wanted, color)]
+    else:
+        # The light's own color and power are factors of its node's; they change only if no factor gives the result.
+        if not all(own > 0 for own in light.color):
+            light.color = (1, 1, 1)
+        node.inputs["Color"].default_value = [c / own for c, own in zip(wanted, light.color)] + [1]
     light.exposure = settings["exposure"]
     intensity = settings.get("relative_intensity", settings["intensity"])
     if settings["falloff"] == "custom" and settings["type"] != "directional":
@@ -299,5 +318,9 @@ def _receive_strength(obj, light, settings: dict, before: dict, groups: dict, me
         intensity /= max(constant + linear + quadratic, 1) if constant or linear else quadratic or 1
         if constant or linear:
             messages.append(f"{obj.name}: its falloff is not inverse-square; Blender's light is equal at distance 1")
-    factor = PER_WATT[light.type] * _area_factor(light, placement(obj).to_scale()) * strength
-    light.energy = intensity * group["intensity"] / factor if factor > 0 else 0
+    factor = PER_WATT[light.type] * _area_factor(light, placement(obj).to_scale())
+    power = intensity * group["intensity"] / factor if factor > 0 else 0
+    if node is not None and light.energy > 0:
+        node.inputs["Strength"].default_value = power / light.energy
+    else:
+        light.energy = power / strength if strength > 0 else power

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """The live view: follows edits in Blender, and shows Lightning's exact picture in an image.
 
-A server of Lightning has the scene open. An edit of lights or of the world becomes edits there, which recompute only what they change;
-any other edit sends the scene again. `pump` does the next step and never waits for the server.
+A server of Lightning has the scene open. An edit of lights or of the world becomes edits there. For any other edit, the scene that was
+exported gets the edit too, or is exported again, and replaces the open one. In each case the server recomputes only what changed. `pump`
+does the next step and never waits for the server.
 """
 
 import shutil
@@ -13,11 +14,14 @@ from pathlib import Path
 import bpy
 import numpy
 
-from . import lights, program, shot, transfer, words
+from . import gltf, lights, program, shot, transfer, words
 from .lightning_relight import Client, RequestError
+from .model import Model
 
 IMAGE = "Lightning"
-# Seconds without another edit until a scene is sent again, and until a slow picture of older lights is canceled.
+# Objects that have no mesh in the file.
+BARE_TYPES = ("LIGHT", "CAMERA", "EMPTY")
+# Most seconds without another edit until a scene is exported again, and those until a slow picture of older lights is canceled.
 SEND_DELAY = 0.3
 CANCEL_DELAY = 0.1
 # Seconds after which a picture of older lights is slow.
@@ -37,8 +41,9 @@ class LiveView:
         self.pictures = 0
         self._folder = Path(tempfile.mkdtemp(prefix="lightning-live-"))
         self._sent = 0
-        self._import = None
         self._opening = None
+        self._model: Model | None = None
+        self._export_seconds = 0.0
         self._edits: list = []
         self._render = None
         self._render_start = 0.0
@@ -50,6 +55,7 @@ class LiveView:
         self._structure: tuple = ()
         self._is_stale = False
         self._is_world_stale = False
+        self._stale_materials: set[str] = set()
         self._must_send = True
         self._changed_at = 0.0
         self._edited_at = time.perf_counter()
@@ -64,14 +70,13 @@ class LiveView:
         """One line for the user."""
         if self.error:
             return self.error
-        if self._import or self._opening or self._must_send:
+        if self._must_send or self._opening and not self.pictures:
             return "Sending the scene"
         return "Rendering" if self._render or not self.pictures else f"{self.milliseconds:.0f} ms from edit to picture"
 
     def is_idle(self) -> bool:
         """Returns whether the image shows the scene as it is, or an error stopped it."""
-        return bool(self.error) or not (self._must_send or self._import or self._opening or self._render or self._edits
-                                        or self._is_stale or self._is_world_stale)
+        return bool(self.error) or not (self._must_send or self._opening or self._render or self._edits or self._is_stale or self._is_world_stale)
 
     def note(self, scene, depsgraph) -> None:
         """Notes what an update of Blender changed."""
@@ -82,12 +87,16 @@ class LiveView:
             block = update.id
             if isinstance(block, bpy.types.World):
                 self._is_world_stale = True
-            elif isinstance(block, bpy.types.Light) or isinstance(block, (bpy.types.Object, bpy.types.Collection, bpy.types.Scene)):
+            elif isinstance(block, (bpy.types.Light, bpy.types.Camera, bpy.types.Object, bpy.types.Collection, bpy.types.Scene)):
                 self._is_stale = True
-                shape = isinstance(block, bpy.types.Object) and block.type not in ("LIGHT", "CAMERA", "EMPTY")
-                self._must_send |= shape and (update.is_updated_geometry or update.is_updated_transform)
-            elif isinstance(block, (bpy.types.Mesh, bpy.types.Curve, bpy.types.MetaBall, bpy.types.Material)):
-                self._must_send |= update.is_updated_geometry or update.is_updated_shading
+                is_shape = isinstance(block, bpy.types.Object) and block.type not in BARE_TYPES
+                self._must_send |= is_shape and update.is_updated_geometry
+            elif isinstance(block, bpy.types.Material):
+                self._is_stale = True
+                self._stale_materials.add(block.name)
+            elif isinstance(block, (bpy.types.Mesh, bpy.types.Curve, bpy.types.MetaBall)):
+                # An edit of a material updates the shading of its meshes.
+                self._must_send |= update.is_updated_geometry
         if self._is_stale or self._is_world_stale or self._must_send:
             self.error = ""
             self._changed_at = time.perf_counter()
@@ -102,14 +111,20 @@ class LiveView:
         """Does what can be done now. An error ends up in `error`."""
         try:
             self._step()
+        except BrokenPipeError:
+            self._fail("the server has ended")
         except (OSError, RuntimeError, RequestError, program.ProgramError) as e:
             self._fail(str(e))
 
     def _fail(self, message: str) -> None:
         self.error = " ".join(message.split()) or "the live view stopped"
-        self._must_send = self._is_stale = self._is_world_stale = False
-        self._import = self._opening = self._render = None
+        self._clear_notes()
+        self._opening = self._render = None
         self._edits = []
+
+    def _clear_notes(self) -> None:
+        self._must_send = self._is_stale = self._is_world_stale = False
+        self._stale_materials = set()
 
     def _step(self) -> None:
         scene = bpy.data.scenes.get(self.scene_name)
@@ -117,33 +132,53 @@ class LiveView:
             return
         self._receive_edits()
         self._receive_picture()
-        if self._import is not None:
-            self._open()
-        elif self._opening is not None:
+        if self._opening is not None:
             self._receive_opened()
         elif self._must_send:
-            if not self._sent or time.perf_counter() - self._changed_at >= SEND_DELAY:
+            # An export blocks Blender: during a drag, it must not take all of the time.
+            if not self._sent or time.perf_counter() - self._changed_at >= min(SEND_DELAY, self._export_seconds):
                 self._send(scene)
         elif self._is_stale or self._is_world_stale:
             self._edit(scene)
 
     def _send(self, scene) -> None:
-        """Starts to send the scene: Blender exports it, and a process of Lightning imports it while Blender goes on."""
-        self._must_send = self._is_stale = self._is_world_stale = False
+        """Exports the scene and sends it."""
+        start = time.perf_counter()
+        self._clear_notes()
         self._cancel()
+        self._model = None
         self._sent += 1
         target = self._target()
         target.parent.mkdir()
         self._copy_files(scene, target.parent)
-        command = transfer.prepare(bpy.context, target, [], is_animated=False)
+        root, rest = transfer.export_model(scene, target)
+        target.with_suffix(".glb").unlink()
+        model = Model(scene, root)
+        transfer.complete(bpy.context, target, root, [])
+        gltf.write_binary(target.with_suffix(".bin"), rest)
         self._groups = transfer.memory(scene).get("banks", {})
         self._lights = self._describe(scene)
-        self._world = transfer.world_settings(scene, target, [])
+        settings = root["extras"][transfer.PROPERTY]
+        self._world = settings["world"]
         self._structure = self._describe_structure(scene)
         # The export itself is no edit.
         bpy.context.view_layer.update()
-        self._must_send = self._is_stale = self._is_world_stale = False
-        self._import = program.start(*command)
+        self._clear_notes()
+        self._model = model
+        self._replace()
+        self._export_seconds = time.perf_counter() - start
+
+    def _replace(self) -> None:
+        """Lets the server import the exported scene, in place of the one that is open."""
+        target = self._target()
+        model = target.with_suffix(".gltf")
+        gltf.write_text(model, self._model.root, target.with_suffix(".bin").name)
+        fields = {"file": str(model), "output": str(target), "indirect": "off"}
+        if self._number is None:
+            self._opening = self._client.send("open", **fields)
+        else:
+            self._opening = self._client.send("replace", scene=self._number, **fields)
+            self._request_picture()
 
     def _target(self) -> Path:
         return self._folder / str(self._sent) / "live.jen"
@@ -156,54 +191,53 @@ class LiveView:
             if source and (source / name).is_file():
                 shutil.copyfile(source / name, folder / Path(name).name)
 
-    def _open(self) -> None:
-        if self._import.poll() is None:
-            return
-        process, self._import = self._import, None
-        program.finish(process)
-        if self._must_send:
-            return
-        if self._number is not None:
-            self._client.send("close", scene=self._number)
-            self._number = None
-        self._opening = self._client.send("open", file=str(self._target()))
-
     def _receive_opened(self) -> None:
         if not self._opening.done():
             return
         answer, self._opening = self._opening, None
         result = answer.result()
+        is_new = self._number is None
         self._number = result["scene"]
         names = result["lights"] if len(result["lights"]) == len(self._lights) else list(self._lights)
         self._names = dict(zip(self._lights, names))
         shutil.rmtree(self._folder / str(self._sent - 1), ignore_errors=True)
-        self._request_picture()
+        if is_new:
+            self._request_picture()
 
     def _describe(self, scene) -> dict[str, dict]:
         return {obj.name: lights.send(obj, self._groups, []) for obj in transfer.lamps(scene)}
 
     def _describe_structure(self, scene) -> tuple:
         """Returns what only sending can change, as far as it is quick to compare."""
-        shown = [obj.name for obj in scene.objects if obj.type not in ("LIGHT", "CAMERA", "EMPTY") and lights.is_on(obj)]
+        shown = [obj.name for obj in scene.objects if obj.type not in BARE_TYPES and lights.is_on(obj)]
         groups = {name: group for name, group in transfer.memory(scene).get("banks", {}).items()
                   if any(group.get(key, neutral) != neutral for key, neutral in NEUTRAL.items())}
-        return shot.size(scene), shown, shot.camera(scene) if scene.camera else None, groups
+        return shot.size(scene), shown, scene.camera and scene.camera.name, groups
 
     def _edit(self, scene) -> None:
-        """Sends what changed of the lights and the world, and asks for a picture."""
+        """Sends what changed, and asks for a picture."""
         now = time.perf_counter()
         if self._render is not None:
             is_slow = self.pictures and now - self._render_start > SLOW and now - self._changed_at > CANCEL_DELAY
             if not is_slow:
                 return
             self._cancel()
-        is_world_stale = self._is_world_stale
-        self._is_stale = self._is_world_stale = False
+        is_world_stale, stale_materials = self._is_world_stale, self._stale_materials
+        self._clear_notes()
         after = self._describe(scene)
         kept = [name for name in self._lights if name in after]
         is_same_type = all(after[name]["type"] == self._lights[name]["type"] for name in kept)
-        if self._number is None or not is_same_type or list(after)[:len(kept)] != kept or self._describe_structure(scene) != self._structure:
+        is_same_order = list(after)[:len(kept)] == kept
+        if (self._number is None or self._model is None or not is_same_type or not is_same_order
+                or self._describe_structure(scene) != self._structure):
             self._must_send = True
+            return
+        is_model_edited = self._model.edit(scene, stale_materials)
+        if is_model_edited is None:
+            self._must_send = True
+            return
+        if is_model_edited:
+            self._edit_model(scene, after, is_world_stale)
             return
         requests = [("delete", {"light": words.quoted(self._names[name])}) for name in self._lights if name not in after]
         edits: list[str] = []
@@ -213,8 +247,7 @@ class LiveView:
                 requests.append(("add", {"light": f"{words.quoted(name)} {settings['type']}"}))
             edits += words.edits(words.quoted(self._names[name]), self._lights.get(name, {"type": settings["type"]}), settings)
         if any(".profile=" in edit for edit in edits):
-            for obj in transfer.lamps(scene):
-                transfer.write_profile(obj, self._target().parent)
+            self._write_profiles(scene)
         self._lights = after
         if is_world_stale:
             edits += self._edit_world(scene)
@@ -224,7 +257,27 @@ class LiveView:
             self._edits += [self._client.send(method, scene=self._number, **fields) for method, fields in requests]
             self._request_picture()
 
+    def _edit_model(self, scene, after: dict[str, dict], is_world_stale: bool) -> None:
+        """Sends the exported scene with an edit of it, and with the lights and the world as they are now."""
+        if is_world_stale:
+            self._edit_world(scene)
+            if self._must_send:
+                return
+        self._write_profiles(scene)
+        self._lights = after
+        settings = self._model.root["extras"][transfer.PROPERTY]
+        groups = dict.fromkeys(obj.lightgroup for obj in transfer.lamps(scene) if obj.lightgroup)
+        if scene.camera is not None:
+            settings["distance"] = shot.target_distance(scene.camera.data)
+        settings |= {"world": self._world, "banks": transfer.light_groups(self._groups, groups), "lights": list(after.values())}
+        self._replace()
+
+    def _write_profiles(self, scene) -> None:
+        for obj in transfer.lamps(scene):
+            transfer.write_profile(obj, self._target().parent)
+
     def _edit_world(self, scene) -> list[str]:
+        """Describes the world again. Returns the edits of it."""
         before = self._world
         # A changed image gets another name.
         target = self._target().with_stem(f"live-{time.monotonic_ns()}")
@@ -272,10 +325,6 @@ class LiveView:
 
     def close(self) -> None:
         """Ends the server."""
-        if self._import is not None:
-            self._import.kill()
-            self._import.wait()
-            self._import.stdout.close()
         try:
             self._client.close()
         except OSError:
@@ -294,12 +343,21 @@ def show(colors) -> None:
         image = bpy.data.images.new(IMAGE, width, height, float_buffer=True)
         # Editors apply the scene's view transform.
         image.use_view_as_render = True
+        _fill_empty_editors(image)
     elif tuple(image.size) != (width, height):
         image.scale(width, height)
     pixels = numpy.ones((height, width, 4), dtype=numpy.float32)
     pixels[:, :, :3] = colors[::-1]
     image.pixels.foreach_set(pixels.reshape(-1))
     image.update()
+
+
+def _fill_empty_editors(image) -> None:
+    """Shows an image in the image editors that show none."""
+    for window in bpy.context.window_manager.windows:
+        for area in window.screen.areas:
+            if area.type == "IMAGE_EDITOR" and area.spaces.active.image is None:
+                area.spaces.active.image = image
 
 
 _view: LiveView | None = None

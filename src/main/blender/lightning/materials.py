@@ -4,6 +4,7 @@
 import math
 
 import bpy
+import numpy
 
 
 def add_glass(root: dict, objects: list, messages: list[str]) -> None:
@@ -67,7 +68,6 @@ def _open_materials(objects: list) -> set[str]:
 
 
 def _is_closed(mesh) -> bool:
-    counts = [0] * len(mesh.edges)
-    for loop in mesh.loops:
-        counts[loop.edge_index] += 1
-    return all(count == 2 for count in counts)
+    edges = numpy.empty(len(mesh.loops), dtype=numpy.int32)
+    mesh.loops.foreach_get("edge_index", edges)
+    return bool((numpy.bincount(edges, minlength=len(mesh.edges)) == 2).all())

@@ -19,10 +19,10 @@ def record(context, objects: list, names: dict, groups: dict, messages: list[str
     result = {"frames": [max(scene.frame_start, 0), max(scene.frame_end, scene.frame_start, 0)],
               "rate": scene.render.fps / scene.render.fps_base, "tracks": []}
     meshes = [obj for obj in objects if obj.type not in ("LIGHT", "CAMERA", "EMPTY", "ARMATURE", "LATTICE", "SPEAKER", "LIGHT_PROBE")]
-    for obj in meshes:
-        keys = getattr(obj.data, "shape_keys", None)
-        if any(m.type in DEFORMING for m in obj.modifiers) or keys is not None and keys.animation_data:
-            messages.append(f"{obj.name}: its deformation is not sent, only the shape of the first frame")
+    deformed = [obj.name for obj in meshes if _is_deformed(obj)]
+    if deformed:
+        shown = ", ".join(deformed[:3]) + (" and others" if len(deformed) > 3 else "")
+        messages.append(f"deformation is not sent, only the shape at the current frame: {shown}")
     if not bpy.data.actions and not any(obj.constraints or obj.animation_data for obj in objects):
         return result
     current, subframe = scene.frame_current, scene.frame_subframe
@@ -48,6 +48,11 @@ def record(context, objects: list, names: dict, groups: dict, messages: list[str
     return result
 
 
+def _is_deformed(obj) -> bool:
+    keys = getattr(obj.data, "shape_keys", None)
+    return any(m.type in DEFORMING for m in obj.modifiers) or keys is not None and keys.animation_data is not None
+
+
 def camera(scene) -> dict:
     """Returns the view of the active camera."""
     obj = scene.camera
@@ -56,7 +61,7 @@ def camera(scene) -> dict:
     position = matrix.translation
     width, height = size(scene)
     data = obj.data
-    view = {"from": axes.vector(position), "to": axes.vector(position + forward * 10),
+    view = {"from": axes.vector(position), "to": axes.vector(position + forward * target_distance(scene.camera.data)),
             "up": axes.vector(matrix.col[1].to_3d().normalized())}
     if data.type == "PERSP":
         # The angle of a sensor belongs to the longer side, or to the one that is chosen.
@@ -64,6 +69,11 @@ def camera(scene) -> dict:
         half = math.tan((data.angle_y if data.sensor_fit == "VERTICAL" else data.angle) / 2)
         view["fov"] = 2 * math.degrees(math.atan(half if fits_height else half * height / width))
     return view
+
+
+def target_distance(data) -> float:
+    """Returns the distance of a camera's target: that of its focus, which does not depend on the objects. So their edits keep the view."""
+    return min(max(axes.number(data.dof.focus_distance), 0.1), 1e4)
 
 
 def size(scene) -> list[int]:

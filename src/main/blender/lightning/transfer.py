@@ -8,13 +8,15 @@ from pathlib import Path
 
 import bpy
 
-from . import axes, gltf, lights, materials, program, shot, world
+from . import animation, axes, gltf, lights, materials, program, shot, world
 
 PROPERTY = "lightning"
 # Lightning's curves for Blender's view transforms.
 VIEWS = {"AgX": "agx", "ACES 2.0": "aces2", "Filmic": "filmic", "Standard": "srgb", "Raw": "linear"}
 
 
+# Start of messages of the export of lights.
+LEFT_OUT = "not exported exactly: "
 # Parts of messages of the import that say nothing new: Lightning has no clipping planes.
 EXPECTED = ("written;", "znear of cameras", "zfar of cameras")
 
@@ -50,25 +52,29 @@ def lamps(scene) -> list:
     return [obj for obj in scene.objects if obj.type == "LIGHT"]
 
 
-def prepare(context, target: Path, messages: list[str], is_animated: bool = True) -> list[str]:
+def prepare(context, target: Path, messages: list[str]) -> list[str]:
     """Writes the glTF file of a scene, and what it refers to. Returns the command that makes the .jen file of it."""
-    scene = context.scene
+    root, rest = export_model(context.scene, target)
+    shown = complete(context, target, root, messages)
+    groups = memory(context.scene).get("banks", {})
+    names = {obj: obj.name for obj in lamps(context.scene)}
+    root["extras"][PROPERTY]["shot"] = shot.record(context, shown, names, groups, messages)
     model = target.with_suffix(".glb")
-    shown = [obj for obj in context.view_layer.objects if obj.type != "LIGHT" and lights.is_on(obj)]
-    _export_model(scene, model)
-    root, rest = gltf.read(model)
-    materials.add_glass(root, shown, messages)
-    settings = _settings(scene, target, messages)
-    if is_animated:
-        groups = memory(scene).get("banks", {})
-        settings["shot"] = shot.record(context, shown, {obj: obj.name for obj in lamps(scene)}, groups, messages)
-    root.setdefault("extras", {})[PROPERTY] = settings
     gltf.write(model, root, rest)
     return ["import", str(model), "-o", str(target), "--light-units", "candela", "--indirect", "off"]
 
 
-def _export_model(scene, path: Path) -> None:
-    """Exports what a render shows: the exporter would add objects of excluded collections."""
+def complete(context, target: Path, root: dict, messages: list[str]) -> list:
+    """Adds to an exported scene what glTF cannot say, except animation, and writes the files that it needs. Returns the objects that are shown."""
+    shown = [obj for obj in context.view_layer.objects if obj.type != "LIGHT" and lights.is_on(obj)]
+    materials.add_glass(root, shown, messages)
+    root.setdefault("extras", {})[PROPERTY] = _settings(context.scene, target, messages)
+    return shown
+
+
+def export_model(scene, target: Path) -> tuple[dict, bytes]:
+    """Exports what a render shows: the exporter would add objects of excluded collections. Returns the JSON and the chunks that follow it."""
+    path = target.with_suffix(".glb")
     hidden = [obj for obj in scene.objects if not obj.hide_render and not lights.is_on(obj)]
     try:
         for obj in hidden:
@@ -77,6 +83,7 @@ def _export_model(scene, path: Path) -> None:
     finally:
         for obj in hidden:
             obj.hide_render = False
+    return gltf.read(path)
 
 
 def _export(path: Path) -> None:
@@ -93,16 +100,22 @@ def _settings(scene, target: Path, messages: list[str]) -> dict:
         "version": 1,
         "picture": _picture(scene, messages),
         "world": world_settings(scene, target, messages),
-        "banks": [{"name": name, **groups.get(name, {})} for name in used],
+        "banks": light_groups(groups, used),
         "lights": [lights.send(obj, groups, messages) for obj in sent],
     }
     if scene.camera is not None:
         settings["camera"] = scene.camera.name
+        settings["distance"] = shot.target_distance(scene.camera.data)
         if scene.camera.data.shift_x or scene.camera.data.shift_y:
             messages.append(f"{scene.camera.name}: the shift of a camera is not sent")
     for obj in sent:
         write_profile(obj, target.parent)
     return settings
+
+
+def light_groups(groups: dict, used) -> list[dict]:
+    """Returns the light groups that lights use, with their settings in Lightning."""
+    return [{"name": name, **groups.get(name, {})} for name in used]
 
 
 def world_settings(scene, target: Path, messages: list[str]) -> dict:
@@ -113,8 +126,9 @@ def world_settings(scene, target: Path, messages: list[str]) -> dict:
 def write_profile(obj, folder: Path) -> None:
     """Writes the profile of a spot with a soft edge."""
     name, profile = lights.spot_profile(obj.data) if obj.data.type == "SPOT" else ("", "")
-    if name:
-        (folder / name).write_bytes(profile.encode("ascii"))
+    content = profile.encode("ascii")
+    if name and not ((folder / name).is_file() and (folder / name).read_bytes() == content):
+        (folder / name).write_bytes(content)
 
 
 def _picture(scene, messages: list[str]) -> dict:
@@ -128,20 +142,22 @@ def _picture(scene, messages: list[str]) -> dict:
 
 def _remember(scene, target: Path, sent: list) -> None:
     """Stores the lights as Lightning has them now, so that a later exchange can tell who changed what."""
-    exported = export(target)
+    exported = export(target, [])
     groups = {group.pop("name"): group for group in exported["banks"]}
     by_name = {light["name"]: light for light in exported["lights"]}
+    animated = animation.by_light(exported.get("shot", {}))
     for obj in sent:
         if obj.name in by_name:
-            lights.store(obj, obj.name, by_name[obj.name], groups)
+            lights.store(obj, obj.name, by_name[obj.name], groups, animation.digests(animated.get(obj.name, {})))
     scene[PROPERTY] = json.dumps({"banks": groups, "world": exported["world"], "digest": _digest(target)})
 
 
-def export(source: Path) -> dict:
+def export(source: Path, messages: list[str]) -> dict:
     """Returns the lights of a .jen file as JSON."""
     with tempfile.TemporaryDirectory() as folder:
         file = Path(folder) / "lights.json"
-        program.run("export-lights", str(source), "-o", str(file))
+        lines = program.run("export-lights", str(source), "-o", str(file))
+        messages += [f"stay in Lightning only: {line.split(LEFT_OUT, 1)[1]}" for line in lines if LEFT_OUT in line]
         return json.loads(file.read_text(encoding="utf-8"))
 
 
@@ -149,8 +165,9 @@ def get_lights(context, source: Path, remove: bool = True) -> list[str]:
     """Brings the lights of a .jen file back: edited, added and, with `remove`, deleted ones. Returns messages for the user."""
     scene = context.scene
     messages: list[str] = []
-    exported = export(source)
+    exported = export(source, messages)
     groups = {group.pop("name"): group for group in exported["banks"]}
+    animated = animation.by_light(exported.get("shot", {}))
     known = {}
     for obj in scene.objects:
         if obj.type == "LIGHT":
@@ -161,14 +178,16 @@ def get_lights(context, source: Path, remove: bool = True) -> list[str]:
         if settings["bank"] and settings["bank"] not in context.view_layer.lightgroups:
             context.view_layer.lightgroups.add(name=settings["bank"])
         lights.receive(obj, settings, groups, messages)
-        received.append((obj, settings))
+        values = animated.get(settings["name"], {})
+        animation.receive(scene, obj, settings, values, exported.get("shot", {}).get("frames", [0])[0], groups, messages)
+        received.append((obj, settings, animation.digests(values)))
     for name, obj in known.items():
         if remove and lights.stored(obj):
             bpy.data.objects.remove(obj)
             messages.append(f"{name}: removed, because it was deleted in Lightning")
     context.view_layer.update()
-    for obj, settings in received:
-        lights.store(obj, settings["name"], settings, groups)
+    for obj, settings, tracks in received:
+        lights.store(obj, settings["name"], settings, groups, tracks)
     world.receive(scene.world, exported["world"], memory(scene).get("world", {}), messages)
     scene[PROPERTY] = json.dumps({"banks": groups, "world": exported["world"], "digest": _digest(source)})
     if any(settings["solo"] for settings in exported["lights"]) or any(group["solo"] for group in groups.values()):

@@ -80,6 +80,32 @@ class Scene:
         self._owns_client = owns_client
         self._mapped: Tuple[str, Optional[mmap.mmap]] = ("", None)
 
+    def replace(
+        self,
+        file: Optional[_File] = None,
+        *,
+        text: Optional[str] = None,
+        output: Optional[_File] = None,
+        indirect: Optional[str] = None,
+    ) -> List[str]:
+        """Opens another scene in this one's place. The next picture recomputes only what differs. The history starts again.
+
+        Args:
+            file: a .jen file, or a file to import, such as a glTF file
+            text: the content of a .jen file, in place of a file
+            output: for a file to import, the .jen file that the import would write; its folder gets the images of the file
+            indirect: for a file to import, ``"on"``, ``"off"`` or ``"auto"``
+
+        Returns:
+            notes, such as what the import left out
+
+        Raises:
+            RequestError: if the file cannot be read or has problems; this scene stays
+        """
+        content = self._request("replace", file=_absolute(file), text=text, output=_absolute(output), indirect=indirect)
+        self.lights, self.materials = content["lights"], content["materials"]
+        return content["notes"]
+
     def set(self, *edits: str, gesture: Optional[str] = None) -> List[str]:
         """Makes edits in the words of the command line, such as ``"sun.color=1 0 0"``: all of them, or none.
 
@@ -187,6 +213,10 @@ class Scene:
 
     def __exit__(self, *_: object) -> None:
         self.close()
+
+
+def _absolute(file: Optional[_File]) -> Optional[str]:
+    return None if file is None else os.path.abspath(file)
 
 
 def _open_file(path: str) -> Any:

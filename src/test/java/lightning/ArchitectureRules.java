@@ -142,7 +142,7 @@ final class ArchitectureRules {
                     WINDOW + " format format.exchange editor.window.property editor.window.traced editor.window.preview editor.window.animation"
                             + " editor.window.timeline editor.window.dock editor.window.measure editor.window.mixer editor.window.contribution"
                             + " editor.window.link editor.window.cue editor.window.welcome"),
-            row("serve", DOCUMENT + " format.exr format.layer"),
+            row("serve", DOCUMENT + " format.mesh format.exr format.layer format.exchange"),
             row("cli.report", "render.shading"),
             row("cli",
                     ENGINE + " base.file scene.shot format format.hdr format.jen format.exr format.image format.layer format.pov format.exchange"

@@ -25,7 +25,8 @@ import picocli.CommandLine.Option;
             "Without --into, to a .usda file, writes a layer for the USD stage that the scene was imported from: its lights are changed, "
                     + "new ones are defined, deleted ones are inactive.",
             "",
-            "Without --into, to a .json file, writes all light and light group properties of the scene as JSON."},
+            "Without --into, to a .json file, writes all light and light group properties of the scene as JSON, and animated "
+                    + "properties of lights at each frame."},
         footer = {
             "Examples:",
             "  lightning export-lights house.jen --into house.glb -o relit.glb",
@@ -67,7 +68,8 @@ final class ExportLightsCommand implements Callable<Integer> {
         Scene scene = document.scene();
         LightUnits chosen = units != null ? units : LightUnits.findIn(document.text()).orElse(LightUnits.CANDELA);
         LightExport lights = isLayer ? LightExport.toUsd(document.text(), document.animatedScene(), input.path(), output)
-                : template == null ? LightExport.toJson(scene) : LightExport.toGltf(template, scene, chosen, Progress.NONE);
+                : template == null ? LightExport.toJson(document.animatedScene())
+                : LightExport.toGltf(template, scene, chosen, Progress.NONE);
         AtomicFile.write(output, out -> out.write(lights.bytes()));
         console.printNotes(output, "not exported exactly", lights.notes());
         console.print("%s: written; %s%s", output, Console.count(scene.lights().size(), "light"),

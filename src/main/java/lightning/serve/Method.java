@@ -9,7 +9,8 @@ import lightning.base.text.Quote;
 
 /** Methods of the protocol with the fields that each allows. */
 enum Method {
-    OPEN("file", "text", "folder", "keep"),
+    OPEN("file", "text", "folder", "output", "indirect", "keep"),
+    REPLACE("scene", "file", "text", "folder", "output", "indirect"),
     SET("scene", "edits", "gesture"),
     ADD("scene", "light"),
     DELETE("scene", "light"),

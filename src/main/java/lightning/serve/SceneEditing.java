@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.BiFunction;
 import java.util.function.Consumer;
+import java.util.stream.Stream;
 import lightning.base.file.AtomicFile;
 import lightning.base.file.ShippedFile;
 import lightning.base.text.Quote;
@@ -30,6 +31,7 @@ final class SceneEditing {
     /** Steps after which the history starts again, so that edits never fill the memory. */
     static final int MAX_STEPS = 10_000;
 
+    private final SceneSource source = new SceneSource();
     private OpenDocument document;
     private String gestureName = "";
     private Object gesture;
@@ -38,26 +40,17 @@ final class SceneEditing {
         return document;
     }
 
-    /** Opens a file or a text; returns what the scene has. */
+    /** Opens a file or a text, in place of the open one if there is one; returns what the scene has. */
     ObjectNode open(Fields fields) throws IOException, JenException {
-        Optional<String> file = fields.optionalString("file");
-        Optional<String> text = fields.optionalString("text");
-        Optional<String> folder = fields.optionalString("folder");
-        if (file.isPresent() == text.isPresent()) {
-            throw Fields.bad("file", "expected either a file or a text");
-        }
-        if (file.isPresent() && folder.isPresent()) {
-            throw Fields.bad("folder", "only a text has a folder; a file's own folder counts");
-        }
-        document = file.isPresent() ? OpenDocument.open(ShippedFile.resolve(Path.of(file.get())))
-                : OpenDocument.openText(text.orElseThrow(), Path.of(folder.orElse("")).toAbsolutePath());
+        document = source.open(fields);
+        gesture = null;
         Scene scene = document.scene();
         ObjectNode content = JsonLines.JSON.createObjectNode();
         content.putArray("size").add(scene.picture().width()).add(scene.picture().height());
         addAll(content.putArray("lights"), scene.lights().stream().map(Light::name).toList());
         addAll(content.putArray("materials"), scene.materials().stream().map(Material::name).toList());
         document.content().shot().ifPresent(shot -> content.putArray("frames").add(shot.first()).add(shot.last()));
-        addAll(content.putArray("notes"), SceneWarnings.of(scene));
+        addAll(content.putArray("notes"), Stream.concat(source.notes().stream(), SceneWarnings.of(scene).stream()).toList());
         return content;
     }
 

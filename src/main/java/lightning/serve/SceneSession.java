@@ -63,7 +63,7 @@ final class SceneSession {
                 throw Server.unknownScene(number);
             }
             result = switch (request.method()) {
-                case OPEN -> open(request);
+                case OPEN, REPLACE -> open(request);
                 case RENDER -> new PictureRequest(this, request).run();
                 case EXPLAIN -> new PixelRequest(this, request).run();
                 case CLOSE -> {

@@ -54,6 +54,11 @@ class BlenderAddOnTest {
         assertThat(run("blender_round_trip.py")).contains("all lights are equal");
     }
 
+    @Test
+    void keysAndNodesOfLights_areEqualOutAndBack() throws Exception {
+        assertThat(run("blender_keys.py")).contains("all keys are equal");
+    }
+
     @ParameterizedTest
     @ValueSource(strings = {"point", "ball", "spot", "sun", "rect", "disc", "warm", "world", "sky"})
     void pictures_equalDirectLightOfCycles(String light) throws Exception {

@@ -69,6 +69,15 @@ public final class OpenDocument {
         return untitled(folder.resolve("untitled.jen"), JenReader.read(text, "text", folder));
     }
 
+    /**
+     * Opens content that no scene file has yet.
+     *
+     * @param file proposed scene file; the content's files are resolved against its folder
+     */
+    public static OpenDocument openContent(Path file, JenDocument content) {
+        return untitled(file, content);
+    }
+
     /** Returns this document with its current content but without its history, so that many edits do not fill the memory. */
     public OpenDocument withoutHistory() {
         OpenDocument fresh =

@@ -178,13 +178,14 @@ final class GltfImport {
     }
 
     /**
-     * Returns the camera with its target as far as the objects: a glTF camera has a direction only. New lights take their size from this
-     * distance.
+     * Returns the camera with its target as far as the objects, or at the distance that the file gives: a glTF camera has a direction only. New
+     * lights take their size from this distance.
      */
     private Camera withTargetAtObjects(Camera camera) {
         Vec3 view = camera.to().minus(camera.from());
         double radius = assembler.bounds.radius();
-        double distance = Math.max(assembler.bounds.center().minus(camera.from()).dot(view), MIN_TARGET_DISTANCE * radius);
+        double distance = extras.cameraDistance().orElseGet(
+                () -> Math.max(assembler.bounds.center().minus(camera.from()).dot(view), MIN_TARGET_DISTANCE * radius));
         try {
             return new Camera(camera.from(), camera.from().plus(view.times(distance)), camera.up(), camera.fov());
         } catch (IllegalArgumentException | ArithmeticException e) {

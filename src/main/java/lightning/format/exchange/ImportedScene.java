@@ -15,6 +15,8 @@ import java.util.Set;
 import lightning.base.file.AtomicFile;
 import lightning.base.file.RegularFile;
 import lightning.base.text.Quote;
+import lightning.format.jen.CachingJenReader;
+import lightning.format.jen.JenDocument;
 import lightning.format.jen.JenException;
 import lightning.format.jen.JenReader;
 import lightning.format.jen.JenWriter;
@@ -177,13 +179,29 @@ public record ImportedScene(Scene unscaledScene, Optional<Shot> shot, Set<String
      */
     public void write() throws IOException, JenException {
         String text = text();
+        writeCopies();
+        JenReader.read(text, sceneFile.toString(), sceneFile.toAbsolutePath().getParent());
+        AtomicFile.write(sceneFile, out -> out.write(text.getBytes(StandardCharsets.UTF_8)));
+    }
+
+    /**
+     * Copies the assets, and returns what the scene file would contain without writing it. Meshes are not decoded again.
+     *
+     * @param reader reader of the scene file's folder; keeps decoded files from one import to the next
+     * @throws IOException if a different file exists or writing fails
+     * @throws JenException as {@link #write}
+     */
+    public JenDocument document(CachingJenReader reader) throws IOException, JenException {
+        writeCopies();
+        return reader.read(text(), sceneFile.toString(), unscaledScene.stage());
+    }
+
+    private void writeCopies() throws IOException {
         for (AssetCopy copy : copies) {
             copy.isAlreadyWritten();
         }
         for (AssetCopy copy : copies) {
             copy.write();
         }
-        JenReader.read(text, sceneFile.toString(), sceneFile.toAbsolutePath().getParent());
-        AtomicFile.write(sceneFile, out -> out.write(text.getBytes(StandardCharsets.UTF_8)));
     }
 }

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.stream.Stream;
 import lightning.scene.AntialiasMode;
@@ -36,6 +37,12 @@ final class SceneExtras {
     /** Returns the name of the active camera's node; empty for the first camera. */
     String camera() {
         return json.path("camera").asString("");
+    }
+
+    /** Returns the distance of the active camera's target; empty for one as far as the objects. */
+    OptionalDouble cameraDistance() {
+        double distance = json.path("distance").asDouble(0);
+        return distance > 0 && Double.isFinite(distance) ? OptionalDouble.of(distance) : OptionalDouble.empty();
     }
 
     /**

@@ -1,6 +1,9 @@
 package lightning.format.jen;
 
 import java.nio.file.Path;
+import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /** Asset loaders of a folder; each caches the files it has read. */
 record AssetFolders(TextureFolder textures, ProfileFolder profiles, EnvironmentFolder environments, MeshFolder meshes) {
@@ -12,5 +15,11 @@ record AssetFolders(TextureFolder textures, ProfileFolder profiles, EnvironmentF
     static AssetFolders of(Path folder) {
         return new AssetFolders(new TextureFolder(folder), new ProfileFolder(folder), new EnvironmentFolder(folder),
                 new MeshFolder(folder));
+    }
+
+    /** Returns all files that were read. */
+    Set<Path> files() {
+        return Stream.of(textures.files(), profiles.files(), environments.files(), meshes.files()).flatMap(Set::stream)
+                .collect(Collectors.toSet());
     }
 }

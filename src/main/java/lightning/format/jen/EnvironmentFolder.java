@@ -1,12 +1,18 @@
 package lightning.format.jen;
 
+import java.io.IOException;
 import java.nio.file.Path;
+import java.util.Set;
 import lightning.format.hdr.HdrReader;
+import lightning.format.mesh.MeshException;
 import lightning.scene.EnvironmentMap;
 
-/** Loader for the environment map of a scene, with the same search path as textures ({@link AssetSearchPath}). */
+/** Loader for the environment map of a scene, with the same search path as textures ({@link AssetSearchPath}). Keeps the last one. */
 final class EnvironmentFolder {
     private final AssetSearchPath searchPath;
+    /** Last map and its file; null before. A scene has one. */
+    private EnvironmentMap map;
+    private Path path;
 
     /**
      * Creates a loader.
@@ -17,6 +23,11 @@ final class EnvironmentFolder {
         searchPath = FileKind.ENVIRONMENT.searchPath(scene);
     }
 
+    /** Returns the file that was read last. */
+    Set<Path> files() {
+        return path == null ? Set.of() : Set.of(path);
+    }
+
     /**
      * Loads an environment map.
      *
@@ -24,6 +35,14 @@ final class EnvironmentFolder {
      *     valid image
      */
     EnvironmentMap load(String file) throws UnusableFileException {
-        return searchPath.read(file, HdrReader::read);
+        return searchPath.read(file, this::load);
+    }
+
+    private EnvironmentMap load(Path file) throws IOException, MeshException {
+        if (!file.equals(path)) {
+            map = HdrReader.read(file);
+            path = file;
+        }
+        return map;
     }
 }

@@ -5,12 +5,16 @@ import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import lightning.base.text.Quote;
 import lightning.base.work.Progress;
 import lightning.format.MeshFormat;
 import lightning.format.mesh.MeshException;
 import lightning.format.mesh.NamedMesh;
 import lightning.scene.Mesh;
+import lightning.scene.Shape;
+import lightning.scene.Solid;
+import lightning.scene.Stage;
 
 /**
  * Loader for the meshes of a scene: next to its file or in {@code meshes/} ({@link AssetSearchPath}). Each file is read
@@ -21,6 +25,8 @@ final class MeshFolder {
 
     private final AssetSearchPath searchPath;
     private final Map<Path, MeshParts> cache = new HashMap<>();
+    /** Meshes of files that are not read, by file and part. */
+    private Map<List<String>, Mesh> provided = Map.of();
     private long triangles;
 
     /**
@@ -33,6 +39,32 @@ final class MeshFolder {
     }
 
     /**
+     * Uses the meshes of a stage in place of their files from now on. A mesh that equals the earlier one of its file and part keeps the earlier
+     * object, so that comparisons of scenes stay fast.
+     */
+    void provide(Stage stage) {
+        Map<List<String>, Mesh> meshes = new HashMap<>();
+        for (Shape shape : stage.shapes()) {
+            if (shape.solid() instanceof Solid.TriangleMesh solid && !solid.part().isEmpty()) {
+                List<String> key = List.of(solid.file(), solid.part());
+                Mesh earlier = provided.get(key);
+                meshes.computeIfAbsent(key, _ -> solid.mesh().equals(earlier) ? earlier : solid.mesh());
+            }
+        }
+        provided = meshes;
+    }
+
+    /** Provides the same meshes as another loader. */
+    void provideAs(MeshFolder other) {
+        provided = other.provided;
+    }
+
+    /** Returns the files that were read. */
+    Set<Path> files() {
+        return cache.keySet();
+    }
+
+    /**
      * Loads a mesh.
      *
      * @param part name of a part of the file; empty for all parts
@@ -40,7 +72,8 @@ final class MeshFolder {
      *     exceeds {@link JenLimits} or has no such part
      */
     Mesh load(String file, String part) throws UnusableFileException {
-        return searchPath.read(file, path -> load(file, part, path));
+        Mesh known = provided.get(List.of(file, part));
+        return known != null ? known : searchPath.read(file, path -> load(file, part, path));
     }
 
     private Mesh load(String file, String part, Path path) throws UnusableFileException, IOException, MeshException {

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.Map;
+import java.util.Set;
 import lightning.base.text.Quote;
 import lightning.format.ies.IesReader;
 import lightning.format.mesh.MeshException;
@@ -24,6 +25,11 @@ final class ProfileFolder {
      */
     ProfileFolder(Path scene) {
         searchPath = FileKind.PROFILE.searchPath(scene);
+    }
+
+    /** Returns the files that were read. */
+    Set<Path> files() {
+        return cache.keySet();
     }
 
     /**

@@ -4,6 +4,8 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.Map;
+import java.util.Set;
+import java.util.stream.Collectors;
 import lightning.base.text.Quote;
 import lightning.scene.Texture;
 import lightning.scene.TextureUsage;
@@ -29,6 +31,11 @@ final class TextureFolder {
      */
     TextureFolder(Path scene) {
         searchPath = FileKind.TEXTURE.searchPath(scene);
+    }
+
+    /** Returns the files that were read. */
+    Set<Path> files() {
+        return cache.keySet().stream().map(CacheKey::path).collect(Collectors.toSet());
     }
 
     /**

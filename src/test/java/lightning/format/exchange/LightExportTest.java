@@ -118,6 +118,27 @@ class LightExportTest {
                 "solo");
     }
 
+    @Test
+    void jsonList_hasAnimatedAttributesAtEachFrame() throws Exception {
+        String text = """
+                jen 1
+                light lamp point { at 0 1 0 intensity 2 attenuation 0 0 1 }
+                shot { frames 3 5  rate 25  light lamp { intensity { 3 1  5 4 }  on { 4 no }  at { 3 0 1 0  5 2 1 0 } } }
+                """;
+        JsonNode root = EXACT.readTree(LightExport.toJson(JenReader.read(text, "text", folder).animatedScene()).bytes());
+        assertThat(root.get("lights").get(0).get("intensity").asDouble()).isEqualTo(2);
+        assertThat(root.get("shot").get("frames").toString()).isEqualTo("[3,5]");
+        assertThat(root.get("shot").get("rate").asDouble()).isEqualTo(25);
+        List<String> tracks = new ArrayList<>();
+        root.get("shot").get("tracks").forEach(track -> tracks.add(track.toString()));
+        assertThat(tracks).containsExactlyInAnyOrder(
+                "{\"light\":\"lamp\",\"attribute\":\"intensity\",\"values\":[1.0,2.5,4.0]}",
+                "{\"light\":\"lamp\",\"attribute\":\"relative_intensity\",\"values\":[1.0,2.5,4.0]}",
+                "{\"light\":\"lamp\",\"attribute\":\"on\",\"values\":[false,false,false]}",
+                "{\"light\":\"lamp\",\"attribute\":\"at\",\"values\":[[0.0,1.0,0.0],[1.0,1.0,0.0],[2.0,1.0,0.0]]}");
+        assertThat(EXACT.readTree(LightExport.toJson(scene).bytes()).has("shot")).isFalse();
+    }
+
     /** Returns the file without the extension's lists and references. */
     private static JsonNode withoutLights(JsonNode root) {
         ((ObjectNode) root.get("extensions")).remove("KHR_lights_punctual");

@@ -1,0 +1,86 @@
+package lightning.serve;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import lightning.base.file.ShippedFile;
+import lightning.base.text.Quote;
+import lightning.base.work.Progress;
+import lightning.editor.document.OpenDocument;
+import lightning.format.exchange.ImportedScene;
+import lightning.format.exchange.IndirectChoice;
+import lightning.format.exchange.LightUnits;
+import lightning.format.exchange.SceneImporter;
+import lightning.format.jen.CachingJenReader;
+import lightning.format.jen.JenException;
+import lightning.format.jen.JenFile;
+import lightning.format.mesh.MeshException;
+
+/** Reads the scene of an {@code open} or {@code replace} request: a scene file, a text, or another program's file. */
+final class SceneSource {
+    /** Reader of the last import's folder, with the files that it decoded; null before. */
+    private CachingJenReader importReader;
+    private List<String> notes = List.of();
+
+    /** Returns what the last scene's import left out or approximated. */
+    List<String> notes() {
+        return notes;
+    }
+
+    /** Opens a file or a text. */
+    OpenDocument open(Fields fields) throws IOException, JenException {
+        Optional<String> file = fields.optionalString("file");
+        Optional<String> text = fields.optionalString("text");
+        Optional<String> folder = fields.optionalString("folder");
+        if (file.isPresent() == text.isPresent()) {
+            throw Fields.bad("file", "expected either a file or a text");
+        }
+        if (file.isPresent() && folder.isPresent()) {
+            throw Fields.bad("folder", "only a text has a folder; a file's own folder counts");
+        }
+        if (file.isPresent() && SceneImporter.isImportName(file.get())) {
+            return read(Path.of(file.get()), output(fields), indirect(fields));
+        }
+        for (String field : List.of("output", "indirect")) {
+            if (fields.has(field)) {
+                throw Fields.bad(field, "only files that are imported have this field");
+            }
+        }
+        notes = List.of();
+        return file.isPresent() ? OpenDocument.open(ShippedFile.resolve(Path.of(file.get())))
+                : OpenDocument.openText(text.orElseThrow(), Path.of(folder.orElse("")).toAbsolutePath());
+    }
+
+    private static Path output(Fields fields) {
+        String name = fields.optionalString("output")
+                .orElseThrow(() -> Fields.bad("output", "missing; expected the .jen file that the import would write"));
+        if (!JenFile.isJenFileName(name.toLowerCase(Locale.ROOT))) {
+            throw Fields.bad("output", "a scene's file name must end in " + JenFile.EXTENSION);
+        }
+        return Path.of(name).toAbsolutePath();
+    }
+
+    private static IndirectChoice indirect(Fields fields) {
+        String word = fields.optionalString("indirect").orElse("auto");
+        return Arrays.stream(IndirectChoice.values()).filter(choice -> choice.name().toLowerCase(Locale.ROOT).equals(word)).findFirst()
+                .orElseThrow(() -> Fields.bad("indirect", "expected on, off or auto, found " + Quote.of(word)));
+    }
+
+    /** Imports a file as {@code lightning import} does, without writing the scene file. */
+    private OpenDocument read(Path file, Path output, IndirectChoice indirect) throws IOException, JenException {
+        try {
+            ImportedScene imported = indirect.apply(SceneImporter.read(file, output, LightUnits.CANDELA, Progress.NONE));
+            if (importReader == null || !importReader.folder().equals(output.getParent())) {
+                importReader = new CachingJenReader(output.getParent());
+            }
+            OpenDocument document = OpenDocument.openContent(output, imported.document(importReader));
+            notes = imported.notes().keySet().stream().sorted().toList();
+            return document;
+        } catch (MeshException e) {
+            throw new RequestException(ErrorCode.BAD_SCENE, "", e.getMessage());
+        }
+    }
+}
