@@ -7,6 +7,7 @@ import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.scene.Attenuation;
 import lightning.scene.Camera;
+import lightning.scene.FaceVisibility;
 import lightning.scene.Light;
 import lightning.scene.LightRig;
 import lightning.scene.LightType;
@@ -77,6 +78,19 @@ public final class EdgeCaseScenes {
             lit = lit.withLights(lit.lights().stream().map(light -> light.withIntensity(light.intensity() * factor)).toList());
         }
         return dark.withRig(lit);
+    }
+
+    /**
+     * Returns a scene with the lights and the world of another one. Lights have the faces of the scene, since pictures in mirrors may be
+     * of a scene with other lights but not of one with other shapes.
+     */
+    public static Scene withLightsOf(Scene lit, Scene scene) {
+        List<Light> lights = new ArrayList<>(scene.lights().stream()
+                .filter(light -> light.area().visibility() != FaceVisibility.HIDDEN)
+                .map(light -> light.withIntensity(0)).toList());
+        lit.rig().effectiveLights().forEach(light -> lights.add(light.withName("other " + light.name())
+                .withArea(light.area().withVisibility(FaceVisibility.HIDDEN))));
+        return isTooBright(scene, scene.rig().withLights(lights)).withWorld(lit.world());
     }
 
     private static Vec3 clamp(Vec3 p) {

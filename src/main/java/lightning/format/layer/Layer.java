@@ -43,7 +43,7 @@ sealed interface Layer {
      */
     static List<Layer> of(Scene scene, boolean all) {
         List<Layer> layers = new ArrayList<>(List.of(new Background(), new Ambient()));
-        if (all || scene.materials().stream().anyMatch(m -> !m.emission().isBlack())) {
+        if (all || scene.stage().rendered().materials().stream().anyMatch(m -> !m.emission().isBlack())) {
             layers.add(new Emission());
         }
         WeightedLight[] lights = WeightedLight.ofScene(scene);

@@ -7,7 +7,10 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.CancellationException;
+import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import java.util.stream.Stream;
 import lightning.base.file.RegularFile;
 import lightning.base.file.ScratchFolder;
 import lightning.base.file.TemporaryFolder;
@@ -32,6 +35,7 @@ record UsdConverter(Path python, Path script, Duration limit) {
     private static final int MAX_MESSAGE = 300;
     private static final int MAX_MESSAGE_BYTES = 1 << 24;
     private static final int POLL_MILLISECONDS = 50;
+    private static final int END_SECONDS = 10;
 
     /**
      * Returns the converter of this installation.
@@ -98,8 +102,23 @@ record UsdConverter(Path python, Path script, Duration limit) {
                         + lastLine(messages) + ")");
             }
         } finally {
-            process.descendants().forEach(ProcessHandle::destroyForcibly);
-            process.destroyForcibly();
+            end(process);
+        }
+    }
+
+    /** Ends a process and those it started; waits until they no longer write into the folder, which is removed next. */
+    private static void end(Process process) {
+        List<ProcessHandle> all = Stream.concat(process.descendants(), Stream.of(process.toHandle())).toList();
+        all.forEach(ProcessHandle::destroyForcibly);
+        for (ProcessHandle handle : all) {
+            try {
+                handle.onExit().get(END_SECONDS, TimeUnit.SECONDS);
+            } catch (ExecutionException | TimeoutException e) {
+                // The system ends it later.
+            } catch (InterruptedException e) {
+                Thread.currentThread().interrupt();
+                return;
+            }
         }
     }
 

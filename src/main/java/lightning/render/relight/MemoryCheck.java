@@ -36,11 +36,9 @@ final class MemoryCheck {
             throw new PictureTooLargeException(max, memory, 0, List.of());
         }
         try {
-            updateForecast(scene, options, parts, memory, pictures);
+            updateForecast(scene, options.withMemory(memory), parts, pictures);
         } catch (PathsTooLargeException e) {
-            // Not even the paths of a small picture fit.
-            throw new PictureTooLargeException(e.requiredBytes(), memory, e.requiredBytes(),
-                    SparserPaths.suggest(scene, options, parts, memory, pictures));
+            throw tooLarge(scene, options.withMemory(memory), parts, e.requiredBytes(), pictures);
         }
         long required = lastForecast.bytes(scene.picture());
         if (required > memory) {
@@ -57,11 +55,26 @@ final class MemoryCheck {
         }
     }
 
-    private void updateForecast(Scene scene, RenderOptions options, PictureParts parts, long memory, SmallPictures pictures) {
+    /** Returns the error for a scene of which not even the paths of a small picture fit: {@code paths} bytes, or more. */
+    private PictureTooLargeException tooLarge(Scene scene, RenderOptions options, PictureParts parts, long paths, SmallPictures pictures) {
+        long memory = options.memory();
+        List<PictureTooLargeException.Suggestion> suggestions = new ArrayList<>();
+        long required = paths;
+        long indirect = paths;
+        if (lastForecast != null && lastForecast.isOf(scene, options, parts)) {
+            required = Math.max(paths, lastForecast.bytes(scene.picture()));
+            indirect = Math.max(paths, lastForecast.indirectBytes(scene.picture()));
+            suggestions.addAll(MemoryEstimate.suggestions(scene, lastForecast, required, memory));
+        }
+        suggestions.addAll(SparserPaths.suggest(scene, options, parts, memory, pictures));
+        return new PictureTooLargeException(required, memory, indirect, suggestions);
+    }
+
+    private void updateForecast(Scene scene, RenderOptions options, PictureParts parts, SmallPictures pictures) {
         if (lastForecast == null || !lastForecast.isOf(scene, options, parts)) {
             lastForecast = MemoryForecast.upperOf(scene, options, parts, pictures);
         }
-        if (lastForecast.isUpper() && lastForecast.bytes(scene.picture()) > memory) {
+        if (lastForecast.isUpper() && lastForecast.bytes(scene.picture()) > options.memory()) {
             lastForecast = MemoryForecast.of(scene, options, parts, pictures);
         }
     }
@@ -81,11 +94,13 @@ final class MemoryCheck {
         if (maxBytes(scene.picture(), centerBytes) + centers.indirectBytes() <= memory) {
             return;
         }
+        // The paths of the picture exist, so those of small pictures fit.
+        RenderOptions known = options.withMemory(Long.MAX_VALUE);
         if (lastForecast == null || !lastForecast.servesSamples(scene, options)) {
-            lastForecast = MemoryForecast.upperOf(scene, options, PictureParts.ALL, pictures);
+            lastForecast = MemoryForecast.upperOf(scene, known, PictureParts.ALL, pictures);
         }
         if (lastForecast.isUpper() && lastForecast.bytes(scene.picture()) > memory) {
-            lastForecast = MemoryForecast.ofSamples(scene, centerBytes, options, pictures);
+            lastForecast = MemoryForecast.ofSamples(scene, centerBytes, known, pictures);
         }
         long required = lastForecast.bytes(scene.picture());
         if (required > memory) {

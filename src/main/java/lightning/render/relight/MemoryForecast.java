@@ -1,6 +1,7 @@
 package lightning.render.relight;
 
 import lightning.render.cache.PixelCache;
+import lightning.render.gather.PathsTooLargeException;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.render.trace.SampleCells;
 import lightning.scene.AntialiasMode;
@@ -64,6 +65,7 @@ final class MemoryForecast {
         return of(scene, options, PictureParts.ALL, SmallPictures.UNSEEN);
     }
 
+    /** @throws PathsTooLargeException if not even the paths of the small pictures fit into the memory of the options */
     static MemoryForecast of(Scene scene, RenderOptions options, PictureParts parts, SmallPictures pictures) {
         boolean edges = scene.picture().sampling().antialias() == AntialiasMode.EDGES;
         boolean samples = edges && parts == PictureParts.ALL;
@@ -78,6 +80,8 @@ final class MemoryForecast {
 
     /**
      * Forecasts from one tiny picture, in a fraction of the time. The result is too large rather than too small.
+     *
+     * @throws PathsTooLargeException if not even the paths of the tiny picture fit into the memory of the options
      */
     static MemoryForecast upperOf(Scene scene, RenderOptions options, PictureParts parts, SmallPictures pictures) {
         boolean edges = scene.picture().sampling().antialias() == AntialiasMode.EDGES;
@@ -186,7 +190,7 @@ final class MemoryForecast {
             PictureSettings small =
                     picture.withSize(Math.max(1, (int) (picture.width() / shrink)), Math.max(1, (int) (picture.height() / shrink)))
                             .withSampling(coarse);
-            try (Renderer renderer = new Renderer(options.withMemory(Long.MAX_VALUE))) {
+            try (Renderer renderer = Renderer.unchecked(options.withMemory(pathMemory(picture, small, options.memory())))) {
                 renderer.setSharedGeometry(pictures.geometry());
                 PlannedUpdate plan = renderer.plan(scene.withPicture(small));
                 if (samples) {
@@ -201,6 +205,12 @@ final class MemoryForecast {
                         cache.bytes() + cache.colorBytes() - centers - cache.indirectBytes(),
                         IndirectEstimate.Sample.of(small, cache.indirect()));
             }
+        }
+
+        /** Returns the bytes that paths of the small picture may use: those of the picture, or more if the picture is smaller. */
+        private static long pathMemory(PictureSettings picture, PictureSettings small, long memory) {
+            double pixels = (double) picture.width() * picture.height();
+            return (long) (memory * Math.max(1, small.width() * small.height() / pixels));
         }
 
         double bytesPerCenter() {

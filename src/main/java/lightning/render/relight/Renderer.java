@@ -31,15 +31,26 @@ public final class Renderer implements AutoCloseable {
     /** Samples missing from the cache if it holds only pixel centers; otherwise null. */
     private PendingSamples pendingSamples;
     private final GeometrySource geometrySource = new GeometrySource();
-    private final MemoryCheck memoryCheck = new MemoryCheck();
+    /** Null if pictures are rendered without a check, until the paths of their indirect light exceed the memory. */
+    private final MemoryCheck memoryCheck;
     /** Accuracy of the cache. It differs from the options after a change, until the next update. */
     private Accuracy cacheAccuracy;
     private double exposure;
     private DisplayCurve curve = DisplayCurve.SRGB;
 
     public Renderer(RenderOptions options) {
+        this(options, new MemoryCheck());
+    }
+
+    private Renderer(RenderOptions options, MemoryCheck memoryCheck) {
         this.options = options;
+        this.memoryCheck = memoryCheck;
         workers = new WorkerPool(options.threads());
+    }
+
+    /** Returns a renderer that does not check the memory of pictures before it renders them. */
+    static Renderer unchecked(RenderOptions options) {
+        return new Renderer(options, null);
     }
 
     public RenderOptions options() {
@@ -375,6 +386,9 @@ public final class Renderer implements AutoCloseable {
     }
 
     private void checkMemory(Scene target, long reservedBytes, boolean centersOnly, Progress progress, Consumer<Film> previews) {
+        if (memoryCheck == null) {
+            return;
+        }
         memoryCheck.requirePicture(target, options.withMemory(options.memory() - reservedBytes),
                 centersOnly ? PictureParts.CENTERS : PictureParts.ALL,
                 new SmallPictures(geometrySource.shared(), progress.cancellationOnly(), previews));
@@ -408,6 +422,9 @@ public final class Renderer implements AutoCloseable {
 
     /** @param memory bytes that are free for centers and samples */
     private void checkSampleMemory(Scene target, long memory, Progress progress) {
+        if (memoryCheck == null) {
+            return;
+        }
         memoryCheck.requireSamples(target, cache, options.withMemory(memory),
                 new SmallPictures(cache.geometry(), progress.cancellationOnly(), _ -> {}));
     }

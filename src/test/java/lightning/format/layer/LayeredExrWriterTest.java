@@ -38,6 +38,7 @@ import lightning.sample.EditSession;
 import lightning.sample.IndirectScenes;
 import lightning.sample.Slow;
 import lightning.sample.StudioScene;
+import lightning.scene.FaceVisibility;
 import lightning.scene.Light;
 import lightning.scene.LightType;
 import lightning.scene.SamplingSettings;
@@ -199,6 +200,22 @@ class LayeredExrWriterTest {
                 assertThat(file.channel("emission.B")[i]).isEqualTo(glows ? 0.125f : 0);
                 assertThat(file.channel("ambient.R")[i]).isEqualTo(id == 0 ? 0 : glows ? 0.1f * 0.5f : 0.1f);
             }
+        }
+    }
+
+    /** The visible face of a light glows without any glowing material in the scene. */
+    @Test
+    void faceOfVisibleLight_isInTheEmission() throws IOException {
+        Light key = StudioScene.key(LightType.POINT);
+        Light ball = key.withName("lamp").withPosition(new Vec3(0, 0, 0)).withIntensity(2)
+                .withArea(key.area().withRadius(0.9).withVisibility(FaceVisibility.GLOWING));
+        Scene scene = StudioScene.of(LightType.POINT).withLights(List.of(ball)).withNodes(List.of());
+        try (Renderer renderer = new Renderer(RenderOptions.DEFAULT.withThreads(1))) {
+            renderer.render(scene, Progress.NONE);
+            ExrValues file = writeFile(renderer, ExrType.FLOAT);
+            int center = file.height / 2 * file.width + file.width / 2;
+            assertThat(file.channel("R")[center]).isPositive();
+            assertThat(file.channel("emission.R")[center]).isEqualTo(file.channel("R")[center]);
         }
     }
 

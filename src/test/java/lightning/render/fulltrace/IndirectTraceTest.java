@@ -34,8 +34,7 @@ class IndirectTraceTest {
     @Property(edgeCases = EdgeCasesMode.NONE)
     @Slow
     void mirrorsOfOtherScene_equalReference(@ForAll("scenes") Scene mirrored, @ForAll("scenes") Scene other, @ForAll long engines) {
-        Scene scene =
-                EdgeCaseScenes.isTooBright(mirrored, mirrored.rig().withLights(other.rig().effectiveLights())).withWorld(other.world());
+        Scene scene = EdgeCaseScenes.withLightsOf(other, mirrored);
         assertEqualsReference(scene.withPicture(scene.picture().withIndirect(other.picture().indirect())), mirrored, 2, engines);
     }
 

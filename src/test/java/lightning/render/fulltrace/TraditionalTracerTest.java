@@ -45,8 +45,7 @@ class TraditionalTracerTest {
     @Slow
     void mirrorsOfOtherScene_equalReference(@ForAll("scenes") Scene mirrored, @ForAll("scenes") Scene other,
             @ForAll long engines) {
-        Scene scene =
-                EdgeCaseScenes.isTooBright(mirrored, mirrored.rig().withLights(other.rig().effectiveLights())).withWorld(other.world());
+        Scene scene = EdgeCaseScenes.withLightsOf(other, mirrored);
         try (WorkerPool workers = new WorkerPool(2)) {
             FilmAssert.assertSameBits(
                     new TraditionalTracer(scene, mirrored, new Geometry(scene)).withEngines(new MixedEngineChoice(engines))
