@@ -61,7 +61,7 @@ final class ArchitectureRules {
             row("render.trace.tree", "base.math render.trace.solid render.trace.mesh render.trace.primitive"),
             row("render.trace",
                     "base.math scene render.column render.trace.solid render.trace.mesh render.trace.primitive render.trace.tree"),
-            row("render.gather", "base.text base.math base.work scene render.image render.trace.tree render.trace"),
+            row("render.gather", "base.text base.math base.work scene render.column render.image render.trace.tree render.trace"),
             row("render.shading",
                     "base.math base.work scene scene.effects render.column render.image render.trace.primitive render.trace.tree render.trace"
                             + " render.gather"),

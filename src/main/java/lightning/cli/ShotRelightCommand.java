@@ -287,7 +287,7 @@ final class ShotRelightCommand implements Callable<Integer> {
                 throw new BadInputException(Console.text(
                         "%s: %s is animated (keyframes at frame%s %s); edit its keyframes in the shot block, or set another property%s",
                         target, track.attribute(), keys.size() == 1 ? "" : "s", formatFrames(keys),
-                        track.attribute().equals("intensity") ? ", such as the intensity of a bank" : ""));
+                        track.attribute().equals("intensity") ? ", such as the intensity of a light group" : ""));
             }
         }
     }

@@ -11,7 +11,7 @@ import lightning.render.relight.MemoryEstimate;
 
 /**
  * Two-level cache of frames. Frames nearest to the focus stay in memory, the others are moved to disk, and dropped if the disk is full.
- * Frames with indirect light have no form on disk and are dropped. Any thread may call, but only one at a time for each frame.
+ * Any thread may call, but only one at a time for each frame.
  */
 final class FrameStore implements AutoCloseable {
     private final long memory;
@@ -27,7 +27,6 @@ final class FrameStore implements AutoCloseable {
         final int frame;
         final CacheMetadata outline;
         final long bytes;
-        final boolean hasIndirect;
         /** Null if it is on disk only. */
         PixelCache cache;
         FrameDiskCache.CacheFile rows;
@@ -39,7 +38,6 @@ final class FrameStore implements AutoCloseable {
             this.cache = cache;
             outline = CacheMetadata.of(cache);
             bytes = MemoryEstimate.usedBytes(cache);
-            hasIndirect = cache.indirectBytes() > 0;
         }
     }
 
@@ -59,14 +57,10 @@ final class FrameStore implements AutoCloseable {
         return pinned;
     }
 
-    /**
-     * Returns the bytes still available.
-     *
-     * @param withIndirect true for frames with indirect light
-     */
-    synchronized long freeBytes(boolean withIndirect) {
+    /** Returns the bytes still available. */
+    synchronized long freeBytes() {
         long half = Long.MAX_VALUE / 2;
-        return Math.min(half, memory - bytes) + (diskCache == null || withIndirect ? 0 : Math.min(half, diskCache.freeBytes()));
+        return Math.min(half, memory - bytes) + (diskCache == null ? 0 : Math.min(half, diskCache.freeBytes()));
     }
 
     /** Returns the cache of a frame; null for none. */
@@ -116,7 +110,7 @@ final class FrameStore implements AutoCloseable {
             bytes += stored.bytes;
             if (old != null) {
                 bytes -= old.cache != null && !old.evicting ? old.bytes : 0;
-                if (previous != null && !stored.hasIndirect && old.rows != null && !isBeingWritten(old)
+                if (previous != null && old.rows != null && !isBeingWritten(old)
                         && CacheSerializer.hasSameRows(previous, cache)) {
                     stored.rows = old.rows;
                     old.rows = null;
@@ -155,7 +149,7 @@ final class FrameStore implements AutoCloseable {
     /** Writes a frame to disk, or drops it; only the thread that stored the frame waits for it. Returns whether it succeeded. */
     private boolean writeToDisk(StoredFrame stored) {
         FrameDiskCache.CacheFile rows =
-                diskCache == null || stored.hasIndirect || stored.rows != null ? stored.rows : diskCache.writeRows(stored.cache);
+                diskCache == null || stored.rows != null ? stored.rows : diskCache.writeRows(stored.cache);
         FrameDiskCache.CacheFile colors = rows == null ? null : diskCache.writeColors(stored.cache);
         synchronized (this) {
             stored.rows = rows;

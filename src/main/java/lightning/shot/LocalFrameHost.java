@@ -40,7 +40,7 @@ public final class LocalFrameHost implements FrameHost {
     }
 
     /**
-     * Creates a host that keeps further frames on disk, except those with indirect light.
+     * Creates a host that keeps further frames on disk.
      *
      * @param parent    parent of the cache folder, which is removed at the end
      * @param diskBytes bytes for files
@@ -78,7 +78,7 @@ public final class LocalFrameHost implements FrameHost {
             renderer.setSharedGeometry(cached == null ? sharedGeometry() : null);
             UpdateResult update = renderer.renderOrClear(scene, progress);
             if (!store.put(frame, renderer.cache(), cached)) {
-                throw rejection(MemoryEstimate.usedBytes(renderer.cache()), scene.picture().indirect().isPresent());
+                throw rejection(MemoryEstimate.usedBytes(renderer.cache()));
             }
             shareGeometry(renderer.cache().geometry());
             Film film = renderer.film();
@@ -92,20 +92,19 @@ public final class LocalFrameHost implements FrameHost {
 
     /** Checks the space before tracing. */
     private void checkRoom(Scene scene) {
-        boolean indirect = scene.picture().indirect().isPresent();
-        long freeBytes = store.freeBytes(indirect);
+        long freeBytes = store.freeBytes();
         if (MemoryEstimate.upperBound(scene, options) > freeBytes) {
             long requiredBytes = MemoryEstimate.forecast(scene, options);
             if (requiredBytes > freeBytes) {
-                throw rejection(requiredBytes, indirect);
+                throw rejection(requiredBytes);
             }
         }
     }
 
-    private FrameRejectedException rejection(long requiredBytes, boolean withIndirect) {
+    private FrameRejectedException rejection(long requiredBytes) {
         return new FrameRejectedException(
                 Messages.tr("the frame needs about {0}, but only {1} is free", ShotMemoryEstimate.formatBytes(requiredBytes),
-                        ShotMemoryEstimate.formatBytes(Math.max(0, store.freeBytes(withIndirect)))));
+                        ShotMemoryEstimate.formatBytes(Math.max(0, store.freeBytes()))));
     }
 
     private synchronized Renderer borrow() {

@@ -54,12 +54,11 @@ public record ShotMemoryEstimate(int frameCount, long bytesPerFrame, long meshBy
      * Checks that the shot fits.
      *
      * @param memory bytes in memory for frames not in progress
-     * @param disk   bytes on disk, where frames with indirect light are not kept
+     * @param disk   bytes on disk
      * @throws ShotTooLargeException if it needs more than both; the message says what would fit
      */
     public void check(long memory, long disk) {
-        long usableDisk = picture.indirect().isPresent() ? 0 : disk;
-        long available = memory + usableDisk;
+        long available = memory + disk;
         if (totalBytes() <= available) {
             return;
         }
@@ -68,10 +67,8 @@ public record ShotMemoryEstimate(int frameCount, long bytesPerFrame, long meshBy
         int width = (int) (picture.width() * scale);
         int height = (int) (picture.height() * scale);
         throw new ShotTooLargeException(String.format(Locale.ROOT,
-                "%d frames of about %s need %s, but only %s of memory%s; %s",
-                frameCount, formatBytes(bytesPerFrame), formatBytes(totalBytes()), formatBytes(memory),
-                picture.indirect().isPresent() ? " is free, and frames with indirect light are not kept on disk"
-                        : " and " + formatBytes(disk) + " of disk space are free",
+                "%d frames of about %s need %s, but only %s of memory and %s of disk space are free; %s",
+                frameCount, formatBytes(bytesPerFrame), formatBytes(totalBytes()), formatBytes(memory), formatBytes(disk),
                 Math.min(width, height) < 1 ? "no frame would fit"
                         : (fittingFrames == 0 ? "" : fittingFrames == 1 ? "one frame would fit, or "
                                 : fittingFrames + " frames would fit, or ")

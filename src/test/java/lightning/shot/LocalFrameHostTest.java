@@ -119,18 +119,19 @@ class LocalFrameHostTest {
     }
 
     @Test
-    void evictedFrameWithIndirectLight_isDroppedAndRetraced() throws Exception {
+    void editOfFrameWithIndirectLightOnDisk_castsNoRays() throws Exception {
         var first = new ShotRevision(IndirectScenes.with(FIRST.scene()), Shot.DEFAULT);
         var brighter = new ShotRevision(IndirectScenes.with(BRIGHTER.scene()), Shot.DEFAULT);
         try (LocalFrameHost host = hostOnDisk(); WorkerPool workers = new WorkerPool(1)) {
-            host.update(1, FIRST, Progress.NONE);
             host.update(1, first, Progress.NONE);
-            assertThat(host.usage()).isEqualTo(CacheUsage.NONE);
-            assertThat(files("rows")).isEmpty();
+            List<Path> rows = files("rows");
+            assertThat(host.usage().diskFrames()).isEqualTo(1);
             FrameUpdate update = host.update(1, brighter, Progress.NONE);
-            assertThat(update.traced()).isTrue();
+            assertThat(update.traced()).isFalse();
+            assertThat(update.rays()).isZero();
             assertThat(update.film().hasSameBits(new TraditionalTracer(brighter.sceneAt(1)).trace(workers, Progress.NONE).film())).isTrue();
-            assertThat(host.film(1)).isEmpty();
+            assertThat(host.film(1).orElseThrow().hasSameBits(update.film())).isTrue();
+            assertThat(files("rows")).isEqualTo(rows);
             assertThat(host.problem()).isEmpty();
         }
     }
@@ -150,11 +151,11 @@ class LocalFrameHostTest {
     }
 
     @Test
-    void pinnedFrameWithIndirectLight_isRejectedWithoutMemory() throws Exception {
+    void pinnedFrameWithIndirectLight_isKeptOnDisk() throws Exception {
         var first = new ShotRevision(IndirectScenes.with(FIRST.scene()), Shot.DEFAULT);
         try (LocalFrameHost host = LocalFrameHost.createPinned(RenderOptions.DEFAULT.withThreads(1), 0, place, UNLIMITED)) {
-            assertThatThrownBy(() -> host.update(1, first, Progress.NONE)).isInstanceOf(FrameRejectedException.class);
-            assertThat(host.usage()).isEqualTo(CacheUsage.NONE);
+            host.update(1, first, Progress.NONE);
+            assertThat(host.usage().diskFrames()).isEqualTo(1);
         }
     }
 

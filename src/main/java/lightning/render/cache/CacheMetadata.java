@@ -1,15 +1,33 @@
 package lightning.render.cache;
 
 import java.util.List;
+import lightning.render.gather.GatherStructure;
 import lightning.render.shading.RenderedScenes;
 import lightning.render.trace.Geometry;
+import lightning.scene.IndirectSettings;
 
 /**
- * Metadata of a cached image that has no indirect light, without its rows and colors: the data required to interpret these if they are
- * stored elsewhere.
+ * Metadata of a cached image, without its rows and colors: the data required to interpret these if they are stored elsewhere.
+ *
+ * @param indirect         indirect light of the scene; null for none
+ * @param mirroredIndirect indirect light in mirrors; null for none
  */
-public record CacheMetadata(Geometry geometry, RenderedScenes scenes, List<CachedLight> lights, List<CachedLight> mirroredLights) {
+public record CacheMetadata(Geometry geometry, RenderedScenes scenes, List<CachedLight> lights, List<CachedLight> mirroredLights,
+        Paths indirect, Paths mirroredIndirect) {
+    /**
+     * Metadata of indirect light.
+     *
+     * @param settings it was computed with
+     * @param metadata what its paths refer to
+     */
+    record Paths(IndirectSettings settings, GatherStructure.Metadata metadata) {
+        static Paths of(IndirectCache cache) {
+            return cache == null ? null : new Paths(cache.settings(), cache.structure().metadata());
+        }
+    }
+
     public static CacheMetadata of(PixelCache cache) {
-        return new CacheMetadata(cache.geometry(), cache.scenes(), cache.lights(), cache.mirroredLights());
+        return new CacheMetadata(cache.geometry(), cache.scenes(), cache.lights(), cache.mirroredLights(), Paths.of(cache.indirect()),
+                Paths.of(cache.mirroredIndirect()));
     }
 }

@@ -12,48 +12,45 @@ import lightning.render.trace.HitRows;
 import lightning.render.trace.SampleCells;
 
 /**
- * Serializer of a cached image's columns, in two parts: rows, layers and edge colors, which edits of weights do not change; and
- * colors, which nearly every edit changes. For images of accuracy exact without indirect light.
+ * Serializer of a cached image's columns, in two parts: rows, layers, edge colors and paths of indirect light, which edits of weights do
+ * not change; and colors and indirect light, which nearly every edit changes. For images of accuracy exact.
  */
 public final class CacheSerializer {
     private CacheSerializer() {}
 
     public static void writeRows(PixelCache cache, ColumnWriter out) throws IOException {
+        IndirectSerializer.writePaths(cache, out);
+        var indirect = IndirectSerializer.Pair.of(cache);
         out.writeInt(cache.tileCount());
         for (CachedTile tile : cache.tiles()) {
-            write(tile, out);
+            write(tile, indirect, out);
         }
         out.writeInt(cache.fineCount());
         for (int i = 0; i < cache.fineCount(); i++) {
             for (FineSamples samples : cache.fineTile(i).stages()) {
-                write(samples, out);
+                write(samples, indirect, out);
             }
         }
         out.writeChecksum();
     }
 
-    private static void write(FineSamples samples, ColumnWriter out) throws IOException {
+    private static void write(FineSamples samples, IndirectSerializer.Pair indirect, ColumnWriter out) throws IOException {
         out.writeInt(samples.cells().grid());
         out.writeArray(samples.cells().cells());
         out.writeArray(samples.pixels());
         out.writeInt(samples.blocks().length);
         for (SampleBlock block : samples.blocks()) {
             out.writeArray(block.pixels());
-            write(block.rows(), out);
+            write(block.rows(), indirect, out);
         }
     }
 
-    private static void write(CachedTile tile, ColumnWriter out) throws IOException {
+    private static void write(CachedTile tile, IndirectSerializer.Pair indirect, ColumnWriter out) throws IOException {
         out.writeInt(tile.levels.length);
         for (TileLevel level : tile.levels) {
             level.rows().writeTo(out);
-            out.writeInt(level.layers().length);
-            for (LightLayer layer : level.layers()) {
-                out.writeInt(layer == null ? 0 : 1);
-                if (layer != null) {
-                    ((LightRows) layer).writeTo(out);
-                }
-            }
+            writeLayers(level.layers(), out);
+            IndirectSerializer.writeWeights(level.weights(), indirect, out);
         }
         out.writeInt(tile.hitShapes.length);
         for (int[] shapes : tile.hitShapes) {
@@ -66,7 +63,18 @@ public final class CacheSerializer {
         }
     }
 
+    static void writeLayers(LightLayer[] layers, ColumnWriter out) throws IOException {
+        out.writeInt(layers.length);
+        for (LightLayer layer : layers) {
+            out.writeInt(layer == null ? 0 : 1);
+            if (layer != null) {
+                ((LightRows) layer).writeTo(out);
+            }
+        }
+    }
+
     public static void writeColors(PixelCache cache, ColumnWriter out) throws IOException {
+        IndirectSerializer.writeLight(cache, out);
         for (CachedTile tile : cache.tiles()) {
             writeColors(tile, out);
         }
@@ -92,15 +100,17 @@ public final class CacheSerializer {
 
     /** Reads the image of these columns. */
     public static PixelCache read(CacheMetadata outline, ColumnReader rows, ColumnReader colors) throws IOException {
+        IndirectSerializer.Pair paths = IndirectSerializer.readPaths(outline, rows);
         CachedTile[] tiles = new CachedTile[rows.readCount()];
         for (int i = 0; i < tiles.length; i++) {
-            tiles[i] = readTile(rows);
+            tiles[i] = readTile(paths, rows);
         }
         FineTile[] fine = new FineTile[rows.readCount()];
         for (int i = 0; i < fine.length; i++) {
-            fine[i] = new FineTile(readSamples(rows), readSamples(rows), null);
+            fine[i] = new FineTile(readSamples(paths, rows), readSamples(paths, rows), null);
         }
         rows.expectEnd();
+        IndirectSerializer.Pair indirect = IndirectSerializer.withLight(paths, colors);
         for (int i = 0; i < tiles.length; i++) {
             tiles[i] = withColors(tiles[i], colors);
         }
@@ -108,29 +118,25 @@ public final class CacheSerializer {
             fine[i] = new FineTile(withColors(fine[i].first(), colors), withColors(fine[i].rest(), colors), colors.readFloatArrays());
         }
         colors.expectEnd();
-        return new PixelCache(outline.geometry(), tiles, fine, outline.scenes(), outline.lights(), outline.mirroredLights(), null,
-                null);
+        return new PixelCache(outline.geometry(), tiles, fine, outline.scenes(), outline.lights(), outline.mirroredLights(),
+                indirect.scene(), indirect.mirrored());
     }
 
-    private static FineSamples readSamples(ColumnReader in) throws IOException {
+    private static FineSamples readSamples(IndirectSerializer.Pair indirect, ColumnReader in) throws IOException {
         SampleCells cells = new SampleCells(in.readInt(), in.readInts());
         short[] pixels = in.readShorts();
         SampleBlock[] blocks = new SampleBlock[in.readCount()];
         for (int b = 0; b < blocks.length; b++) {
-            blocks[b] = new SampleBlock(in.readShorts(), readTile(in), null);
+            blocks[b] = new SampleBlock(in.readShorts(), readTile(indirect, in), null);
         }
         return new FineSamples(cells, pixels, blocks);
     }
 
-    private static CachedTile readTile(ColumnReader in) throws IOException {
+    private static CachedTile readTile(IndirectSerializer.Pair indirect, ColumnReader in) throws IOException {
         TileLevel[] levels = new TileLevel[in.readCount()];
         for (int l = 0; l < levels.length; l++) {
             HitRows rows = HitRows.readFrom(in);
-            LightLayer[] layers = new LightLayer[in.readCount()];
-            for (int i = 0; i < layers.length; i++) {
-                layers[i] = in.readInt() == 0 ? null : LightRows.readFrom(in);
-            }
-            levels[l] = new TileLevel(rows, layers);
+            levels[l] = new TileLevel(rows, readLayers(in)).withWeights(IndirectSerializer.readWeights(indirect, in));
         }
         int[][] hitShapes = new int[in.readCount()][];
         for (int i = 0; i < hitShapes.length; i++) {
@@ -138,6 +144,14 @@ public final class CacheSerializer {
         }
         EdgeColors edges = in.readInt() == 0 ? null : new EdgeColors(in.readInts(), readImages(in));
         return new CachedTile(levels, hitShapes, null, null, edges);
+    }
+
+    static LightLayer[] readLayers(ColumnReader in) throws IOException {
+        LightLayer[] layers = new LightLayer[in.readCount()];
+        for (int i = 0; i < layers.length; i++) {
+            layers[i] = in.readInt() == 0 ? null : LightRows.readFrom(in);
+        }
+        return layers;
     }
 
     private static FineSamples withColors(FineSamples samples, ColumnReader in) throws IOException {
@@ -160,9 +174,9 @@ public final class CacheSerializer {
         return mirrored == null ? null : new BounceImages(mirrored, refracted);
     }
 
-    /** Returns true if two images share the same rows, layers and edge colors, and differ at most in colors. */
+    /** Returns true if two images share the same rows, layers, edge colors and paths, and differ at most in colors and indirect light. */
     public static boolean hasSameRows(PixelCache a, PixelCache b) {
-        if (a.tileCount() != b.tileCount() || a.fineCount() != b.fineCount()) {
+        if (!IndirectSerializer.hasSamePaths(a, b) || a.tileCount() != b.tileCount() || a.fineCount() != b.fineCount()) {
             return false;
         }
         for (int i = 0; i < a.tileCount(); i++) {
@@ -189,13 +203,14 @@ public final class CacheSerializer {
     private static boolean hasSameRows(CachedTile a, CachedTile b) {
         boolean same = a.levels.length == b.levels.length && Arrays.deepEquals(a.hitShapes, b.hitShapes) && a.edges == b.edges;
         for (int l = 0; same && l < a.levels.length; l++) {
-            LightLayer[] before = a.levels[l].layers();
-            LightLayer[] after = b.levels[l].layers();
-            same = a.levels[l].rows() == b.levels[l].rows() && before.length == after.length;
-            for (int i = 0; same && i < before.length; i++) {
-                same = before[i] == after[i];
-            }
+            same = a.levels[l].rows() == b.levels[l].rows() && a.levels[l].weights() == b.levels[l].weights()
+                    && haveSameLayers(a.levels[l], b.levels[l]);
         }
         return same;
+    }
+
+    /** Returns whether two levels share the same layers. */
+    static boolean haveSameLayers(TileLevel a, TileLevel b) {
+        return Arrays.equals(a.layers(), b.layers(), (x, y) -> x == y ? 0 : 1);
     }
 }

@@ -10,6 +10,7 @@ import java.util.zip.CRC32C;
 /** Reader for the output of a {@link ColumnWriter}. Verifies the checksum first, so that damaged data is never read. */
 public final class ColumnReader {
     private static final ValueLayout.OfShort SHORT = ValueLayout.JAVA_SHORT_UNALIGNED.withOrder(ByteOrder.LITTLE_ENDIAN);
+    private static final ValueLayout.OfChar CHAR = ValueLayout.JAVA_CHAR_UNALIGNED.withOrder(ByteOrder.LITTLE_ENDIAN);
     private static final ValueLayout.OfInt INT = ValueLayout.JAVA_INT_UNALIGNED.withOrder(ByteOrder.LITTLE_ENDIAN);
     private static final ValueLayout.OfFloat FLOAT = ValueLayout.JAVA_FLOAT_UNALIGNED.withOrder(ByteOrder.LITTLE_ENDIAN);
     private static final ValueLayout.OfLong LONG = ValueLayout.JAVA_LONG_UNALIGNED.withOrder(ByteOrder.LITTLE_ENDIAN);
@@ -92,8 +93,34 @@ public final class ColumnReader {
         };
     }
 
+    public byte[] readBytes() throws IOException {
+        return (byte[]) readArray(ElementType.BYTE);
+    }
+
+    /** Reads an array of characters that is not null. */
+    public char[] readChars() throws IOException {
+        int length = readCount();
+        long from = advance((long) length * Character.BYTES);
+        char[] a = new char[length];
+        MemorySegment.copy(in, CHAR, from, a, 0, length);
+        return a;
+    }
+
+    /** Reads an array of long integers that is not null. */
+    public long[] readLongs() throws IOException {
+        int length = readCount();
+        long from = advance((long) length * Long.BYTES);
+        long[] a = new long[length];
+        MemorySegment.copy(in, LONG, from, a, 0, length);
+        return a;
+    }
+
     public int[] readInts() throws IOException {
         return (int[]) readArray(ElementType.INT);
+    }
+
+    public float[] readFloats() throws IOException {
+        return (float[]) readArray(ElementType.FLOAT);
     }
 
     public short[] readShorts() throws IOException {

@@ -34,7 +34,7 @@ public final class ColumnWriter {
         buffer.putLong(v);
     }
 
-    /** Writes an array of a type of {@link ElementType}, or null. */
+    /** Writes an array of a type of {@link ElementType}, of characters or of long integers, or null. */
     public void writeArray(Object column) throws IOException {
         switch (column) {
             case null -> writeInt(ABSENT);
@@ -51,6 +51,20 @@ public final class ColumnWriter {
                     n = ensureSpace(Short.BYTES, a.length - at);
                     buffer.asShortBuffer().put(a, at, n);
                     buffer.position(buffer.position() + n * Short.BYTES);
+                }
+            }
+            case char[] a -> {
+                writeInt(a.length);
+                for (int at = 0, n; at < a.length; at += n) {
+                    n = ensureSpace(Character.BYTES, a.length - at);
+                    buffer.asCharBuffer().put(a, at, n);
+                    buffer.position(buffer.position() + n * Character.BYTES);
+                }
+            }
+            case long[] a -> {
+                writeInt(a.length);
+                for (long value : a) {
+                    writeLong(value);
                 }
             }
             case int[] a -> {

@@ -1,5 +1,9 @@
 package lightning.render.gather;
 
+import java.io.IOException;
+import lightning.render.column.ColumnReader;
+import lightning.render.column.ColumnWriter;
+
 /**
  * Points at which light is gathered.
  *
@@ -11,6 +15,21 @@ package lightning.render.gather;
  */
 record GatherPoints(RaySources sources, long[] inverseLengths, float[] radius, PointGroups groups, PointFilter filter) {
     // Arrays in a record: written once by their creator, never after.
+
+    /** Writes all but the groups, which are made again. */
+    void writeTo(ColumnWriter out) throws IOException {
+        sources.writeTo(out);
+        out.writeArray(inverseLengths);
+        out.writeArray(radius);
+        filter.writeTo(out);
+    }
+
+    static GatherPoints readFrom(ColumnReader in, CellKeys keys) throws IOException {
+        RaySources sources = RaySources.readFrom(in, keys);
+        long[] inverseLengths = in.readLongs();
+        float[] radius = in.readFloats();
+        return new GatherPoints(sources, inverseLengths, radius, new PointGroups(sources.surface, radius), PointFilter.readFrom(in));
+    }
 
     SurfaceColumns surface() {
         return sources.surface;

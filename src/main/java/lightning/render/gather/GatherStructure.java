@@ -1,5 +1,8 @@
 package lightning.render.gather;
 
+import java.io.IOException;
+import lightning.render.column.ColumnReader;
+import lightning.render.column.ColumnWriter;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.MaterialTable;
@@ -34,6 +37,42 @@ public final class GatherStructure {
         this.kept = kept;
         this.bounces = bounces;
         this.rays = rays;
+    }
+
+    /**
+     * What stored paths refer to.
+     *
+     * @param keys   of the cells of the gather points
+     * @param shapes glowing objects at which rays are aimed
+     */
+    public record Metadata(CellKeys keys, GlowShapes shapes) {}
+
+    /** Returns what stored paths refer to. */
+    public Metadata metadata() {
+        return new Metadata(points.sources().keys(), glow.shapes());
+    }
+
+    /** Writes these paths, which must contain all rows. */
+    public void writeTo(ColumnWriter out) throws IOException {
+        points.writeTo(out);
+        pointLinks.writeTo(out);
+        surfelLinks.writeTo(out);
+        surfels.writeTo(out);
+        out.writeFloatArrays(surfelNormals);
+        glow.writeTo(out);
+        out.writeInt(bounces);
+        out.writeLong(rays);
+    }
+
+    /**
+     * Reads paths.
+     *
+     * @throws IOException if the data is truncated
+     */
+    public static GatherStructure readFrom(ColumnReader in, Metadata metadata) throws IOException {
+        return new GatherStructure(GatherPoints.readFrom(in, metadata.keys), RayLinks.readFrom(in), RayLinks.readFrom(in),
+                SurfelRows.readFrom(in), in.readFloatArrays(), GlowPaths.readFrom(in, metadata.shapes), null, in.readInt(),
+                in.readLong());
     }
 
     /**

@@ -1,8 +1,11 @@
 package lightning.render.gather;
 
+import java.io.IOException;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
+import lightning.render.column.ColumnReader;
+import lightning.render.column.ColumnWriter;
 
 /** Shares of the light of small glowing objects that points receive. Immutable. */
 public final class GlowLinks {
@@ -57,6 +60,25 @@ public final class GlowLinks {
         if (points > 0) {
             start[points] = at;
         }
+    }
+
+    private GlowLinks(int[] start, char[] shape, float[][] weight) {
+        this.start = start;
+        this.shape = shape;
+        this.weight = weight;
+    }
+
+    void writeTo(ColumnWriter out) throws IOException {
+        out.writeArray(start);
+        out.writeArray(shape);
+        out.writeFloatArrays(weight[0] == weight[1] ? new float[][] {weight[0]} : weight);
+    }
+
+    static GlowLinks readFrom(ColumnReader in) throws IOException {
+        int[] start = in.readInts();
+        char[] shape = in.readChars();
+        float[][] weight = in.readFloatArrays();
+        return new GlowLinks(start, shape, weight.length == 1 ? new float[][] {weight[0], weight[0], weight[0]} : weight);
     }
 
     /** @param parts of all points, in any order */

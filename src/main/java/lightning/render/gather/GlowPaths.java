@@ -1,5 +1,9 @@
 package lightning.render.gather;
 
+import java.io.IOException;
+import lightning.render.column.ColumnReader;
+import lightning.render.column.ColumnWriter;
+
 /**
  * Paths from small glowing objects to points and surfels. Immutable.
  *
@@ -10,6 +14,17 @@ package lightning.render.gather;
  */
 public record GlowPaths(GlowShapes shapes, GlowLinks ofPoints, GlowLinks ofSurfels, int[] surfels) {
     // Arrays in a record: written once by their creator, never after.
+
+    /** Writes all but the objects. */
+    void writeTo(ColumnWriter out) throws IOException {
+        ofPoints.writeTo(out);
+        ofSurfels.writeTo(out);
+        out.writeArray(surfels);
+    }
+
+    static GlowPaths readFrom(ColumnReader in, GlowShapes shapes) throws IOException {
+        return new GlowPaths(shapes, GlowLinks.readFrom(in), GlowLinks.readFrom(in), in.readInts());
+    }
 
     /** Returns the bytes of the paths to gather points. */
     long pointBytes() {

@@ -1,5 +1,9 @@
 package lightning.render.gather;
 
+import java.io.IOException;
+import lightning.render.column.ColumnReader;
+import lightning.render.column.ColumnWriter;
+
 /**
  * Weighted means over neighboring gather points, which remove the noise of their rays. The weights are fixed, so the mean is linear in
  * the light. They are whole numbers up to 255, relative to the largest of each point.
@@ -84,6 +88,15 @@ final class PointFilter {
             to[1][p] = green * scale;
             to[2][p] = blue * scale;
         }
+    }
+
+    void writeTo(ColumnWriter out) throws IOException {
+        out.writeArray(start);
+        neighbors.writeTo(out);
+    }
+
+    static PointFilter readFrom(ColumnReader in) throws IOException {
+        return new PointFilter(in.readInts(), WeightedPoints.readFrom(in));
     }
 
     long bytes() {

@@ -1,6 +1,9 @@
 package lightning.render.gather;
 
+import java.io.IOException;
 import java.util.Arrays;
+import lightning.render.column.ColumnReader;
+import lightning.render.column.ColumnWriter;
 
 /** Surfels that the rays of points hit, by ray. First they are known by the keys of their cells, later by their numbers. */
 public final class RayLinks {
@@ -34,6 +37,7 @@ public final class RayLinks {
     /** Tinted rays; null if there are none. */
     private RayTints tints;
 
+    /** @param memory null for links that are read */
     RayLinks(int raysPerPoint, PathMemory memory) {
         this.raysPerPoint = raysPerPoint;
         this.memory = memory;
@@ -133,6 +137,28 @@ public final class RayLinks {
         wasTinted = tint != null;
         tints = tint == null ? null : RayTints.of(tint, rays);
         tint = null;
+    }
+
+    /** Writes finished links. */
+    void writeTo(ColumnWriter out) throws IOException {
+        out.writeInt(raysPerPoint);
+        out.writeInt(rays);
+        out.writeInt(miss);
+        out.writeArray(dark);
+        surfel.writeTo(out);
+        RayTints.write(tints, out);
+        out.writeInt(wasTinted ? 1 : 0);
+    }
+
+    static RayLinks readFrom(ColumnReader in) throws IOException {
+        var links = new RayLinks(in.readInt(), null);
+        links.rays = in.readInt();
+        links.miss = in.readInt();
+        links.dark = in.readInts();
+        links.surfel = RayNumbers.readFrom(in);
+        links.tints = RayTints.read(in);
+        links.wasTinted = in.readInt() != 0;
+        return links;
     }
 
     /** Returns the number of points. */

@@ -1,5 +1,9 @@
 package lightning.render.gather;
 
+import java.io.IOException;
+import lightning.render.column.ColumnReader;
+import lightning.render.column.ColumnWriter;
+
 /** Numbers below a limit, one for each ray: 16 bits each, and as many more as the limit needs, rounded to a power of two. */
 final class RayNumbers {
     /** Rays from a multiple of this on share no memory with those before, so that threads may write them. */
@@ -19,6 +23,22 @@ final class RayNumbers {
         int bits = Integer.SIZE - Integer.numberOfLeadingZeros(Math.max(1, limit - 1)) - Character.SIZE;
         shift = bits <= 1 ? 0 : Integer.SIZE - Integer.numberOfLeadingZeros(bits - 1);
         high = bits <= 0 ? null : new int[(int) ((((long) rays << shift) + Integer.SIZE - 1) / Integer.SIZE)];
+    }
+
+    private RayNumbers(char[] low, int[] high, int shift) {
+        this.low = low;
+        this.high = high;
+        this.shift = shift;
+    }
+
+    void writeTo(ColumnWriter out) throws IOException {
+        out.writeArray(low);
+        out.writeArray(high);
+        out.writeInt(shift);
+    }
+
+    static RayNumbers readFrom(ColumnReader in) throws IOException {
+        return new RayNumbers(in.readChars(), in.readInts(), in.readInt());
     }
 
     int count() {

@@ -1,6 +1,9 @@
 package lightning.render.gather;
 
+import java.io.IOException;
 import java.util.Arrays;
+import lightning.render.column.ColumnReader;
+import lightning.render.column.ColumnWriter;
 
 /** Points that cast rays: gather points or surfels. */
 final class RaySources {
@@ -19,6 +22,27 @@ final class RaySources {
         this.surface = surface;
         this.areSurfels = areSurfels;
         Arrays.fill(levelStart, Integer.MAX_VALUE);
+    }
+
+    CellKeys keys() {
+        return keys;
+    }
+
+    /** Writes gather points without their keys. */
+    void writeTo(ColumnWriter out) throws IOException {
+        surface.writeTo(out);
+        out.writeArray(levelStart);
+        out.writeFloatArrays(new float[][] {geometricX, geometricY, geometricZ});
+    }
+
+    static RaySources readFrom(ColumnReader in, CellKeys keys) throws IOException {
+        var sources = new RaySources(keys, SurfaceColumns.readFrom(in), false);
+        System.arraycopy(in.readInts(), 0, sources.levelStart, 0, CellKeys.LEVELS);
+        float[][] normals = in.readFloatArrays();
+        sources.geometricX = normals[0];
+        sources.geometricY = normals[1];
+        sources.geometricZ = normals[2];
+        return sources;
     }
 
     /** Makes room for the normals of points {@code 0 … count − 1}. */

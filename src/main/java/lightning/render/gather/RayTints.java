@@ -1,6 +1,9 @@
 package lightning.render.gather;
 
+import java.io.IOException;
 import java.util.Arrays;
+import lightning.render.column.ColumnReader;
+import lightning.render.column.ColumnWriter;
 
 /**
  * Tints of the rays that pass transparent surfaces. Immutable.
@@ -35,6 +38,19 @@ record RayTints(int[] ray, float[][] tint) {
     int firstFrom(int first) {
         int found = Arrays.binarySearch(ray, first);
         return found >= 0 ? found : -found - 1;
+    }
+
+    /** @param tints null for none */
+    static void write(RayTints tints, ColumnWriter out) throws IOException {
+        out.writeArray(tints == null ? null : tints.ray);
+        out.writeFloatArrays(tints == null ? null : tints.tint);
+    }
+
+    /** Reads tints; returns null for none. */
+    static RayTints read(ColumnReader in) throws IOException {
+        int[] ray = in.readInts();
+        float[][] tint = in.readFloatArrays();
+        return ray == null ? null : new RayTints(ray, tint);
     }
 
     int count() {

@@ -1,6 +1,9 @@
 package lightning.render.gather;
 
+import java.io.IOException;
 import java.util.Arrays;
+import lightning.render.column.ColumnReader;
+import lightning.render.column.ColumnWriter;
 
 /** Weights of the gather points near each row of a level: at most eight for each, fixed like the rows. Immutable. */
 public final class RowWeights {
@@ -47,6 +50,22 @@ public final class RowWeights {
         this.structure = structure;
         this.count = count;
         this.near = near;
+    }
+
+    /** Writes all but the structure. */
+    public void writeTo(ColumnWriter out) throws IOException {
+        out.writeArray(count);
+        near.writeTo(out);
+    }
+
+    /**
+     * Reads weights.
+     *
+     * @param structure that the points belong to
+     * @throws IOException if the data is truncated
+     */
+    public static RowWeights readFrom(ColumnReader in, GatherStructure structure) throws IOException {
+        return new RowWeights(structure, in.readBytes(), WeightedPoints.readFrom(in));
     }
 
     /** Returns the structure that the points belong to. */

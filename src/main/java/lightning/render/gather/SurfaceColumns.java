@@ -1,6 +1,9 @@
 package lightning.render.gather;
 
+import java.io.IOException;
 import java.util.Arrays;
+import lightning.render.column.ColumnReader;
+import lightning.render.column.ColumnWriter;
 
 /** Points on surfaces with their normals, as columns that share one index. Render space. */
 public final class SurfaceColumns {
@@ -27,6 +30,27 @@ public final class SurfaceColumns {
         ny = new float[capacity];
         nz = new float[capacity];
         primitive = new int[capacity];
+    }
+
+    void writeTo(ColumnWriter out) throws IOException {
+        out.writeInt(count);
+        for (float[] column : new float[][] {px, py, pz, nx, ny, nz}) {
+            out.writeArray(Arrays.copyOf(column, count));
+        }
+        out.writeArray(Arrays.copyOf(primitive, count));
+    }
+
+    static SurfaceColumns readFrom(ColumnReader in) throws IOException {
+        var columns = new SurfaceColumns(0);
+        columns.count = in.readInt();
+        columns.px = in.readFloats();
+        columns.py = in.readFloats();
+        columns.pz = in.readFloats();
+        columns.nx = in.readFloats();
+        columns.ny = in.readFloats();
+        columns.nz = in.readFloats();
+        columns.primitive = in.readInts();
+        return columns;
     }
 
     /** Returns the number of points. */

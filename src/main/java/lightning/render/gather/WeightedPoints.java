@@ -1,6 +1,9 @@
 package lightning.render.gather;
 
+import java.io.IOException;
 import java.util.Arrays;
+import lightning.render.column.ColumnReader;
+import lightning.render.column.ColumnWriter;
 
 /**
  * Lists of weighted gather points in little more than two bytes per entry. Lists follow each other, and consecutive entries share a table
@@ -29,6 +32,18 @@ final class WeightedPoints {
         this.firstPoint = firstPoint;
         this.index = index;
         this.weight = weight;
+    }
+
+    void writeTo(ColumnWriter out) throws IOException {
+        out.writeArray(points);
+        out.writeArray(firstEntry);
+        out.writeArray(firstPoint);
+        out.writeArray(index);
+        out.writeArray(weight);
+    }
+
+    static WeightedPoints readFrom(ColumnReader in) throws IOException {
+        return new WeightedPoints(in.readInts(), in.readInts(), in.readInts(), in.readBytes(), in.readBytes());
     }
 
     /** Returns these lists with other numbers of the points; null if one has none. */

@@ -59,7 +59,7 @@ class RatioTest {
                 UpdateResult update = renderer.render(session.scenes().get(step), Progress.NONE);
                 differs |= !ReferenceCheck.assertGuarantee(renderer, update, "after edit " + step).isNone();
             }
-            SceneCoverage.collect("differs from the exact picture", differs, 10);
+            SceneCoverage.collect("differs from the exact picture", differs, 3);
         }
     }
 
@@ -80,7 +80,7 @@ class RatioTest {
                 UpdateResult update = renderer.render(session.scenes().get(step), Progress.NONE);
                 differs |= !ReferenceCheck.assertGuarantee(renderer, update, "after edit " + step).isNone();
             }
-            SceneCoverage.collect("differs from the exact picture", differs, 10);
+            SceneCoverage.collect("differs from the exact picture", differs, 3);
         }
     }
 

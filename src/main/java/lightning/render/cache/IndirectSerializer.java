@@ -1,0 +1,154 @@
+package lightning.render.cache;
+
+import java.io.IOException;
+import lightning.render.column.ColumnReader;
+import lightning.render.column.ColumnWriter;
+import lightning.render.gather.GatherStructure;
+import lightning.render.gather.RowWeights;
+import lightning.render.shading.IndirectLight;
+import lightning.render.trace.HitRows;
+
+/** Serializer of cached indirect light: its paths, the layers of its surfels, the weights of rows, and the light. */
+final class IndirectSerializer {
+    private static final int NO_PATHS = -1;
+
+    /** How the indirect light in mirrors is related to that of the scene. */
+    private enum Mirrored {
+        NONE, SAME, SAME_PATHS, OWN_PATHS;
+
+        static Mirrored of(PixelCache cache) {
+            IndirectCache mirrored = cache.mirroredIndirect();
+            IndirectCache shown = cache.indirect();
+            return mirrored == null ? NONE : mirrored == shown ? SAME
+                    : shown != null && mirrored.structure() == shown.structure() ? SAME_PATHS : OWN_PATHS;
+        }
+
+        boolean isOfItsOwn() {
+            return this == SAME_PATHS || this == OWN_PATHS;
+        }
+    }
+
+    /**
+     * Indirect light of an image.
+     *
+     * @param scene    that of the scene; null for none
+     * @param mirrored that in mirrors; null for none
+     */
+    record Pair(IndirectCache scene, IndirectCache mirrored) {
+        static Pair of(PixelCache cache) {
+            return new Pair(cache.indirect(), cache.mirroredIndirect());
+        }
+
+        /** Returns the light to which weights belong; {@link #NO_PATHS} for none. */
+        private int index(RowWeights weights) {
+            return weights == null ? NO_PATHS : scene != null && weights.structure() == scene.structure() ? 0
+                    : mirrored != null && weights.structure() == mirrored.structure() ? 1 : NO_PATHS;
+        }
+    }
+
+    private IndirectSerializer() {}
+
+    /** Writes paths and layers of surfels. */
+    static void writePaths(PixelCache cache, ColumnWriter out) throws IOException {
+        Mirrored mirrored = Mirrored.of(cache);
+        out.writeInt(mirrored.ordinal());
+        if (cache.indirect() != null) {
+            cache.indirect().structure().writeTo(out);
+            writeLayers(cache.indirect(), out);
+        }
+        if (mirrored == Mirrored.OWN_PATHS) {
+            cache.mirroredIndirect().structure().writeTo(out);
+        }
+        if (mirrored.isOfItsOwn()) {
+            writeLayers(cache.mirroredIndirect(), out);
+        }
+    }
+
+    private static void writeLayers(IndirectCache indirect, ColumnWriter out) throws IOException {
+        for (TileLevel block : indirect.surfels()) {
+            CacheSerializer.writeLayers(block.layers(), out);
+        }
+    }
+
+    /** Reads what {@link #writePaths} wrote. The light of the result is missing. */
+    static Pair readPaths(CacheMetadata metadata, ColumnReader in) throws IOException {
+        Mirrored mirrored = Mirrored.values()[in.readInt()];
+        IndirectCache scene = metadata.indirect() == null ? null
+                : readLayers(metadata.indirect(), GatherStructure.readFrom(in, metadata.indirect().metadata()), in);
+        return new Pair(scene, switch (mirrored) {
+            case NONE -> null;
+            case SAME -> scene;
+            case SAME_PATHS -> readLayers(metadata.mirroredIndirect(), scene.structure(), in);
+            case OWN_PATHS -> readLayers(metadata.mirroredIndirect(),
+                    GatherStructure.readFrom(in, metadata.mirroredIndirect().metadata()), in);
+        });
+    }
+
+    private static IndirectCache readLayers(CacheMetadata.Paths metadata, GatherStructure structure, ColumnReader in) throws IOException {
+        HitRows[] rows = structure.surfels();
+        TileLevel[] surfels = new TileLevel[rows.length];
+        for (int b = 0; b < rows.length; b++) {
+            surfels[b] = new TileLevel(rows[b], CacheSerializer.readLayers(in));
+        }
+        return new IndirectCache(metadata.settings(), surfels, new IndirectLight(structure, null, null));
+    }
+
+    /** Writes the weights of rows. Weights of other paths are of no use and left out. */
+    static void writeWeights(RowWeights weights, Pair indirect, ColumnWriter out) throws IOException {
+        int index = indirect.index(weights);
+        out.writeInt(index);
+        if (index != NO_PATHS) {
+            weights.writeTo(out);
+        }
+    }
+
+    /** Reads weights of rows; null for none. */
+    static RowWeights readWeights(Pair indirect, ColumnReader in) throws IOException {
+        int index = in.readInt();
+        return index == NO_PATHS ? null : RowWeights.readFrom(in, (index == 0 ? indirect.scene : indirect.mirrored).structure());
+    }
+
+    /** Writes the light at gather points. */
+    static void writeLight(PixelCache cache, ColumnWriter out) throws IOException {
+        if (cache.indirect() != null) {
+            write(cache.indirect().light(), out);
+        }
+        if (Mirrored.of(cache).isOfItsOwn()) {
+            write(cache.mirroredIndirect().light(), out);
+        }
+    }
+
+    private static void write(IndirectLight light, ColumnWriter out) throws IOException {
+        out.writeFloatArrays(light.light());
+        out.writeFloatArrays(light.edgeLight());
+    }
+
+    /** Returns indirect light with what {@link #writeLight} wrote. */
+    static Pair withLight(Pair indirect, ColumnReader in) throws IOException {
+        IndirectCache scene = indirect.scene == null ? null : withLight(indirect.scene, in);
+        return new Pair(scene, indirect.mirrored == null ? null : indirect.mirrored == indirect.scene ? scene
+                : withLight(indirect.mirrored, in));
+    }
+
+    private static IndirectCache withLight(IndirectCache dark, ColumnReader in) throws IOException {
+        return new IndirectCache(dark.settings(), dark.surfels(),
+                new IndirectLight(dark.structure(), in.readFloatArrays(), in.readFloatArrays()));
+    }
+
+    /** Returns whether two images have the same paths and layers of surfels, and differ at most in the light. */
+    static boolean hasSamePaths(PixelCache a, PixelCache b) {
+        return Mirrored.of(a) == Mirrored.of(b) && hasSamePaths(a.indirect(), b.indirect())
+                && hasSamePaths(a.mirroredIndirect(), b.mirroredIndirect());
+    }
+
+    private static boolean hasSamePaths(IndirectCache a, IndirectCache b) {
+        if (a == null || b == null) {
+            return a == b;
+        }
+        boolean same = a.structure() == b.structure() && a.surfels().length == b.surfels().length;
+        for (int i = 0; same && i < a.surfels().length; i++) {
+            same = CacheSerializer.haveSameLayers(a.surfels()[i], b.surfels()[i]);
+        }
+        return same;
+    }
+}

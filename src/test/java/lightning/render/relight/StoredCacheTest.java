@@ -1,0 +1,94 @@
+package lightning.render.relight;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.lang.foreign.MemorySegment;
+import java.nio.channels.Channels;
+import lightning.base.work.Progress;
+import lightning.base.work.WorkerPool;
+import lightning.render.cache.CacheMetadata;
+import lightning.render.cache.CacheSerializer;
+import lightning.render.cache.PixelCache;
+import lightning.render.column.ColumnReader;
+import lightning.render.column.ColumnWriter;
+import lightning.render.fulltrace.TraditionalTracer;
+import lightning.render.image.Film;
+import lightning.render.relight.plan.Accuracy;
+import lightning.render.relight.plan.ReflectionMode;
+import lightning.render.relight.tile.MirrorStorage;
+import lightning.render.relight.tile.RenderOptions;
+import lightning.render.trace.Geometry;
+import lightning.sample.EditSession;
+import lightning.sample.IndirectScenes;
+import lightning.sample.Slow;
+import lightning.scene.Scene;
+import net.jqwik.api.Arbitraries;
+import net.jqwik.api.Arbitrary;
+import net.jqwik.api.EdgeCasesMode;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.Provide;
+import net.jqwik.api.constraints.IntRange;
+import org.junit.jupiter.api.Test;
+
+/** Tests that an image that was stored and read between two edits continues as if it had stayed in memory. */
+class StoredCacheTest {
+    @Provide
+    Arbitrary<EditSession> sessions() {
+        return Arbitraries.oneOf(EditSession.indirectSessions(), EditSession.indirectObjectSessions(), EditSession.mixedSessions());
+    }
+
+    @Property(edgeCases = EdgeCasesMode.NONE)
+    @Slow
+    void storedImage_continuesWithoutADifference(@ForAll("sessions") EditSession session, @ForAll ReflectionMode reflections,
+            @ForAll @IntRange(min = 1, max = 7) int refreshEach) throws IOException {
+        RenderOptions options = new RenderOptions(Accuracy.EXACT, reflections, MirrorStorage.FULL_ROWS, 1);
+        try (Renderer kept = new Renderer(options); Renderer stored = new Renderer(options)) {
+            int step = 0;
+            for (Scene scene : session.scenes()) {
+                UpdateResult expected = kept.render(scene, Progress.NONE);
+                UpdateResult update = stored.render(scene, Progress.NONE);
+                if (++step % refreshEach == 0) {
+                    kept.updateReflections(Progress.NONE);
+                    stored.updateReflections(Progress.NONE);
+                }
+                assertThat(update.plan().description()).isEqualTo(expected.plan().description());
+                assertThat(update.rays().total()).isEqualTo(expected.rays().total());
+                assertThat(stored.film().hasSameBits(kept.film())).as("picture %d", step).isTrue();
+                PixelCache read = throughFile(stored.cache());
+                assertThat(read.film().hasSameBits(kept.film())).isTrue();
+                assertThat(read.indirectBytes()).isLessThanOrEqualTo(stored.cache().indirectBytes());
+                stored.restore(read);
+            }
+        } catch (AssertionError e) {
+            throw new AssertionError(e.getMessage() + "\nthe session was\n" + session, e);
+        }
+    }
+
+    private static PixelCache throughFile(PixelCache cache) throws IOException {
+        var rows = new ByteArrayOutputStream();
+        CacheSerializer.writeRows(cache, new ColumnWriter(Channels.newChannel(rows)));
+        var colors = new ByteArrayOutputStream();
+        CacheSerializer.writeColors(cache, new ColumnWriter(Channels.newChannel(colors)));
+        return CacheSerializer.read(CacheMetadata.of(cache), new ColumnReader(MemorySegment.ofArray(rows.toByteArray())),
+                new ColumnReader(MemorySegment.ofArray(colors.toByteArray())));
+    }
+
+    @Test
+    void storedIndirectLight_ofEveryKindOfScene_isRelitWithoutRays() throws IOException {
+        try (WorkerPool workers = new WorkerPool(1); Renderer renderer = new Renderer(RenderOptions.DEFAULT.withThreads(1))) {
+            for (Scene scene : IndirectScenes.all().values()) {
+                renderer.clear();
+                renderer.render(scene, Progress.NONE);
+                renderer.restore(throughFile(renderer.cache()));
+                Scene brighter = scene.withLights(scene.lights().stream().map(l -> l.withIntensity(0.7 * l.intensity())).toList());
+                UpdateResult update = renderer.render(brighter, Progress.NONE);
+                assertThat(update.rays().total()).isZero();
+                Film full = new TraditionalTracer(brighter, new Geometry(brighter)).trace(workers, Progress.NONE).film();
+                assertThat(renderer.film().hasSameBits(full)).isTrue();
+            }
+        }
+    }
+}
