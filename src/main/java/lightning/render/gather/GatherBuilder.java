@@ -113,11 +113,12 @@ public final class GatherBuilder {
         PointFilter filter = new FilterBuilder(placer.points, placer.radius, placer.harmonic, placer.side).build(workers, progress);
         long rays = Arrays.stream(candidateTracers).mapToLong(CandidateTracer::rayCount).sum() + pointCaster.rayCount()
                 + surfelCaster.rayCount() + Arrays.stream(surfels.blocks).mapToLong(block -> block.count).sum();
+        placer.sources.packNormals();
         return new GatherStructure(
                 new GatherPoints(placer.sources, placer.inverseLengths, placer.radius, new PointGroups(placer.points, placer.radius),
                         filter),
                 placer.links, surfels.links, new SurfelRows(surfels.blocks, surfels.numbers, surfels.near, surfels.count()),
-                surfels.geometricNormals(), new GlowPaths(glows, pointCaster.glowLinks(), surfelCaster.glowLinks(), surfels.glowing),
+                surfels.packNormals(), new GlowPaths(glows, pointCaster.glowLinks(), surfelCaster.glowLinks(), surfels.glowing),
                 surfels.kept, settings.bounces(), rays);
     }
 

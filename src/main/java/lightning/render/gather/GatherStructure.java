@@ -18,15 +18,15 @@ public final class GatherStructure {
     private final RayLinks pointLinks;
     private final RayLinks surfelLinks;
     private final SurfelRows surfels;
-    /** Normals of the surfaces of surfels that cast rays: components x, y, z. */
-    private final float[][] surfelNormals;
+    /** Normals of the surfaces of surfels that cast rays. */
+    private final TiltedNormals surfelNormals;
     private final GlowPaths glow;
     private final int[] kept;
     private final int bounces;
     private final long rays;
 
     /** @param kept for each surfel before an edit its number now, −1 if its row is not the same; null after a first build */
-    GatherStructure(GatherPoints points, RayLinks pointLinks, RayLinks surfelLinks, SurfelRows surfels, float[][] surfelNormals,
+    GatherStructure(GatherPoints points, RayLinks pointLinks, RayLinks surfelLinks, SurfelRows surfels, TiltedNormals surfelNormals,
             GlowPaths glow, int[] kept, int bounces, long rays) {
         this.glow = glow;
         this.points = points;
@@ -58,7 +58,7 @@ public final class GatherStructure {
         pointLinks.writeTo(out);
         surfelLinks.writeTo(out);
         surfels.writeTo(out);
-        out.writeFloatArrays(surfelNormals);
+        surfelNormals.writeTo(out);
         glow.writeTo(out);
         out.writeInt(bounces);
         out.writeLong(rays);
@@ -71,7 +71,7 @@ public final class GatherStructure {
      */
     public static GatherStructure readFrom(ColumnReader in, Metadata metadata) throws IOException {
         return new GatherStructure(GatherPoints.readFrom(in, metadata.keys), RayLinks.readFrom(in), RayLinks.readFrom(in),
-                SurfelRows.readFrom(in), in.readFloatArrays(), GlowPaths.readFrom(in, metadata.shapes), null, in.readInt(),
+                SurfelRows.readFrom(in), TiltedNormals.readFrom(in), GlowPaths.readFrom(in, metadata.shapes), null, in.readInt(),
                 in.readLong());
     }
 
@@ -124,9 +124,7 @@ public final class GatherStructure {
     /** Returns the points that the surfels are, with their places given. */
     RaySources surfelSources(CellKeys keys, SurfaceColumns places) {
         RaySources sources = new RaySources(keys, places, true);
-        sources.geometricX = surfelNormals[0];
-        sources.geometricY = surfelNormals[1];
-        sources.geometricZ = surfelNormals[2];
+        sources.setNormals(surfelNormals);
         return sources;
     }
 
@@ -188,7 +186,7 @@ public final class GatherStructure {
 
     /** Returns the bytes of the gather points, their filter and their links. */
     public long pointBytes() {
-        return pointLinks.bytes() + points.filter().bytes() + 52L * points.count() + glow.pointBytes();
+        return pointLinks.bytes() + points.filter().bytes() + 40L * points.count() + points.sources().normalBytes() + glow.pointBytes();
     }
 
     /** Returns the bytes that it took at most while it was built. */
@@ -202,6 +200,6 @@ public final class GatherStructure {
     }
 
     private long surfelBytes() {
-        return surfelLinks.bytes() + surfels.bytes() + 12L * surfelNormals[0].length + glow.surfelBytes();
+        return surfelLinks.bytes() + surfels.bytes() + surfelNormals.bytes() + glow.surfelBytes();
     }
 }

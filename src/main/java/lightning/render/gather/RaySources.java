@@ -12,10 +12,12 @@ final class RaySources {
     final SurfaceColumns surface;
     /** First gather point in cells of each size, {@link Integer#MAX_VALUE} for later ones. */
     final int[] levelStart = new int[CellKeys.LEVELS];
-    /** Unit normals of the surfaces, NaN where a point is shaded by this normal. */
+    /** Unit normals of the surfaces, NaN where a point is shaded by this normal; those of {@link #tilted} if that is not null. */
     float[] geometricX = {};
     float[] geometricY = {};
     float[] geometricZ = {};
+    /** Null while the points cast rays for the first time. */
+    private TiltedNormals tilted;
 
     RaySources(CellKeys keys, SurfaceColumns surface, boolean areSurfels) {
         this.keys = keys;
@@ -32,17 +34,36 @@ final class RaySources {
     void writeTo(ColumnWriter out) throws IOException {
         surface.writeTo(out);
         out.writeArray(levelStart);
-        out.writeFloatArrays(new float[][] {geometricX, geometricY, geometricZ});
+        tilted.writeTo(out);
     }
 
     static RaySources readFrom(ColumnReader in, CellKeys keys) throws IOException {
         var sources = new RaySources(keys, SurfaceColumns.readFrom(in), false);
         System.arraycopy(in.readInts(), 0, sources.levelStart, 0, CellKeys.LEVELS);
-        float[][] normals = in.readFloatArrays();
-        sources.geometricX = normals[0];
-        sources.geometricY = normals[1];
-        sources.geometricZ = normals[2];
+        sources.setNormals(TiltedNormals.readFrom(in));
         return sources;
+    }
+
+    /** Keeps only the normals of points that are shaded by another normal, and returns them. */
+    TiltedNormals packNormals() {
+        setNormals(TiltedNormals.of(geometricX, geometricY, geometricZ));
+        return tilted;
+    }
+
+    void setNormals(TiltedNormals normals) {
+        tilted = normals;
+        geometricX = normals.x();
+        geometricY = normals.y();
+        geometricZ = normals.z();
+    }
+
+    long normalBytes() {
+        return tilted.bytes();
+    }
+
+    /** Returns the index of a point's geometric normal; negative if it is shaded by that normal. */
+    private int normal(int p) {
+        return tilted == null ? p : tilted.index(p);
     }
 
     /** Makes room for the normals of points {@code 0 … count − 1}. */
@@ -85,9 +106,13 @@ final class RaySources {
      */
     void writeDirections(int p, DirectionTable directions, double[] toX, double[] toY, double[] toZ, int at) {
         directions.write(seed(p), surface.nx[p], surface.ny[p], surface.nz[p], toX, toY, toZ, at);
-        float nx = geometricX[p];
-        float ny = geometricY[p];
-        float nz = geometricZ[p];
+        int normal = normal(p);
+        if (normal < 0) {
+            return;
+        }
+        float nx = geometricX[normal];
+        float ny = geometricY[normal];
+        float nz = geometricZ[normal];
         for (int ray = at; nx == nx && ray < at + directions.rays(); ray++) {
             double height = toX[ray] * nx + toY[ray] * ny + toZ[ray] * nz;
             if (height < 0) {
@@ -109,12 +134,13 @@ final class RaySources {
         double ny = surface.ny[p];
         double nz = surface.nz[p];
         double cosine = Math.max(0, x * nx + y * ny + z * nz);
-        double gx = geometricX[p];
-        double gy = geometricY[p];
-        double gz = geometricZ[p];
+        int normal = normal(p);
+        double gx = normal < 0 ? Double.NaN : geometricX[normal];
         if (gx != gx) {
             return cosine;
         }
+        double gy = geometricY[normal];
+        double gz = geometricZ[normal];
         double height = x * gx + y * gy + z * gz;
         double twice = 2 * height;
         return height <= 0 ? 0 : cosine + Math.max(0, (x - twice * gx) * nx + (y - twice * gy) * ny + (z - twice * gz) * nz);
@@ -126,8 +152,15 @@ final class RaySources {
         SurfaceColumns t = b.surface;
         return haveSameBits(s.px[p], t.px[q]) && haveSameBits(s.py[p], t.py[q]) && haveSameBits(s.pz[p], t.pz[q])
                 && haveSameBits(s.nx[p], t.nx[q]) && haveSameBits(s.ny[p], t.ny[q]) && haveSameBits(s.nz[p], t.nz[q])
-                && haveSameBits(a.geometricX[p], b.geometricX[q]) && haveSameBits(a.geometricY[p], b.geometricY[q])
-                && haveSameBits(a.geometricZ[p], b.geometricZ[q]);
+                && haveSameNormals(a, a.normal(p), b, b.normal(q));
+    }
+
+    private static boolean haveSameNormals(RaySources a, int p, RaySources b, int q) {
+        boolean isPlain = p < 0 || a.geometricX[p] != a.geometricX[p];
+        boolean isOtherPlain = q < 0 || b.geometricX[q] != b.geometricX[q];
+        return isPlain || isOtherPlain ? isPlain && isOtherPlain
+                : haveSameBits(a.geometricX[p], b.geometricX[q]) && haveSameBits(a.geometricY[p], b.geometricY[q])
+                        && haveSameBits(a.geometricZ[p], b.geometricZ[q]);
     }
 
     private static boolean haveSameBits(float a, float b) {

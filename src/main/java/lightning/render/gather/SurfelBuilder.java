@@ -67,9 +67,9 @@ final class SurfelBuilder {
         return surfels.count;
     }
 
-    /** Returns the normals of the surfaces of all surfels that cast rays: components x, y, z; NaN where it is that of the surfel. */
-    float[][] geometricNormals() {
-        return new float[][] {sources.geometricX, sources.geometricY, sources.geometricZ};
+    /** Returns the normals of the surfaces of those surfels that cast rays and are shaded by another normal. */
+    TiltedNormals packNormals() {
+        return sources.packNormals();
     }
 
     /**
