@@ -13,16 +13,17 @@ import lightning.base.math.Vec3;
  * @param up      direction of a rectangle's height, projected perpendicular to its direction; any length
  * @param samples number of points or directions that are averaged
  * @param visibility whether the camera sees the light itself; a directional light is never seen
+ * @param hardShadows true if the light shines from its center, with hard shadows, in a view without soft shadows; not part of a document
  */
 @RecordBuilder
 public record AreaShape(double radius, double spread, double width, double height, Vec3 up, int samples,
-        FaceVisibility visibility) implements AreaShapeBuilder.With {
+        FaceVisibility visibility, boolean hardShadows) implements AreaShapeBuilder.With {
     /** Initial values of a light. */
     public static final AreaShape DEFAULT = new AreaShape(0, 0, 1, 1, Vec3.Y, 16);
 
     /** Creates the size of a light that the camera does not see. */
     public AreaShape(double radius, double spread, double width, double height, Vec3 up, int samples) {
-        this(radius, spread, width, height, up, samples, FaceVisibility.HIDDEN);
+        this(radius, spread, width, height, up, samples, FaceVisibility.HIDDEN, false);
     }
 
     /**

@@ -15,10 +15,11 @@ public enum Falloff {
      * it touches, and give at most nπ/A of the light of one scene unit away. The ball of a point light is seen as a disc.
      */
     double max(LightType type, AreaShape area) {
+        int samples = area.hardShadows() ? 1 : area.samples();
         double limit = switch (type) {
             case DIRECTIONAL -> 1;
-            case RECT -> area.samples() * Math.PI / (area.width() * area.height());
-            case POINT, SPOT, DISC -> area.samples() / (area.radius() * area.radius());
+            case RECT -> samples * Math.PI / (area.width() * area.height());
+            case POINT, SPOT, DISC -> samples / (area.radius() * area.radius());
         };
         return this == CUSTOM ? 1 : Math.min(limit, MAX);
     }

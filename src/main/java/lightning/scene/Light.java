@@ -128,6 +128,18 @@ public record Light(String name, LightType type, Rgb color, double intensity, Em
         return type.isSurface() && isArea() ? texture.map(LightTexture::image) : Optional.empty();
     }
 
+    /** Returns this light without its texture, in the texture's mean color. */
+    public Light withMeanTexture() {
+        Light plain = withTexture(Optional.empty());
+        if (faceImage().isEmpty()) {
+            return plain;
+        }
+        Rgb mean = faceImage().get().areas().mean();
+        double max = mean.max();
+        return max == 0 ? plain.withIntensity(0)
+                : plain.withColor(color.times(mean.times(1 / max))).withIntensity(Math.min(intensity * max, SceneLimits.MAX_INTENSITY));
+    }
+
     /** Returns the largest factor of a contribution by its falloff with distance and the image on its face, at least 1. */
     double maxFactor() {
         return Math.max(1, maxFalloff()) * Math.max(1, faceImage().map(image -> image.areas().max()).orElse(1f));
@@ -143,9 +155,9 @@ public record Light(String name, LightType type, Rgb color, double intensity, Em
         return !type.hasPosition() || falloff == Falloff.CUSTOM && attenuation.isNone();
     }
 
-    /** Returns whether it is larger than a point, so that its shadows are soft. */
+    /** Returns whether it is larger than a point and shines from all of its area, so that its shadows are soft. */
     public boolean isArea() {
-        return switch (type) {
+        return !area.hardShadows() && switch (type) {
             case DIRECTIONAL -> area.spread() > 0;
             case POINT, SPOT, DISC -> area.radius() > 0;
             case RECT -> area.width() > 0 || area.height() > 0;

@@ -108,11 +108,7 @@ record LightFace(Shape shape, Material material) {
         Rgb radiance = isPhysical
                 ? effective.weight().times(Math.min(Math.PI / IntensityUnit.luminousArea(light), SceneLimits.MAX_INTENSITY))
                 : effective.weight();
-        return light.faceImage().map(image -> radiance.times(mean(image.areas()))).orElse(radiance);
-    }
-
-    private static Rgb mean(SummedAreaTable image) {
-        return new Rgb(image.mean(0, 0, 1, 1, 0), image.mean(0, 0, 1, 1, 1), image.mean(0, 0, 1, 1, 2));
+        return light.faceImage().map(image -> radiance.times(image.areas().mean())).orElse(radiance);
     }
 
     /** Returns a name that is not among the given ones, the same for the same light if possible, and adds it to them. */

@@ -1,5 +1,7 @@
 package lightning.scene;
 
+import lightning.base.math.Rgb;
+
 /**
  * Integrals of an image, which give its mean color over any rectangle in constant time (Crow, Summed-area tables for texture mapping,
  * SIGGRAPH 1984). Immutable.
@@ -68,6 +70,11 @@ public final class SummedAreaTable {
     /** Returns the largest value of any pixel and channel. */
     public float max() {
         return max;
+    }
+
+    /** Returns the mean color of the image. */
+    Rgb mean() {
+        return new Rgb(mean(0, 0, 1, 1, 0), mean(0, 0, 1, 1, 1), mean(0, 0, 1, 1, 2));
     }
 
     /**

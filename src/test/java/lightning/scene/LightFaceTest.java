@@ -19,7 +19,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 /** Shapes and colors of visible lights. */
 class LightFaceTest {
     private static final Light SOFTBOX = Light.of("key", LightType.RECT).withPosition(new Vec3(1, 2, 3))
-            .withArea(new AreaShape(0.5, 0, 2, 3, Vec3.Y, 16, FaceVisibility.GLOWING));
+            .withArea(new AreaShape(0.5, 0, 2, 3, Vec3.Y, 16).withVisibility(FaceVisibility.GLOWING));
 
     private static Rgb glow(Light light, double meters) {
         LightRig rig = LightRig.of(List.of(light)).withWorld(World.DEFAULT.withMeters(meters));

@@ -35,8 +35,8 @@ final class EditorLayout extends BorderPane {
     static final double CANVAS_SHARE = 0.74;
     private static final double LIST_SHARE = 0.36;
     /** Initial sizes of the docks, pixels. */
-    private static final double LOWER_DOCK_HEIGHT = 290;
-    private static final double LEFT_DOCK_WIDTH = 300;
+    static final double LOWER_DOCK_HEIGHT = 290;
+    static final double LEFT_DOCK_WIDTH = 300;
     /** Approximate height of menu bar and tool bar, pixels. Reserves their space, so that little moves when they are added. */
     static final double BARS_HEIGHT = 72;
     static final double STATUS_HEIGHT = 27;
@@ -67,6 +67,8 @@ final class EditorLayout extends BorderPane {
     private TracedPane traced;
     private PreviewPane preview;
     private Node properties;
+    /** Empty docks that reserve the space of panels. */
+    private List<DockSlot> reservedDocks = List.of();
     /** Divider position of the lists before their pane took the whole height. */
     private double listDivider = LIST_SHARE;
     /** Divider position of the side panels before they were hidden. */
@@ -130,12 +132,26 @@ final class EditorLayout extends BorderPane {
     }
 
     /** Reserves the space of an arrangement before the panes exist, so that the first picture has the right size. */
-    void reserve(CanvasLayout choice) {
+    void reserve(WindowLayout arrangement) {
+        CanvasLayout choice = arrangement.canvasLayoutProperty().get();
         if (choice.hasInset() || choice.share() == 1) {
             canvases.getItems().remove(1);
         } else {
             canvases.setDividerPositions(choice.share());
         }
+        reservedDocks = List.of(reserveDock(arrangement, PanelPlace.LEFT), reserveDock(arrangement, PanelPlace.BELOW));
+    }
+
+    private DockSlot reserveDock(WindowLayout arrangement, PanelPlace place) {
+        DockSlot slot = dockSlot(arrangement, place, new Region());
+        slot.setShown(!arrangement.panelsProperty().get().openIn(place).isEmpty());
+        return slot;
+    }
+
+    private DockSlot dockSlot(WindowLayout arrangement, PanelPlace place, Region dock) {
+        boolean isLeft = place == PanelPlace.LEFT;
+        return new DockSlot(isLeft ? upperArea : workArea, dock, isLeft ? 0 : 1, arrangement.dockSizeProperty(place),
+                isLeft ? LEFT_DOCK_WIDTH : LOWER_DOCK_HEIGHT);
     }
 
     PictureView picture() {
@@ -174,10 +190,9 @@ final class EditorLayout extends BorderPane {
 
     /** Shows the docks while they have open panels and the panels are not hidden. */
     void addDocks(WindowLayout arrangement, DockedPanels panels) {
-        addDock(arrangement, PanelPlace.LEFT, new DockSlot(upperArea, panels.left(), 0, arrangement.dockSizeProperty(PanelPlace.LEFT),
-                LEFT_DOCK_WIDTH));
-        addDock(arrangement, PanelPlace.BELOW, new DockSlot(workArea, panels.below(), 1, arrangement.dockSizeProperty(PanelPlace.BELOW),
-                LOWER_DOCK_HEIGHT));
+        reservedDocks.forEach(slot -> slot.setShown(false));
+        addDock(arrangement, PanelPlace.LEFT, dockSlot(arrangement, PanelPlace.LEFT, panels.left()));
+        addDock(arrangement, PanelPlace.BELOW, dockSlot(arrangement, PanelPlace.BELOW, panels.below()));
         panels.bind();
         var target = new Region();
         var drag = new TabDrag(workArea, target, panels::drop);

@@ -21,7 +21,7 @@ import lightning.editor.window.model.ErrorMessage;
 import lightning.editor.window.model.Preferences;
 import lightning.editor.window.model.TracedRaster;
 import lightning.editor.window.model.UiLanguage;
-import lightning.editor.window.model.WindowLayout.CanvasLayout;
+import lightning.editor.window.model.WindowLayout;
 import lightning.editor.window.traced.TracedPane;
 import lightning.editor.window.widget.ColorTheme;
 import lightning.editor.window.widget.PictureView;
@@ -103,7 +103,7 @@ public class LightningApp extends Application {
         // Before the window opens: a window without a title is shown with the toolkit's.
         stage.setTitle("Lightning");
         ColorTheme looks = preferences.enumValue("theme", ColorTheme.DARK);
-        var startupView = new StartupView(looks);
+        var startupView = new StartupView(looks, storedLayout());
         Rectangle2D screen = Screen.getPrimary().getVisualBounds();
         EditorStage.showUnstyled(stage, startupView, preferences, screen.getWidth(), screen.getHeight());
         thread.runConcurrently(() -> awaitPreview(startupRead == null ? StartupFiles.read(file, preferences, recovery) : read(startupRead)),
@@ -123,10 +123,17 @@ public class LightningApp extends Application {
         }));
     }
 
+    /** Returns the stored arrangement. A shot's timeline is not known before its file is read. */
+    private WindowLayout storedLayout() {
+        var stored = new WindowLayout();
+        stored.restore(preferences);
+        return stored;
+    }
+
     /** Shows the layout with its loading notes. */
     private void showLayout(Stage stage, Path file, PictureView picture) {
         var newLayout = new EditorLayout(file == null ? EditorPaths.defaultScene() : file, picture);
-        newLayout.reserve(preferences.enumValue("arrangement", CanvasLayout.SIDE_BY_SIDE));
+        newLayout.reserve(storedLayout());
         stage.getScene().setRoot(newLayout);
         PaintCallbacks.afterNextPaint(() -> runIfOpen(stage, () -> {
             layout = newLayout;

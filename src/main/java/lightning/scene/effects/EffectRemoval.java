@@ -32,9 +32,12 @@ final class EffectRemoval {
         return s.withLights(s.lights().stream().map(change).toList());
     }
 
-    /** Returns the light as a point or as a single direction. */
+    /**
+     * Returns the light as a point or as a single direction, in the mean color of its texture. Keeps its size, which decides its face and
+     * the brightness of a light in nits.
+     */
     static Light removeArea(Light light) {
-        return light.withArea(light.area().withRadius(0).withSpread(0).withWidth(0).withHeight(0));
+        return light.isArea() ? light.withMeanTexture().withArea(light.area().withHardShadows(true)) : light;
     }
 
     static Scene removeShapes(Scene s, Class<? extends Solid> type) {

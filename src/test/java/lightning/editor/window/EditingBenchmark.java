@@ -32,6 +32,7 @@ import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Camera;
 import lightning.scene.Placement;
 import lightning.scene.Scene;
+import lightning.scene.effects.PreviewScene;
 import lightning.scene.effects.ViewEffects;
 
 /**
@@ -70,9 +71,10 @@ public final class EditingBenchmark {
     }
 
     private static void orbit(Scene scene) {
-        try (var preview = new Renderer(RenderOptions.DEFAULT.withView(ViewEffects.PREVIEW))) {
+        PreviewScene.Request request = new PreviewScene().request(scene, scene.lights().getFirst().name(), ViewEffects.PREVIEW, true);
+        try (var preview = new Renderer(RenderOptions.DEFAULT.withView(request.effects()))) {
             Camera camera = scene.camera();
-            print("orbit frame of the preview", median(i -> timed(() -> preview.render(scene.withCamera(new Camera(
+            print("orbit frame of the preview", median(i -> timed(() -> preview.render(request.scene().withCamera(new Camera(
                     camera.from().plus(new Vec3(0.01 * (i + WARM_UPS + 1), 0, 0)), camera.to(), camera.up(), camera.fov(),
                     camera.origin())),
                     Progress.NONE))),

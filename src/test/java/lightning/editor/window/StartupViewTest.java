@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.concurrent.atomic.AtomicReference;
 import javafx.application.Platform;
 import javafx.geometry.Bounds;
 import javafx.scene.Parent;
@@ -12,7 +13,11 @@ import javafx.scene.Scene;
 import javafx.scene.layout.Region;
 import javafx.scene.paint.Paint;
 import javafx.stage.Stage;
+import lightning.editor.document.Command;
 import lightning.editor.document.FileThread;
+import lightning.editor.window.model.PanelPlace;
+import lightning.editor.window.model.WindowLayout;
+import lightning.editor.window.model.WindowLayout.CanvasLayout;
 import lightning.editor.window.widget.ColorTheme;
 import lightning.sample.Slow;
 import org.assertj.core.data.Offset;
@@ -35,6 +40,7 @@ class StartupViewTest {
 
     private final FileThread thread = new FileThread(Platform::runLater);
     private Stage stage;
+    private final WindowLayout layout = new WindowLayout();
     private StartupView startupView;
     private StartupSession startupSession;
 
@@ -58,7 +64,7 @@ class StartupViewTest {
     private void show(ColorTheme looks, double width, double height) throws Exception {
         FxToolkit.setupFixture(() -> {
             stage = new Stage();
-            startupView = new StartupView(looks);
+            startupView = new StartupView(looks, layout);
             stage.setScene(new Scene(startupView, width, height));
             stage.show();
             looks.apply();
@@ -97,6 +103,30 @@ class StartupViewTest {
             frame.layout();
             assertThat(edges(framed)).containsExactly(edges(before), ONE_PIXEL);
             assertThat(edges(pictureBounds())).containsExactly(edges(before), ONE_PIXEL);
+        });
+    }
+
+    @ParameterizedTest
+    @EnumSource(value = CanvasLayout.class, names = "PREVIEW_ALONE", mode = EnumSource.Mode.EXCLUDE)
+    void picture_withDocks_staysInPlaceUntilTheyAreFilled(CanvasLayout canvases) throws Exception {
+        layout.canvasLayoutProperty().set(canvases);
+        layout.panelsProperty().set(layout.panelsProperty().get().open(Command.MIXER).open(Command.HISTORY_PANEL)
+                .move(Command.HISTORY_PANEL, PanelPlace.LEFT));
+        layout.dockSizeProperty(PanelPlace.BELOW).set(200);
+        show(ColorTheme.DARK, 1600, 950);
+        Path file = Files.writeString(folder.resolve("scene.jen"), "jen 1\npicture { size 40 30 }\nsphere ball { }\n");
+        AtomicReference<double[]> before = new AtomicReference<>();
+        AtomicReference<EditorLayout> frame = new AtomicReference<>();
+        FxToolkit.setupFixture(() -> {
+            startupView.layout();
+            before.set(edges(pictureBounds()));
+            frame.set(new EditorLayout(file, startupView.picture()));
+            frame.get().reserve(layout);
+            change(frame.get());
+        });
+        FxToolkit.setupFixture(() -> {
+            frame.get().layout();
+            assertThat(edges(pictureBounds())).containsExactly(before.get(), ONE_PIXEL);
         });
     }
 

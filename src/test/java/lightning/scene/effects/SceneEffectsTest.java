@@ -6,15 +6,26 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import lightning.base.math.Rgb;
 import lightning.format.jen.JenReader;
 import lightning.sample.SampleMeshes;
+import lightning.scene.Camera;
+import lightning.scene.FaceVisibility;
 import lightning.scene.IndirectSettings;
+import lightning.scene.Light;
+import lightning.scene.LightRig;
+import lightning.scene.LightTexture;
+import lightning.scene.LightType;
 import lightning.scene.Material;
+import lightning.scene.PictureSettings;
 import lightning.scene.Placement;
 import lightning.scene.Scene;
 import lightning.scene.SceneNode;
 import lightning.scene.Shape;
 import lightning.scene.Solid;
+import lightning.scene.Stage;
+import lightning.scene.Texture;
+import lightning.scene.World;
 import org.junit.jupiter.api.Test;
 
 class SceneEffectsTest {
@@ -55,6 +66,44 @@ class SceneEffectsTest {
         assertThat(effects.users(RenderEffect.SPOT_CONE)).containsExactly("a");
         assertThat(effects.users(RenderEffect.DROPOFF)).containsExactly("a");
         assertThat(effects.users(RenderEffect.of("spot-lights"))).containsExactly("a", "b");
+    }
+
+    @Test
+    void lightsWithoutSoftShadows_keepFaceAndBrightness() throws Exception {
+        Scene scene = JenReader.read("""
+                jen 1
+                light a rect { width 2  height 3  visible yes  unit nit  intensity 5 }
+                light b point { radius 0.5  visible yes  falloff inverse_square }
+                light c disc { radius 2  falloff inverse_square  samples 4 }
+                light d point { falloff inverse_square }
+                """, "test", Path.of("")).scene();
+        Scene hard = RenderEffect.SOFT_SHADOWS.removeFrom(scene);
+        assertThat(hard.lights()).noneMatch(Light::isArea);
+        assertThat(hard.stage().faceNames()).containsExactly("a", "b");
+        assertThat(hard.stage().rendered().nodes()).isEqualTo(scene.stage().rendered().nodes());
+        assertThat(hard.stage().rendered().materials()).isEqualTo(scene.stage().rendered().materials());
+        for (String name : List.of("a", "b", "c", "d")) {
+            assertThat(hard.rig().effectiveLight(hard.light(name).orElseThrow()).weight())
+                    .isEqualTo(scene.rig().effectiveLight(scene.light(name).orElseThrow()).weight());
+        }
+        assertThat(hard.light("c").orElseThrow().maxFalloff()).as("of one sample")
+                .isEqualTo(scene.light("c").orElseThrow().maxFalloff() / 4);
+        assertThat(hard.light("d").orElseThrow()).as("already a point").isEqualTo(scene.light("d").orElseThrow());
+    }
+
+    @Test
+    void lightsWithoutSoftShadows_shineInTheMeanColorOfTheirTexture() {
+        var image = new Texture(2, 1, new float[] {4, 0, 1, 0, 0, 1});
+        Light light = Light.of("a", LightType.RECT).withIntensity(3).withTexture(Optional.of(new LightTexture("t.hdr", image)));
+        Scene scene = new Scene(PictureSettings.DEFAULT, Camera.DEFAULT, World.DEFAULT, Stage.EMPTY,
+                LightRig.of(List.of(light.withArea(light.area().withVisibility(FaceVisibility.GLOWING)))));
+        Scene hard = RenderEffect.SOFT_SHADOWS.removeFrom(scene);
+        assertThat(hard.lights().getFirst().weight()).isEqualTo(new Rgb(6, 0, 3));
+        assertThat(hard.lights().getFirst().color().max()).isLessThanOrEqualTo(1);
+        assertThat(hard.stage().rendered().materials()).isEqualTo(scene.stage().rendered().materials());
+        var black = new Texture(1, 1, new float[3]);
+        Scene dark = scene.withLight(scene.lights().getFirst().withTexture(Optional.of(new LightTexture("black.png", black))));
+        assertThat(RenderEffect.SOFT_SHADOWS.removeFrom(dark).lights().getFirst().weight()).isEqualTo(Rgb.BLACK);
     }
 
     @Test

@@ -25,6 +25,8 @@ import lightning.scene.World;
  * is off or muted by a solo counts as 0. Integers take the larger value. Directions follow the great circle.
  * <li>Lights of the same name are interpolated if type, unit, falloff, gobo, profile, texture, links and the objects with a gain are equal. All others fade out or in, renamed if their
  * names are taken.
+ * <li>Solos stay if they are the same at both ends. Otherwise what they mute fades. This includes the light of the environment: its image
+ * fades too, unless solos of lights mute it at both ends.
  * <li>Light groups stay if they are equal at both ends. Otherwise they are merged into their lights.
  * <li>Environments with the same image are interpolated. Otherwise the first fades out in the first half, and the second fades in in the
  * second.
@@ -38,12 +40,22 @@ public final class LightingBlend {
     private final Lighting to;
     private final double t;
     private final boolean hasSameGroups;
+    private final boolean hasSameEnvironment;
+    private final SoloState fromSolos;
+    private final SoloState toSolos;
+    /** True if lights, light groups and environment keep their solos. */
+    private final boolean keepsSolos;
 
     private LightingBlend(Lighting from, Lighting to, double t) {
         this.from = from;
         this.to = to;
         this.t = t;
         hasSameGroups = from.rig().lightGroups().equals(to.rig().lightGroups());
+        hasSameEnvironment = from.world().environment().equals(to.world().environment());
+        fromSolos = SoloState.of(from);
+        toSolos = SoloState.of(to);
+        // Other environments are dark halfway, where the solo of one has no effect.
+        keepsSolos = fromSolos.hasSameSolos(toSolos) && (hasSameEnvironment || !fromSolos.environment());
     }
 
     /**
@@ -69,15 +81,29 @@ public final class LightingBlend {
             if (toLight.isPresent() && canInterpolate(fromLight, toLight.get())) {
                 lights.add(interpolate(fromLight, toLight.get()));
             } else {
-                lights.add(fade(from.rig(), fromLight, 1 - t));
-                toLight.ifPresent(l -> added.add(fade(to.rig(), l, t).withName(freeName(l.name(), takenNames))));
+                lights.add(fade(fromSolos, fromLight, 1 - t));
+                toLight.ifPresent(l -> added.add(fade(toSolos, l, t).withName(freeName(l.name(), takenNames))));
             }
         }
         to.rig().lights().stream().filter(toLight -> from.rig().light(toLight.name()).isEmpty())
-                .forEach(toLight -> added.add(fade(to.rig(), toLight, t)));
+                .forEach(toLight -> added.add(fade(toSolos, toLight, t)));
         lights.addAll(added);
-        List<LightGroup> banks = hasSameGroups ? from.rig().lightGroups() : List.of();
-        return new Lighting(world(), LightRig.of(lights, banks));
+        if (!keepsSolos && isEnvironmentMuted()) {
+            lights.replaceAll(light -> light.withSolo(light.on()));
+        }
+        return new Lighting(world(), LightRig.of(lights, lightGroups()));
+    }
+
+    private List<LightGroup> lightGroups() {
+        return !hasSameGroups ? List.of()
+                : keepsSolos ? from.rig().lightGroups()
+                : from.rig().lightGroups().stream().map(group -> group.withSolo(false)).toList();
+    }
+
+    /** Returns whether the environment's image is visible without its light. */
+    private boolean isEnvironmentMuted() {
+        return hasSameEnvironment ? fromSolos.isEnvironmentMuted() && toSolos.isEnvironmentMuted()
+                : (t < 0.5 ? fromSolos : toSolos).isEnvironmentMuted();
     }
 
     private static String freeName(String name, Set<String> takenNames) {
@@ -96,20 +122,24 @@ public final class LightingBlend {
                 && (!hasSameGroups || a.lightGroup().equals(b.lightGroup()));
     }
 
-    /** Returns a light with its own switches and solo applied, and its group's if groups are merged; off if it does not contribute. */
-    private Light effectiveLight(LightRig rig, Light light) {
-        Light effective = hasSameGroups ? light : rig.effectiveLight(light);
-        return effective.withOn(rig.isActive(light)).withSolo(false);
+    /**
+     * Returns a light with its group applied, if groups are merged. Unless solos stay, it is off if it does not contribute, and not solo.
+     */
+    private Light effectiveLight(SoloState end, Light light) {
+        Light effective = hasSameGroups ? light : end.lighting().rig().effectiveLight(light);
+        // A light that is off has no effect by its solo, and must not get one when it is on at the other end.
+        return keepsSolos ? effective.withSolo(effective.solo() && effective.on())
+                : effective.withOn(end.isActive(light)).withSolo(false);
     }
 
-    private Light fade(LightRig rig, Light light, double share) {
-        Light effective = effectiveLight(rig, light);
+    private Light fade(SoloState end, Light light, double share) {
+        Light effective = effectiveLight(end, light);
         return effective.withIntensity(effective.intensity() * share);
     }
 
     private Light interpolate(Light a, Light b) {
-        Light first = effectiveLight(from.rig(), a);
-        Light last = effectiveLight(to.rig(), b);
+        Light first = effectiveLight(fromSolos, a);
+        Light last = effectiveLight(toSolos, b);
         Light light = first;
         for (LightAttribute<?> attribute : LightAttribute.ALL) {
             light = interpolateAttribute(attribute, light, first, last);
@@ -191,13 +221,14 @@ public final class LightingBlend {
     private World world() {
         World first = from.world();
         World last = to.world();
-        // The lights are off or on as the solos at both ends decide.
-        World world = first.withSolo(false);
+        World world = first.withSolo(keepsSolos && fromSolos.environment());
         for (SceneAttribute<World, ?> attribute : World.ATTRIBUTES) {
             world = interpolateAttribute(attribute, world, first, last);
         }
-        if (first.environment().equals(last.environment())) {
-            return world;
+        if (hasSameEnvironment) {
+            return fromSolos.isEnvironmentMuted() == toSolos.isEnvironmentMuted() ? world
+                    : world.withIntensity(lerp(fromSolos.isEnvironmentMuted() ? 0 : first.intensity(),
+                            toSolos.isEnvironmentMuted() ? 0 : last.intensity()));
         }
         World environmentSource = t < 0.5 ? first : last;
         return world.withEnvironment(environmentSource.environment()).withRotation(environmentSource.rotation())

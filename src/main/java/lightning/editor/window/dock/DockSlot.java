@@ -56,6 +56,17 @@ public final class DockSlot {
         return split.getOrientation() == Orientation.VERTICAL ? region.heightProperty() : region.widthProperty();
     }
 
+    /**
+     * Returns the size of a dock, pixels.
+     *
+     * @param total  size of the split pane, pixels
+     * @param chosen size chosen by the user, pixels; 0 for the default
+     * @param defaultSize pixels
+     */
+    public static double size(double total, double chosen, double defaultSize) {
+        return Math.rint(Math.min(total * MAX_SHARE, chosen > 0 ? chosen : defaultSize));
+    }
+
     private boolean isShown() {
         return split.getItems().contains(dock);
     }
@@ -92,7 +103,7 @@ public final class DockSlot {
     private void place() {
         double total = extent(split).get();
         if (total > 0 && isShown()) {
-            placedSize = Math.rint(Math.min(total * MAX_SHARE, size.get() > 0 ? size.get() : defaultSize));
+            placedSize = size(total, size.get(), defaultSize);
             double share = (placedSize + DIVIDER_WIDTH / 2) / total;
             split.setDividerPositions(index == 0 ? share : 1 - share);
         }

@@ -33,7 +33,7 @@ import lightning.editor.window.widget.CanvasSize;
 import lightning.editor.window.widget.PixelImage;
 import lightning.scene.NodeGroup;
 import lightning.scene.Scene;
-import lightning.scene.effects.RenderEffect;
+import lightning.scene.effects.PreviewScene;
 import lightning.scene.effects.ViewEffects;
 
 /** Canvas of the preview with the lights' wireframes on top; handles mouse and keyboard. */
@@ -186,13 +186,12 @@ public final class PreviewCanvas extends Region implements AutoCloseable {
         gizmos.draw(editor.scene(), editor.selection().light(), new GizmoLayer.Marks(group, mouse.handles()), camera.get(),
                 mouse.canvas(), settings.gizmoSizeProperty().get().factor());
         Scene scene = editor.scene();
-        boolean showsShadows = showsShadows();
-        ViewEffects effects = settings.glowingTexturesProperty().get() ? ViewEffects.PREVIEW_1998 : ViewEffects.PREVIEW;
-        Scene shown = showsShadows ? previewScene.of(scene, editor.selection().lightName()) : previewScene.of(scene);
-        loop.draw(new PreviewLoop.Request(shown, camera.get(), frame.width(), frame.height(),
+        PreviewScene.Request request = previewScene.request(scene, editor.selection().lightName(),
+                settings.glowingTexturesProperty().get() ? ViewEffects.PREVIEW_1998 : ViewEffects.PREVIEW,
+                settings.shadowsProperty().get());
+        loop.draw(new PreviewLoop.Request(request.scene(), camera.get(), frame.width(), frame.height(),
                 model.picture().viewProperty().get().forOutput(),
-                effects.with(RenderEffect.SHADOWS, showsShadows).with(RenderEffect.REFLECTION, PreviewScene.showsReflections(scene)),
-                isCameraMoving,
+                request.effects(), isCameraMoving,
                 model.picture().frame() == null ? null : model.picture().frame().geometry()));
     }
 

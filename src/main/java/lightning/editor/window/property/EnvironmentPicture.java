@@ -16,8 +16,6 @@ import lightning.editor.document.EditOutcome;
 import lightning.editor.document.EditorState;
 import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.PixelImage;
-import lightning.render.image.DisplayCurve;
-import lightning.render.image.ViewTransform;
 import lightning.scene.EnvironmentMap;
 import lightning.scene.World;
 
@@ -33,7 +31,6 @@ final class EnvironmentPicture extends Region {
     private static final double KEY_STEP = 5;
     /** A drag is rounded to multiples of this, degrees. */
     private static final double DRAG_STEP = 0.5;
-    private static final ViewTransform VIEW = new ViewTransform(0, DisplayCurve.FILMIC);
 
     private final SceneEditor editor;
     private final ImageView left = new ImageView();
@@ -113,10 +110,9 @@ final class EnvironmentPicture extends Region {
         });
     }
 
-    /** Returns display colors of the map without rotation, exposed so that its mean is a medium gray. */
+    /** Returns display colors of the map without rotation. */
     private static int[] pixels(EnvironmentMap map) {
         float[] rgb = new float[3 * WIDTH * HEIGHT];
-        double sum = 0;
         double[] color = new double[3];
         for (int i = 0; i < WIDTH * HEIGHT; i++) {
             double azimuth = 2 * Math.PI * ((i % WIDTH + 0.5) / WIDTH - 0.5);
@@ -125,15 +121,8 @@ final class EnvironmentPicture extends Region {
             for (int c = 0; c < 3; c++) {
                 rgb[3 * i + c] = (float) color[c];
             }
-            // Small suns do not darken the rest.
-            sum += Math.min(4, 0.2126 * color[0] + 0.7152 * color[1] + 0.0722 * color[2]);
         }
-        float gain = sum > 0 ? (float) (0.35 * WIDTH * HEIGHT / sum) : 1;
-        int[] pixels = new int[WIDTH * HEIGHT];
-        for (int i = 0; i < pixels.length; i++) {
-            pixels[i] = VIEW.pack(gain * rgb[3 * i], gain * rgb[3 * i + 1], gain * rgb[3 * i + 2]);
-        }
-        return pixels;
+        return AutoExposure.toPixels(rgb);
     }
 
     @Override

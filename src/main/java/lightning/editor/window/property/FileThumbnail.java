@@ -2,8 +2,10 @@ package lightning.editor.window.property;
 
 import java.awt.image.BufferedImage;
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Iterator;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Stream;
 import javafx.scene.image.ImageView;
@@ -12,6 +14,9 @@ import javax.imageio.ImageReader;
 import javax.imageio.stream.ImageInputStream;
 import lightning.editor.window.widget.PixelImage;
 import lightning.format.jen.FileKind;
+import lightning.format.jen.LightTextureReader;
+import lightning.format.jen.UnusableFileException;
+import lightning.scene.Texture;
 
 /**
  * Thumbnail of an image file.
@@ -23,6 +28,8 @@ record FileThumbnail(int width, int height, int[] pixels) {
     private static final int MAX_SIDE = 40;
     /** Larger images get no thumbnail. */
     private static final long MAX_PIXELS = 1L << 26;
+    /** Larger files of linear values get no thumbnail, because they are decoded as a whole before the menu lists them. */
+    private static final long MAX_LINEAR_BYTES = 8 << 20;
 
     /**
      * Reads the thumbnail of a file of the scene's folder; empty if the file is missing, unreadable or too large. Runs in the background.
@@ -30,11 +37,32 @@ record FileThumbnail(int width, int height, int[] pixels) {
     static Optional<FileThumbnail> of(FileKind kind, Path folder, String name) {
         try {
             Optional<Path> file = kind.find(folder, name);
-            return file.isEmpty() ? Optional.empty() : read(file.get());
-        } catch (IOException | RuntimeException e) {
+            return file.isEmpty() ? Optional.empty() : isLinear(name) ? readLinear(name, file.get()) : read(file.get());
+        } catch (IOException | UnusableFileException | RuntimeException e) {
             // An unreadable image is listed by name only.
             return Optional.empty();
         }
+    }
+
+    /** Returns whether a file has linear values, which need an exposure. */
+    private static boolean isLinear(String name) {
+        String lower = name.toLowerCase(Locale.ROOT);
+        return lower.endsWith(".hdr") || lower.endsWith(".exr");
+    }
+
+    private static Optional<FileThumbnail> readLinear(String name, Path path) throws IOException, UnusableFileException {
+        if (Files.size(path) > MAX_LINEAR_BYTES) {
+            return Optional.empty();
+        }
+        Texture image = LightTextureReader.read(name, path);
+        int step = Math.max(1, Math.max(image.width(), image.height()) / MAX_SIDE);
+        int width = (image.width() + step - 1) / step;
+        int height = (image.height() + step - 1) / step;
+        float[] rgb = new float[3 * width * height];
+        for (int i = 0; i < rgb.length; i++) {
+            rgb[i] = image.channel(i / 3 % width * step, i / 3 / width * step, i % 3);
+        }
+        return Optional.of(new FileThumbnail(width, height, AutoExposure.toPixels(rgb)));
     }
 
     private static Optional<FileThumbnail> read(Path path) throws IOException {

@@ -4,11 +4,14 @@ import java.util.stream.Stream;
 import javafx.beans.property.ReadOnlyBooleanProperty;
 import javafx.scene.control.Tab;
 import javafx.scene.control.TabPane;
+import javafx.scene.control.Tooltip;
 import lightning.base.text.Messages;
 import lightning.editor.document.Command;
 import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.model.SceneEditor;
 import lightning.scene.Light;
+import org.kordamp.ikonli.javafx.FontIcon;
+import org.kordamp.ikonli.materialdesign2.MaterialDesignA;
 
 /** Tabs with the lists of lights and shapes, and the properties of the world. Shows the list of the selected item. */
 public final class ListTabs extends TabPane {
@@ -24,6 +27,13 @@ public final class ListTabs extends TabPane {
         Tab shapes = SidePane.tab(Messages.tr("Objects"), "shapes-tab", _ -> new OutlinePane(editor, model.commands()));
         world = SidePane.tab(Messages.tr("World"), "world-tab", tab -> new WorldPane(model, tab.selectedProperty()));
         getTabs().setAll(lights, shapes, world);
+        var solo = new FontIcon(MaterialDesignA.ALPHA_S_CIRCLE);
+        solo.getStyleClass().add("world-solo");
+        var soloTip = new Tooltip(Messages.tr("The environment is solo and mutes all lights that are not"));
+        editor.sceneProperty().map(scene -> scene.world().environment().isPresent() && scene.world().solo()).subscribe(isSolo -> {
+            world.setGraphic(isSolo ? solo : null);
+            world.setTooltip(isSolo ? soloTip : null);
+        });
         LinkDrop.switchTabsOnDrag(this);
         editor.editorStateProperty().map(s -> s.selectedNode().isPresent())
                 .subscribe(isShape -> getSelectionModel().select(isShape ? shapes : lights));

@@ -3,14 +3,22 @@ package lightning.editor.document.cue;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.sample.EditSession;
+import lightning.scene.Camera;
+import lightning.scene.Environment;
+import lightning.scene.EnvironmentMap;
 import lightning.scene.Light;
 import lightning.scene.LightGroup;
 import lightning.scene.LightRig;
 import lightning.scene.LightType;
+import lightning.scene.PictureSettings;
+import lightning.scene.Scene;
+import lightning.scene.Stage;
 import lightning.scene.World;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.EdgeCasesMode;
@@ -112,6 +120,114 @@ class LightingBlendTest {
                 LightingBlend.blend(lightingOf(KEY, KEY.withName("fill").withSolo(true)), lightingOf(KEY, KEY.withName("fill")), 0.5).rig();
         assertThat(rig.lights()).extracting(Light::intensity).containsExactly(0.5, 1.0);
         assertThat(rig.lights()).noneMatch(Light::solo);
+    }
+
+    private static final Light FILL = KEY.withName("fill");
+
+    private static Environment environment(float value) {
+        float[] rgb = new float[3 * 8 * 4];
+        Arrays.fill(rgb, value);
+        return new Environment("sky" + value + ".hdr", new EnvironmentMap(8, 4, rgb));
+    }
+
+    private static Scene scene(Lighting lighting) {
+        return new Scene(PictureSettings.DEFAULT, Camera.DEFAULT, lighting.world(), Stage.EMPTY, lighting.rig());
+    }
+
+    /** Returns a lighting with an environment of intensity 2. */
+    private static Lighting withEnvironment(boolean isSolo, float value, Light... lights) {
+        World world = World.DEFAULT.withEnvironment(Optional.of(environment(value))).withIntensity(2).withSolo(isSolo);
+        return Lighting.of(scene(new Lighting(world, LightRig.of(List.of(lights)))));
+    }
+
+    private static Scene blendScene(Lighting a, Lighting b, double t) {
+        return scene(LightingBlend.blend(a, b, t));
+    }
+
+    /** Returns the factor of the environment's light; 0 if it is muted. */
+    private static double environmentLight(Scene scene) {
+        LightRig rig = scene.rig();
+        return rig.isActive(rig.effectiveLights().getLast()) ? scene.world().intensity() : 0;
+    }
+
+    private static double weight(Scene scene, String light) {
+        return scene.light(light).filter(scene::isActive).map(l -> scene.rig().effectiveLight(l).weight().r()).orElse(0.0);
+    }
+
+    @Test
+    void soloOfBothEnds_stays() {
+        Lighting a = withEnvironment(false, 1, KEY.withSolo(true), FILL);
+        Lighting b = withEnvironment(false, 1, KEY.withSolo(true).withIntensity(3), FILL.withIntensity(5));
+        Scene scene = blendScene(a, b, 0.25);
+        assertThat(environmentLight(scene)).isZero();
+        assertThat(scene.world().intensity()).as("of the background").isEqualTo(2);
+        assertThat(weight(scene, "key")).isEqualTo(1.5);
+        assertThat(weight(scene, "fill")).isZero();
+        assertThat(scene.lights()).extracting(Light::solo).containsExactly(true, false);
+        assertThat(scene.lights().getLast()).as("behind the solo").isEqualTo(FILL.withIntensity(2));
+    }
+
+    @Test
+    void soloOfOtherLight_keepsEnvironmentMuted() {
+        Scene scene = blendScene(withEnvironment(false, 1, KEY.withSolo(true), FILL), withEnvironment(false, 1, KEY, FILL.withSolo(true)),
+                0.25);
+        assertThat(environmentLight(scene)).isZero();
+        assertThat(scene.world().intensity()).isEqualTo(2);
+        assertThat(weight(scene, "key")).isEqualTo(0.75);
+        assertThat(weight(scene, "fill")).isEqualTo(0.25);
+    }
+
+    @Test
+    void soloOfOneEnd_fadesEnvironment() {
+        Lighting solo = withEnvironment(false, 1, KEY.withSolo(true), FILL);
+        Lighting none = withEnvironment(false, 1, KEY, FILL);
+        Scene scene = blendScene(solo, none, 0.25);
+        assertThat(environmentLight(scene)).isEqualTo(0.5);
+        assertThat(weight(scene, "key")).isEqualTo(1);
+        assertThat(weight(scene, "fill")).isEqualTo(0.25);
+        assertThat(environmentLight(blendScene(none, solo, 0.25))).isEqualTo(1.5);
+    }
+
+    @Test
+    void soloOfEnvironment_isThatOfALight() {
+        Lighting solo = withEnvironment(true, 1, KEY);
+        Scene same = blendScene(solo, solo, 0.5);
+        assertThat(same.world().solo()).isTrue();
+        assertThat(same.lights()).containsExactly(KEY);
+        Scene half = blendScene(solo, withEnvironment(false, 1, KEY), 0.25);
+        assertThat(environmentLight(half)).isEqualTo(2);
+        assertThat(weight(half, "key")).isEqualTo(0.25);
+        Scene toKey = blendScene(solo, withEnvironment(false, 1, KEY.withSolo(true)), 0.25);
+        assertThat(environmentLight(toKey)).isEqualTo(1.5);
+        assertThat(weight(toKey, "key")).isEqualTo(0.25);
+    }
+
+    @Test
+    void otherEnvironments_stayMutedAsAtTheirEnd() {
+        Lighting solo = withEnvironment(false, 1, KEY.withSolo(true), FILL);
+        Lighting none = withEnvironment(false, 7, KEY, FILL);
+        assertThat(environmentLight(blendScene(solo, none, 0.25))).isZero();
+        assertThat(blendScene(solo, none, 0.25).world().intensity()).isEqualTo(1);
+        assertThat(weight(blendScene(solo, none, 0.25), "fill")).isEqualTo(0.25);
+        assertThat(environmentLight(blendScene(solo, none, 0.75))).isEqualTo(1);
+        // At the middle both have intensity 0, where a solo of the environment has no effect.
+        assertThat(weight(blendScene(withEnvironment(true, 1, KEY), withEnvironment(true, 7, KEY), 0.5), "key")).isZero();
+    }
+
+    @Test
+    void soloOfLightGroup_mutesOnlyAtItsEnd() {
+        LightGroup group = LightGroup.of("rims").withSolo(true);
+        Light rim = FILL.withLightGroup("rims");
+        World world = withEnvironment(false, 1).world();
+        Lighting a = Lighting.of(scene(new Lighting(world, LightRig.of(List.of(KEY, rim), List.of(group)))));
+        Lighting b = Lighting.of(scene(new Lighting(world, LightRig.of(List.of(KEY.withSolo(true), rim), List.of(group)))));
+        Scene same = blendScene(a, a, 0.25);
+        assertThat(same.rig()).isEqualTo(scene(a).rig());
+        assertThat(environmentLight(same)).isZero();
+        Scene scene = blendScene(a, b, 0.25);
+        assertThat(environmentLight(scene)).isZero();
+        assertThat(weight(scene, "key")).isEqualTo(0.25);
+        assertThat(weight(scene, "fill")).isEqualTo(1);
     }
 
     @Test

@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
+import lightning.base.math.Vec3;
 import lightning.base.work.Await;
 import lightning.base.work.Progress;
 import lightning.editor.document.DeskScene;
@@ -17,6 +18,9 @@ import lightning.format.jen.JenReader;
 import lightning.render.image.ViewTransform;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.tile.RenderOptions;
+import lightning.scene.FaceVisibility;
+import lightning.scene.Light;
+import lightning.scene.LightType;
 import lightning.scene.Scene;
 import lightning.scene.Texture;
 import lightning.scene.TextureMap;
@@ -99,6 +103,20 @@ class PreviewLoopTest {
         Scene edited = DeskScene.parameter("angle").set(SCENE, "key", 40).sceneOr(SCENE);
         loop.draw(request(edited, camera, false));
         assertThat(next().pixels()).isEqualTo(expected(edited, camera));
+    }
+
+    @Test
+    void visibleLight_glowsAsInThePicture() throws InterruptedException {
+        Light key = SCENE.light("key").orElseThrow();
+        Light softbox = key.withType(LightType.RECT).withPosition(new Vec3(0, 2, -1)).withDirection(new Vec3(0, 0, 1))
+                .withIntensity(0.4).withArea(key.area().withWidth(2).withHeight(2).withVisibility(FaceVisibility.GLOWING));
+        Scene scene = SCENE.withLight(softbox);
+        PreviewCamera camera = PreviewCamera.of(scene);
+        loop.draw(request(scene, camera, false));
+        int[] shown = next().pixels();
+        int face = 14 * WIDTH + WIDTH / 2;
+        assertThat(shown[face]).isEqualTo(expected(scene, camera, ViewEffects.ALL)[face])
+                .isNotEqualTo(expected(SCENE, camera, ViewEffects.ALL)[face]);
     }
 
     /** A floor of one color under a spot: with lighting it shows the spot's pool of light, without lighting it is uniform. */

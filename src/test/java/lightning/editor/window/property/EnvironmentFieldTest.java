@@ -15,6 +15,8 @@ import javafx.scene.control.CheckBox;
 import javafx.scene.control.Label;
 import javafx.scene.control.MenuButton;
 import javafx.scene.control.MenuItem;
+import javafx.scene.control.Tab;
+import javafx.scene.control.TabPane;
 import javafx.scene.control.TextField;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.MouseButton;
@@ -90,6 +92,10 @@ class EnvironmentFieldTest extends EditorFixture {
         assertThat(world().lightCount()).isEqualTo(16);
     }
 
+    private Tab tab(String id) {
+        return robot.lookup("#lists").queryAs(TabPane.class).getTabs().stream().filter(t -> id.equals(t.getId())).findFirst().orElseThrow();
+    }
+
     @Test
     void solo_darkensLightsUntilItIsUndone() throws IOException {
         writeEnvironmentMap("a.hdr");
@@ -98,9 +104,12 @@ class EnvironmentFieldTest extends EditorFixture {
         click("world-solo");
         assertThat(world().solo()).isTrue();
         assertThat(model().editor().scene().lights()).noneMatch(model().editor().scene()::isActive);
+        assertThat(tab("world-tab").getGraphic()).as("mark of the solo, also while the lights are listed").isNotNull();
+        assertThat(tab("world-tab").getTooltip().getText()).contains("mutes all lights");
         assertThat(model().editor().editorStateProperty().get().undoLabel().orElse("")).startsWith("environment solo no → yes");
         click("undo");
         assertThat(world().solo()).isFalse();
+        assertThat(tab("world-tab").getGraphic()).isNull();
         assertThat(robot.lookup("#world-solo").queryAs(CheckBox.class).isSelected()).isFalse();
     }
 

@@ -3,9 +3,12 @@ package lightning.editor.window.property;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.image.BufferedImage;
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import javax.imageio.ImageIO;
 import lightning.format.jen.FileKind;
 import org.junit.jupiter.api.Test;
@@ -30,6 +33,27 @@ class FileThumbnailTest {
         assertThat(small.width()).isEqualTo(40);
         assertThat(small.height()).isEqualTo(10);
         assertThat(small.pixels()[0]).isEqualTo(0xFF123456);
+    }
+
+    @Test
+    void linearImage_isExposed() throws IOException {
+        var bytes = new ByteArrayOutputStream();
+        bytes.writeBytes("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 50 +X 100\n".getBytes(StandardCharsets.ISO_8859_1));
+        for (int i = 0; i < 100 * 50; i++) {
+            // Far above white on the left, half as bright on the right.
+            bytes.writeBytes(new byte[] {(byte) 128, 64, 64, (byte) (i % 100 < 50 ? 140 : 139)});
+        }
+        Files.write(folder.resolve("sky.hdr"), bytes.toByteArray());
+        for (FileKind kind : List.of(FileKind.ENVIRONMENT, FileKind.LIGHT_TEXTURE)) {
+            FileThumbnail small = FileThumbnail.of(kind, folder, "sky.hdr").orElseThrow();
+            assertThat(small.width()).isEqualTo(50);
+            assertThat(small.height()).isEqualTo(25);
+            int left = small.pixels()[0];
+            assertThat(left >>> 24).isEqualTo(255);
+            assertThat(left >> 16 & 255).isBetween(100, 250).isGreaterThan(small.pixels()[49] >> 16 & 255);
+        }
+        Files.writeString(folder.resolve("text.exr"), "no picture");
+        assertThat(FileThumbnail.of(FileKind.LIGHT_TEXTURE, folder, "text.exr")).isEmpty();
     }
 
     @Test

@@ -1,4 +1,4 @@
-package lightning.editor.window.preview;
+package lightning.scene.effects;
 
 import java.util.List;
 import lightning.base.math.Rgb;
@@ -13,11 +13,11 @@ import lightning.scene.Stage;
 import lightning.scene.World;
 
 /**
- * Converts a scene for the preview, which has a few levels of reflections, and shadows of one light at most: limits the depth, dims
+ * Converts scenes for the editor's preview, which has a few levels of reflections, and shadows of one light at most: limits the depth, dims
  * environments that would overexpose the picture without shadows, and removes other shadows. If the scene shows no reflections, it adds diffuse
  * color to materials that would be black without them.
  */
-final class PreviewScene {
+public final class PreviewScene {
     /** Remaining metalness of a metal. The rest becomes diffuse, in place of its reflections. */
     private static final double METAL_FACTOR = 0.4;
     /** Share of a mirror's reflection color that becomes diffuse. */
@@ -36,16 +36,28 @@ final class PreviewScene {
     private double maxBrightness;
 
     /**
-     * Returns the scene to render.
+     * What a renderer needs for the preview.
+     *
+     * @param scene   converted scene
+     * @param effects effects to show
+     */
+    public record Request(Scene scene, ViewEffects effects) {}
+
+    /**
+     * Returns what to render.
      *
      * @param shadowLight name of the only light that casts shadows; empty for none
+     * @param effects     {@link ViewEffects#PREVIEW} or {@link ViewEffects#PREVIEW_1998}
+     * @param wantsShadows false without any shadows
      */
-    Scene of(Scene scene, String shadowLight) {
-        return withoutOtherShadows(of(scene), shadowLight);
+    public Request request(Scene scene, String shadowLight, ViewEffects effects, boolean wantsShadows) {
+        boolean showsShadows = wantsShadows && canShowShadows(scene);
+        return new Request(showsShadows ? withoutOtherShadows(of(scene), shadowLight) : of(scene),
+                effects.with(RenderEffect.SHADOWS, showsShadows).with(RenderEffect.REFLECTION, showsReflections(scene)));
     }
 
     /** Returns true if the preview of a scene can show the shadows of one light: an environment has too many lights with shadows. */
-    static boolean canShowShadows(Scene scene) {
+    public static boolean canShowShadows(Scene scene) {
         return scene.world().environment().isEmpty();
     }
 

@@ -1,4 +1,4 @@
-package lightning.editor.window.preview;
+package lightning.scene.effects;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
@@ -26,8 +26,6 @@ import lightning.scene.ShapeLinks;
 import lightning.scene.Solid;
 import lightning.scene.Stage;
 import lightning.scene.World;
-import lightning.scene.effects.RenderEffect;
-import lightning.scene.effects.ViewEffects;
 import org.junit.jupiter.api.Test;
 
 class PreviewSceneTest {
@@ -52,7 +50,13 @@ class PreviewSceneTest {
     void shadows_areThoseOfOneLight() {
         Light key = environmentLight().withName("key");
         Scene scene = ball(Material.of("matt"), World.DEFAULT, environmentLight(), key);
-        Scene shown = new PreviewScene().of(scene, "key");
+        PreviewScene.Request request = new PreviewScene().request(scene, "key", ViewEffects.PREVIEW, true);
+        Scene shown = request.scene();
+        assertThat(request.effects().shows(RenderEffect.SHADOWS)).isTrue();
+        assertThat(request.effects().shows(RenderEffect.REFLECTION)).as("at depth 0").isFalse();
+        Scene deep = scene.withPicture(scene.picture().withDepth(2));
+        assertThat(new PreviewScene().request(deep, "key", ViewEffects.PREVIEW, false))
+                .isEqualTo(new PreviewScene.Request(deep, ViewEffects.PREVIEW.with(RenderEffect.REFLECTION, true)));
         assertThat(shown.light("key").orElseThrow()).isEqualTo(key);
         assertThat(LightAttribute.SHADOWED_BY.get(shown.light("lamp").orElseThrow())).isEqualTo(ShapeLinks.NONE);
         assertThat(PreviewScene.canShowShadows(scene)).isTrue();
