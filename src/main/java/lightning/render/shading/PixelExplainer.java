@@ -69,6 +69,11 @@ public final class PixelExplainer {
         return light == indirect ? this : new PixelExplainer(scene, geometry, shadowRayTargets, uncutGeometry, light);
     }
 
+    /** Returns the indirect light of the scene; null for none. */
+    public IndirectLight indirect() {
+        return indirect;
+    }
+
     /** Returns the shapes and materials that reports refer to. */
     public Geometry geometry() {
         return geometry;

@@ -1,4 +1,4 @@
-package lightning.cli.report;
+package lightning.format.json;
 
 import java.util.List;
 

@@ -1,9 +1,11 @@
-package lightning.cli;
+package lightning.format.json;
 
 import java.util.List;
 import java.util.Locale;
 import lightning.base.math.Vec3;
-import lightning.cli.report.ExplainReport;
+import lightning.render.gather.GatherStructure;
+import lightning.render.relight.SceneView;
+import lightning.render.shading.IndirectLight;
 import lightning.render.shading.LightReport;
 import lightning.render.shading.PixelExplainer;
 import lightning.render.shading.PointContributions;
@@ -12,16 +14,44 @@ import lightning.render.trace.Geometry;
 import lightning.render.trace.NormalSteps;
 import lightning.render.trace.SurfacePoint;
 import lightning.scene.Material;
+import lightning.scene.PictureSettings;
+import lightning.scene.Scene;
 
-/** Converts the explanation of a point, with all rays from it, to its record for {@code --json}. */
-final class PointReporter {
+/** Converts explanations of pixels to their record. */
+public final class PixelReporter {
+    private final Scene scene;
     private final Geometry geometry;
+    private final IndirectLight indirect;
 
-    PointReporter(PixelExplainer explainer) {
+    /** @param explainer explainer of the scene, with its indirect light */
+    public PixelReporter(Scene scene, PixelExplainer explainer) {
+        this.scene = scene;
         geometry = explainer.geometry();
+        indirect = explainer.indirect();
     }
 
-    ExplainReport.Point report(PointReport report) {
+    /**
+     * Converts the explanation of a pixel.
+     *
+     * @param center explanation of the ray through the pixel's center
+     * @param color  the pixel in the film, linear, {@code float[3]}
+     */
+    public ExplainReport report(int x, int y, PointReport center, float[] color) {
+        PictureSettings picture = scene.picture();
+        return new ExplainReport(x, y, picture.width(), picture.height(), point(center), paths(),
+                picture.sampling().isSupersampled() ? picture.sampling().samplesPerPixel() : 1, color,
+                SceneView.of(scene).displayed(color[0], color[1], color[2]));
+    }
+
+    private ExplainReport.Indirect paths() {
+        if (indirect == null) {
+            return null;
+        }
+        GatherStructure paths = indirect.structure();
+        return new ExplainReport.Indirect(paths.pointCount(), paths.surfelCount(), paths.rays(), paths.bytes());
+    }
+
+    private ExplainReport.Point point(PointReport report) {
         List<String> holes = report.passedCutouts().stream().map(this::name).toList();
         if (report.isBackground()) {
             return new ExplainReport.Point(null, null, holes, null, null, null, null, null, null, null, null, null, report.color());
@@ -36,9 +66,9 @@ final class PointReporter {
                 report.lights().stream().map(light -> light(light, parts.ofLight(light), total)).toList(),
                 report.indirect() == null ? null : parts.ofIndirect(report.indirect()),
                 report.reflected() == null ? null
-                        : new ExplainReport.Ray(parts.reflectedPart(report.reflected().color()), report(report.reflected())),
+                        : new ExplainReport.Ray(parts.reflectedPart(report.reflected().color()), point(report.reflected())),
                 report.refracted() == null ? null
-                        : new ExplainReport.Ray(parts.refractedPart(report.refracted().color()), report(report.refracted())),
+                        : new ExplainReport.Ray(parts.refractedPart(report.refracted().color()), point(report.refracted())),
                 report.color());
     }
 
