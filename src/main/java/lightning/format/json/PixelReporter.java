@@ -2,6 +2,7 @@ package lightning.format.json;
 
 import java.util.List;
 import java.util.Locale;
+import java.util.function.UnaryOperator;
 import lightning.base.math.Vec3;
 import lightning.render.gather.GatherStructure;
 import lightning.render.relight.SceneView;
@@ -38,7 +39,7 @@ public final class PixelReporter {
      */
     public ExplainReport report(int x, int y, PointReport center, float[] color) {
         PictureSettings picture = scene.picture();
-        return new ExplainReport(x, y, picture.width(), picture.height(), point(center), paths(),
+        return new ExplainReport(x, y, picture.width(), picture.height(), point(center, 1), paths(),
                 picture.sampling().isSupersampled() ? picture.sampling().samplesPerPixel() : 1, color,
                 SceneView.of(scene).displayed(color[0], color[1], color[2]));
     }
@@ -51,7 +52,8 @@ public final class PixelReporter {
         return new ExplainReport.Indirect(paths.pointCount(), paths.surfelCount(), paths.rays(), paths.bytes());
     }
 
-    private ExplainReport.Point point(PointReport report) {
+    /** @param share approximate share of the pixel's color that the point contributes */
+    private ExplainReport.Point point(PointReport report, double share) {
         List<String> holes = report.passedCutouts().stream().map(this::name).toList();
         if (report.isBackground()) {
             return new ExplainReport.Point(null, null, holes, null, null, null, null, null, null, null, null, null, report.color());
@@ -65,11 +67,19 @@ public final class PixelReporter {
                 new double[] {at.nx(), at.ny(), at.nz()}, normals(report.normals()), report.ambient(), report.glow(),
                 report.lights().stream().map(light -> light(light, parts.ofLight(light), total)).toList(),
                 report.indirect() == null ? null : parts.ofIndirect(report.indirect()),
-                report.reflected() == null ? null
-                        : new ExplainReport.Ray(parts.reflectedPart(report.reflected().color()), point(report.reflected())),
-                report.refracted() == null ? null
-                        : new ExplainReport.Ray(parts.refractedPart(report.refracted().color()), point(report.refracted())),
+                ray(report.reflected(), parts::reflectedPart, report, parts, share),
+                ray(report.refracted(), parts::refractedPart, report, parts, share),
                 report.color());
+    }
+
+    /** @param from the point that the ray starts from; {@code share} is its share of the pixel */
+    private ExplainReport.Ray ray(PointReport ray, UnaryOperator<float[]> weigh, PointReport from, PointContributions parts, double share) {
+        if (ray == null) {
+            return null;
+        }
+        float[] adds = weigh.apply(ray.color());
+        return new ExplainReport.Ray(adds, parts.shouldFollow(adds, from.color(), share)
+                ? point(ray, PointContributions.rayShare(adds, from.color(), share)) : null);
     }
 
     private ExplainReport.LightShare light(LightReport light, float[] adds, double total) {
