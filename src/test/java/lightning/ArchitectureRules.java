@@ -114,7 +114,7 @@ final class ArchitectureRules {
             row("shot.cluster",
                     "base.text base.work base.file scene.shot render.image render.relight format.mesh format.jen shot"
                             + " shot.cluster.wire"),
-            row("shot.movie", ENGINE),
+            row("shot.movie", ENGINE + " base.file"),
             row("bench.accuracy", ENGINE),
             row("bench.mesh", "base.file scene render.trace.solid render.trace.mesh"),
             row("bench", ENGINE + " base.file format.jen format.image format.pov bench.accuracy bench.mesh"),
