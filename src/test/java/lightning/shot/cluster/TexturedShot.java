@@ -22,13 +22,12 @@ final class TexturedShot {
         ImageIO.write(image, "png", Files.createDirectories(folder.resolve("textures")).resolve("spots.png").toFile());
         JenDocument document = JenReader.read(Files.writeString(folder.resolve("textured.jen"), """
                 jen 1
-                picture { size %d %d }
                 camera { from 0 1 6 to 0 0 0 }
                 material spotted { texture "spots.png" }
                 sphere ball { material spotted }
                 light lamp point { at 2 4 5 intensity 1 }
-                shot { frames 1 %d camera { from { 1 0 1 6 %d 2 1 5 } } }
-                """.formatted(width, height, last, last)));
+                """ + "picture { size " + width + " " + height + " }\n"
+                + "shot { frames 1 " + last + " camera { from { 1 0 1 6 " + last + " 2 1 5 } } }"));
         return new ShotRevision(document.scene(), document.shot().orElseThrow());
     }
 }
