@@ -1,4 +1,4 @@
-"""Edits a scene while the live view runs: each picture equals, in every bit, a render of the scene that is sent anew."""
+"""Edits a scene while the live view runs: each picture equals, in every bit, a render of the scene that is sent again."""
 
 import math
 import shutil
