@@ -34,6 +34,7 @@ module lightning {
 
     exports lightning.editor.window to javafx.graphics;
     opens lightning.cli to info.picocli;
+    opens lightning.format.json to tools.jackson.databind;
     opens lightning.cli.report to tools.jackson.databind;
     opens lightning.bench.accuracy to tools.jackson.databind;
     opens lightning.bench to tools.jackson.databind;

@@ -93,7 +93,7 @@ call(bpy.ops.lightning.send)
 before = curves()
 assert_same("sent")
 call(bpy.ops.lightning.get_lights)
-assert curves() == before, "keys that nobody edited changed"
+assert curves() == before, "keys changed without an edit"
 
 # Lightning: other keys of the key light's power, keys of the spot, a new light with keys; the disc's keys are removed.
 text = FILE.read_text(encoding="utf-8")

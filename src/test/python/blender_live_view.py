@@ -1,4 +1,4 @@
-"""Edits a scene while the live view runs: each picture equals, in every bit, a render of the scene that is sent anew."""
+"""Edits a scene while the live view runs: each picture equals, in every bit, a render of the scene that is sent again."""
 
 import math
 import shutil
@@ -31,8 +31,8 @@ def follow() -> None:
 
 
 def sent(name: str):
-    """Returns a full trace of the scene that is sent anew; for some edits with the button, objects then remember what was sent."""
-    target = sample.FOLDER / "anew.jen"
+    """Returns a full trace of the scene that is sent again; for some edits with the button, objects then remember what was sent."""
+    target = sample.FOLDER / "again.jen"
     fields = {"file": str(target)}
     if name in ("start", "several"):
         transfer.send(bpy.context, target, True)
@@ -41,9 +41,9 @@ def sent(name: str):
     else:
         # The server imports as the command does, without the start of a process.
         transfer.prepare(bpy.context, target, [])
-        fields = {"file": str(target.with_suffix(".glb")), "output": str(sample.FOLDER / f"{time.monotonic_ns()}" / "anew.jen"), "indirect": "off"}
+        fields = {"file": str(target.with_suffix(".glb")), "output": str(sample.FOLDER / f"{time.monotonic_ns()}" / "again.jen"), "indirect": "off"}
         shutil.copytree(sample.FOLDER, Path(fields["output"]).parent, ignore=lambda folder, names: [
-            n for n in names if not n.startswith("anew-") and not n.endswith(".ies")])
+            n for n in names if not n.startswith("again-") and not n.endswith(".ies")])
     number = reference.request("open", **fields)["scene"]
     memory = reference.request("render", scene=number, memory=True)["memory"]
     result = numpy.fromfile(memory["path"], dtype="<f4").reshape(memory["shape"])[::-1]

@@ -39,7 +39,7 @@ with Client(program=json.loads(command)) as client:
         except TypeError:
             pass
         report = scene.explain(35, 25)
-        assert report["color"] == [float(str(v)) for v in after[25, 35]], (report["color"], after[25, 35])
+        assert report["color_linear"] == [float(str(v)) for v in after[25, 35]], (report["color_linear"], after[25, 35])
         assert report["center"]["object"] == "ball"
         assert scene.get("key.color") == {"key.color": "1 0.5 0"}
         assert scene.set("key.angle=20")[0].startswith("key.angle has no effect")

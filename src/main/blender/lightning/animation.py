@@ -57,7 +57,7 @@ def receive(scene, obj, settings: dict, values: dict[str, list], first: int, gro
         messages.append(f"{obj.name}: it has a parent or constraints, so its keyed position and direction stay in Lightning")
     if not affected:
         return
-    # The frames start from what was received just now, except for what Blender's animation may have changed.
+    # The frames start from the received values, except for those that Blender's animation may have changed.
     covered = {name for names, _ in affected for name in names}
     lights.store(obj, settings["name"], {name: value for name, value in settings.items() if name not in covered}, groups)
     paths = [path for _, group in affected for path in group if _block(obj, path)[0] is not None]
@@ -125,7 +125,7 @@ def _write_curves(obj, path: str, values: tuple, first: int) -> None:
 
 
 def _kept(values: tuple, is_stepped: bool) -> list[int]:
-    """Returns the indices of keys between which all values lie on lines; of words, those that change."""
+    """Returns the indices of keys between which all values lie on lines; for words, the indices of changes."""
     if is_stepped:
         return [i for i, value in enumerate(values) if i == 0 or value != values[i - 1]]
     rows = [value if isinstance(value, tuple) else (value,) for value in values]

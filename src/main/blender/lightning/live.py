@@ -215,7 +215,7 @@ class LiveView:
         return shot.size(scene), shown, scene.camera and scene.camera.name, groups
 
     def _edit(self, scene) -> None:
-        """Sends what changed, and asks for a picture."""
+        """Sends the changes and requests a picture."""
         now = time.perf_counter()
         if self._render is not None:
             is_slow = self.pictures and now - self._render_start > SLOW and now - self._changed_at > CANCEL_DELAY

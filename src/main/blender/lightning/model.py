@@ -20,7 +20,7 @@ SCALAR_TYPES = {"BOOLEAN", "INT", "FLOAT", "STRING", "ENUM"}
 
 
 class Model:
-    """The root of a glTF file of the exporter, which `edit` keeps equal to what the exporter would write."""
+    """Root of an exported glTF file. `edit` keeps it equal to a new export."""
 
     def __init__(self, scene, root: dict) -> None:
         """Takes the root before anything is added to it."""
@@ -228,7 +228,7 @@ def _neither_starts_nor_ends(before: float, after: float) -> bool:
     return before != 0 and after != 0
 
 
-# Of each simple value: sockets, how the file says it, and which changes of it change nothing else.
+# For each simple value: its sockets, the function that writes it, and a test for changes that leave other values as they are.
 PROPERTIES = {
     "color": (("Base Color", "Alpha"), _write_color, _always),
     "metallic": (("Metallic",), _write_factor("metallicFactor"), _always),

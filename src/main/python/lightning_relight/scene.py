@@ -188,6 +188,8 @@ class Scene:
     def explain(self, x: int, y: int) -> Dict[str, Any]:
         """Returns how the color of a pixel is computed: object, material, and the share and state of each light.
 
+        The fields are those of ``lightning explain --json``.
+
         Args:
             x: column from the left, from 0
             y: row from the top, from 0

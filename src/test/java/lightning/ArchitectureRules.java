@@ -100,6 +100,7 @@ final class ArchitectureRules {
                     "base.text base.math base.work base.file scene scene.shot format.mesh format format.ies format.hdr format.exr"),
             row("format.image", "base.text base.work base.file render.image format.exr"),
             row("format.matte", "scene format.exr"),
+            row("format.json", "base.math scene render.image render.gather render.relight render.shading render.trace"),
             row("format.layer", ENGINE + " base.file format.exr format.matte"),
             row("format.pov", "base.math base.file scene render.image format.image"),
             row("format.usd", "base.text base.math base.work base.file scene format.mesh format.mesh.subdivision format.gltf"),
@@ -113,7 +114,7 @@ final class ArchitectureRules {
             row("shot.cluster",
                     "base.text base.work base.file scene.shot render.image render.relight format.mesh format.jen shot"
                             + " shot.cluster.wire"),
-            row("shot.movie", ENGINE),
+            row("shot.movie", ENGINE + " base.file"),
             row("bench.accuracy", ENGINE),
             row("bench.mesh", "base.file scene render.trace.solid render.trace.mesh"),
             row("bench", ENGINE + " base.file format.jen format.image format.pov bench.accuracy bench.mesh"),
@@ -142,11 +143,11 @@ final class ArchitectureRules {
                     WINDOW + " format format.exchange editor.window.property editor.window.traced editor.window.preview editor.window.animation"
                             + " editor.window.timeline editor.window.dock editor.window.measure editor.window.mixer editor.window.contribution"
                             + " editor.window.link editor.window.cue editor.window.welcome"),
-            row("serve", DOCUMENT + " format.mesh format.exr format.layer format.exchange"),
-            row("cli.report", "render.shading"),
+            row("serve", DOCUMENT + " format.mesh format.exr format.json format.layer format.exchange"),
+            row("cli.report", "render.shading format.json"),
             row("cli",
                     ENGINE + " base.file scene.shot format format.hdr format.jen format.exr format.image format.layer format.pov format.exchange"
-                            + " shot shot.cluster shot.movie bench.accuracy bench bench.report cli.report serve"),
+                            + " format.json shot shot.cluster shot.movie bench.accuracy bench bench.report cli.report serve"),
             row("", "editor.window cli"));
 
     /** @param dependencies packages that it may import, in addition to itself */

@@ -114,7 +114,7 @@ final class BenchCommand implements Callable<Integer> {
     private Integer values;
     private Integer repetitions;
     private Integer processes;
-    /** What is worse than the baseline; null without one. */
+    /** Measurements that are worse than the baseline; null without one. */
     private List<String> worse;
 
     @Option(names = "--processes", paramLabel = "N",

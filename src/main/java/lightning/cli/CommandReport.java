@@ -6,7 +6,7 @@ import java.util.List;
 import lightning.cli.report.ErrorReport;
 import lightning.cli.report.JsonOutput;
 
-/** What one run of the program reports, and how: as lines, as one JSON object at its end ({@code --json}), or not at all ({@code --quiet}). */
+/** Report of one run of the program: as lines, as one JSON object at its end ({@code --json}), or none ({@code --quiet}). */
 final class CommandReport {
     private boolean json;
     private boolean quiet;

@@ -7,7 +7,7 @@ import lightning.base.math.Vec3;
 import lightning.base.work.HeapBudget;
 import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
-import lightning.cli.report.ExplainReport;
+import lightning.format.json.PixelReporter;
 import lightning.render.fulltrace.TraditionalTracer;
 import lightning.render.gather.GatherStructure;
 import lightning.render.image.Film;
@@ -84,9 +84,7 @@ final class ExplainCommand implements Callable<Integer> {
         int[] displayed = SceneView.of(scene).displayed(color[0], color[1], color[2]);
         console.print("pixel: linear %s %s %s, displayed %d %d %d", color[0], color[1], color[2], displayed[0], displayed[1],
                 displayed[2]);
-        console.report().setResult(new ExplainReport(pixel.x(), pixel.y(), width, height, new PointReporter(explainer).report(report),
-                indirectReport(indirect), scene.picture().sampling().isSupersampled() ? scene.picture().sampling().samplesPerPixel() : 1,
-                color, displayed));
+        console.report().setResult(new PixelReporter(scene, explainer).report(pixel.x(), pixel.y(), report, color));
         return ExitCode.OK;
     }
 
@@ -99,14 +97,6 @@ final class ExplainCommand implements Callable<Integer> {
         try (WorkerPool workers = new WorkerPool(WorkerPool.processorCount())) {
             return new TraditionalTracer(scene, geometry).traceIndirect(workers, Progress.NONE);
         }
-    }
-
-    private static ExplainReport.Indirect indirectReport(IndirectLight indirect) {
-        if (indirect == null) {
-            return null;
-        }
-        GatherStructure paths = indirect.structure();
-        return new ExplainReport.Indirect(paths.pointCount(), paths.surfelCount(), paths.rays(), paths.bytes());
     }
 
     private void printPaths(IndirectLight indirect) {

@@ -2,8 +2,10 @@ package lightning.cli;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.Callable;
+import lightning.base.text.Quote;
 import lightning.base.work.WorkerPool;
 import lightning.cli.report.ConversionReport;
 import lightning.format.exchange.ImportLighting;
@@ -40,6 +42,9 @@ final class ImportCommand implements Callable<Integer> {
     private Path file;
     @Option(names = {"-o", "--output"}, paramLabel = "scene.jen", required = true, description = "Output scene.")
     private Path output;
+    @Option(names = "--replace", description = "Also replace meshes and images next to the scene that have other content, such as those "
+            + "of an earlier import. The scene itself is always replaced.")
+    private boolean replaces;
     @Option(names = "--light-units", paramLabel = "UNITS",
             description = "Units of a glTF file's lights: candela (and lux, as the format defines), unitless (watts per steradian and "
                     + "per square meter) or watts, as chosen in its exporter (default: candela).")
@@ -82,7 +87,15 @@ final class ImportCommand implements Callable<Integer> {
             imported = SceneImporter.read(file, output, units == null ? LightUnits.CANDELA : units, levels, bar);
         }
         imported = lighting.apply(indirect.apply(imported));
-        imported.write();
+        List<Path> replaced = imported.differentFiles();
+        if (!replaced.isEmpty() && !replaces) {
+            throw new BadInputException(Quote.path(replaced.getFirst()) + ": already exists with other content"
+                    + (replaced.size() == 1 ? "; --replace replaces it" : Console.text(", and %d more; --replace replaces them",
+                            replaced.size() - 1))
+                    + ", or import into another folder");
+        }
+        imported.writeReplacing();
+        replaced.forEach(old -> console.warn("%s: replaced", old));
         if (writesUnitPictures) {
             writePictures(imported, name.substring(0, name.length() - JenFile.EXTENSION.length()));
         }

@@ -32,7 +32,7 @@ final class PictureOptions {
     }
 
     @Option(names = "--antialias", paramLabel = "MODE",
-            description = "Anti-aliasing: ${COMPLETION-CANDIDATES} (default: the scene's).")
+            description = "Anti-aliasing: off, edges or every (default: the scene's).")
     private AntialiasMode antialias;
 
     private Integer samples;

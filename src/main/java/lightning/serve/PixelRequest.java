@@ -1,12 +1,12 @@
 package lightning.serve;
 
+import lightning.format.json.ExplainReport;
+import lightning.format.json.PixelReporter;
+import lightning.format.json.ReportMapper;
 import lightning.render.image.Film;
 import lightning.render.relight.Renderer;
-import lightning.render.relight.SceneView;
 import lightning.render.shading.PixelExplainer;
-import lightning.render.shading.PointReport;
 import lightning.scene.Scene;
-import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.ObjectNode;
 
 /** Request {@code explain}: updates the picture and reports how the color of one pixel is computed. */
@@ -36,23 +36,10 @@ final class PixelRequest {
         Renderer renderer = session.renderer();
         var indirect = renderer.cache().indirect();
         PixelExplainer explainer = new PixelExplainer(renderer.scene(), renderer.cache().geometry())
-                .withIndirect(indirect == null ? null : indirect.light());
-        PointReport report = explainer.explainPixel(x, y);
+                .withIndirect(indirect == null ? null : indirect.light()).withPassedCutouts();
         Film film = renderer.film();
-        ObjectNode result = JsonLines.JSON.createObjectNode();
-        result.putArray("pixel").add(x).add(y);
-        add(result.putArray("color"), film.red(x, y), film.green(x, y), film.blue(x, y));
-        ArrayNode displayed = result.putArray("displayed");
-        for (int code : SceneView.of(scene).displayed(film.red(x, y), film.green(x, y), film.blue(x, y))) {
-            displayed.add(code);
-        }
-        result.set("center", PointDescription.of(explainer.geometry(), report));
-        return result;
-    }
-
-    private static void add(ArrayNode array, float... values) {
-        for (float value : values) {
-            array.add(value);
-        }
+        ExplainReport report = new PixelReporter(scene, explainer).report(x, y, explainer.explainPixel(x, y),
+                new float[] {film.red(x, y), film.green(x, y), film.blue(x, y)});
+        return ReportMapper.MAPPER.valueToTree(report);
     }
 }

@@ -169,7 +169,7 @@ final class FarmTest {
     private String slurm(String script, int task, String... words) throws Exception {
         Path bin = Files.createDirectories(folder.resolve("bin"));
         Files.deleteIfExists(bin.resolve("srun"));
-        Files.move(script("srun", "case \"$1\" in --*) shift;; esac\nexec \"$@\""), bin.resolve("srun"));
+        Files.move(script("srun", "while case \"$1\" in --*) true;; *) false;; esac; do shift; done\nexec \"$@\""), bin.resolve("srun"));
         List<String> line = new ArrayList<>(List.of("bash", shell(script).toString()));
         line.addAll(List.of(words));
         Path output = folder.resolve("slurm.log");

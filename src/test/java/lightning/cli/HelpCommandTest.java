@@ -64,6 +64,40 @@ class HelpCommandTest {
         assertThat(complete(script, "lightning", "rend")).isEqualTo("render");
         assertThat(complete(script, "lightning", "shot", "rel")).isEqualTo("relight");
         assertThat(complete(script, "lightning", "render", "--trad")).isEqualTo("--traditional");
+        assertThat(complete(script, "lightning", "render", "a.jen", "--antialias", "ev")).isEqualTo("every");
+        assertThat(complete(script, "lightning", "render", script.toString())).isEqualTo(script.toString());
+    }
+
+    /** Types lines with a tab in a terminal; the key after it writes the line to a file. */
+    private static final String ZSH = """
+            zmodload zsh/zpty
+            cd $2
+            zpty shell zsh -f -i
+            zpty -w shell "autoload -U compinit; compinit -u -D; source $1; \
+                dump() { print -r -- \\$BUFFER >> out; zle kill-buffer }; zle -N dump; bindkey '^X' dump; echo LOAD''ED"
+            zpty -r -m shell text '*LOADED*'
+            for line in 'lightning rend' 'lightning render --trad' 'lightning import a --indirect au' 'lightning render my'; do
+                zpty -n -w shell "$line"$'\\t\\C-x'
+                count=$((count + 1))
+                for wait in {1..200}; do
+                    [[ -e out && $(wc -l < out) -ge $count ]] && break
+                    sleep 0.02
+                done
+            done
+            zpty -d shell
+            cat out
+            """;
+
+    @Test
+    void completion_worksInZsh() throws IOException, InterruptedException {
+        Path script = Files.writeString(folder.resolve("script"), CliResult.run("completion", "zsh").assertSuccess().out());
+        Files.createDirectory(folder.resolve("my folder"));
+        assertThat(runIfInstalled("zsh", "-f", "-c", ZSH, "zsh", script.toString(), folder.toString())).isEqualTo("""
+                lightning render\040
+                lightning render --traditional\040
+                lightning import a --indirect auto\040
+                lightning render my\\ folder/
+                """);
     }
 
     private static String complete(Path script, String... words) throws IOException, InterruptedException {

@@ -16,6 +16,21 @@ class ImportCommandTest {
     private Path folder;
 
     @Test
+    void changedModel_replacesItsFilesIfAsked() throws Exception {
+        Path model = Files.writeString(Files.createDirectory(folder.resolve("in")).resolve("a.obj"), TRIANGLE);
+        Path scene = folder.resolve("a.jen");
+        Path copy = folder.resolve("a.obj");
+        CliResult.run("import", model, "-o", scene).assertSuccess();
+        String changed = Files.readString(Files.writeString(model, TRIANGLE + "# again\n"));
+        CliResult.run("import", model, "-o", scene).assertRejected(
+                copy + ": already exists with other content; --replace replaces it, or import into another folder");
+        assertThat(copy).hasContent(TRIANGLE);
+        assertThat(CliResult.run("import", model, "-o", scene, "--replace").assertSuccess().err()).contains(copy + ": replaced");
+        assertThat(copy).hasContent(changed);
+        assertThat(CliResult.run("import", model, "-o", scene, "--replace").assertSuccess().err()).doesNotContain("replaced");
+    }
+
+    @Test
     void importedFile_passesCheck() throws Exception {
         CliResult done = CliResult.run("import", Files.writeString(folder.resolve("a.obj"), TRIANGLE), "-o", folder.resolve("a.jen"))
                 .assertSuccess();

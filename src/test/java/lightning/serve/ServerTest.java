@@ -15,9 +15,13 @@ import lightning.base.work.WorkerPool;
 import lightning.format.image.ImageFile;
 import lightning.format.jen.JenReader;
 import lightning.format.jen.PropertyEdit;
+import lightning.format.json.PixelReporter;
+import lightning.format.json.ReportMapper;
 import lightning.render.fulltrace.TraditionalTracer;
 import lightning.render.image.Film;
 import lightning.render.relight.LightImage;
+import lightning.render.shading.PixelExplainer;
+import lightning.render.shading.PointReport;
 import lightning.scene.Scene;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -219,13 +223,26 @@ class ServerTest {
         client.open(SCENE);
         JsonNode result = client.request("explain", "'scene':1,'pixel':[35,25]");
         Film film = trace(scene());
-        assertThat(result.get("color").get(0).floatValue()).isEqualTo(film.red(35, 25));
-        assertThat(result.get("color").get(2).floatValue()).isEqualTo(film.blue(35, 25));
-        JsonNode point = result.get("center");
-        assertThat(point.get("object").asString()).isEqualTo("ball");
-        assertThat(point.get("lights").get(0).get("light").asString()).isEqualTo("key");
-        assertThat(point.get("reflected").get("point").has("color")).isTrue();
+        assertThat(result.at("/color_linear/0").floatValue()).isEqualTo(film.red(35, 25));
+        assertThat(result.at("/color_linear/2").floatValue()).isEqualTo(film.blue(35, 25));
+        assertThat(result.at("/center/object").asString()).isEqualTo("ball");
+        assertThat(result.at("/center/lights/0/light").asString()).isEqualTo("key");
+        assertThat(result.at("/center/reflected/hits").has("color")).isTrue();
         assertThat(client.refused("explain", "'scene':1,'pixel':[70,0]").get("place").asString()).isEqualTo("pixel");
+    }
+
+    /** Cutouts: the server's known geometry must report what a new one does. */
+    @Test
+    void explain_isTheRecordOfTheCommandLine() throws Exception {
+        client.request("open", "'file':'scenes/arbor.jen'");
+        client.request("set", "'scene':1,'edits':['picture.size=40 30','picture.antialias=off']");
+        Scene scene = PropertyEdit.apply(PropertyEdit.apply(JenReader.read(Path.of("scenes/arbor.jen")).scene(), "picture.size=40 30"),
+                "picture.antialias=off");
+        var explainer = new PixelExplainer(scene);
+        PointReport center = explainer.explainPixel(10, 10);
+        assertThat(center.passedCutouts()).isNotEmpty();
+        assertThat(client.request("explain", "'scene':1,'pixel':[10,10]").toString()).isEqualTo(ReportMapper.MAPPER
+                .writeValueAsString(new PixelReporter(scene, explainer).report(10, 10, center, center.color())));
     }
 
     @Test

@@ -1,7 +1,6 @@
 package lightning.bench.mesh;
 
 import java.io.BufferedReader;
-import java.io.File;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStreamWriter;
@@ -16,7 +15,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.Optional;
-import java.util.stream.Stream;
+import lightning.base.file.SearchPath;
 import lightning.base.file.TemporaryFolder;
 import lightning.scene.Mesh;
 
@@ -49,8 +48,7 @@ public final class Embree implements AutoCloseable {
     }
 
     private static Optional<Path> compiler() {
-        return Stream.of(System.getenv().getOrDefault("PATH", "").split(File.pathSeparator)).filter(folder -> !folder.isEmpty())
-                .map(folder -> Path.of(folder, "cc")).filter(Files::isExecutable).findFirst();
+        return SearchPath.ofSystem().find("cc");
     }
 
     /**

@@ -1,5 +1,5 @@
 /**
- * What commands report with {@code --json}: one record for each command, in the form of docs/json.md. Names of numbers end in their unit;
+ * Reports of commands with {@code --json}: one record for each command, in the form of docs/json.md. Names of numbers end in their unit;
  * counts, and values without a unit, have none. {@link lightning.cli.report.JsonOutput} prints them.
  */
 package lightning.cli.report;

@@ -63,31 +63,24 @@ public record ImportedScene(Scene unscaledScene, Optional<Shot> shot, Set<String
      * @param bytes content; null if {@code source} is given
      */
     public record AssetCopy(Path target, Path source, byte[] bytes) {
-        private boolean isAlreadyWritten() throws IOException {
-            if (!Files.exists(target)) {
-                return false;
-            }
-            if (source != null ? Files.isSameFile(source, target) || RegularFile.haveSameContent(source, target, EXPECTED_FILE)
+        private boolean isWritten() throws IOException {
+            return Files.exists(target) && (source != null
+                    ? Files.isSameFile(source, target) || RegularFile.haveSameContent(source, target, EXPECTED_FILE)
                     : Files.size(target) == bytes.length
-                            && Arrays.equals(RegularFile.readBytes(target, EXPECTED_FILE, bytes.length), bytes)) {
-                return true;
-            }
-            throw new IOException(Quote.path(target) + ": already exists with other content; import into another folder");
+                            && Arrays.equals(RegularFile.readBytes(target, EXPECTED_FILE, bytes.length), bytes));
         }
 
         private void write() throws IOException {
-            if (!isAlreadyWritten()) {
-                Files.createDirectories(target.toAbsolutePath().getParent());
-                AtomicFile.write(target, out -> {
-                    if (source != null) {
-                        try (InputStream in = RegularFile.open(source, EXPECTED_FILE)) {
-                            in.transferTo(out);
-                        }
-                    } else {
-                        out.write(bytes);
+            Files.createDirectories(target.toAbsolutePath().getParent());
+            AtomicFile.write(target, out -> {
+                if (source != null) {
+                    try (InputStream in = RegularFile.open(source, EXPECTED_FILE)) {
+                        in.transferTo(out);
                     }
-                });
-            }
+                } else {
+                    out.write(bytes);
+                }
+            });
         }
     }
 
@@ -178,6 +171,17 @@ public record ImportedScene(Scene unscaledScene, Optional<Shot> shot, Set<String
      * @throws JenException if the scene could not be read back: an unsupported image format, or a limit exceeded
      */
     public void write() throws IOException, JenException {
+        requireNoDifferentFiles();
+        writeReplacing();
+    }
+
+    /**
+     * Copies the assets, then writes the scene. Replaces different existing files, except those that another asset is copied from.
+     *
+     * @throws IOException if such a file exists or writing fails
+     * @throws JenException as {@link #write}
+     */
+    public void writeReplacing() throws IOException, JenException {
         String text = text();
         writeCopies();
         JenReader.read(text, sceneFile.toString(), sceneFile.toAbsolutePath().getParent());
@@ -192,16 +196,48 @@ public record ImportedScene(Scene unscaledScene, Optional<Shot> shot, Set<String
      * @throws JenException as {@link #write}
      */
     public JenDocument document(CachingJenReader reader) throws IOException, JenException {
+        requireNoDifferentFiles();
         writeCopies();
         return reader.read(text(), sceneFile.toString(), unscaledScene.stage());
     }
 
+    /** Returns existing files of other content in the place of assets, in the order of their names. */
+    public List<Path> differentFiles() throws IOException {
+        List<Path> different = new ArrayList<>();
+        for (AssetCopy copy : copies) {
+            if (Files.exists(copy.target) && !copy.isWritten()) {
+                different.add(copy.target);
+            }
+        }
+        return different.stream().sorted().toList();
+    }
+
+    private void requireNoDifferentFiles() throws IOException {
+        List<Path> different = differentFiles();
+        if (!different.isEmpty()) {
+            throw new IOException(Quote.path(different.getFirst()) + ": already exists with other content; import into another folder");
+        }
+    }
+
     private void writeCopies() throws IOException {
         for (AssetCopy copy : copies) {
-            copy.isAlreadyWritten();
+            if (Files.exists(copy.target) && !copy.isWritten() && isSource(copy.target)) {
+                throw new IOException(Quote.path(copy.target) + ": is a file of the imported scene; import into another folder");
+            }
         }
         for (AssetCopy copy : copies) {
-            copy.write();
+            if (!copy.isWritten()) {
+                copy.write();
+            }
         }
+    }
+
+    private boolean isSource(Path target) throws IOException {
+        for (AssetCopy copy : copies) {
+            if (copy.source != null && Files.isSameFile(copy.source, target)) {
+                return true;
+            }
+        }
+        return false;
     }
 }

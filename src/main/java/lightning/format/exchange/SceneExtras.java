@@ -3,12 +3,10 @@ package lightning.format.exchange;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
-import java.util.stream.Stream;
 import lightning.scene.AntialiasMode;
 import lightning.scene.Light;
 import lightning.scene.LightAttribute;
@@ -94,10 +92,8 @@ final class SceneExtras {
 
     /** Returns the sampling; throws an {@link IllegalArgumentException} if a value is invalid. */
     private static SamplingSettings sampling(JsonNode in) {
-        String word = in.path("antialias").asString("off");
-        AntialiasMode mode = Stream.of(AntialiasMode.values()).filter(m -> m.name().toLowerCase(Locale.ROOT).equals(word)).findFirst()
-                .orElseThrow(() -> new IllegalArgumentException(word));
-        return new SamplingSettings(mode, in.path("samples").asInt(SamplingSettings.DEFAULT.grid()));
+        return new SamplingSettings(AntialiasMode.of(in.path("antialias").asString("off")),
+                in.path("samples").asInt(SamplingSettings.DEFAULT.grid()));
     }
 
     private static Optional<String> readGroup(SceneAssembler assembler, JsonNode in) {

@@ -14,7 +14,7 @@ import lightning.format.usd.UsdSubdivision;
 
 /** Importer of other programs' files: glTF, OBJ, PLY, NFF and USD. */
 public final class SceneImporter {
-    /** Refinements of subdivision surfaces that are made unless others are asked for. */
+    /** Default number of refinements of subdivision surfaces. */
     public static final int DEFAULT_LEVELS = UsdSubdivision.DEFAULT_LEVELS;
     /** Largest number of refinements of subdivision surfaces. */
     public static final int MAX_LEVELS = UsdSubdivision.MAX_LEVELS;

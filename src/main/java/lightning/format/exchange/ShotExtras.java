@@ -18,8 +18,8 @@ import tools.jackson.databind.JsonNode;
 
 /** Animation in the extras of a glTF file. Objects have keyed matrices relative to their parents, as glTF's nodes have. */
 final class ShotExtras {
-    /** Tolerance for keys that lie between others; Blender has single precision. */
-    private static final double TOLERANCE = 1e-6;
+    /** Values below 1 have the tolerance of 1: those of a matrix that should be 0 are rounded like the others. */
+    private static final KeyframeReduction REDUCTION = new KeyframeReduction(1);
 
     private final JsonNode json;
     private final Map<String, String> nodeNames;
@@ -75,50 +75,7 @@ final class ShotExtras {
         String attribute = track.path("attribute").asString();
         // Between two directions, Lightning rotates.
         boolean isLinear = !attribute.equals("direction") && !attribute.equals("up");
-        tracks.add(new Track(target, attribute, withoutRedundant(keys, isLinear)));
-    }
-
-    /** Returns the keys without those that interpolation between the others gives. */
-    private static List<Keyframe> withoutRedundant(List<Keyframe> keys, boolean isLinear) {
-        List<Keyframe> kept = new ArrayList<>();
-        int start = 0;
-        for (int i = 0; i < keys.size(); i++) {
-            boolean isEnd = i == 0 || i == keys.size() - 1;
-            if (isEnd || !isRedundant(keys.subList(start, i + 2), isLinear)) {
-                kept.add(keys.get(i));
-                start = i;
-            }
-        }
-        while (kept.size() > 1 && kept.getLast().value().equals(kept.get(kept.size() - 2).value())) {
-            kept.removeLast();
-        }
-        return kept;
-    }
-
-    /** Tests whether all keys between the first and the last equal their interpolation. */
-    private static boolean isRedundant(List<Keyframe> keys, boolean isLinear) {
-        Keyframe first = keys.getFirst();
-        Keyframe last = keys.getLast();
-        for (Keyframe key : keys.subList(1, keys.size() - 1)) {
-            if (!(key.value() instanceof KeyframeValue.Numbers(List<Double> values)) || !isLinear) {
-                if (!key.value().equals(first.value())) {
-                    return false;
-                }
-                continue;
-            }
-            double t = (double) (key.frame() - first.frame()) / (last.frame() - first.frame());
-            List<Double> from = ((KeyframeValue.Numbers) first.value()).values();
-            List<Double> to = ((KeyframeValue.Numbers) last.value()).values();
-            for (int i = 0; i < values.size(); i++) {
-                double scale = Math.max(1, Math.max(Math.abs(from.get(i)), Math.abs(to.get(i))));
-                if (Math.abs(from.get(i) + t * (to.get(i) - from.get(i)) - values.get(i)) > TOLERANCE * scale) {
-                    return false;
-                }
-            }
-        }
-        // A word holds until its next key; a direction that changes afterwards must hold until then.
-        return isLinear && first.value() instanceof KeyframeValue.Numbers || last.value().equals(first.value())
-                || !(first.value() instanceof KeyframeValue.Numbers);
+        tracks.add(new Track(target, attribute, REDUCTION.reduce(keys, isLinear)));
     }
 
     private static List<Double> numbers(JsonNode value) {
@@ -157,13 +114,13 @@ final class ShotExtras {
 
     private void addVectors(TrackTarget target, String attribute, List<Integer> frames, List<Vec3> values) {
         double size = values.stream().mapToDouble(Vec3::maxAbs).max().orElse(0);
-        if (values.stream().anyMatch(v -> v.minus(values.getFirst()).maxAbs() > TOLERANCE * Math.max(1, size))) {
+        if (values.stream().anyMatch(v -> v.minus(values.getFirst()).maxAbs() > KeyframeReduction.TOLERANCE * Math.max(1, size))) {
             List<Keyframe> keys = new ArrayList<>();
             for (int i = 0; i < frames.size(); i++) {
                 Vec3 v = values.get(i);
                 keys.add(new Keyframe(frames.get(i), new KeyframeValue.Numbers(List.of(v.x(), v.y(), v.z())), Interpolation.LINEAR));
             }
-            tracks.add(new Track(target, attribute, withoutRedundant(keys, true)));
+            tracks.add(new Track(target, attribute, REDUCTION.reduce(keys, true)));
         }
     }
 }

@@ -11,8 +11,8 @@ import lightning.format.gltf.JsonValue;
 import lightning.format.mesh.MeshException;
 
 /**
- * Where the lights and objects of a scene are in the stage that it was imported from. Comments of the scene file keep it, since nothing else
- * of a scene depends on it.
+ * Paths of a scene's lights and objects in the stage that it was imported from. Comments of the scene file store them, because rendering
+ * does not use them.
  *
  * @param hasZUp  true if the z axis of the stage is up
  * @param shift   time in the stage of frame 0

@@ -13,7 +13,7 @@ import lightning.format.usd.UsdStage;
  * texture coordinates from (u, v); in a grid of n columns it is in column {@code u mod n}, so that coordinates divided by n find it without
  * an offset.
  *
- * @param tiles those that exist, at least one
+ * @param tiles existing tiles, at least one
  */
 record UsdTiles(List<Tile> tiles, int columns, int rows, boolean isSingle) {
     private static final int FIRST = 1001;

@@ -1,7 +1,6 @@
 package lightning.format.jen;
 
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
@@ -46,8 +45,8 @@ final class BlockTypes {
                     Value.of(PictureSettings.DEFAULT.width(), PictureSettings.DEFAULT.height()), 1, SceneLimits.MAX_SIZE, "pixels",
                     p -> Value.of(p.width(), p.height())).asIntegers(),
             Property.of(PictureSettings.DEPTH).getFirst(),
-            Property.choice("antialias", word(SamplingSettings.DEFAULT.antialias()), words(AntialiasMode.values()),
-                    p -> word(p.sampling().antialias())),
+            Property.choice("antialias", new Value.Word(SamplingSettings.DEFAULT.antialias().word()), AntialiasMode.WORDS,
+                    p -> new Value.Word(p.sampling().antialias().word())),
             Property.<PictureSettings>number("samples", SamplingSettings.DEFAULT.grid(), SceneLimits.MIN_SAMPLES, SceneLimits.MAX_SAMPLES,
                     "along each side of a pixel", p -> (double) p.sampling().grid()).asIntegers(),
             Property.choice("view", new Value.Word(ViewSettings.DEFAULT.curve().word()), ViewCurve.WORDS,
@@ -56,7 +55,7 @@ final class BlockTypes {
                     p -> p.view().exposure()),
             Property.block(INDIRECT, "diffuse indirect light", PictureSettings::indirect)),
             (name, v, children) -> new PictureSettings(v.integer("size", 0), v.integer("size", 1), v.integer("depth", 0),
-                    new SamplingSettings(AntialiasMode.valueOf(v.word("antialias").toUpperCase(Locale.ROOT)), v.integer("samples", 0)),
+                    new SamplingSettings(AntialiasMode.of(v.word("antialias")), v.integer("samples", 0)),
                     v.nested(INDIRECT), new ViewSettings(ViewCurve.of(v.word("view")), v.number("exposure"))));
 
     static final BlockType<Camera> CAMERA = new BlockType<>("camera", false, Optional.empty(), Property.of(Camera.ATTRIBUTES),
@@ -166,13 +165,5 @@ final class BlockTypes {
 
     private static Placement placement(PropertyValues v) {
         return new Placement(v.vector("at"), v.vector("rotate"), v.vector("scale"));
-    }
-
-    private static Value word(Enum<?> choice) {
-        return new Value.Word(choice.name().toLowerCase(Locale.ROOT));
-    }
-
-    private static List<String> words(Enum<?>[] choices) {
-        return Stream.of(choices).map(c -> c.name().toLowerCase(Locale.ROOT)).toList();
     }
 }

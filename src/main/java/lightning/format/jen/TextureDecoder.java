@@ -107,7 +107,7 @@ public final class TextureDecoder {
         });
     }
 
-    /** What is read from a file. */
+    /** Reads a value from an image file. */
     @FunctionalInterface
     private interface Reading<T> {
         T from(ImageReader reader) throws IOException, UnusableFileException;

@@ -1,6 +1,5 @@
 package lightning.format.pov;
 
-import java.io.File;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -10,7 +9,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import java.util.stream.Stream;
+import lightning.base.file.SearchPath;
 import lightning.base.file.TemporaryFolder;
 import lightning.format.image.ImageFile;
 import lightning.render.image.Film;
@@ -27,14 +26,11 @@ public final class PovRayRunner {
 
     /** Finds POV-Ray on the search path. */
     public static Optional<PovRayRunner> find() {
-        return find(System.getenv().getOrDefault("PATH", ""));
+        return find(SearchPath.ofSystem());
     }
 
-    /** Finds the first POV-Ray in a list of folders. */
-    static Optional<PovRayRunner> find(String path) {
-        return Stream.of(path.split(File.pathSeparator))
-                .filter(folder -> !folder.isEmpty()).map(folder -> Path.of(folder, "povray"))
-                .filter(Files::isExecutable).findFirst().map(PovRayRunner::new);
+    static Optional<PovRayRunner> find(SearchPath path) {
+        return path.find("povray").map(PovRayRunner::new);
     }
 
     /**

@@ -1,12 +1,8 @@
 package lightning.format.usd;
 
-import java.io.File;
 import java.io.IOException;
-import java.nio.file.Files;
-import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
-import java.util.List;
-import java.util.Optional;
+import lightning.base.file.SearchPath;
 import lightning.base.text.Messages;
 import lightning.base.text.Quote;
 
@@ -16,7 +12,6 @@ import lightning.base.text.Quote;
  */
 final class PythonInterpreter {
     static final String VARIABLE = "LIGHTNING_PYTHON";
-    private static final List<String> NAMES = List.of("python3", "python3.exe", "python", "python.exe");
 
     private PythonInterpreter() {}
 
@@ -24,44 +19,14 @@ final class PythonInterpreter {
      * Returns the interpreter.
      *
      * @param chosen value of the variable; null or empty for none
-     * @param folders value of the environment variable {@code PATH}; null for none
      * @throws IOException if there is none; the message asks for it
      */
-    static Path find(String chosen, String folders) throws IOException {
+    static Path find(String chosen, SearchPath path) throws IOException {
         if (chosen != null && !chosen.isEmpty()) {
-            return executable("", chosen).or(() -> searched(folders, chosen)).orElseThrow(() -> new IOException(
+            return SearchPath.program("", chosen).or(() -> path.find(chosen)).orElseThrow(() -> new IOException(
                     Messages.tr("{0} names {1}, which is not a program", VARIABLE, Quote.of(chosen))));
         }
-        for (String name : NAMES) {
-            var found = searched(folders, name);
-            if (found.isPresent()) {
-                return found.get();
-            }
-        }
-        throw new IOException(
-                Messages.tr("USD files need Python with the package usd-core; install Python 3, then run: pip install usd-core"));
-    }
-
-    private static Optional<Path> searched(String folders, String name) {
-        if (folders != null) {
-            for (String folder : folders.split(File.pathSeparator)) {
-                var found = folder.isEmpty() ? Optional.<Path>empty() : executable(folder, name);
-                if (found.isPresent()) {
-                    return found;
-                }
-            }
-        }
-        return Optional.empty();
-    }
-
-    private static Optional<Path> executable(String folder, String name) {
-        try {
-            Path program = Path.of(folder, name);
-            return Files.isRegularFile(program) && Files.isExecutable(program) ? Optional.of(program)
-                    : Optional.empty();
-        } catch (InvalidPathException e) {
-            // The system skips invalid entries, too.
-            return Optional.empty();
-        }
+        return path.find("python3").or(() -> path.find("python")).orElseThrow(() -> new IOException(
+                Messages.tr("USD files need Python with the package usd-core; install Python 3, then run: pip install usd-core")));
     }
 }

@@ -13,6 +13,7 @@ import java.util.concurrent.TimeoutException;
 import java.util.stream.Stream;
 import lightning.base.file.RegularFile;
 import lightning.base.file.ScratchFolder;
+import lightning.base.file.SearchPath;
 import lightning.base.file.TemporaryFolder;
 import lightning.base.text.Messages;
 import lightning.base.text.PrintableText;
@@ -49,7 +50,7 @@ record UsdConverter(Path python, Path script, Duration limit) {
         if (!Files.isDirectory(script)) {
             throw new IOException(Messages.tr("{0}: the converter of USD files is missing; install Lightning again", shipped));
         }
-        return new UsdConverter(PythonInterpreter.find(System.getenv(PythonInterpreter.VARIABLE), System.getenv("PATH")), script,
+        return new UsdConverter(PythonInterpreter.find(System.getenv(PythonInterpreter.VARIABLE), SearchPath.ofSystem()), script,
                 TIME_LIMIT);
     }
 

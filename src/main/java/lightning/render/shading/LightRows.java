@@ -59,7 +59,7 @@ public final class LightRows implements LightLayer {
         FACE_RED(ElementType.FLOAT, "colors of images on lights"),
         FACE_GREEN(ElementType.FLOAT, "colors of images on lights"),
         FACE_BLUE(ElementType.FLOAT, "colors of images on lights"),
-        /** The same, weighted by the specular terms; only with a specular column. */
+        /** Mean color of the samples, weighted by their specular terms; only with a specular column. */
         HIGHLIGHT_RED(ElementType.FLOAT, "colors of images on lights"),
         HIGHLIGHT_GREEN(ElementType.FLOAT, "colors of images on lights"),
         HIGHLIGHT_BLUE(ElementType.FLOAT, "colors of images on lights");

@@ -69,6 +69,16 @@ public final class PixelExplainer {
         return light == indirect ? this : new PixelExplainer(scene, geometry, shadowRayTargets, uncutGeometry, light);
     }
 
+    /** Returns this explainer with a report of the cutouts that rays passed; builds a second BVH if the scene has any. */
+    public PixelExplainer withPassedCutouts() {
+        return uncutGeometry == null ? new PixelExplainer(scene, geometry, shadowRayTargets, withoutCutouts(scene), indirect) : this;
+    }
+
+    /** Returns the indirect light of the scene; null for none. */
+    public IndirectLight indirect() {
+        return indirect;
+    }
+
     /** Returns the shapes and materials that reports refer to. */
     public Geometry geometry() {
         return geometry;

@@ -1,13 +1,11 @@
 package lightning.shot.movie;
 
-import java.io.File;
 import java.io.IOException;
-import java.nio.file.Files;
-import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import lightning.base.file.SearchPath;
 import lightning.base.text.DecimalNumber;
 import lightning.base.text.Messages;
 
@@ -20,27 +18,11 @@ public record Ffmpeg(Path program) {
 
     /** Finds the first one in the system's search path. */
     public static Optional<Ffmpeg> find() {
-        return findIn(System.getenv("PATH"));
+        return findIn(SearchPath.ofSystem());
     }
 
-    /** @param folders value of the environment variable {@code PATH}; null for none */
-    static Optional<Ffmpeg> findIn(String folders) {
-        if (folders == null) {
-            return Optional.empty();
-        }
-        for (String folder : folders.split(File.pathSeparator)) {
-            for (String name : List.of("ffmpeg", "ffmpeg.exe")) {
-                try {
-                    Path program = Path.of(folder, name);
-                    if (!folder.isEmpty() && Files.isRegularFile(program) && Files.isExecutable(program)) {
-                        return Optional.of(new Ffmpeg(program));
-                    }
-                } catch (InvalidPathException e) {
-                    // The system skips invalid entries, too.
-                }
-            }
-        }
-        return Optional.empty();
+    static Optional<Ffmpeg> findIn(SearchPath path) {
+        return path.find("ffmpeg").map(Ffmpeg::new);
     }
 
     /**

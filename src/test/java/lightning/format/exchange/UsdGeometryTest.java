@@ -112,7 +112,7 @@ class UsdGeometryTest {
             assertThat(most(mesh.positions(), 0)).isEqualTo(1);
         }
         assertThat(only(CUBE, 0).triangleCount()).isEqualTo(12);
-        // A scheme that the stage asks for wins over normals.
+        // The scheme of a stage has precedence over normals.
         assertThat(only("uniform token subdivisionScheme = \"catmullClark\"\n" + CUBE
                 + "normal3f[] normals = [(0, 0, 1)] ( interpolation = \"constant\" )", 2).triangleCount()).isEqualTo(192);
     }

@@ -8,6 +8,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import lightning.base.file.SearchPath;
 import lightning.base.math.Rgb;
 import lightning.format.image.ImageFile;
 import lightning.render.image.Film;
@@ -33,7 +34,7 @@ class PovRayRunnerTest {
     private PovRayRunner fakeProgram(String commands) throws IOException {
         Path program = Files.writeString(folder.resolve("povray"), "#!/bin/sh\n" + commands + "\n");
         assertThat(program.toFile().setExecutable(true)).isTrue();
-        return PovRayRunner.find(folder.resolve("no") + File.pathSeparator + folder).orElseThrow();
+        return PovRayRunner.find(SearchPath.of(folder.resolve("no") + File.pathSeparator + folder)).orElseThrow();
     }
 
     @Test
@@ -88,7 +89,7 @@ class PovRayRunnerTest {
 
     @Test
     void missingProgram_isNotFound() {
-        assertThat(PovRayRunner.find(folder.toString())).isEmpty();
-        assertThat(PovRayRunner.find("")).isEmpty();
+        assertThat(PovRayRunner.find(SearchPath.of(folder.toString()))).isEmpty();
+        assertThat(PovRayRunner.find(SearchPath.of(""))).isEmpty();
     }
 }

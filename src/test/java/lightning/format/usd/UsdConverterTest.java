@@ -3,7 +3,6 @@ package lightning.format.usd;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -12,6 +11,7 @@ import java.time.Duration;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.Stream;
+import lightning.base.file.SearchPath;
 import lightning.base.work.Progress;
 import lightning.format.mesh.MeshException;
 import org.junit.jupiter.api.Test;
@@ -90,13 +90,14 @@ class UsdConverterTest {
     @Test
     void interpreter_isChosenOrFoundOrAskedFor() throws Exception {
         Path python = program("");
-        assertThat(PythonInterpreter.find(null, folder.toString())).isEqualTo(python);
-        assertThat(PythonInterpreter.find("", "/nowhere" + File.pathSeparator + folder)).isEqualTo(python);
-        assertThat(PythonInterpreter.find(python.toString(), null)).isEqualTo(python);
-        assertThat(PythonInterpreter.find("python3", folder.toString())).isEqualTo(python);
-        assertThatThrownBy(() -> PythonInterpreter.find(null, null)).isInstanceOf(IOException.class)
+        SearchPath path = SearchPath.of(folder.toString());
+        assertThat(PythonInterpreter.find(null, path)).isEqualTo(python);
+        assertThat(PythonInterpreter.find("", path)).isEqualTo(python);
+        assertThat(PythonInterpreter.find(python.toString(), SearchPath.of(null))).isEqualTo(python);
+        assertThat(PythonInterpreter.find("python3", path)).isEqualTo(python);
+        assertThatThrownBy(() -> PythonInterpreter.find(null, SearchPath.of(null))).isInstanceOf(IOException.class)
                 .hasMessage("USD files need Python with the package usd-core; install Python 3, then run: pip install usd-core");
-        assertThatThrownBy(() -> PythonInterpreter.find("/nowhere/python", folder.toString())).isInstanceOf(IOException.class)
+        assertThatThrownBy(() -> PythonInterpreter.find("/nowhere/python", path)).isInstanceOf(IOException.class)
                 .hasMessage("LIGHTNING_PYTHON names '/nowhere/python', which is not a program");
     }
 }

@@ -18,7 +18,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /** Lights that the camera sees. */
 class VisibleLightTest {
-    /** The camera looks at a rectangle, a disc behind it, and a mirror that shows the back of a ball light. */
+    /** The camera looks at a rectangle, a farther disc, and a mirror that shows the back of a ball light. */
     private static final String ROOM = """
             jen 1
             picture { size 40 30  depth 2  %s }
@@ -125,7 +125,7 @@ class VisibleLightTest {
         }
     }
 
-    /** Only camera and mirrored rays that can meet the face are cast again, with the shadow rays of what they show now. */
+    /** Only camera and mirrored rays that can meet the face are cast again, with the shadow rays of their new hits. */
     @Test
     void hiddenFace_repeatsFewRays() throws Exception {
         Scene before = room("");

@@ -2,7 +2,7 @@ package lightning.shot.cluster;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.nio.file.Files;
+import java.awt.image.BufferedImage;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
@@ -12,8 +12,6 @@ import java.util.Set;
 import java.util.concurrent.atomic.AtomicInteger;
 import lightning.base.work.Await;
 import lightning.base.work.Progress;
-import lightning.format.jen.JenDocument;
-import lightning.format.jen.JenReader;
 import lightning.format.jen.PropertyEdit;
 import lightning.render.image.Downscale;
 import lightning.render.image.Film;
@@ -134,21 +132,9 @@ final class ClusterTest {
     }
 
     private ShotRevision textured() throws Exception {
-        Files.createDirectories(folder.resolve("textures"));
-        var image = new java.awt.image.BufferedImage(4, 4, java.awt.image.BufferedImage.TYPE_INT_RGB);
+        var image = new BufferedImage(4, 4, BufferedImage.TYPE_INT_RGB);
         image.setRGB(1, 2, 0xff8040);
-        javax.imageio.ImageIO.write(image, "png", folder.resolve("textures/spots.png").toFile());
-        Files.writeString(folder.resolve("textured.jen"), """
-                jen 1
-                picture { size 40 30 }
-                camera { from 0 1 6 to 0 0 0 }
-                material spotted { texture "spots.png" }
-                sphere ball { material spotted }
-                light lamp point { at 2 4 5 intensity 1 }
-                shot { frames 1 6 camera { from { 1 0 1 6 6 2 1 5 } } }
-                """);
-        JenDocument document = JenReader.read(folder.resolve("textured.jen"));
-        return new ShotRevision(document.scene(), document.shot().orElseThrow());
+        return TexturedShot.write(folder, image, 40, 30, 6);
     }
 
     @ParameterizedTest

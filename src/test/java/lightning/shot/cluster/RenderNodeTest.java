@@ -12,7 +12,6 @@ import java.util.Collections;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.UUID;
@@ -23,9 +22,8 @@ import java.util.concurrent.TimeUnit;
 import lightning.base.work.Await;
 import lightning.base.work.NiceValue;
 import lightning.base.work.Progress;
-import lightning.render.image.Film;
 import lightning.render.relight.tile.RenderOptions;
-import lightning.shot.CacheUsage;
+import lightning.shot.ForwardingFrameHost;
 import lightning.shot.FrameHost;
 import lightning.shot.FrameRejectedException;
 import lightning.shot.FrameUpdate;
@@ -119,42 +117,15 @@ final class RenderNodeTest {
     }
 
     /** Host that runs {@link #beforeUpdate} before each update. */
-    private final class HookedHost implements FrameHost {
-        private final FrameHost host;
-
+    private final class HookedHost extends ForwardingFrameHost {
         HookedHost(FrameHost host) {
-            this.host = host;
+            super(host);
         }
 
         @Override
         public FrameUpdate update(int frame, ShotRevision revision, Progress progress) throws HostLostException {
             beforeUpdate.run();
-            return host.update(frame, revision, progress);
-        }
-
-        @Override
-        public Optional<Film> film(int frame) {
-            return host.film(frame);
-        }
-
-        @Override
-        public void focus(int frame) {
-            host.focus(frame);
-        }
-
-        @Override
-        public void drop(int frame) {
-            host.drop(frame);
-        }
-
-        @Override
-        public CacheUsage usage() {
-            return host.usage();
-        }
-
-        @Override
-        public void close() {
-            host.close();
+            return super.update(frame, revision, progress);
         }
     }
 

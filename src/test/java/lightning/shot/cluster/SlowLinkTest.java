@@ -16,10 +16,8 @@ import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
-import javax.imageio.ImageIO;
 import lightning.base.work.Await;
 import lightning.base.work.DedicatedThread;
-import lightning.format.jen.JenDocument;
 import lightning.format.jen.JenReader;
 import lightning.render.image.FilmAssert;
 import lightning.render.relight.tile.RenderOptions;
@@ -51,18 +49,7 @@ final class SlowLinkTest {
                 image.setRGB(x, y, random.nextInt());
             }
         }
-        ImageIO.write(image, "png", folder.resolve("noise.png").toFile());
-        Files.writeString(folder.resolve("noise.jen"), """
-                jen 1
-                picture { size 150 100 }
-                camera { from 0 1 6 to 0 0 0 }
-                material spotted { texture "noise.png" }
-                sphere ball { material spotted }
-                light lamp point { at 2 4 5 intensity 1 }
-                shot { frames 1 2 camera { from { 1 0 1 6 2 2 1 5 } } }
-                """);
-        JenDocument document = JenReader.read(folder.resolve("noise.jen"));
-        return new ShotRevision(document.scene(), document.shot().orElseThrow());
+        return TexturedShot.write(folder, image, 150, 100, 2);
     }
 
     /** The thread that receives from all nodes must not wait until one has received a file: it would count others as silent. */

@@ -1,4 +1,4 @@
-package lightning.cli.report;
+package lightning.format.json;
 
 import java.util.List;
 
@@ -54,6 +54,7 @@ public record ExplainReport(int x, int y, int widthPixels, int heightPixels, Poi
      * A reflected or refracted ray.
      *
      * @param adds its part of the color of the point that it starts from
+     * @param hits absent if the ray starts from a transparent surface and contributes less than 0.2 % of the pixel
      */
     public record Ray(float[] adds, Point hits) {}
 

@@ -1,9 +1,12 @@
-package lightning.cli;
+package lightning.format.json;
 
 import java.util.List;
 import java.util.Locale;
+import java.util.function.UnaryOperator;
 import lightning.base.math.Vec3;
-import lightning.cli.report.ExplainReport;
+import lightning.render.gather.GatherStructure;
+import lightning.render.relight.SceneView;
+import lightning.render.shading.IndirectLight;
 import lightning.render.shading.LightReport;
 import lightning.render.shading.PixelExplainer;
 import lightning.render.shading.PointContributions;
@@ -12,16 +15,45 @@ import lightning.render.trace.Geometry;
 import lightning.render.trace.NormalSteps;
 import lightning.render.trace.SurfacePoint;
 import lightning.scene.Material;
+import lightning.scene.PictureSettings;
+import lightning.scene.Scene;
 
-/** Converts the explanation of a point, with all rays from it, to its record for {@code --json}. */
-final class PointReporter {
+/** Converts explanations of pixels to their record. */
+public final class PixelReporter {
+    private final Scene scene;
     private final Geometry geometry;
+    private final IndirectLight indirect;
 
-    PointReporter(PixelExplainer explainer) {
+    /** @param explainer explainer of the scene, with its indirect light */
+    public PixelReporter(Scene scene, PixelExplainer explainer) {
+        this.scene = scene;
         geometry = explainer.geometry();
+        indirect = explainer.indirect();
     }
 
-    ExplainReport.Point report(PointReport report) {
+    /**
+     * Converts the explanation of a pixel.
+     *
+     * @param center explanation of the ray through the pixel's center
+     * @param color  the pixel in the film, linear, {@code float[3]}
+     */
+    public ExplainReport report(int x, int y, PointReport center, float[] color) {
+        PictureSettings picture = scene.picture();
+        return new ExplainReport(x, y, picture.width(), picture.height(), point(center, 1), paths(),
+                picture.sampling().isSupersampled() ? picture.sampling().samplesPerPixel() : 1, color,
+                SceneView.of(scene).displayed(color[0], color[1], color[2]));
+    }
+
+    private ExplainReport.Indirect paths() {
+        if (indirect == null) {
+            return null;
+        }
+        GatherStructure paths = indirect.structure();
+        return new ExplainReport.Indirect(paths.pointCount(), paths.surfelCount(), paths.rays(), paths.bytes());
+    }
+
+    /** @param share approximate share of the pixel's color that the point contributes */
+    private ExplainReport.Point point(PointReport report, double share) {
         List<String> holes = report.passedCutouts().stream().map(this::name).toList();
         if (report.isBackground()) {
             return new ExplainReport.Point(null, null, holes, null, null, null, null, null, null, null, null, null, report.color());
@@ -35,11 +67,19 @@ final class PointReporter {
                 new double[] {at.nx(), at.ny(), at.nz()}, normals(report.normals()), report.ambient(), report.glow(),
                 report.lights().stream().map(light -> light(light, parts.ofLight(light), total)).toList(),
                 report.indirect() == null ? null : parts.ofIndirect(report.indirect()),
-                report.reflected() == null ? null
-                        : new ExplainReport.Ray(parts.reflectedPart(report.reflected().color()), report(report.reflected())),
-                report.refracted() == null ? null
-                        : new ExplainReport.Ray(parts.refractedPart(report.refracted().color()), report(report.refracted())),
+                ray(report.reflected(), parts::reflectedPart, report, parts, share),
+                ray(report.refracted(), parts::refractedPart, report, parts, share),
                 report.color());
+    }
+
+    /** @param from the point that the ray starts from; {@code share} is its share of the pixel */
+    private ExplainReport.Ray ray(PointReport ray, UnaryOperator<float[]> weigh, PointReport from, PointContributions parts, double share) {
+        if (ray == null) {
+            return null;
+        }
+        float[] adds = weigh.apply(ray.color());
+        return new ExplainReport.Ray(adds, parts.shouldFollow(adds, from.color(), share)
+                ? point(ray, PointContributions.rayShare(adds, from.color(), share)) : null);
     }
 
     private ExplainReport.LightShare light(LightReport light, float[] adds, double total) {
