@@ -74,26 +74,26 @@ class LightningAppTest {
     @Test
     void window_opensBeforeScene(FxRobot robot) throws Exception {
         assertThat(first).isEqualTo("opening");
-        TestEditors.await(() -> robot.lookup("#editor").tryQuery().isPresent());
+        TestEditors.awaitNode(robot, "#editor");
         assertThat(stage.getScene().getRoot().getId()).isEqualTo("editor");
     }
 
     @Test
     void picture_isShownBeforePanes(FxRobot robot) throws Exception {
-        TestEditors.await(() -> robot.lookup("#editor").tryQuery().isPresent());
+        TestEditors.awaitNode(robot, "#editor");
         assertThat(seen).contains(true);
     }
 
     @Test
     void picture_beforePanes_isLabeledCoarse(FxRobot robot) throws Exception {
-        TestEditors.await(() -> robot.lookup("#editor").tryQuery().isPresent());
+        TestEditors.awaitNode(robot, "#editor");
         assertThat(notes).containsExactly("Refining…");
-        assertThat(texts(robot.lookup("#traced-picture").query())).isEmpty();
+        assertThat(TestEditors.inWindowThread(() -> texts(robot.lookup("#traced-picture").query()))).isEmpty();
     }
 
     @Test
     void panes_whileLoading_showLoading(FxRobot robot) throws Exception {
-        TestEditors.await(() -> robot.lookup("#editor").tryQuery().isPresent());
+        TestEditors.awaitNode(robot, "#editor");
         robot.interact(() -> stage.getScene().setRoot(TestEditors.layout(Path.of("scenes/large.jen"))));
         FastRobot.settle();
         assertThat(robot.lookup(n -> n instanceof Label l && l.getText().equals("Reading large.jen …")).queryAll()).hasSize(3);
@@ -102,7 +102,7 @@ class LightningAppTest {
     @Test
     void window_hasBothCanvasesAndSidePanels(FxRobot robot) throws Exception {
         assertThat(stage.isShowing()).isTrue();
-        TestEditors.await(() -> robot.lookup("#editor").tryQuery().isPresent());
+        TestEditors.awaitNode(robot, "#editor");
         FastRobot.settle();
         for (String pane : new String[] {"#traced", "#preview", "#lights", "#properties"}) {
             assertThat(robot.lookup(pane).tryQuery()).as(pane).isPresent();
@@ -124,7 +124,7 @@ class LightningAppTest {
 
     @Test
     void welcomePage_isNextToStartScene_andEscapeClosesIt(FxRobot robot) throws Exception {
-        TestEditors.await(() -> robot.lookup("#welcome").tryQuery().isPresent());
+        TestEditors.awaitNode(robot, "#welcome");
         FastRobot.settle();
         var picture = robot.lookup("#traced-picture").query();
         assertThat(robot.lookup("#welcome").query().localToScene(0, 0).getX())

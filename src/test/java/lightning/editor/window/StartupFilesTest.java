@@ -47,7 +47,7 @@ class StartupFilesTest {
 
     @Test
     void foreignFile_createsSceneNextToIt(FxRobot robot) throws Exception {
-        TestEditors.await(() -> robot.lookup("#lighting-studio").tryQuery().isPresent());
+        TestEditors.awaitNode(robot, "#lighting-studio");
         robot.interact(() -> robot.lookup("#lighting-studio").<Button>query().fire());
         TestEditors.await(() -> editor != null && editor.model().editor().document().name().equals("tri.jen"));
         assertThat(folder.resolve("tri.jen")).exists();

@@ -3,6 +3,7 @@ package lightning.editor.window;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.concurrent.Callable;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.function.BooleanSupplier;
@@ -20,6 +21,7 @@ import lightning.editor.window.traced.TracedPane;
 import lightning.editor.window.widget.ColorTheme;
 import lightning.format.jen.JenException;
 import lightning.scene.Light;
+import org.testfx.api.FxRobot;
 import org.testfx.util.WaitForAsyncUtils;
 
 /** Model of a small scene with a light of each type, for showing single panes. */
@@ -86,6 +88,20 @@ public final class TestEditors {
 
     public static Light light(EditorModel model, String name) {
         return model.editor().scene().light(name).orElseThrow();
+    }
+
+    /** Waits until a node is in a window. Looks it up in the thread that changes windows, because others see them half changed. */
+    public static void awaitNode(FxRobot robot, String query) throws TimeoutException {
+        await(() -> inWindowThread(() -> robot.lookup(query).tryQuery().isPresent()));
+    }
+
+    /** Returns what a query returns in the thread that changes windows. */
+    public static <T> T inWindowThread(Callable<T> query) {
+        try {
+            return WaitForAsyncUtils.asyncFx(query).get(Await.TIMEOUT_SECONDS, TimeUnit.SECONDS);
+        } catch (Exception e) {
+            throw new IllegalStateException(e);
+        }
     }
 
     /** Waits until a condition holds. */
