@@ -6,8 +6,6 @@ import lightning.render.column.ColumnReader;
 import lightning.render.column.ColumnWriter;
 import lightning.render.shading.BounceImages;
 import lightning.render.shading.EdgeColors;
-import lightning.render.shading.LightLayer;
-import lightning.render.shading.LightRows;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.SampleCells;
 
@@ -49,7 +47,7 @@ public final class CacheSerializer {
         out.writeInt(tile.levels.length);
         for (TileLevel level : tile.levels) {
             level.rows().writeTo(out);
-            writeLayers(level.layers(), out);
+            LayerSerializer.write(level.layers(), out);
             IndirectSerializer.writeWeights(level.weights(), indirect, out);
         }
         out.writeInt(tile.hitShapes.length);
@@ -60,16 +58,6 @@ public final class CacheSerializer {
         if (tile.edges != null) {
             out.writeArray(tile.edges.colors());
             write(tile.edges.images(), out);
-        }
-    }
-
-    static void writeLayers(LightLayer[] layers, ColumnWriter out) throws IOException {
-        out.writeInt(layers.length);
-        for (LightLayer layer : layers) {
-            out.writeInt(layer == null ? 0 : 1);
-            if (layer != null) {
-                ((LightRows) layer).writeTo(out);
-            }
         }
     }
 
@@ -136,7 +124,7 @@ public final class CacheSerializer {
         TileLevel[] levels = new TileLevel[in.readCount()];
         for (int l = 0; l < levels.length; l++) {
             HitRows rows = HitRows.readFrom(in);
-            levels[l] = new TileLevel(rows, readLayers(in)).withWeights(IndirectSerializer.readWeights(indirect, in));
+            levels[l] = new TileLevel(rows, LayerSerializer.read(in)).withWeights(IndirectSerializer.readWeights(indirect, in));
         }
         int[][] hitShapes = new int[in.readCount()][];
         for (int i = 0; i < hitShapes.length; i++) {
@@ -144,14 +132,6 @@ public final class CacheSerializer {
         }
         EdgeColors edges = in.readInt() == 0 ? null : new EdgeColors(in.readInts(), readImages(in));
         return new CachedTile(levels, hitShapes, null, null, edges);
-    }
-
-    static LightLayer[] readLayers(ColumnReader in) throws IOException {
-        LightLayer[] layers = new LightLayer[in.readCount()];
-        for (int i = 0; i < layers.length; i++) {
-            layers[i] = in.readInt() == 0 ? null : LightRows.readFrom(in);
-        }
-        return layers;
     }
 
     private static FineSamples withColors(FineSamples samples, ColumnReader in) throws IOException {
@@ -204,13 +184,8 @@ public final class CacheSerializer {
         boolean same = a.levels.length == b.levels.length && Arrays.deepEquals(a.hitShapes, b.hitShapes) && a.edges == b.edges;
         for (int l = 0; same && l < a.levels.length; l++) {
             same = a.levels[l].rows() == b.levels[l].rows() && a.levels[l].weights() == b.levels[l].weights()
-                    && haveSameLayers(a.levels[l], b.levels[l]);
+                    && a.levels[l].sharesLayers(b.levels[l]);
         }
         return same;
-    }
-
-    /** Returns whether two levels share the same layers. */
-    static boolean haveSameLayers(TileLevel a, TileLevel b) {
-        return Arrays.equals(a.layers(), b.layers(), (x, y) -> x == y ? 0 : 1);
     }
 }

@@ -66,7 +66,7 @@ final class IndirectSerializer {
 
     private static void writeLayers(IndirectCache indirect, ColumnWriter out) throws IOException {
         for (TileLevel block : indirect.surfels()) {
-            CacheSerializer.writeLayers(block.layers(), out);
+            LayerSerializer.write(block.layers(), out);
         }
     }
 
@@ -88,7 +88,7 @@ final class IndirectSerializer {
         HitRows[] rows = structure.surfels();
         TileLevel[] surfels = new TileLevel[rows.length];
         for (int b = 0; b < rows.length; b++) {
-            surfels[b] = new TileLevel(rows[b], CacheSerializer.readLayers(in));
+            surfels[b] = new TileLevel(rows[b], LayerSerializer.read(in));
         }
         return new IndirectCache(metadata.settings(), surfels, new IndirectLight(structure, null, null));
     }
@@ -147,7 +147,7 @@ final class IndirectSerializer {
         }
         boolean same = a.structure() == b.structure() && a.surfels().length == b.surfels().length;
         for (int i = 0; same && i < a.surfels().length; i++) {
-            same = CacheSerializer.haveSameLayers(a.surfels()[i], b.surfels()[i]);
+            same = a.surfels()[i].sharesLayers(b.surfels()[i]);
         }
         return same;
     }

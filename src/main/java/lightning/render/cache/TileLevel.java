@@ -1,5 +1,6 @@
 package lightning.render.cache;
 
+import java.util.Arrays;
 import lightning.render.gather.GatherStructure;
 import lightning.render.gather.RowWeights;
 import lightning.render.shading.BranchSums;
@@ -38,6 +39,11 @@ public record TileLevel(HitRows rows, LightLayer[] layers, BranchSums branches, 
     /** Returns this level with other weights of gather points, or none. */
     public TileLevel withWeights(RowWeights to) {
         return to == weights ? this : new TileLevel(rows, layers, branches, clearTerms, to);
+    }
+
+    /** Returns whether another level has the same arrays of layers. */
+    boolean sharesLayers(TileLevel other) {
+        return Arrays.equals(layers, other.layers, (x, y) -> x == y ? 0 : 1);
     }
 
     /** Returns whether this level has the weights of a structure's gather points. */
