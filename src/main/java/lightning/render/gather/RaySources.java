@@ -63,7 +63,7 @@ final class RaySources {
 
     /** Returns the index of a point's geometric normal; negative if it is shaded by that normal. */
     private int normal(int p) {
-        return tilted == null ? p : tilted.index(p);
+        return tilted != null ? tilted.index(p) : Float.isNaN(geometricX[p]) ? -1 : p;
     }
 
     /** Makes room for the normals of points {@code 0 … count − 1}. */
@@ -113,7 +113,7 @@ final class RaySources {
         float nx = geometricX[normal];
         float ny = geometricY[normal];
         float nz = geometricZ[normal];
-        for (int ray = at; nx == nx && ray < at + directions.rays(); ray++) {
+        for (int ray = at; ray < at + directions.rays(); ray++) {
             double height = toX[ray] * nx + toY[ray] * ny + toZ[ray] * nz;
             if (height < 0) {
                 toX[ray] -= 2 * height * nx;
@@ -135,10 +135,10 @@ final class RaySources {
         double nz = surface.nz[p];
         double cosine = Math.max(0, x * nx + y * ny + z * nz);
         int normal = normal(p);
-        double gx = normal < 0 ? Double.NaN : geometricX[normal];
-        if (gx != gx) {
+        if (normal < 0) {
             return cosine;
         }
+        double gx = geometricX[normal];
         double gy = geometricY[normal];
         double gz = geometricZ[normal];
         double height = x * gx + y * gy + z * gz;
@@ -156,9 +156,7 @@ final class RaySources {
     }
 
     private static boolean haveSameNormals(RaySources a, int p, RaySources b, int q) {
-        boolean isPlain = p < 0 || a.geometricX[p] != a.geometricX[p];
-        boolean isOtherPlain = q < 0 || b.geometricX[q] != b.geometricX[q];
-        return isPlain || isOtherPlain ? isPlain && isOtherPlain
+        return p < 0 || q < 0 ? p < 0 && q < 0
                 : haveSameBits(a.geometricX[p], b.geometricX[q]) && haveSameBits(a.geometricY[p], b.geometricY[q])
                         && haveSameBits(a.geometricZ[p], b.geometricZ[q]);
     }
