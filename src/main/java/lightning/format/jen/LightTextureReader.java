@@ -38,16 +38,24 @@ public final class LightTextureReader {
      * @throws UnusableFileException if it is too large, damaged or of another format
      */
     static Texture read(String name, Path path, long pixelsLeft) throws IOException, UnusableFileException {
-        String lower = name.toLowerCase(Locale.ROOT);
-        if (!lower.endsWith(".hdr") && !lower.endsWith(".exr")) {
+        if (!isLinear(name)) {
             return TextureDecoder.decode(name, path, TextureUsage.COLOR, pixelsLeft);
         }
-        Texture image = lower.endsWith(".hdr") ? readHdr(path) : readExr(name, path);
+        Texture image = hasExtension(name, ".hdr") ? readHdr(path) : readExr(name, path);
         if ((long) image.width() * image.height() > pixelsLeft) {
             throw unusable(name,
                     "exceeds the limit: all textures together must have at most " + JenLimits.TOTAL_TEXTURE_PIXELS + " pixels");
         }
         return image;
+    }
+
+    /** Returns whether a file of this name has linear values: Radiance HDR or OpenEXR. */
+    public static boolean isLinear(String name) {
+        return hasExtension(name, ".hdr") || hasExtension(name, ".exr");
+    }
+
+    private static boolean hasExtension(String name, String extension) {
+        return name.toLowerCase(Locale.ROOT).endsWith(extension);
     }
 
     private static Texture readHdr(Path path) throws IOException, UnusableFileException {

@@ -1,6 +1,7 @@
 package lightning.editor.window.property;
 
 import java.util.Arrays;
+import lightning.base.math.Rgb;
 import lightning.render.image.DisplayCurve;
 import lightning.render.image.ViewTransform;
 
@@ -24,7 +25,7 @@ final class AutoExposure {
     static int[] toPixels(float[] rgb) {
         int[] pixels = new int[rgb.length / 3];
         double[] luminances = new double[pixels.length];
-        Arrays.setAll(luminances, i -> 0.2126 * rgb[3 * i] + 0.7152 * rgb[3 * i + 1] + 0.0722 * rgb[3 * i + 2]);
+        Arrays.setAll(luminances, i -> new Rgb(rgb[3 * i], rgb[3 * i + 1], rgb[3 * i + 2]).luminance());
         Arrays.sort(luminances);
         double max = Math.max(MAX_LUMINANCE, MAX_MEDIANS * luminances[pixels.length / 2]);
         double sum = Arrays.stream(luminances).map(v -> Math.min(v, max)).sum();

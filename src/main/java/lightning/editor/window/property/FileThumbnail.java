@@ -5,7 +5,6 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Iterator;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Stream;
 import javafx.scene.image.ImageView;
@@ -37,19 +36,14 @@ record FileThumbnail(int width, int height, int[] pixels) {
     static Optional<FileThumbnail> of(FileKind kind, Path folder, String name) {
         try {
             Optional<Path> file = kind.find(folder, name);
-            return file.isEmpty() ? Optional.empty() : isLinear(name) ? readLinear(name, file.get()) : read(file.get());
+            return file.isEmpty() ? Optional.empty() : LightTextureReader.isLinear(name) ? readLinear(name, file.get()) : read(file.get());
         } catch (IOException | UnusableFileException | RuntimeException e) {
             // An unreadable image is listed by name only.
             return Optional.empty();
         }
     }
 
-    /** Returns whether a file has linear values, which need an exposure. */
-    private static boolean isLinear(String name) {
-        String lower = name.toLowerCase(Locale.ROOT);
-        return lower.endsWith(".hdr") || lower.endsWith(".exr");
-    }
-
+    /** Reads linear values, which need an exposure. */
     private static Optional<FileThumbnail> readLinear(String name, Path path) throws IOException, UnusableFileException {
         if (Files.size(path) > MAX_LINEAR_BYTES) {
             return Optional.empty();
