@@ -12,7 +12,7 @@ import lightning.render.trace.HitRows;
 final class IndirectSerializer {
     private static final int NO_PATHS = -1;
 
-    /** How the indirect light in mirrors is related to that of the scene. */
+    /** Relation of the indirect light in mirrors to that of the scene. */
     private enum Mirrored {
         NONE, SAME, SAME_PATHS, OWN_PATHS;
 

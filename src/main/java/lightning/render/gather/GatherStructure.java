@@ -40,7 +40,7 @@ public final class GatherStructure {
     }
 
     /**
-     * What stored paths refer to.
+     * Cells and objects to which stored paths refer.
      *
      * @param keys   of the cells of the gather points
      * @param shapes glowing objects at which rays are aimed

@@ -36,7 +36,7 @@ public final class PreviewScene {
     private double maxBrightness;
 
     /**
-     * What a renderer needs for the preview.
+     * Scene and effects of a preview.
      *
      * @param scene   converted scene
      * @param effects effects to show
