@@ -40,50 +40,52 @@ final class FilterBuilder {
         int[][] neighbors = new int[points.count][];
         float[][] weights = new float[points.count][];
         NearPoints[] near = new NearPoints[workers.count()];
+        LinearWeights[] linear = new LinearWeights[workers.count()];
         workers.run(jobs, (worker, job) -> {
             near[worker] = near[worker] == null ? new NearPoints(points, reach, groups) : near[worker];
-            link(near[worker], job * BATCH, Math.min(points.count, job * BATCH + BATCH), neighbors, weights);
+            linear[worker] = linear[worker] == null ? new LinearWeights() : linear[worker];
+            link(near[worker], linear[worker], job * BATCH, Math.min(points.count, job * BATCH + BATCH), neighbors, weights);
         }, progress.cancellationOnly());
         return PointFilter.of(neighbors, weights);
     }
 
-    private void link(NearPoints near, int from, int to, int[][] neighbors, float[][] weights) {
+    private void link(NearPoints near, LinearWeights linear, int from, int to, int[][] neighbors, float[][] weights) {
         near.collect(points.px, points.py, points.pz, from, to);
         for (int first = from; first < to; first += CHUNK) {
             int end = Math.min(to, first + CHUNK);
             near.select(points.px, points.py, points.pz, first, end);
             for (int p = first; p < end; p++) {
-                link(p, near, neighbors, weights);
+                link(p, near, linear, neighbors, weights);
             }
         }
     }
 
-    private void link(int p, NearPoints near, int[][] neighbors, float[][] weights) {
+    private void link(int p, NearPoints near, LinearWeights linear, int[][] neighbors, float[][] weights) {
         int candidates = near.findNear(points.px[p], points.py[p], points.pz[p], reach[p]);
         int[] point = new int[candidates];
-        float[] weight = new float[candidates];
-        int count = 0;
-        float sum = 0;
+        linear.start(points.nx[p], points.ny[p], points.nz[p], reach[p]);
         for (int i = 0; i < candidates; i++) {
             int column = near.near[i];
             float w = weight(p, near.columns, column, near.point(column));
             if (w > 0) {
-                point[count] = near.point(column);
-                weight[count++] = w;
-                sum += w;
+                point[linear.count()] = near.point(column);
+                linear.add(w, near.columns.px[column] - points.px[p], near.columns.py[column] - points.py[p],
+                        near.columns.pz[column] - points.pz[p]);
             }
         }
-        if (!(sum > 0) || sum == Float.POSITIVE_INFINITY) {
+        linear.adjust();
+        float largest = linear.largest();
+        if (!(largest > 0) || largest == Float.POSITIVE_INFINITY) {
             // The squares left the range of floats.
             neighbors[p] = new int[] {p};
             weights[p] = new float[] {1};
             return;
         }
-        for (int i = 0; i < count; i++) {
-            weight[i] /= sum;
+        neighbors[p] = Arrays.copyOf(point, linear.count());
+        weights[p] = new float[linear.count()];
+        for (int i = 0; i < linear.count(); i++) {
+            weights[p][i] = linear.weight(i);
         }
-        neighbors[p] = Arrays.copyOf(point, count);
-        weights[p] = Arrays.copyOf(weight, count);
     }
 
     /** Returns the weight of a neighbor: a point near a contact takes nothing from afar. It stands for its share of the surface. */

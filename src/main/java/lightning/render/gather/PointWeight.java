@@ -9,8 +9,13 @@ public final class PointWeight {
     /** Smallest cosine between the normals: 32°. */
     private static final float MIN_COSINE = 0.85f;
     private static final float COSINE_SCALE = 1 / (1 - MIN_COSINE);
-    /** Distance from the tangent plane at which a point is not valid, relative to its radius. */
-    private static final float PLANE = 0.3f;
+    /**
+     * Distance from the tangent plane at which a point is not valid, relative to its radius: on flat surfaces, where only a step can cause it,
+     * more for other normals, and at most. The plane has the mean of both normals, so a curved surface stays near it.
+     */
+    private static final float FLAT_PLANE = 0.1f;
+    private static final float PLANE_PER_ANGLE = 0.3f;
+    private static final float MAX_PLANE = 0.3f;
     /** Weight of an angle in the distance to the nearest point where none is valid. */
     private static final float ANGLE = 40;
 
@@ -41,8 +46,9 @@ public final class PointWeight {
             return 0;
         }
         float plane = Math.abs(dx * (points.nx[p] + nx) + dy * (points.ny[p] + ny) + dz * (points.nz[p] + nz)) * 0.5f;
-        float angle = Math.max(0, (1 - cosine) * COSINE_SCALE);
-        float worst = Math.max(Math.max((float) Math.sqrt(square) / radius, (float) Math.sqrt(angle)), plane / (PLANE * radius));
+        float angle = (float) Math.sqrt(Math.max(0, (1 - cosine) * COSINE_SCALE));
+        float validPlane = Math.min(MAX_PLANE, FLAT_PLANE + PLANE_PER_ANGLE * angle);
+        float worst = Math.max(Math.max((float) Math.sqrt(square) / radius, angle), plane / (validPlane * radius));
         return worst < 1 ? 1 - worst : 0;
     }
 

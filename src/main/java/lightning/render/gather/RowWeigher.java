@@ -15,7 +15,8 @@ public final class RowWeigher {
     private static final int MAX_ROWS = 1024;
 
     private final GatherStructure structure;
-    private final int pointCount;
+    private final SurfaceColumns points;
+    private final float[] radius;
     private final PointGroups groups;
     private final NearPoints near;
     /** Index of each point among those used by the present rows. */
@@ -29,15 +30,16 @@ public final class RowWeigher {
     private int lastNearest;
     private final int[] best = new int[BEST + 1];
     private final float[] bestWeight = new float[BEST + 1];
+    private final LinearWeights linear = new LinearWeights();
 
     public RowWeigher(GatherStructure structure) {
         this.structure = structure;
-        GatherPoints points = structure.points();
-        pointCount = points.count();
-        groups = points.groups();
-        near = new NearPoints(points.surface(), points.radius(), groups);
-        indexOf = new int[pointCount];
-        usedBy = new int[pointCount];
+        points = structure.points().surface();
+        radius = structure.points().radius();
+        groups = structure.points().groups();
+        near = new NearPoints(points, radius, groups);
+        indexOf = new int[points.count];
+        usedBy = new int[points.count];
     }
 
     /** Returns the weights of one point: those of its row in any level. */
@@ -57,7 +59,7 @@ public final class RowWeigher {
     public RowWeights weigh(HitRows rows) {
         call++;
         usedCount = 0;
-        int count = pointCount == 0 ? 0 : rows.count;
+        int count = points.count == 0 ? 0 : rows.count;
         short[] index = new short[BEST * rows.count];
         byte[] weight = new byte[BEST * rows.count];
         for (int from = 0; from < count; from += CHUNK) {
@@ -107,15 +109,26 @@ public final class RowWeigher {
             weight[at] = (byte) MAX_WEIGHT;
             return;
         }
-        // The weight of the next point is subtracted, so that nothing jumps where it replaces another.
-        float scale = MAX_WEIGHT / (bestWeight[0] - bestWeight[BEST]);
-        for (int i = 0; i < BEST; i++) {
-            int w = bestWeight[0] > bestWeight[BEST] ? (int) ((bestWeight[i] - bestWeight[BEST]) * scale + 0.5f) : MAX_WEIGHT;
+        adjust(rows, row);
+        float scale = MAX_WEIGHT / linear.largest();
+        for (int i = 0; i < linear.count(); i++) {
+            int w = (int) (linear.weight(i) * scale + 0.5f);
             if (w > 0) {
-                index[at + i] = index(best[i]);
-                weight[at + i] = (byte) Math.min(MAX_WEIGHT, w);
+                index[at] = index(best[i]);
+                weight[at++] = (byte) Math.min(MAX_WEIGHT, w);
             }
         }
+    }
+
+    private void adjust(HitRows rows, int row) {
+        linear.start(rows.nx[row], rows.ny[row], rows.nz[row], radius[best[0]]);
+        for (int i = 0; i < BEST && bestWeight[i] > 0; i++) {
+            // The weight of the next point is subtracted, so that nothing jumps where it replaces another.
+            float w = bestWeight[0] > bestWeight[BEST] ? bestWeight[i] - bestWeight[BEST] : 1;
+            int p = best[i];
+            linear.add(w, points.px[p] - rows.px[row], points.py[p] - rows.py[row], points.pz[p] - rows.pz[row]);
+        }
+        linear.adjust();
     }
 
     private short index(int p) {

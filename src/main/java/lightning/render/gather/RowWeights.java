@@ -22,7 +22,7 @@ public final class RowWeights {
      * @param structure that the points belong to
      * @param points    points that any row uses
      * @param index     index among these, {@code short[8 * rows]}
-     * @param weight    unsigned weights, {@code byte[8 * rows]}. The first of each row is 255, if there is any point; nothing follows a
+     * @param weight    unsigned weights, {@code byte[8 * rows]}. The largest of each row is 255, if there is any point; nothing follows a
      *                  weight of 0.
      */
     RowWeights(GatherStructure structure, int[] points, short[] index, byte[] weight) {

@@ -3,6 +3,8 @@ package lightning.render.shading;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import java.util.stream.IntStream;
+import lightning.render.gather.LinearWeights;
 import lightning.render.gather.PointWeight;
 import lightning.render.gather.SurfaceColumns;
 import lightning.render.trace.SurfacePoint;
@@ -57,24 +59,36 @@ final class ReferencePointLight {
 
     /** Returns the points whose mean is a point's light, with whole weights up to 255. */
     private List<Weighted> neighbors(int p) {
+        SurfacePoint at = points.get(p).at();
         List<Weighted> found = new ArrayList<>();
-        float sum = 0;
         for (int n = 0; n < points.size(); n++) {
             float share = points.get(n).radius() / points.get(p).radius();
-            SurfacePoint at = points.get(p).at();
             float weight = PointWeight.flat(surfaces, n, Math.min(reach(p), reach(n)), at.px(), at.py(), at.pz(), at.nx(), at.ny(), at.nz())
                     * (share * share);
             if (weight > 0) {
                 found.add(new Weighted(n, weight));
-                sum += weight;
             }
         }
-        if (!(sum > 0) || sum == Float.POSITIVE_INFINITY) {
-            return List.of(new Weighted(p, MAX_WEIGHT));
+        List<Weighted> adjusted = adjusted(found, at, reach(p));
+        boolean isValid = adjusted.stream().anyMatch(w -> w.weight > 0) && adjusted.stream().allMatch(w -> Float.isFinite(w.weight));
+        return isValid ? whole(adjusted) : List.of(new Weighted(p, MAX_WEIGHT));
+    }
+
+    private List<Weighted> adjusted(List<Weighted> weighted, SurfacePoint at, float unit) {
+        LinearWeights linear = new LinearWeights();
+        linear.start(at.nx(), at.ny(), at.nz(), unit);
+        for (Weighted w : weighted) {
+            SurfacePoint to = points.get(w.point).at();
+            linear.add(w.weight, to.px() - at.px(), to.py() - at.py(), to.pz() - at.pz());
         }
-        float total = sum;
-        float scale = MAX_WEIGHT / found.stream().map(w -> w.weight / total).max(Comparator.naturalOrder()).get();
-        return found.stream().map(w -> new Weighted(w.point, Math.min(MAX_WEIGHT, (int) (w.weight / total * scale + 0.5f))))
+        linear.adjust();
+        return IntStream.range(0, weighted.size()).mapToObj(i -> new Weighted(weighted.get(i).point, linear.weight(i))).toList();
+    }
+
+    /** Returns whole weights: the largest is 255. Points with less than half a step are left out. */
+    private static List<Weighted> whole(List<Weighted> weighted) {
+        float scale = MAX_WEIGHT / weighted.stream().map(Weighted::weight).max(Comparator.naturalOrder()).get();
+        return weighted.stream().map(w -> new Weighted(w.point, Math.min(MAX_WEIGHT, (int) (w.weight * scale + 0.5f))))
                 .filter(w -> w.weight > 0).toList();
     }
 
@@ -103,15 +117,8 @@ final class ReferencePointLight {
         found.sort(Comparator.comparing(Weighted::weight).reversed());
         float next = found.size() > BEST ? found.get(BEST).weight : 0;
         float range = found.getFirst().weight - next;
-        float scale = MAX_WEIGHT / range;
-        List<Weighted> best = new ArrayList<>();
-        for (Weighted point : found.subList(0, Math.min(BEST, found.size()))) {
-            int weight = range > 0 ? Math.min(MAX_WEIGHT, (int) ((point.weight - next) * scale + 0.5f)) : MAX_WEIGHT;
-            if (weight > 0) {
-                best.add(new Weighted(point.point, weight));
-            }
-        }
-        return best;
+        List<Weighted> best = found.stream().limit(BEST).map(w -> new Weighted(w.point, range > 0 ? w.weight - next : 1)).toList();
+        return whole(adjusted(best, hit, points.get(best.getFirst().point).radius()));
     }
 
     private int nearest(SurfacePoint hit) {
