@@ -1,19 +1,17 @@
 package lightning.format.exchange;
 
 import java.io.IOException;
-import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.UnaryOperator;
 import lightning.base.file.AtomicFile;
-import lightning.base.file.RegularFile;
 import lightning.base.text.Quote;
 import lightning.format.jen.CachingJenReader;
 import lightning.format.jen.JenDocument;
@@ -54,35 +52,6 @@ public record ImportedScene(Scene unscaledScene, Optional<Shot> shot, Set<String
     /** Smooth edges of imported pictures. */
     static final SamplingSettings SMOOTH = new SamplingSettings(AntialiasMode.EDGES, 4);
     private static final String FORMAT_LINE = "jen 1\n";
-    private static final String EXPECTED_FILE = "a file to copy next to the scene";
-
-    /**
-     * File to place next to the scene.
-     *
-     * @param source file to copy; null if {@code bytes} is given
-     * @param bytes content; null if {@code source} is given
-     */
-    public record AssetCopy(Path target, Path source, byte[] bytes) {
-        private boolean isWritten() throws IOException {
-            return Files.exists(target) && (source != null
-                    ? Files.isSameFile(source, target) || RegularFile.haveSameContent(source, target, EXPECTED_FILE)
-                    : Files.size(target) == bytes.length
-                            && Arrays.equals(RegularFile.readBytes(target, EXPECTED_FILE, bytes.length), bytes));
-        }
-
-        private void write() throws IOException {
-            Files.createDirectories(target.toAbsolutePath().getParent());
-            AtomicFile.write(target, out -> {
-                if (source != null) {
-                    try (InputStream in = RegularFile.open(source, EXPECTED_FILE)) {
-                        in.transferTo(out);
-                    }
-                } else {
-                    out.write(bytes);
-                }
-            });
-        }
-    }
 
     /** Returns this scene with other light units, or this object if the file defines its units. */
     public ImportedScene inUnits(LightUnits newUnits) {
@@ -154,10 +123,14 @@ public record ImportedScene(Scene unscaledScene, Optional<Shot> shot, Set<String
 
     /** Returns the text of the {@code .jen} file. */
     public String text() {
+        return text(UnaryOperator.identity());
+    }
+
+    private String text(UnaryOperator<Scene> change) {
         var header = new StringBuilder(FORMAT_LINE);
         comments.forEach(line -> header.append("# ").append(line).append('\n'));
         units.ifPresent(chosenUnits -> header.append(chosenUnits.comment()).append('\n'));
-        Scene written = scene();
+        Scene written = change.apply(scene());
         String blocks = shot.map(s -> JenWriter.write(written, s)).orElseGet(() -> JenWriter.write(written));
         var footer = new StringBuilder(closingComments.isEmpty() ? "" : "\n");
         closingComments.forEach(line -> footer.append("# ").append(line).append('\n'));
@@ -176,16 +149,25 @@ public record ImportedScene(Scene unscaledScene, Optional<Shot> shot, Set<String
     }
 
     /**
-     * Copies the assets, then writes the scene. Replaces different existing files, except those that another asset is copied from.
+     * Copies the assets, then writes the scene. Replaces different existing files, except those that another asset is copied from. At
+     * each moment, and after a failure, the scene file is readable and shows the old scene or the new one ({@link SceneReplacement}).
      *
      * @throws IOException if such a file exists or writing fails
      * @throws JenException as {@link #write}
      */
     public void writeReplacing() throws IOException, JenException {
-        String text = text();
-        writeCopies();
-        JenReader.read(text, sceneFile.toString(), sceneFile.toAbsolutePath().getParent());
-        AtomicFile.write(sceneFile, out -> out.write(text.getBytes(StandardCharsets.UTF_8)));
+        writeReplacing(() -> {});
+    }
+
+    void writeReplacing(Runnable afterStep) throws IOException, JenException {
+        requireNoReplacedSource();
+        if (differentFiles().isEmpty()) {
+            writeCopies();
+            JenReader.read(text(), sceneFile.toString(), sceneFile.toAbsolutePath().getParent());
+            AtomicFile.of(sceneFile).write(text().getBytes(StandardCharsets.UTF_8));
+        } else {
+            new SceneReplacement(sceneFile, copies, afterStep).run(this::text);
+        }
     }
 
     /**
@@ -205,8 +187,8 @@ public record ImportedScene(Scene unscaledScene, Optional<Shot> shot, Set<String
     public List<Path> differentFiles() throws IOException {
         List<Path> different = new ArrayList<>();
         for (AssetCopy copy : copies) {
-            if (Files.exists(copy.target) && !copy.isWritten()) {
-                different.add(copy.target);
+            if (copy.isDifferent()) {
+                different.add(copy.target());
             }
         }
         return different.stream().sorted().toList();
@@ -219,12 +201,15 @@ public record ImportedScene(Scene unscaledScene, Optional<Shot> shot, Set<String
         }
     }
 
-    private void writeCopies() throws IOException {
+    private void requireNoReplacedSource() throws IOException {
         for (AssetCopy copy : copies) {
-            if (Files.exists(copy.target) && !copy.isWritten() && isSource(copy.target)) {
-                throw new IOException(Quote.path(copy.target) + ": is a file of the imported scene; import into another folder");
+            if (copy.isDifferent() && isSource(copy.target())) {
+                throw new IOException(Quote.path(copy.target()) + ": is a file of the imported scene; import into another folder");
             }
         }
+    }
+
+    private void writeCopies() throws IOException {
         for (AssetCopy copy : copies) {
             if (!copy.isWritten()) {
                 copy.write();
@@ -234,7 +219,7 @@ public record ImportedScene(Scene unscaledScene, Optional<Shot> shot, Set<String
 
     private boolean isSource(Path target) throws IOException {
         for (AssetCopy copy : copies) {
-            if (copy.source != null && Files.isSameFile(copy.source, target)) {
+            if (copy.source() != null && Files.isSameFile(copy.source(), target)) {
                 return true;
             }
         }

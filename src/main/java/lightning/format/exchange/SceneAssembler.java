@@ -73,7 +73,7 @@ final class SceneAssembler {
     private final Path source;
     private final Path sceneFile;
     private final UniqueNames materialNames = new UniqueNames();
-    private final Map<Path, ImportedScene.AssetCopy> copies = new HashMap<>();
+    private final Map<Path, AssetCopy> copies = new HashMap<>();
     private final List<String> comments = new ArrayList<>();
     private final Map<Mesh, Bounds> meshBounds = new IdentityHashMap<>();
 
@@ -135,15 +135,16 @@ final class SceneAssembler {
     void addFileAsNamed(Path file) throws IOException {
         Path folder = source.toRealPath().getParent();
         Path target = folder().resolve(folder.relativize(file));
-        copies.put(target, new ImportedScene.AssetCopy(target, file, null));
+        copies.put(target, new AssetCopy(target, file, null));
     }
 
     private void addCopy(String name, Path file, byte[] bytes) {
         Path target = folder().resolve(name);
-        copies.put(target, new ImportedScene.AssetCopy(target, file, bytes));
+        copies.put(target, new AssetCopy(target, file, bytes));
     }
 
-    private static String sanitize(String name) {
+    /** Returns a name with the characters and the length that a scene allows. */
+    static String sanitize(String name) {
         String sanitized = DISALLOWED.matcher(name).replaceAll("_");
         String shortened =
                 sanitized.length() <= MAX_FILE_NAME_LENGTH ? sanitized : sanitized.substring(sanitized.length() - MAX_FILE_NAME_LENGTH);

@@ -1,0 +1,137 @@
+package lightning.format.exchange;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
+import static org.assertj.core.api.Assertions.assertThatIOException;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Stream;
+import lightning.base.work.Progress;
+import lightning.format.gltf.GltfFixtures;
+import lightning.format.jen.JenReader;
+import lightning.scene.Shape;
+import lightning.scene.Solid;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Imports over an earlier import, interrupted between any two changes of files. */
+class SceneReplacementTest {
+    private static final class Interruption extends RuntimeException {
+        private static final long serialVersionUID = 1;
+    }
+
+    @TempDir
+    private Path folder;
+    private Path model;
+    private Path target;
+    private Path scene;
+
+    @BeforeEach
+    void importFirstVersion() throws Exception {
+        model = Files.createDirectory(folder.resolve("in")).resolve("a.gltf");
+        target = Files.createDirectory(folder.resolve("out"));
+        scene = target.resolve("a.jen");
+        writeModel("square", 1);
+        imported().write();
+        assertThat(width(target)).isEqualTo(1);
+    }
+
+    /** Writes a model of two files, whose part has another name in each version, so that scenes do not fit to other versions. */
+    private void writeModel(String part, float width) throws IOException {
+        Files.writeString(model, GltfFixtures.SQUARE_JSON.replace("'name': 'square'", "'name': '" + part + "'")
+                .replace("'buffers': [{", "'buffers': [{'uri': 'a.bin', ").replace('\'', '"'));
+        byte[] data = GltfFixtures.SQUARE.clone();
+        ByteBuffer positions = ByteBuffer.wrap(data).order(ByteOrder.LITTLE_ENDIAN);
+        positions.putFloat(3 * Float.BYTES, width).putFloat(6 * Float.BYTES, width);
+        Files.write(model.resolveSibling("a.bin"), data);
+    }
+
+    private ImportedScene imported() throws Exception {
+        return SceneImporter.read(model, scene, LightUnits.CANDELA, Progress.NONE);
+    }
+
+    /** Returns the width of the mesh that the scene file of a folder shows. */
+    private static float width(Path folder) throws Exception {
+        Shape floor = JenReader.read(folder.resolve("a.jen")).scene().stage().shapes().getFirst();
+        return ((Solid.TriangleMesh) floor.solid()).mesh().positions()[3];
+    }
+
+    private static void copyFolder(Path from, Path to) {
+        try (Stream<Path> files = Files.walk(from)) {
+            for (Path file : files.toList()) {
+                Files.copy(file, to.resolve(from.relativize(file).toString()));
+            }
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    private static List<String> files(Path folder) throws IOException {
+        try (Stream<Path> files = Files.walk(folder)) {
+            return files.filter(Files::isRegularFile).map(file -> folder.relativize(file).toString()).sorted().toList();
+        }
+    }
+
+    @Test
+    void processKilledAfterAnyStep_leavesReadableScene() throws Exception {
+        writeModel("wide square", 2);
+        List<Path> states = new ArrayList<>();
+        imported().writeReplacing(() -> {
+            states.add(folder.resolve("state" + states.size()));
+            copyFolder(target, states.getLast());
+        });
+        List<Float> widths = new ArrayList<>();
+        for (Path state : states) {
+            widths.add(width(state));
+        }
+        assertThat(widths).containsExactly(1f, 1f, 2f, 2f, 2f, 2f);
+        assertThat(width(target)).isEqualTo(2);
+        assertThat(files(target)).containsExactly("a.bin", "a.gltf", "a.jen");
+    }
+
+    @Test
+    void failureAfterAnyStep_leavesReadableScene() throws Exception {
+        for (int steps = 1; steps <= 6; steps++) {
+            int last = steps;
+            float before = width(target);
+            writeModel("square " + steps, 1 + steps);
+            int[] count = {0};
+            assertThatExceptionOfType(Interruption.class).isThrownBy(() -> imported().writeReplacing(() -> {
+                if (++count[0] == last) {
+                    throw new Interruption();
+                }
+            }));
+            assertThat(width(target)).isEqualTo(steps < 3 ? before : 1 + steps);
+        }
+        writeModel("last", 9);
+        imported().writeReplacing();
+        assertThat(width(target)).isEqualTo(9);
+        assertThat(Files.readString(scene)).contains("\"a.gltf\"");
+    }
+
+    @Test
+    void failureBeforeSceneIsNew_leavesNoFolder() throws Exception {
+        writeModel("wide square", 2);
+        assertThatExceptionOfType(Interruption.class).isThrownBy(() -> imported().writeReplacing(() -> {
+            throw new Interruption();
+        }));
+        assertThat(files(target)).containsExactly("a.bin", "a.gltf", "a.jen");
+    }
+
+    @Test
+    void readOnlyFile_changesNothing() throws Exception {
+        writeModel("wide square", 2);
+        assertThat(target.resolve("a.gltf").toFile().setWritable(false)).isTrue();
+        assertThatIOException().isThrownBy(() -> imported().writeReplacing()).withMessageContaining("read-only");
+        assertThat(width(target)).isEqualTo(1);
+        assertThat(files(target)).containsExactly("a.bin", "a.gltf", "a.jen");
+    }
+}
