@@ -1,5 +1,8 @@
 package lightning.render.image.aces;
 
+import lightning.base.math.Matrix3;
+import lightning.base.math.Primaries;
+
 /** Exact output transform of ACES 2, from linear Rec. 709 to sRGB. Evaluates 30 powers, about a microsecond. */
 final class Aces2 {
     /** Largest component in AP1; brighter ones are clamped. */

@@ -1,5 +1,8 @@
 package lightning.render.image.aces;
 
+import lightning.base.math.Matrix3;
+import lightning.base.math.Primaries;
+
 /**
  * Color appearance model of ACES 2: lightness J (0 black, 100 white), colorfulness M ≥ 0 and hue h in degrees of an RGB color.
  *

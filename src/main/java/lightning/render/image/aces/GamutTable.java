@@ -3,6 +3,7 @@ package lightning.render.image.aces;
 import java.util.Arrays;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
+import lightning.base.math.Primaries;
 
 /** Table of {@link HueSlice}s over the hue. Entries are computed on first use, in 0.1 milliseconds each. */
 final class GamutTable {

@@ -9,6 +9,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Stream;
+import lightning.base.math.Primaries;
 import lightning.render.image.DisplayCurve;
 import lightning.render.image.ViewTransform;
 import net.jqwik.api.ForAll;

@@ -1,4 +1,4 @@
-package lightning.render.image.aces;
+package lightning.base.math;
 
 /**
  * Chromaticities (CIE 1931) of an RGB color space.
@@ -6,23 +6,23 @@ package lightning.render.image.aces;
  * @param xy    {@code double[6]}: x and y of red, green and blue
  * @param white {@code double[2]}: x and y of the color (1, 1, 1)
  */
-record Primaries(double[] xy, double[] white) {
+public record Primaries(double[] xy, double[] white) {
     // Arrays in a record: written once by their creator, never after.
 
     private static final double[] ACES_WHITE = {0.32168, 0.33767};
     /** ACES2065-1 (SMPTE ST 2065-1). */
-    static final Primaries AP0 = new Primaries(new double[] {0.7347, 0.2653, 0, 1, 0.0001, -0.077}, ACES_WHITE);
+    public static final Primaries AP0 = new Primaries(new double[] {0.7347, 0.2653, 0, 1, 0.0001, -0.077}, ACES_WHITE);
     /** ACEScg (Academy S-2014-004). */
-    static final Primaries AP1 = new Primaries(new double[] {0.713, 0.293, 0.165, 0.83, 0.128, 0.044}, ACES_WHITE);
+    public static final Primaries AP1 = new Primaries(new double[] {0.713, 0.293, 0.165, 0.83, 0.128, 0.044}, ACES_WHITE);
     /** Rec. 709 and sRGB (ITU-R BT.709), with D65. */
-    static final Primaries REC709 = new Primaries(new double[] {0.64, 0.33, 0.3, 0.6, 0.15, 0.06}, new double[] {0.3127, 0.329});
+    public static final Primaries REC709 = new Primaries(new double[] {0.64, 0.33, 0.3, 0.6, 0.15, 0.06}, new double[] {0.3127, 0.329});
 
     /** Cone responses of Bradford, from XYZ (Lam, 1985; ICC.1, annex E). */
     private static final Matrix3 BRADFORD =
             Matrix3.of(0.8951, 0.2664, -0.1614, -0.7502, 1.7135, 0.0367, 0.0389, -0.0685, 1.0296);
 
     /** Returns the matrix from RGB to XYZ, by which (1, 1, 1) has Y = 1 (SMPTE RP 177). */
-    Matrix3 toXyz() {
+    public Matrix3 toXyz() {
         double[] columns = new double[9];
         for (int c = 0; c < 3; c++) {
             double x = xy[2 * c];
@@ -40,7 +40,7 @@ record Primaries(double[] xy, double[] white) {
     }
 
     /** Returns the matrix to another space, so that white becomes white: an adaptation of Bradford's cone responses (von Kries). */
-    Matrix3 to(Primaries other) {
+    public Matrix3 to(Primaries other) {
         double[] from = BRADFORD.times(whiteXyz());
         double[] to = BRADFORD.times(other.whiteXyz());
         Matrix3 adaptation =

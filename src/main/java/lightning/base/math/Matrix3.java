@@ -1,19 +1,19 @@
-package lightning.render.image.aces;
+package lightning.base.math;
 
 /**
  * 3 × 3 matrix for columns of three values.
  *
  * @param m {@code double[9]}, row by row
  */
-record Matrix3(double[] m) {
+public record Matrix3(double[] m) {
     // An array in a record: written once by its creator, never after.
 
-    static Matrix3 of(double... m) {
+    public static Matrix3 of(double... m) {
         return new Matrix3(m);
     }
 
     /** Returns the matrix times a column. */
-    double[] times(double... v) {
+    public double[] times(double... v) {
         return new double[] {row(0, v), row(3, v), row(6, v)};
     }
 
@@ -22,7 +22,7 @@ record Matrix3(double[] m) {
     }
 
     /** Returns the matrix of the transform that applies {@code first} before this one. */
-    Matrix3 after(Matrix3 first) {
+    public Matrix3 after(Matrix3 first) {
         double[] product = new double[9];
         for (int i = 0; i < 9; i++) {
             int row = i - i % 3;
@@ -33,7 +33,7 @@ record Matrix3(double[] m) {
     }
 
     /** Returns this matrix with each row multiplied by a factor. */
-    Matrix3 scaleRows(double... factor) {
+    public Matrix3 scaleRows(double... factor) {
         double[] scaled = new double[9];
         for (int i = 0; i < 9; i++) {
             scaled[i] = m[i] * factor[i / 3];
@@ -42,7 +42,7 @@ record Matrix3(double[] m) {
     }
 
     /** Returns this matrix with each column multiplied by a factor. */
-    Matrix3 scaleColumns(double... factor) {
+    public Matrix3 scaleColumns(double... factor) {
         double[] scaled = new double[9];
         for (int i = 0; i < 9; i++) {
             scaled[i] = m[i] * factor[i % 3];
@@ -51,7 +51,7 @@ record Matrix3(double[] m) {
     }
 
     /** Returns the inverse by cofactors. */
-    Matrix3 inverse() {
+    public Matrix3 inverse() {
         double[] inverse = new double[9];
         for (int row = 0; row < 3; row++) {
             for (int column = 0; column < 3; column++) {
