@@ -11,18 +11,20 @@ import java.util.Map;
 import java.util.stream.Stream;
 
 /**
- * Header of an OpenEXR file with one part, scan lines in increasing order, and ZIP compression in chunks of 16 lines
- * (OpenEXR File Layout, openexr.com). All numbers are little-endian.
+ * Header of an OpenEXR file with one part (OpenEXR File Layout, openexr.com). All numbers are little-endian. Written files have scan lines
+ * in increasing order, and ZIP compression in chunks of 16 lines.
  *
  * @param channels sorted by name, as the format requires
- * @param attributes additional attributes by name; a required one replaces its default. A header that was read has only those of
- *     text
+ * @param attributes additional attributes by name; a required one replaces its default. A header that was read has only texts
+ *     and chromaticities
  */
 public record ExrHeader(int width, int height, List<ExrChannel> channels, Map<String, ExrAttribute> attributes) {
     static final int MAGIC = 20000630;
     static final int VERSION = 2;
     /** Version flag that allows names longer than 31 bytes. */
     static final int LONG_NAMES_FLAG = 0x400;
+    /** Version flag of a file of tiles. */
+    static final int TILED_FLAG = 0x200;
     private static final int MAX_SHORT_NAME = 31;
     static final byte ZIP = 3;
     /** Width of the image at distance 1 from the camera; 1 if there is no camera. */
@@ -57,16 +59,12 @@ public record ExrHeader(int width, int height, List<ExrChannel> channels, Map<St
 
     /** Returns the uncompressed bytes per line: all values of the first channel, then those of the next. */
     public long bytesPerLine() {
-        return channels.stream().mapToLong(c -> (long) c.type().bytes() * width).sum();
+        return new ExrBlock(channels, width, 1).bytesPerLine();
     }
 
-    /** Returns the byte offset of each channel within a line. */
-    int[] channelOffsets() {
-        int[] starts = new int[channels.size()];
-        for (int c = 1; c < starts.length; c++) {
-            starts[c] = starts[c - 1] + channels.get(c - 1).type().bytes() * width;
-        }
-        return starts;
+    /** Returns the layout of a written chunk. */
+    ExrBlock block(int chunk) {
+        return new ExrBlock(channels, width, lineCount(chunk));
     }
 
     /** Returns the header's bytes in the file. */

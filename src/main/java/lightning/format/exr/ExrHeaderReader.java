@@ -8,15 +8,18 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import lightning.base.text.Quote;
 
-/** Reader for the header of a single-part scan-line file. */
+/** Reader for the header of a single-part file of scan lines or tiles. */
 final class ExrHeaderReader {
     private static final int MAX_CHANNELS = 4096;
+    private static final int CHROMATICITIES = 8;
     private static final List<String> COMPRESSIONS = List.of("none", "RLE", "ZIPS", "ZIP", "PIZ", "PXR24", "B44", "B44A", "DWAA", "DWAB");
 
     private final ByteBuffer in;
-    private int compression = -1;
+    private ExrCompression compression;
+    private int[] tileSize;
     private int[] dataWindow;
     private List<ExrChannel> channels;
     private final Map<String, ExrAttribute> attributes = new LinkedHashMap<>();
@@ -30,8 +33,12 @@ final class ExrHeaderReader {
         this.in = in;
     }
 
-    /** Parsed header with the values needed to read the pixels. */
-    record Result(ExrHeader header, int compression, int top, int headerBytes) {}
+    /**
+     * Parsed header with the values needed to read the pixels.
+     *
+     * @param tileSize width and height of tiles; null for scan lines
+     */
+    record Result(ExrHeader header, ExrCompression compression, int top, int[] tileSize, int headerBytes) {}
 
     /**
      * Reads the header.
@@ -45,13 +52,13 @@ final class ExrHeaderReader {
             throw new IOException("is not an OpenEXR file: wrong first four bytes");
         }
         int version = in.getInt();
-        if ((version & ~ExrHeader.LONG_NAMES_FLAG) != ExrHeader.VERSION) {
-            throw new IOException("is a tiled, multi-part or deep OpenEXR file; expected a single part with scan lines");
+        if ((version & ~ExrHeader.LONG_NAMES_FLAG & ~ExrHeader.TILED_FLAG) != ExrHeader.VERSION) {
+            throw new IOException("is a multi-part or deep OpenEXR file; expected a single part with scan lines or tiles");
         }
         for (String name = readText(); !name.isEmpty(); name = readText()) {
             readAttribute(name, readText());
         }
-        if (channels == null || dataWindow == null || compression < 0) {
+        if (channels == null || dataWindow == null || compression == null) {
             throw new IOException("has a damaged OpenEXR header: expected channels, dataWindow and compression");
         }
         long width = (long) dataWindow[2] - dataWindow[0] + 1;
@@ -59,7 +66,12 @@ final class ExrHeaderReader {
         if (width < 1 || height < 1 || width > Integer.MAX_VALUE || height > Integer.MAX_VALUE) {
             throw new IOException("has a damaged OpenEXR header: its data window has no pixels");
         }
-        return new Result(new ExrHeader((int) width, (int) height, channels, attributes), compression, dataWindow[1], in.position());
+        boolean isTiled = (version & ExrHeader.TILED_FLAG) != 0;
+        if (isTiled && tileSize == null) {
+            throw new IOException("has a damaged OpenEXR header: expected the size of its tiles");
+        }
+        return new Result(new ExrHeader((int) width, (int) height, channels, attributes), compression, dataWindow[1],
+                isTiled ? tileSize : null, in.position());
     }
 
     private void readAttribute(String name, String type) throws IOException {
@@ -79,6 +91,8 @@ final class ExrHeaderReader {
                 }
                 dataWindow = new int[] {in.getInt(), in.getInt(), in.getInt(), in.getInt()};
             }
+            case "tiles tiledesc" -> tileSize = readTileSize(size);
+            case "chromaticities chromaticities" -> attributes.put(name, readChromaticities(size));
             default -> {
                 if (type.equals("string")) {
                     byte[] bytes = new byte[size];
@@ -90,13 +104,37 @@ final class ExrHeaderReader {
         in.position(end);
     }
 
-    private int readCompression(int size) throws IOException {
+    private ExrCompression readCompression(int size) throws IOException {
         int code = size == 1 ? in.get() : -1;
-        if (code != 0 && code != 2 && code != 3) {
+        Optional<ExrCompression> known = ExrCompression.of(code);
+        if (known.isEmpty()) {
             throw new IOException("has compression " + (code >= 0 && code < COMPRESSIONS.size() ? COMPRESSIONS.get(code) : "unknown")
-                    + "; expected none, ZIPS or ZIP");
+                    + "; expected none, RLE, ZIPS, ZIP, PIZ or PXR24");
         }
-        return code;
+        return known.get();
+    }
+
+    /** Reads the size of tiles. Smaller levels may follow the first one. */
+    private int[] readTileSize(int size) throws IOException {
+        if (size != 2 * Integer.BYTES + 1) {
+            throw new IOException("has a damaged OpenEXR header: the description of tiles must have 9 bytes, has " + size);
+        }
+        int[] tile = {in.getInt(), in.getInt()};
+        if (tile[0] < 1 || tile[1] < 1) {
+            throw new IOException("has a damaged OpenEXR header: its tiles have no pixels");
+        }
+        return tile;
+    }
+
+    private ExrAttribute.Chromaticities readChromaticities(int size) throws IOException {
+        if (size != CHROMATICITIES * Float.BYTES) {
+            throw new IOException("has a damaged OpenEXR header: chromaticities must have 32 bytes, have " + size);
+        }
+        List<Float> values = new ArrayList<>();
+        for (int i = 0; i < CHROMATICITIES; i++) {
+            values.add(in.getFloat());
+        }
+        return new ExrAttribute.Chromaticities(List.copyOf(values));
     }
 
     private List<ExrChannel> readChannels(int end) throws IOException {

@@ -6,13 +6,14 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.channels.FileChannel;
 import java.nio.file.Path;
+import java.util.BitSet;
 import java.util.List;
 import java.util.zip.DataFormatException;
 import lightning.base.text.Quote;
 
 /**
- * Reader for single-part scan-line OpenEXR files, uncompressed or ZIP: the output of {@link ExrWriter} and of most programs.
- * Messages do not repeat the file's name.
+ * Reader for single-part OpenEXR files of scan lines or tiles, in all compressions but B44 and DWA. Of tiles in several sizes, it reads the
+ * largest. Messages do not repeat the file's name.
  */
 public final class ExrReader implements AutoCloseable {
     /** Maximum header size in bytes, with the names of a million shapes. */
@@ -33,6 +34,7 @@ public final class ExrReader implements AutoCloseable {
         file = FileChannel.open(path);
         try {
             header = readHeader(INITIAL_HEADER_BYTES);
+            checkSize();
         } catch (IOException | RuntimeException | Error e) {
             file.close();
             throw e;
@@ -62,6 +64,15 @@ public final class ExrReader implements AutoCloseable {
         void accept(int x, int y, float[] values);
     }
 
+    /** Rejects a header that promises more pixels than the file can have, before anyone makes room for them. */
+    private void checkSize() throws IOException {
+        ExrHeader exrHeader = header.header();
+        var whole = new ExrBlock(exrHeader.channels(), exrHeader.width(), 1);
+        if (whole.bytesPerLine() > file.size() * ExrCompression.MAX_RATIO / exrHeader.height()) {
+            throw truncated();
+        }
+    }
+
     /**
      * Reads the pixels.
      *
@@ -71,75 +82,93 @@ public final class ExrReader implements AutoCloseable {
      */
     public void read(List<String> names, PixelConsumer sink) throws IOException {
         ExrHeader exrHeader = header.header();
-        int compression = header.compression();
-        int[] channelIndices = new int[names.size()];
-        List<String> channelNames = exrHeader.channels().stream().map(ExrChannel::name).toList();
-        for (int i = 0; i < channelIndices.length; i++) {
-            channelIndices[i] = channelNames.indexOf(names.get(i));
-            if (channelIndices[i] < 0) {
-                throw new IOException("has no channel " + Quote.of(names.get(i)));
-            }
+        int[] channels = channelIndices(names);
+        int width = header.tileSize() == null ? exrHeader.width() : Math.min(exrHeader.width(), header.tileSize()[0]);
+        int height = Math.min(exrHeader.height(), header.tileSize() == null ? header.compression().lines() : header.tileSize()[1]);
+        long bytes = new ExrBlock(exrHeader.channels(), width, 1).bytesPerLine();
+        if (bytes > MAX_CHUNK_BYTES / height) {
+            throw new IOException("has chunks of " + bytes + " × " + height + " bytes; expected at most " + MAX_CHUNK_BYTES);
         }
-        int lines = compression == 3 ? ExrHeader.LINES_PER_CHUNK : 1;
-        int chunks = Math.ceilDiv(exrHeader.height(), lines);
-        long bytes = exrHeader.bytesPerLine() * lines;
-        if (bytes > MAX_CHUNK_BYTES) {
-            throw new IOException("has lines of " + exrHeader.bytesPerLine() + " bytes; expected at most " + MAX_CHUNK_BYTES / lines);
+        int columns = Math.ceilDiv(exrHeader.width(), width);
+        long chunks = (long) columns * Math.ceilDiv(exrHeader.height(), height);
+        if (chunks > file.size() / Long.BYTES) {
+            throw truncated();
         }
-        ByteBuffer table = readBytes(header.headerBytes(), Math.multiplyExact(Long.BYTES, chunks));
-        boolean[] seenLines = new boolean[exrHeader.height()];
-        int[] channelOffsets = exrHeader.channelOffsets();
-        float[] values = new float[channelIndices.length];
-        for (int c = 0; c < chunks; c++) {
+        ByteBuffer table = readBytes(header.headerBytes(), Math.toIntExact(Long.BYTES * chunks));
+        var seen = new BitSet();
+        float[] values = new float[channels.length];
+        while (table.hasRemaining()) {
             long offset = table.getLong();
-            ByteBuffer chunkHeader = readBytes(offset, 2 * Integer.BYTES);
-            long y = (long) chunkHeader.getInt() - header.top();
-            int size = chunkHeader.getInt();
-            if (y < 0 || y >= exrHeader.height() || y % lines != 0 || seenLines[(int) y]) {
-                throw new IOException("has a damaged chunk table: a chunk begins at line " + y);
+            ByteBuffer start = readBytes(offset, (header.tileSize() == null ? 2 : 5) * Integer.BYTES);
+            long chunk = chunkIndex(start, height, columns);
+            if (chunk < 0 || chunk >= chunks || seen.get((int) chunk)) {
+                throw new IOException("has a damaged chunk table: a chunk is outside the picture or occurs twice");
             }
-            seenLines[(int) y] = true;
-            int count = (int) Math.min(lines, exrHeader.height() - y);
-            ExrChunk chunk =
-                    new ExrChunk(exrHeader, channelOffsets,
-                            readChunk(offset + 2 * Integer.BYTES, size, (int) (exrHeader.bytesPerLine() * count), y));
-            for (int dy = 0; dy < count; dy++) {
-                for (int x = 0; x < exrHeader.width(); x++) {
-                    for (int i = 0; i < channelIndices.length; i++) {
-                        values[i] = chunk.get(channelIndices[i], x, dy);
+            seen.set((int) chunk);
+            int left = (int) (chunk % columns) * width;
+            int top = (int) (chunk / columns) * height;
+            var block = new ExrBlock(exrHeader.channels(), Math.min(width, exrHeader.width() - left),
+                    Math.min(height, exrHeader.height() - top));
+            var pixels = new ExrChunk(block, readChunk(offset + start.capacity(), start.getInt(), block, top));
+            for (int y = 0; y < block.height(); y++) {
+                for (int x = 0; x < block.width(); x++) {
+                    for (int i = 0; i < channels.length; i++) {
+                        values[i] = pixels.get(channels[i], x, y);
                     }
-                    sink.accept(x, (int) y + dy, values);
+                    sink.accept(left + x, top + y, values);
                 }
             }
         }
     }
 
-    private byte[] readChunk(long offset, int size, int length, long y) throws IOException {
-        if (size < 0 || size > length) {
-            throw new IOException("is damaged at line " + y + ": expected at most " + length + " bytes, found " + size);
+    private int[] channelIndices(List<String> names) throws IOException {
+        List<String> all = header.header().channels().stream().map(ExrChannel::name).toList();
+        for (String name : names) {
+            if (!all.contains(name)) {
+                throw new IOException("has no channel " + Quote.of(name));
+            }
+        }
+        return names.stream().mapToInt(all::indexOf).toArray();
+    }
+
+    /** Returns the index of a chunk, line by line, from its first numbers; −1 if they belong to no chunk of the largest size. */
+    private long chunkIndex(ByteBuffer start, int height, int columns) {
+        if (header.tileSize() == null) {
+            long y = (long) start.getInt() - header.top();
+            return y % height == 0 ? y / height : -1;
+        }
+        int column = start.getInt();
+        int row = start.getInt();
+        boolean isLargest = start.getInt() == 0 & start.getInt() == 0;
+        return isLargest && column >= 0 && column < columns && row >= 0 ? (long) row * columns + column : -1;
+    }
+
+    private byte[] readChunk(long offset, int size, ExrBlock block, int line) throws IOException {
+        if (size < 0 || size > block.byteCount()) {
+            throw new IOException("is damaged at line " + line + ": expected at most " + block.byteCount() + " bytes, found " + size);
         }
         byte[] compressed = readBytes(offset, size).array();
         try {
-            return header.compression() == 0 && size != length ? throwFormatException() : ExrChunk.decompress(compressed, length);
+            return header.compression().decompress(compressed, block);
         } catch (DataFormatException e) {
-            throw new IOException("is damaged at line " + y + ": its chunk does not give " + length + " bytes", e);
+            throw new IOException("is damaged at line " + line + ": its chunk does not give " + block.byteCount() + " bytes", e);
         }
     }
 
-    private static byte[] throwFormatException() throws DataFormatException {
-        throw new DataFormatException();
+    private static EOFException truncated() {
+        return new EOFException("is truncated: it has fewer pixels than its header says");
     }
 
     private ByteBuffer readBytes(long offset, int count) throws IOException {
         if (offset < 0 || offset > file.size() - count) {
-            throw new EOFException("is truncated: it has fewer pixels than its header says");
+            throw truncated();
         }
         ByteBuffer buffer = ByteBuffer.allocate(count).order(ByteOrder.LITTLE_ENDIAN);
         while (buffer.hasRemaining() && file.read(buffer, offset + buffer.position()) >= 0) {
             // Read until the buffer is full.
         }
         if (buffer.hasRemaining()) {
-            throw new EOFException("is truncated: it has fewer pixels than its header says");
+            throw truncated();
         }
         return buffer.flip();
     }

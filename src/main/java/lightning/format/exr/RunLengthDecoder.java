@@ -1,0 +1,33 @@
+package lightning.format.exr;
+
+import java.util.Arrays;
+import java.util.zip.DataFormatException;
+
+/** Decoder of RLE chunks: a count −n before n bytes, or a count n before a byte that is repeated n + 1 times. */
+final class RunLengthDecoder {
+    private RunLengthDecoder() {}
+
+    static byte[] decode(byte[] compressed, ExrBlock block) throws DataFormatException {
+        byte[] bytes = new byte[(int) block.byteCount()];
+        int out = 0;
+        for (int in = 0; in < compressed.length;) {
+            int count = compressed[in++];
+            int length = count < 0 ? -count : count + 1;
+            int used = count < 0 ? length : 1;
+            if (used > compressed.length - in || length > bytes.length - out) {
+                throw new DataFormatException();
+            }
+            if (count < 0) {
+                System.arraycopy(compressed, in, bytes, out, length);
+            } else {
+                Arrays.fill(bytes, out, out + length, compressed[in]);
+            }
+            in += used;
+            out += length;
+        }
+        if (out < bytes.length) {
+            throw new DataFormatException();
+        }
+        return BytePrediction.decode(bytes);
+    }
+}
