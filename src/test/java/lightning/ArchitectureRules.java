@@ -95,7 +95,7 @@ final class ArchitectureRules {
             row("format", "base.work format.mesh format.mesh.ply format.mesh.obj format.gltf format.nff"),
             row("format.ies", "base.text base.file scene format.mesh"),
             row("format.hdr", "base.text base.file scene format.mesh"),
-            row("format.exr", "base.text"),
+            row("format.exr", "base.text base.math"),
             row("format.jen",
                     "base.text base.math base.work base.file scene scene.shot format.mesh format format.ies format.hdr format.exr"),
             row("format.image", "base.text base.work base.file render.image format.exr"),

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Locale;
 import lightning.base.file.RegularFile;
 import lightning.format.exr.ExrChannel;
+import lightning.format.exr.ExrColorReader;
 import lightning.format.exr.ExrReader;
 import lightning.format.jen.JenLimits;
 import lightning.format.jen.TextureDecoder;
@@ -83,14 +84,19 @@ final class UsdImages {
         int rows = height / size;
         float[] rgb = new float[3 * columns * rows];
         List<String> channels = channels(exr.header().channels().stream().map(ExrChannel::name).toList(), usage);
-        exr.read(channels, (x, y, values) -> {
+        ExrReader.PixelConsumer sink = (x, y, values) -> {
             if (x % size == 0 && y % size == 0 && x / size < columns && y / size < rows) {
                 for (int c = 0; c < 3; c++) {
                     float v = values[Math.min(c, values.length - 1)];
                     rgb[3 * (y / size * columns + x / size) + c] = Float.isFinite(v) ? v : 0;
                 }
             }
-        });
+        };
+        if (channels.equals(COLORS) && (usage == TextureUsage.COLOR || usage == TextureUsage.EMISSION)) {
+            ExrColorReader.read(exr, sink);
+        } else {
+            exr.read(channels, sink);
+        }
         return new Texture(columns, rows, rgb);
     }
 

@@ -8,6 +8,7 @@ import java.util.Map;
 import lightning.format.exr.ExrAttribute;
 import lightning.format.exr.ExrChannel;
 import lightning.format.exr.ExrChunk;
+import lightning.format.exr.ExrColorReader;
 import lightning.format.exr.ExrHeader;
 import lightning.format.exr.ExrReader;
 import lightning.format.exr.ExrType;
@@ -41,7 +42,7 @@ final class Exr {
     }
 
     /**
-     * Reads channels R, G and B.
+     * Reads channels R, G and B, converted to the working space.
      *
      * @throws IOException if a channel is missing, or the file is unsupported, damaged or too large; the message does not
      *     contain its name
@@ -50,7 +51,7 @@ final class Exr {
         try (ExrReader reader = new ExrReader(file)) {
             ImageLimits.check(reader.header().width(), reader.header().height());
             Film film = Film.black(reader.header().width(), reader.header().height());
-            reader.read(COLORS, (x, y, rgb) -> {
+            ExrColorReader.read(reader, (x, y, rgb) -> {
                 int tile = film.tileOf(x, y);
                 int pixel = Film.pixelInTile(x, y);
                 film.red(tile)[pixel] = rgb[0];

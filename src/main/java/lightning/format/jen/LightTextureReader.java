@@ -3,9 +3,9 @@ package lightning.format.jen;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.List;
 import java.util.Locale;
 import lightning.base.text.Quote;
+import lightning.format.exr.ExrColorReader;
 import lightning.format.exr.ExrReader;
 import lightning.format.hdr.HdrReader;
 import lightning.format.mesh.MeshException;
@@ -16,8 +16,6 @@ import lightning.scene.TextureUsage;
 
 /** Reader for images on the faces of lights: PNG and JPEG files, and files of linear values above 1. */
 public final class LightTextureReader {
-    private static final List<String> COLORS = List.of("R", "G", "B");
-
     private LightTextureReader() {}
 
     /**
@@ -82,7 +80,7 @@ public final class LightTextureReader {
                 throw unusable(name, "must have from 1 to " + HdrReader.MAX_PIXELS + " pixels, has " + width + "×" + height);
             }
             float[] rgb = new float[3 * width * height];
-            reader.read(COLORS, (x, y, values) -> {
+            ExrColorReader.read(reader, (x, y, values) -> {
                 for (int c = 0; c < 3; c++) {
                     rgb[3 * (y * width + x) + c] = limited(values[c]);
                 }

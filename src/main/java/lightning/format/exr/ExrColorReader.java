@@ -1,0 +1,60 @@
+package lightning.format.exr;
+
+import java.io.IOException;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import lightning.base.math.Matrix3;
+import lightning.base.math.Primaries;
+
+/** Reader for the channels R, G and B in the working space, linear Rec. 709. */
+public final class ExrColorReader {
+    private static final List<String> COLORS = List.of("R", "G", "B");
+    private static final int PRIMARIES = 6;
+    private static final int RED = 0;
+    private static final int GREEN = 1;
+    private static final int BLUE = 2;
+
+    private ExrColorReader() {}
+
+    /**
+     * Reads colors. Those of a file with other chromaticities than Rec. 709 are converted, so that its white becomes white (Bradford).
+     * Colors outside Rec. 709 get negative components.
+     *
+     * @param sink receives every pixel once, as red, green and blue
+     * @throws IOException as {@link ExrReader#read}, or if the chromaticities are no color space
+     */
+    public static void read(ExrReader reader, ExrReader.PixelConsumer sink) throws IOException {
+        Optional<Matrix3> matrix = toWorkingSpace(reader.header());
+        if (matrix.isEmpty()) {
+            reader.read(COLORS, sink);
+            return;
+        }
+        double[] m = matrix.get().m();
+        float[] converted = new float[COLORS.size()];
+        reader.read(COLORS, (x, y, rgb) -> {
+            for (int c = 0; c < converted.length; c++) {
+                int row = converted.length * c;
+                converted[c] = (float) (m[row] * rgb[RED] + m[row + 1] * rgb[GREEN] + m[row + 2] * rgb[BLUE]);
+            }
+            sink.accept(x, y, converted);
+        });
+    }
+
+    /** Returns the matrix to the working space; empty if the file is in it or does not say. */
+    static Optional<Matrix3> toWorkingSpace(ExrHeader header) throws IOException {
+        if (!(header.attributes().get("chromaticities") instanceof ExrAttribute.Chromaticities colors)
+                || colors.equals(ExrAttribute.Chromaticities.REC_709)) {
+            return Optional.empty();
+        }
+        double[] xy = colors.values().stream().mapToDouble(Float::doubleValue).toArray();
+        Matrix3 matrix = new Primaries(Arrays.copyOf(xy, PRIMARIES), new double[] {xy[PRIMARIES], xy[PRIMARIES + 1]})
+                .to(Primaries.REC709);
+        for (double v : matrix.m()) {
+            if (!Double.isFinite(v)) {
+                throw new IOException("has chromaticities that are no color space: " + colors.values());
+            }
+        }
+        return Optional.of(matrix);
+    }
+}
