@@ -3,6 +3,7 @@ package lightning.scene;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
@@ -90,25 +91,39 @@ record LightFace(Shape shape, Material material) {
                     case DISC -> AlphaCutout.Clip.BACK_AND_CORNERS;
                     case POINT, SPOT, DIRECTIONAL -> AlphaCutout.Clip.NONE;
                 }));
-        return light.area().visibility() == FaceVisibility.GLOWING && rig.isActive(light)
-                ? black.withBulb(Bulb.NONE.withGlow(Bulb.limited(radiance(light, rig.effectiveLight(light)))))
-                : black;
+        if (light.area().visibility() != FaceVisibility.GLOWING) {
+            return black;
+        }
+        Rgb radiance = rig.isActive(light) ? radiance(light, rig.effectiveLight(light)) : Rgb.BLACK;
+        // A dark light keeps its texture, so that switching it on looks up no texel.
+        return light.faceImage().isEmpty() ? black.withBulb(Bulb.NONE.withGlow(Bulb.limited(radiance)))
+                : black.withTexture(texture(light)).withBulb(new Bulb("", 0, limited(radiance, light.faceImage().get()), true));
+    }
+
+    /** Returns the light's image on its plane, upright and not mirrored for a viewer, who looks against the light's direction. */
+    private static Optional<TextureMap> texture(Light light) {
+        return light.texture().map(t -> new TextureMap(t.file(), -1, 1, t.image(), true));
+    }
+
+    /** Returns a color whose product with any pixel of an image may be emitted. */
+    private static Rgb limited(Rgb radiance, Texture image) {
+        double max = Math.max(1, image.areas().max());
+        return Bulb.limited(radiance.times(max)).times(1 / max);
     }
 
     /**
      * Returns the value of the face in the picture: its luminance in nits for a photometric unit. An inverse-square light is as bright as
      * white paper that it would light if it touched the paper and filled its view: π/A times color and intensity, where A is the area seen
      * along the axis. Other relative lights have no luminance: their face has color times intensity, as white paper at falloff 1.
-     * A texture counts as its mean color, everywhere on the face.
+     * A texture multiplies it.
      *
      * @param effective the light with group, exposure, unit and temperature applied
      */
     static Rgb radiance(Light light, Light effective) {
         boolean isPhysical = light.falloff() == Falloff.INVERSE_SQUARE || light.emission().unit() == IntensityUnit.NIT;
-        Rgb radiance = isPhysical
+        return isPhysical
                 ? effective.weight().times(Math.min(Math.PI / IntensityUnit.luminousArea(light), SceneLimits.MAX_INTENSITY))
                 : effective.weight();
-        return light.faceImage().map(image -> radiance.times(image.areas().mean())).orElse(radiance);
     }
 
     /** Returns a name that is not among the given ones, the same for the same light if possible, and adds it to them. */

@@ -72,9 +72,9 @@ public record Material(String name, Rgb ambient, Rgb glow, Bulb bulb, ShadingMod
         return bulb.glow().isBlack() ? glow : glow.plus(bulb.glow());
     }
 
-    /** Returns whether the glow of both bulbs is equal. */
+    /** Returns whether the glow of both bulbs is equal, before the texture. */
     public boolean hasSameBulbGlow(Material o) {
-        return bulb.glow().equals(o.bulb().glow());
+        return bulb.glow().equals(o.bulb().glow()) && bulb.isTextured() == o.bulb().isTextured();
     }
 
     /** Returns whether its shading model is {@link ShadingModel#METALLIC}. */

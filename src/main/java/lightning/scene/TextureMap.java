@@ -7,16 +7,22 @@ package lightning.scene;
  * @param repeatU repetitions around the shape, not 0 (negative mirrors it)
  * @param repeatV repetitions along the shape, not 0
  * @param image   the decoded image
+ * @param isClamped true if pixels at the edges do not blend with the opposite edge: the image covers the surface once, so the repetitions are 1 or −1
  */
-public record TextureMap(String file, double repeatU, double repeatV, Texture image) {
+public record TextureMap(String file, double repeatU, double repeatV, Texture image, boolean isClamped) {
     public TextureMap {
         checkRepeat("repeat u", repeatU);
         checkRepeat("repeat v", repeatV);
     }
 
+    /** Creates a map whose image repeats endlessly. */
+    public TextureMap(String file, double repeatU, double repeatV, Texture image) {
+        this(file, repeatU, repeatV, image, false);
+    }
+
     /** Returns whether both look the same on every surface; the file name does not matter. */
     boolean hasSameTexels(TextureMap o) {
-        return repeatU == o.repeatU && repeatV == o.repeatV && image.equals(o.image);
+        return repeatU == o.repeatU && repeatV == o.repeatV && isClamped == o.isClamped && image.equals(o.image);
     }
 
     private static void checkRepeat(String name, double value) {

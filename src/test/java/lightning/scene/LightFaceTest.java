@@ -56,10 +56,20 @@ class LightFaceTest {
     }
 
     @Test
-    void texture_countsAsItsMeanColor() {
+    void texture_multipliesTheGlow_alsoOfADarkLight() {
         Texture image = new Texture(2, 1, new float[] {1, 0, 0.5f, 0, 0, 0.5f});
         Light light = SOFTBOX.withIntensity(4).withTexture(Optional.of(new LightTexture("t.png", image)));
-        assertThat(glow(light, 1)).isEqualTo(new Rgb(2, 0, 2));
+        Material face = faces(light).getFirst().material();
+        assertThat(face.bulb()).isEqualTo(new Bulb("", 0, Rgb.gray(4), true));
+        assertThat(face.texture().orElseThrow().image()).isSameAs(image);
+        assertThat(faces(light.withOn(false)).getFirst().material()).isEqualTo(face.withBulb(new Bulb("", 0, Rgb.BLACK, true)));
+    }
+
+    @Test
+    void glowTimesTexture_isLimited() {
+        Texture image = new Texture(1, 1, new float[] {1000, 0, 0});
+        Light light = SOFTBOX.withIntensity(1e5).withTexture(Optional.of(new LightTexture("t.hdr", image)));
+        assertThat(glow(light, 1).r()).isCloseTo(SceneLimits.MAX_EMISSION / 1000, within(1e-9));
     }
 
     @Test

@@ -126,6 +126,10 @@ final class LevelComposer {
         for (int c = 0; c < 3; c++) {
             emitted[c] = LightingEquation.emitted(material.ambient()[c], ambience, showsGlow ? material.glow()[c] : 0);
         }
+        if (material.hasTexturedGlow()) {
+            shadeFace(rows, run, material, ambience, to);
+            return;
+        }
         if (material.hasImage() && !litTextures) {
             shadeUnlit(rows, run, material, to);
             return;
@@ -147,6 +151,18 @@ final class LevelComposer {
             float[] texel = rows.texel(c);
             for (int i = rows.runStart(run); i < rows.runEnd[run]; i++) {
                 to[c][i] = emitted[c] + material.diffuse()[c] * texel[i];
+            }
+        }
+    }
+
+    /** Shades the face of a light with a texture, which only glows: all other terms are +0 and change no bit. */
+    private void shadeFace(HitRows rows, int run, ShadingMaterial material, float ambience, float[][] to) {
+        for (int c = 0; c < 3; c++) {
+            float[] texel = rows.texel(c);
+            float ka = material.ambient()[c];
+            float glow = showsGlow ? material.glow()[c] : 0;
+            for (int i = rows.runStart(run); i < rows.runEnd[run]; i++) {
+                to[c][i] = LightingEquation.emitted(ka, ambience, glow * texel[i]);
             }
         }
     }

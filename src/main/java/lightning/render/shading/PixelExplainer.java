@@ -114,10 +114,11 @@ public final class PixelExplainer {
         for (int c = 0; c < 3; c++) {
             float ka = materials.ambient(hit.material(), c);
             float kr = materials.reflective(hit.material(), c);
-            float emitted = LightingEquation.emitted(ka, ambience, materials.glow(hit.material(), c));
+            float ownLight = materials.glow(hit.material(), c, hit.texel()[c]);
+            float emitted = LightingEquation.emitted(ka, ambience, ownLight);
             float diffuse = sum(reports, c, LightReport::diffuse) + (bounced == null ? 0 : bounced[c]);
             ambient[c] = ka * ambience * share.bodyWeight(kr, c);
-            glow[c] = materials.glow(hit.material(), c) * share.bodyWeight(kr, c);
+            glow[c] = ownLight * share.bodyWeight(kr, c);
             color[c] = materials.isTransparent(hit.material())
                     ? share.color(c, emitted, hit.diffuse()[c], diffuse,
                             hit.specular()[c], sum(reports, c, LightReport::highlight), sum(reports, c, LightReport::sheen), kr,

@@ -175,14 +175,16 @@ public final class ReferenceTracer {
             float specular = sum(terms, SPECULAR, c);
             float grazing = sum(terms, GRAZING, c);
             color[c] = materials.isTransparent(material) ? clearColor(hit, c, diffuse[c], specular, grazing, mirrored, refracted)
-                    : LightingEquation.color(emitted(material, c), hit.diffuse()[c], diffuse[c],
+                    : LightingEquation.color(emitted(hit, c), hit.diffuse()[c], diffuse[c],
                             hit.specular()[c], specular, grazing, materials.reflective(material, c), mirrored[c]);
         }
         return color;
     }
 
-    private float emitted(int material, int c) {
-        return LightingEquation.emitted(materials.ambient(material, c), (float) scene.world().ambience(), materials.glow(material, c));
+    private float emitted(SurfacePoint hit, int c) {
+        int material = hit.material();
+        return LightingEquation.emitted(materials.ambient(material, c), (float) scene.world().ambience(),
+                materials.glow(material, c, hit.texel()[c]));
     }
 
     /** Returns the lights' diffuse sum plus the indirect light: red, green, blue. */
@@ -217,7 +219,7 @@ public final class ReferenceTracer {
     /** Returns one channel of the color of a clear surface. */
     private float clearColor(SurfacePoint hit, int c, float diffuse, float specular, float grazing, float[] mirrored,
             float[] refracted) {
-        return new SurfaceWeights(hit).color(c, emitted(hit.material(), c), hit.diffuse()[c], diffuse, hit.specular()[c], specular, grazing,
+        return new SurfaceWeights(hit).color(c, emitted(hit, c), hit.diffuse()[c], diffuse, hit.specular()[c], specular, grazing,
                 materials.reflective(hit.material(), c), mirrored[c],
                 refracted[c]);
     }

@@ -17,6 +17,7 @@ import lightning.scene.Transmission;
  * @param bodyShare    body share of a clear surface
  * @param isTextured   true if its rows' texels multiply k<sub>diffuse</sub>
  * @param hasImage     true if an image is among these factors
+ * @param hasTexturedGlow true if its rows' texels multiply its glow; it then reflects nothing
  * @param hasSpecular  true if it has specular terms: k<sub>specular</sub> is above 0 in any channel, or the material is metallic
  * @param isReflective true if k<sub>reflective</sub> is above 0 in any channel
  */
@@ -24,6 +25,7 @@ public record ShadingMaterial(float[] ambient, float[] glow, float[] diffuse, fl
         Transmission clarity, InteriorTint interior, float bodyShare,
         boolean isTextured,
         boolean hasImage,
+        boolean hasTexturedGlow,
         boolean hasSpecular,
         boolean isReflective) {
     // Arrays in a record: written once by their creator, never after.
@@ -47,6 +49,7 @@ public record ShadingMaterial(float[] ambient, float[] glow, float[] diffuse, fl
                 t.isTransparent(m) ? t.transmission(m) : null, t.isTransparent(m) ? new InteriorTint(t.transmission(m)) : null,
                 ClearMaterialShader.bodyShare(t.transmission(m)), t.isTextured(m),
                 t.texture(m) != null,
+                t.hasTexturedGlow(m),
                 t.isSpecular(m),
                 reflective[0] > 0 || reflective[1] > 0 || reflective[2] > 0);
     }

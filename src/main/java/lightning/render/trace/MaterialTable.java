@@ -222,9 +222,19 @@ public final class MaterialTable {
         return ambient[3 * m + channel];
     }
 
-    /** Returns the light that the surface emits itself. */
+    /** Returns the light that the surface emits itself, before the texture if that {@link #hasTexturedGlow multiplies it}. */
     public float glow(int m, int channel) {
         return glow[3 * m + channel];
+    }
+
+    /** Returns one channel of the light that the surface emits where its texture has the value {@code texel}. */
+    public float glow(int m, int channel, float texel) {
+        return hasTexturedGlow(m) ? glow(m, channel) * texel : glow(m, channel);
+    }
+
+    /** Returns true if texels multiply the glow of material {@code m}, which reflects nothing: the face of a light with a texture. */
+    public boolean hasTexturedGlow(int m) {
+        return materials.get(m).bulb().isTextured();
     }
 
     /** Returns one channel of the glow that lights other surfaces: without that of a bulb, whose light does so itself. */

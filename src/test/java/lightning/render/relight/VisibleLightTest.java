@@ -3,6 +3,7 @@ package lightning.render.relight;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Path;
+import java.util.Optional;
 import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
 import lightning.format.jen.JenReader;
@@ -11,7 +12,9 @@ import lightning.render.fulltrace.TraditionalTracer;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.render.shading.RayCounts;
 import lightning.render.shading.ReferenceTracer;
+import lightning.scene.LightTexture;
 import lightning.scene.Scene;
+import lightning.scene.Texture;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -50,6 +53,45 @@ class VisibleLightTest {
         assertThat(pixel(room, 20, 15)).containsExactly((float) (0.5 * Math.PI), (float) (0.5 * Math.PI), (float) (0.5 * Math.PI));
         assertThat(pixel(room, 12, 15)).containsExactly(0.75f, 0.375f, 0.1875f);
         assertThat(pixel(edited(room, "key.on=no"), 20, 15)).containsExactly(0, 0, 0);
+    }
+
+    /** Upper left red, upper right green, lower left blue, lower right white. */
+    private static Texture quarters(float scale) {
+        return new Texture(2, 2, new float[] {scale, 0, 0, 0, scale, 0, 0, 0, scale, scale, scale, scale});
+    }
+
+    private static Scene textured(Scene scene, String light, Texture image) {
+        return scene.withLight(scene.light(light).orElseThrow().withTexture(Optional.of(new LightTexture("image.hdr", image))));
+    }
+
+    @Test
+    void texture_isUprightOnTheFace_andEdgesDoNotBlend() throws Exception {
+        Scene room = edited(edited(textured(room(""), "key", quarters(2)), "key.width=5"), "key.height=3.4");
+        room = edited(edited(room, "lamp.visible=no"), "globe.at=9 0 0");
+        float twice = (float) (0.5 * Math.PI / (5 * 3.4)) * 2;
+        assertThat(pixel(room, 10, 8)).usingComparatorWithPrecision(1e-6f).containsExactly(twice, 0, 0);
+        assertThat(pixel(room, 29, 8)).usingComparatorWithPrecision(1e-6f).containsExactly(0, twice, 0);
+        assertThat(pixel(room, 10, 21)).usingComparatorWithPrecision(1e-6f).containsExactly(0, 0, twice);
+        assertThat(pixel(room, 29, 21)).usingComparatorWithPrecision(1e-6f).containsExactly(twice, twice, twice);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"", "indirect { rays 16  spacing 4 }", "antialias edges"})
+    void texturedFaces_haveTheBitsOfAFullTrace(String settings) throws Exception {
+        Scene plain = room(settings);
+        Scene one = textured(plain, "key", quarters(1));
+        Scene both = textured(one, "ring", quarters(3));
+        Scene dark = edited(both, "key.on=no");
+        Scene other = textured(dark, "key", quarters(0.5f));
+        Scene[] scenes = {plain, one, both, dark, other, edited(other, "key.on=yes"), edited(other, "ring.solo=yes"),
+            edited(both, "key.visible=no"), edited(both, "key.at=0.2 1.1 0.3"), edited(both, "globe.at=1.4 0 0.2"), plain};
+        try (Renderer renderer = new Renderer(RenderOptions.DEFAULT.withThreads(1)); WorkerPool workers = new WorkerPool(1)) {
+            for (Scene scene : scenes) {
+                renderer.render(scene, Progress.NONE);
+                assertThat(renderer.film().hasSameBits(new ReferenceTracer(scene).trace())).isTrue();
+                assertThat(renderer.film().hasSameBits(new TraditionalTracer(scene).trace(workers, Progress.NONE).film())).isTrue();
+            }
+        }
     }
 
     @Test
@@ -122,6 +164,18 @@ class VisibleLightTest {
         try (Renderer renderer = new Renderer(RenderOptions.DEFAULT.withThreads(1))) {
             renderer.render(before, Progress.NONE);
             assertThat(renderer.render(edited(before, edit), Progress.NONE).rays()).isEqualTo(RayCounts.NONE);
+        }
+    }
+
+    @Test
+    void editsOfTheTexture_castNoRay() throws Exception {
+        Scene plain = room("");
+        Scene one = textured(plain, "key", quarters(1));
+        try (Renderer renderer = new Renderer(RenderOptions.DEFAULT.withThreads(1))) {
+            renderer.render(plain, Progress.NONE);
+            for (Scene scene : new Scene[] {one, edited(one, "key.color=0.2 1 0.4"), textured(one, "key", quarters(3)), plain}) {
+                assertThat(renderer.render(scene, Progress.NONE).rays()).isEqualTo(RayCounts.NONE);
+            }
         }
     }
 

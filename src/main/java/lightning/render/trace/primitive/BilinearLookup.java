@@ -4,8 +4,8 @@ import lightning.scene.Texture;
 import lightning.scene.TextureMap;
 
 /**
- * Bilinear texture lookup: the four nearest pixels and their weights. The image repeats endlessly; v points up from its bottom
- * row. Reused.
+ * Bilinear texture lookup: the four nearest pixels and their weights. The image repeats endlessly unless the map
+ * is clamped; v points up from its bottom row. Reused.
  */
 final class BilinearLookup {
     private Texture image;
@@ -31,6 +31,17 @@ final class BilinearLookup {
         x1 = wrap((int) left + 1, image.width());
         y0 = wrap((int) top, image.height());
         y1 = wrap((int) top + 1, image.height());
+        if (map.isClamped()) {
+            clamp(column, row);
+        }
+    }
+
+    /** Replaces pixels of the opposite edge by those of the near one. */
+    private void clamp(double column, double row) {
+        x0 = column < 0 ? 0 : x0;
+        x1 = column > image.width() - 1 ? image.width() - 1 : x1;
+        y0 = row < 0 ? 0 : y0;
+        y1 = row > image.height() - 1 ? image.height() - 1 : y1;
     }
 
     /** Writes the linear RGB, 0…1, to {@code rgb[0…2]}. */
