@@ -10,7 +10,7 @@ import lightning.base.math.Vec3;
  * @param spread  half-angle of a directional light's cone of directions
  * @param width   width of a rectangle, across {@code up}
  * @param height  height of a rectangle, along {@code up}
- * @param up      direction of a rectangle's height, projected perpendicular to its direction; any length
+ * @param up      direction of a rectangle's height, or of the top of a disc's image, projected perpendicular to its direction; any length
  * @param samples number of points or directions that are averaged
  * @param visibility whether the camera sees the light itself; a directional light is never seen
  * @param hardShadows true if the light shines from its center, with hard shadows, in a view without soft shadows; not part of a document
@@ -27,7 +27,7 @@ public record AreaShape(double radius, double spread, double width, double heigh
     }
 
     /**
-     * Returns the unit vector along a rectangle's width, perpendicular to its direction and {@link #up}. If these are parallel, uses the
+     * Returns the unit vector along the width of a rectangle or disc, perpendicular to its direction and {@link #up}. If these are parallel, uses the
      * axis that is least parallel to the direction.
      *
      * @param direction direction of unit length

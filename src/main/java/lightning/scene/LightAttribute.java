@@ -109,7 +109,7 @@ public final class LightAttribute<V> extends SceneAttribute<Light, V> {
                     Map.of(RECT, LightTerm.SOURCE));
     public static final LightAttribute<Vec3> UP = of("up", "roll axis", NumericKind.direction(), AreaShape.DEFAULT.up(),
             "any nonzero vector", l -> l.area().up(), (l, v) -> l.withArea(l.area().withUp(v)), Section.AREA,
-            Map.of(RECT, LightTerm.SOURCE));
+            Map.of(RECT, LightTerm.SOURCE, DISC, LightTerm.SOURCE));
     public static final LightAttribute<Optional<LightTexture>> TEXTURE =
             of("texture", new ValueKind.LightTextureKind(), Optional.empty(), "a PNG, JPEG, Radiance HDR or OpenEXR file",
                     Light::texture, Light::withTexture, Section.AREA, Map.of(RECT, LightTerm.FALLOFF, DISC, LightTerm.FALLOFF));

@@ -53,7 +53,7 @@ record LightFace(Shape shape, Material material) {
         return switch (light.type()) {
             case RECT -> plane(light, area.right(light.direction().normalized()), area.width(), area.height(), material);
             case DISC ->
-                    plane(light, AreaShape.DEFAULT.right(light.direction().normalized()), 2 * area.radius(), 2 * area.radius(), material);
+                    plane(light, area.right(light.direction().normalized()), 2 * area.radius(), 2 * area.radius(), material);
             case POINT, SPOT, DIRECTIONAL -> new Shape(Solid.SPHERE, light.name(), material,
                     new Placement(light.position(), Vec3.ZERO, Vec3.ONE.times(area.radius())));
         };

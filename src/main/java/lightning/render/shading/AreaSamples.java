@@ -106,8 +106,8 @@ public final class AreaSamples {
     private static AreaSamples of(Light light, Vec3 source, Vec3 axis, int n, int parts, int rotations) {
         AreaShape area = light.area();
         int patterns = parts * rotations;
-        // Round shapes look the same for every up vector.
-        Vec3 right = (light.type() == LightType.RECT ? area : AreaShape.DEFAULT).right(axis);
+        // A ball and a cone of directions look the same for every up vector.
+        Vec3 right = (light.type().isSurface() ? area : AreaShape.DEFAULT).right(axis);
         Vec3 top = right.cross(axis);
         Vec3[] offsets = new Vec3[n * patterns];
         SummedAreaTable image = light.faceImage().map(Texture::areas).orElse(null);

@@ -75,6 +75,20 @@ class VisibleLightTest {
         assertThat(pixel(room, 29, 21)).usingComparatorWithPrecision(1e-6f).containsExactly(twice, twice, twice);
     }
 
+    @Test
+    void up_rollsTheImageOfADisc() throws Exception {
+        Scene room = edited(edited(textured(room(""), "ring", quarters(1)), "ring.color=1 1 1"), "ring.radius=0.8");
+        Scene rolled = edited(room, "ring.up=0 -1 0");
+        // Rolled by 180°, white is where red was.
+        assertThat(pixel(room, 9, 13)[1]).isLessThan(pixel(room, 9, 13)[0]);
+        assertThat(pixel(rolled, 9, 13)[1]).isGreaterThan(pixel(rolled, 9, 13)[0]);
+        try (Renderer renderer = new Renderer(RenderOptions.DEFAULT.withThreads(1))) {
+            renderer.render(room, Progress.NONE);
+            renderer.render(rolled, Progress.NONE);
+            assertThat(renderer.film().hasSameBits(new ReferenceTracer(rolled).trace())).isTrue();
+        }
+    }
+
     @ParameterizedTest
     @ValueSource(strings = {"", "indirect { rays 16  spacing 4 }", "antialias edges"})
     void texturedFaces_haveTheBitsOfAFullTrace(String settings) throws Exception {
