@@ -72,6 +72,7 @@ final class DebianPackage {
         }
         String completion = "bash-completion/completions/lightning";
         write(home.resolve("share").resolve(completion), Files.readAllBytes(manual.resolve(completion)));
+        write(home.resolve("share/zsh/vendor-completions/_lightning"), Files.readAllBytes(RESOURCES.resolve("_lightning")));
     }
 
     /** Moves menu entry and file types from the program's folder, and adds the metadata. */

@@ -100,6 +100,25 @@ class HelpCommandTest {
                 """);
     }
 
+    @Test
+    void completionOfThePackage_worksInZsh_fromTheFirstTab() throws IOException, InterruptedException {
+        Path script = Files.writeString(folder.resolve("script"), CliResult.run("completion", "bash").assertSuccess().out());
+        Path functions = Files.createDirectory(folder.resolve("functions"));
+        Files.createDirectory(folder.resolve("my folder"));
+        String installed = "/opt/lightning-relight/share/bash-completion/completions/lightning";
+        String function = Files.readString(Path.of("src/main/release/linux/_lightning"));
+        assertThat(function).contains(installed);
+        Files.writeString(functions.resolve("_lightning"), function.replace(installed, script.toString()));
+        String shell = ZSH.replace("autoload -U compinit;", "fpath=(" + functions + " \\$fpath); autoload -U compinit;")
+                .replace("source $1;", "");
+        assertThat(runIfInstalled("zsh", "-f", "-c", shell, "zsh", script.toString(), folder.toString())).isEqualTo("""
+                lightning render\040
+                lightning render --traditional\040
+                lightning import a --indirect auto\040
+                lightning render my\\ folder/
+                """);
+    }
+
     private static String complete(Path script, String... words) throws IOException, InterruptedException {
         String line = "source " + script + "; COMP_WORDS=(" + String.join(" ", words) + "); COMP_CWORD=" + (words.length - 1)
                 + "; _complete_lightning 2>/dev/null; echo \"${COMPREPLY[*]}\"";
