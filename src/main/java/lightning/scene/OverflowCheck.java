@@ -10,8 +10,9 @@ import lightning.base.text.Quote;
 /**
  * Check that the sum of contributions cannot overflow a float. Sharp highlights of a metallic material are brighter than the light itself.
  * The weights of all lights times the largest term of any material may sum to at most {@link SceneLimits#MAX_TOTAL_LIGHT}, which scenes
- * without such a material never exceed. Includes lights that are off, and counts each light with or without its group, gains and size,
- * whichever is brightest, so that neither a switch nor a hidden effect can exceed the limit. Gains count as intensity.
+ * without such a material never exceed. Includes lights that are off, and counts each light with or without its group and gains,
+ * whichever is brightest, so that neither a switch nor a hidden effect can exceed the limit. Gains count as intensity. Without soft shadows
+ * a light is never brighter.
  *
  * @param light    the brightest light
  * @param material the material with the sharpest highlights
@@ -41,10 +42,8 @@ public record OverflowCheck(Light light, Material material, double limit, double
 
     /** Returns a light's largest weight times falloff, with or without each effect whose absence can make it brighter. */
     private static double maxWeight(Light light, LightRig rig) {
-        AreaShape point = light.area().withRadius(0).withSpread(0).withWidth(0).withHeight(0);
         return Stream.of(light, light.withLightGroup(""))
                 .flatMap(l -> Stream.of(l, l.withContribution(Contribution.DEFAULT)))
-                .flatMap(l -> Stream.of(l, l.withArea(point)))
                 .mapToDouble(l -> rig.effectiveLight(l).maxWeight() * l.maxFactor()).max().orElse(0);
     }
 

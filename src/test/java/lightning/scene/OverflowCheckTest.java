@@ -71,15 +71,25 @@ class OverflowCheckTest {
         assertThatThrownBy(() -> read(dark + GOLD)).isInstanceOf(JenException.class);
     }
 
-    /** An effect that the view hides must not exceed the limit: a gain, a group, the size of an area light. */
+    /** An effect that the view hides must not exceed the limit: a gain or a group. */
     @ParameterizedTest
     @ValueSource(strings = {"intensity 1e29 diffuse 0 specular 0", "intensity 1e29 bank \"dim\"",
-        "intensity 1e29 diffuse 0 specular 0 bank \"dim\"", "intensity 1e20 falloff inverse_square radius 100"})
+        "intensity 1e29 diffuse 0 specular 0 bank \"dim\""})
     void effectThatDims_countsAsAbsent(String light) throws JenException {
         String dim = "camera { from 0 0 5 to 0 0 0 }\nsphere \"ball\" { }\nbank \"dim\" { intensity 0 }\n"
                 + "light \"lamp\" point { " + light + " }\n";
         assertThat(read(dim).lights()).hasSize(1);
         assertThatThrownBy(() -> read(dim + GOLD)).isInstanceOf(JenException.class).hasMessageContaining("must add up");
+    }
+
+    /** The size of a light limits its falloff, also in a view without soft shadows. */
+    @Test
+    void sizeOfLight_countsAlways() throws JenException {
+        String scene = "camera { from 0 0 5 to 0 0 0 }\nsphere \"ball\" { }\n" + GOLD;
+        String lamp = "light \"lamp\" point { intensity 1e20 falloff inverse_square radius 100 }\n";
+        assertThat(ViewEffects.ALL.withHidden(Set.of(RenderEffect.SOFT_SHADOWS)).apply(read(scene + lamp)).lights())
+                .noneMatch(Light::isArea);
+        assertThatThrownBy(() -> read(scene + lamp.replace("radius 100", ""))).hasMessageContaining("must add up");
     }
 
     @Property(edgeCases = EdgeCasesMode.NONE)

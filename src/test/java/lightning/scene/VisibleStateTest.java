@@ -2,6 +2,7 @@ package lightning.scene;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.nio.file.Path;
 import java.util.Optional;
 import lightning.base.math.Vec3;
 import lightning.base.work.Progress;
@@ -10,6 +11,7 @@ import lightning.editor.document.DeskScene;
 import lightning.editor.document.EditOutcome;
 import lightning.editor.document.LightEdits;
 import lightning.editor.document.NumericParameter;
+import lightning.format.jen.JenReader;
 import lightning.render.fulltrace.TraditionalTracer;
 import lightning.render.image.Film;
 import lightning.sample.EditSession;
@@ -73,6 +75,18 @@ class VisibleStateTest {
         Scene around = solo.withWorld(solo.world().withEnvironment(Optional.of(new Environment("x.hdr", sky))));
         assertThat(VisibleState.of(around).lights()).anyMatch(Light::solo);
         assertThat(VisibleState.of(solo).lights()).noneMatch(Light::solo);
+    }
+
+    /** A light in nits is dark without its size, a relative one is not. */
+    @Test
+    void brightLightInNits_hasNormalForm() throws Exception {
+        Scene bright = JenReader.read("""
+                jen 1
+                sphere "ball" { material "gold" }
+                material "gold" { model metallic  roughness 0 }
+                light "lamp" disc { radius 0.2  unit nit  intensity 1e22  falloff inverse_square }
+                """, "test", Path.of("")).scene();
+        assertThat(VisibleState.of(bright).lights().getFirst().weight()).isEqualTo(bright.rig().effectiveLights().getFirst().weight());
     }
 
     /** Hides a face whose color depends on the unit, which the normal form does not have. */
