@@ -13,7 +13,7 @@ import lightning.base.math.Vec3;
  * @param up      direction of a rectangle's height, or of the top of a disc's image, projected perpendicular to its direction; any length
  * @param samples number of points or directions that are averaged
  * @param visibility whether the camera sees the light itself; a directional light is never seen
- * @param hardShadows true if the light shines from its center, with hard shadows, in a view without soft shadows; not part of a document
+ * @param hardShadows true if the light shines from its center, with hard shadows and the mean color of its texture, in a view without soft shadows; not part of a document
  */
 @RecordBuilder
 public record AreaShape(double radius, double spread, double width, double height, Vec3 up, int samples,

@@ -1,6 +1,7 @@
 package lightning.scene;
 
 import io.soabase.recordbuilder.core.RecordBuilder;
+import java.util.Optional;
 import lightning.base.math.Rgb;
 
 /**
@@ -24,12 +25,16 @@ public record Emission(double exposure, IntensityUnit unit, double temperature) 
     }
 
     /**
-     * Returns a light that shines as the given one, with exposure, unit and temperature multiplied into its color and intensity. The
+     * Returns a light that shines as the given one, with exposure, unit and temperature multiplied into its color and intensity, and the
+     * mean color of its texture if it has hard shadows. The
      * intensity is limited so that no contribution overflows; see {@link SceneLimits}.
      *
      * @param meters meters per scene unit
      */
     static Light resolve(Light light, double meters) {
+        if (light.area().hardShadows() && light.texture().isPresent()) {
+            return resolve(light.withMeanTexture().withTexture(Optional.empty()), meters);
+        }
         if (light.emission().equals(DEFAULT)) {
             double intensity = limited(light, light.intensity());
             return intensity == light.intensity() ? light : light.withIntensity(intensity);

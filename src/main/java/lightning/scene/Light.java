@@ -128,13 +128,13 @@ public record Light(String name, LightType type, Rgb color, double intensity, Em
         return type.isSurface() && isArea() ? texture.map(LightTexture::image) : Optional.empty();
     }
 
-    /** Returns this light without its texture, in the texture's mean color. */
-    public Light withMeanTexture() {
-        Light plain = withTexture(Optional.empty());
-        if (faceImage().isEmpty()) {
-            return plain;
+    /** Returns a rectangle or disc light without its texture, in the texture's mean color; another light as it is. */
+    Light withMeanTexture() {
+        if (texture.isEmpty() || !type.isSurface()) {
+            return this;
         }
-        Rgb mean = faceImage().get().areas().mean();
+        Light plain = withTexture(Optional.empty());
+        Rgb mean = texture.get().image().areas().mean();
         double max = mean.max();
         return max == 0 ? plain.withIntensity(0)
                 : plain.withColor(color.times(mean.times(1 / max))).withIntensity(Math.min(intensity * max, SceneLimits.MAX_INTENSITY));

@@ -94,10 +94,12 @@ record LightFace(Shape shape, Material material) {
         if (light.area().visibility() != FaceVisibility.GLOWING) {
             return black;
         }
-        Rgb radiance = rig.isActive(light) ? radiance(light, rig.effectiveLight(light)) : Rgb.BLACK;
+        // A view without soft shadows does not change the face.
+        Light soft = light.withArea(light.area().withHardShadows(false));
+        Rgb radiance = rig.isActive(light) ? radiance(soft, rig.effectiveLight(soft)) : Rgb.BLACK;
         // A dark light keeps its texture, so that switching it on looks up no texel.
-        return light.faceImage().isEmpty() ? black.withBulb(Bulb.NONE.withGlow(Bulb.limited(radiance)))
-                : black.withTexture(texture(light)).withBulb(new Bulb("", 0, limited(radiance, light.faceImage().get()), true));
+        return soft.faceImage().isEmpty() ? black.withBulb(Bulb.NONE.withGlow(Bulb.limited(radiance)))
+                : black.withTexture(texture(light)).withBulb(new Bulb("", 0, limited(radiance, soft.faceImage().get()), true));
     }
 
     /** Returns the light's image on its plane, upright and not mirrored for a viewer, who looks against the light's direction. */

@@ -35,7 +35,7 @@ final class EffectInjection {
 
     /** Gives every rectangle and disc light without a texture a white one. */
     static Scene addWhiteLightTextures(Scene scene) {
-        return EffectRemoval.mapLights(scene, l -> l.type().isSurface() && l.faceImage().isEmpty()
+        return EffectRemoval.mapLights(scene, l -> l.type().isSurface() && l.texture().isEmpty()
                 ? l.withTexture(Optional.of(new LightTexture(WHITE.file(), WHITE.image()))) : l);
     }
 

@@ -33,11 +33,11 @@ final class EffectRemoval {
     }
 
     /**
-     * Returns the light as a point or as a single direction, in the mean color of its texture. Keeps its size, which decides its face and
-     * the brightness of a light in nits.
+     * Returns the light as a point or as a single direction. Keeps its size, which decides its face and the brightness of a light in nits,
+     * and the texture of the face.
      */
     static Light removeArea(Light light) {
-        return light.isArea() ? light.withMeanTexture().withArea(light.area().withHardShadows(true)) : light;
+        return light.isArea() ? light.withArea(light.area().withHardShadows(true)) : light;
     }
 
     static Scene removeShapes(Scene s, Class<? extends Solid> type) {
