@@ -18,8 +18,6 @@ def chosen_camera(stage: Usd.Stage, cameras: list[Usd.Prim]) -> Usd.Prim:
 def camera(prim: Usd.Prim, time: Usd.TimeCode, out: Output) -> dict[str, Any]:
     """Returns a camera at a time."""
     view = UsdGeom.Camera(prim)
-    if view.GetHorizontalApertureOffsetAttr().Get(time) or view.GetVerticalApertureOffsetAttr().Get(time):
-        out.note("offsets of camera apertures")
     if view.GetFStopAttr().Get(time):
         out.note("depth of field of cameras")
     return {
@@ -28,5 +26,7 @@ def camera(prim: Usd.Prim, time: Usd.TimeCode, out: Output) -> dict[str, Any]:
         "focal": view.GetFocalLengthAttr().Get(time),
         "width": view.GetHorizontalApertureAttr().Get(time),
         "height": view.GetVerticalApertureAttr().Get(time),
+        "offset_x": view.GetHorizontalApertureOffsetAttr().Get(time),
+        "offset_y": view.GetVerticalApertureOffsetAttr().Get(time),
         "focus": view.GetFocusDistanceAttr().Get(time),
     }

@@ -123,6 +123,11 @@ public record NumericKind<V>(Form form, List<String> labels, double min, double 
                 (what, a) -> {});
     }
 
+    static NumericKind<LensShift> shift() {
+        return new NumericKind<>(Form.INDEPENDENT, List.of("x", "y"), -SceneLimits.MAX_SHIFT, SceneLimits.MAX_SHIFT, 0.01, false,
+                NumberUnit.FACTOR, s -> List.of(s.x(), s.y()), n -> new LensShift(n.get(0), n.get(1)), (what, s) -> {});
+    }
+
     static NumericKind<BarnDoors> doors() {
         return new NumericKind<>(Form.INDEPENDENT, List.of("left", "right", "bottom", "top"), -BarnDoors.OPEN_ANGLE, BarnDoors.OPEN_ANGLE,
                 1, false,

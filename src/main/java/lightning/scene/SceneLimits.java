@@ -62,6 +62,8 @@ public final class SceneLimits {
     public static final double MAX_SHININESS = 1e6;
     public static final double MIN_FOV = 0.01;
     public static final double MAX_FOV = 170;
+    /** Largest lens shift, in pictures. */
+    public static final double MAX_SHIFT = 10;
     public static final double MAX_REPEAT = 1e6;
     public static final double MAX_HEIGHT = 1e9;
     public static final double MAX_STRENGTH = 1e6;

@@ -9,6 +9,8 @@ import java.util.ArrayList;
 import java.util.List;
 import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
+import lightning.editor.document.PreviewCamera;
+import lightning.editor.document.Viewport;
 import lightning.format.jen.JenDocument;
 import lightning.format.jen.JenReader;
 import lightning.sample.PythonPrograms;
@@ -125,10 +127,18 @@ class BlenderAddOnTest {
         assertNear(scene.camera().from(), expected.get("camera").get(3));
         assertNear(scene.camera().to().minus(scene.camera().from()).normalized().times(-1), expected.get("camera").get(1));
         assertNear(scene.camera().fov(), expected.get("fov").asDouble());
+        JsonNode seen = expected.get("seen");
+        Viewport.Pixel pixel = new Viewport(200, 320).project(PreviewCamera.of(scene), vector(expected.get("point")));
+        assertNear(pixel.x() / 200, seen.get(0).asDouble());
+        assertNear(1 - pixel.y() / 320, seen.get(1).asDouble());
         Light light = scene.light("Light").orElseThrow();
         assertNear(light.position(), expected.get("Light").get(3));
         assertThat(light.on()).isEqualTo(expected.get("on").asBoolean());
         assertNear(light.color().g(), expected.get("color").get(1).asDouble());
+    }
+
+    private static Vec3 vector(JsonNode in) {
+        return new Vec3(in.get(0).asDouble(), in.get(1).asDouble(), in.get(2).asDouble());
     }
 
     private static void assertNear(Vec3 actual, JsonNode expected) {

@@ -223,7 +223,7 @@ public sealed interface Edit {
         public Scene apply(List<Scene> history) {
             Camera c = history.getLast().camera();
             Vec3 step = new Vec3(side * c.from().minus(c.to()).length(), 0, 0);
-            return history.getLast().withCamera(new Camera(c.from().plus(step), c.to(), c.up(), c.fov()));
+            return history.getLast().withCamera(new Camera(c.from().plus(step), c.to(), c.up(), c.fov(), c.shift()));
         }
     }
 

@@ -8,6 +8,7 @@ import lightning.scene.AntialiasMode;
 import lightning.scene.Camera;
 import lightning.scene.Environment;
 import lightning.scene.EnvironmentMap;
+import lightning.scene.LensShift;
 import lightning.scene.Light;
 import lightning.scene.LightGroup;
 import lightning.scene.LightRig;
@@ -38,7 +39,7 @@ public final class SceneArbitraries {
                 MaterialArbitraries.materials("m1"), MaterialArbitraries.materials("m2")).as(List::of);
         // jqwik shrinks the first component first when a case fails.
         Arbitrary<Scene> alone = Combinators.combine(LightArbitraries.lights().list().ofMinSize(0).ofMaxSize(6), NodeArbitraries.nodes(),
-                pictures(), frames(), materials, worlds(), views()).as(SceneArbitraries::assemble);
+                pictures(), frames(), materials, worlds(), views(), shifts()).as(SceneArbitraries::assemble);
         return Arbitraries.frequencyOf(Tuple.of(2, alone), Tuple.of(1, Combinators.combine(alone, LightArbitraries.lightGroupNames("b0"),
                 LightArbitraries.lightGroupNames("b1"), Arbitraries.integers().between(1, 1 << 12)).as(SceneArbitraries::withLightGroups)));
     }
@@ -71,8 +72,8 @@ public final class SceneArbitraries {
     }
 
     private static Scene assemble(List<LightTemplate> seeds, List<SceneNode> nodes, PictureSettings picture, CoordinateFrame frame,
-            List<Material> materials, World world, Vec3 from) {
-        Camera camera = new Camera(frame.point(from), frame.point(Vec3.ZERO), Vec3.Y, 40);
+            List<Material> materials, World world, Vec3 from, LensShift shift) {
+        Camera camera = new Camera(frame.point(from), frame.point(Vec3.ZERO), Vec3.Y, 40, shift);
         Scene dark = new Scene(picture, camera, world, materials, nodes.stream().map(frame::node).toList(), List.of());
         List<Light> lights = new ArrayList<>();
         for (LightTemplate seed : seeds) {
@@ -93,6 +94,12 @@ public final class SceneArbitraries {
 
     private static Arbitrary<Vec3> views() {
         return NumberArbitraries.vectors(NumberArbitraries.range(-3, 3), NumberArbitraries.range(0.5, 4), Arbitraries.of(7.0));
+    }
+
+    private static Arbitrary<LensShift> shifts() {
+        Arbitrary<Double> shares = NumberArbitraries.range(-0.4, 0.4);
+        return Arbitraries.frequencyOf(Tuple.of(5, Arbitraries.of(LensShift.NONE)),
+                Tuple.of(1, Combinators.combine(shares, shares).as(LensShift::new)));
     }
 
     static Arbitrary<PictureSettings> pictures() {

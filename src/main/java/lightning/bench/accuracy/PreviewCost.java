@@ -84,7 +84,7 @@ public record PreviewCost(double lightMs, double cameraMs) {
 
     private static Camera moved(Camera camera, int i) {
         Vec3 offset = camera.to().minus(camera.from()).times(1e-3 * i);
-        return new Camera(camera.from().plus(offset), camera.to(), camera.up(), camera.fov());
+        return new Camera(camera.from().plus(offset), camera.to(), camera.up(), camera.fov(), camera.shift());
     }
 
     private static Light moved(Light light, int i) {

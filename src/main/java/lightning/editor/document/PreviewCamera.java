@@ -32,7 +32,7 @@ public final class PreviewCamera {
     public PreviewCamera(Camera source) {
         forward = source.to().minus(source.from()).normalized();
         Vec3 side = forward.cross(source.up().normalized()).normalized();
-        camera = new Camera(source.from(), source.to(), side.cross(forward).normalized(), source.fov());
+        camera = new Camera(source.from(), source.to(), side.cross(forward).normalized(), source.fov(), source.shift());
         right = forward.cross(camera.up()).normalized();
         sin = Transform.sinDegrees(camera.fov() / 2);
         cos = Transform.cosDegrees(camera.fov() / 2);
@@ -161,7 +161,7 @@ public final class PreviewCamera {
     private PreviewCamera moved(Vec3 from, Vec3 to, Vec3 up) {
         boolean isAllowed = from.maxAbs() <= SceneLimits.MAX_COORDINATE && to.maxAbs() <= SceneLimits.MAX_COORDINATE
                 && to.minus(from).maxAbs() >= MIN_DISTANCE / 2;
-        return isAllowed ? new PreviewCamera(new Camera(from, to, up, camera.fov())) : this;
+        return isAllowed ? new PreviewCamera(new Camera(from, to, up, camera.fov(), camera.shift())) : this;
     }
 
     @Override

@@ -27,13 +27,22 @@ public record Viewport(double width, double height) {
     public Pixel project(PreviewCamera view, Vec3 point) {
         double scale = view.pixelScale(view.depth(point), height);
         Vec3 offset = point.minus(view.camera().from());
-        return new Pixel(width / 2 + offset.dot(view.right()) / scale, height / 2 - offset.dot(view.up()) / scale);
+        return new Pixel(centerX(view) + offset.dot(view.right()) / scale, centerY(view) - offset.dot(view.up()) / scale);
+    }
+
+    /** Returns where the view direction is on the canvas: at its center if the camera has no shift. */
+    private double centerX(PreviewCamera view) {
+        return width * (0.5 - view.camera().shift().x());
+    }
+
+    private double centerY(PreviewCamera view) {
+        return height * (0.5 + view.camera().shift().y());
     }
 
     /** Returns the unit direction from the camera through a position. */
     public Vec3 direction(PreviewCamera view, double x, double y) {
         double scale = view.pixelScale(1, height);
-        return view.forward().plus(view.right().times((x - width / 2) * scale))
-                .plus(view.up().times((height / 2 - y) * scale)).normalized();
+        return view.forward().plus(view.right().times((x - centerX(view)) * scale))
+                .plus(view.up().times((centerY(view) - y) * scale)).normalized();
     }
 }

@@ -187,7 +187,7 @@ final class GltfImport {
         double distance = extras.cameraDistance().orElseGet(
                 () -> Math.max(assembler.bounds.center().minus(camera.from()).dot(view), MIN_TARGET_DISTANCE * radius));
         try {
-            return new Camera(camera.from(), camera.from().plus(view.times(distance)), camera.up(), camera.fov());
+            return new Camera(camera.from(), camera.from().plus(view.times(distance)), camera.up(), camera.fov(), extras.cameraShift());
         } catch (IllegalArgumentException | ArithmeticException e) {
             return camera;
         }

@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
 import lightning.scene.AntialiasMode;
+import lightning.scene.LensShift;
 import lightning.scene.Light;
 import lightning.scene.LightAttribute;
 import lightning.scene.LightGroup;
@@ -41,6 +42,12 @@ final class SceneExtras {
     OptionalDouble cameraDistance() {
         double distance = json.path("distance").asDouble(0);
         return distance > 0 && Double.isFinite(distance) ? OptionalDouble.of(distance) : OptionalDouble.empty();
+    }
+
+    /** Returns the lens shift of the active camera. */
+    LensShift cameraShift() {
+        JsonNode shift = json.path("shift");
+        return new LensShift(shift.path(0).asDouble(0), shift.path(1).asDouble(0));
     }
 
     /**

@@ -12,11 +12,13 @@ import lightning.format.exr.ExrReader;
 import lightning.format.jen.JenLimits;
 import lightning.format.jen.TextureDecoder;
 import lightning.format.jen.UnusableFileException;
+import lightning.scene.SceneLimits;
 import lightning.scene.Texture;
 import lightning.scene.TextureUsage;
 
 /** Reader of the images that stages name: PNG, JPEG and OpenEXR. */
 final class UsdImages {
+    private static final float MAX_VALUE = (float) SceneLimits.MAX_EMISSION;
     private static final int MAX_EXR_PIXELS = 64 << 20;
     private static final List<String> COLORS = List.of("R", "G", "B");
 
@@ -88,7 +90,7 @@ final class UsdImages {
             if (x % size == 0 && y % size == 0 && x / size < columns && y / size < rows) {
                 for (int c = 0; c < 3; c++) {
                     float v = values[Math.min(c, values.length - 1)];
-                    rgb[3 * (y / size * columns + x / size) + c] = Float.isFinite(v) ? v : 0;
+                    rgb[3 * (y / size * columns + x / size) + c] = Float.isNaN(v) ? 0 : Math.clamp(v, -MAX_VALUE, MAX_VALUE);
                 }
             }
         };

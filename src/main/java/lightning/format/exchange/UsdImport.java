@@ -13,6 +13,7 @@ import lightning.format.mesh.ConversionNotes;
 import lightning.format.mesh.MeshException;
 import lightning.format.usd.UsdStage;
 import lightning.scene.Camera;
+import lightning.scene.LensShift;
 import lightning.scene.Light;
 import lightning.scene.LightAttribute;
 import lightning.scene.SceneLimits;
@@ -177,6 +178,13 @@ final class UsdImport {
         double distance = Math.max(assembler.bounds.center().minus(from).dot(view), MIN_TARGET_DISTANCE * assembler.bounds.radius());
         return new Camera(UsdNumbers.rounded(from), UsdNumbers.rounded(from.plus(view.times(distance))),
                 UsdNumbers.rounded(m.transformVector(Vec3.Y).normalized()),
-                UsdNumbers.rounded(Math.clamp(fov, SceneLimits.MIN_FOV, SceneLimits.MAX_FOV)));
+                UsdNumbers.rounded(Math.clamp(fov, SceneLimits.MIN_FOV, SceneLimits.MAX_FOV)),
+                new LensShift(shift(in, "offset_x", "width"), shift(in, "offset_y", "height")));
+    }
+
+    /** Returns the offset of the aperture as a share of its size. */
+    private static double shift(JsonValue in, String offset, String size) throws MeshException {
+        double share = UsdNumbers.tidy((float) (in.get(offset).number(0) / in.get(size).number(1)));
+        return Math.clamp(share, -SceneLimits.MAX_SHIFT, SceneLimits.MAX_SHIFT);
     }
 }

@@ -16,6 +16,9 @@ public sealed interface ExrAttribute {
     /** 32-bit float. */
     record Number(float value) implements ExrAttribute {}
 
+    /** Point in a plane. */
+    record Point(float x, float y) implements ExrAttribute {}
+
     /**
      * Fraction.
      *
@@ -39,6 +42,7 @@ public sealed interface ExrAttribute {
             case Text _ -> "string";
             case Int _ -> "int";
             case Number _ -> "float";
+            case Point _ -> "v2f";
             case Rational _ -> "rational";
             case Chromaticities _ -> "chromaticities";
             case Matrix _ -> "m44f";
@@ -51,6 +55,7 @@ public sealed interface ExrAttribute {
             case Text text -> text.value.getBytes(StandardCharsets.UTF_8);
             case Int number -> buffer(1).putInt(number.value).array();
             case Number number -> buffer(1).putFloat(number.value).array();
+            case Point point -> buffer(2).putFloat(point.x).putFloat(point.y).array();
             case Rational rational -> buffer(2).putInt(rational.numerator).putInt(rational.denominator).array();
             case Chromaticities colors -> encode(colors.values);
             case Matrix matrix -> encode(matrix.values);

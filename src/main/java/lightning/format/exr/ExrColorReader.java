@@ -33,12 +33,21 @@ public final class ExrColorReader {
         double[] m = matrix.get().m();
         float[] converted = new float[COLORS.size()];
         reader.read(COLORS, (x, y, rgb) -> {
+            // Infinities of different signs would cancel to NaN.
+            double red = finite(rgb[RED]);
+            double green = finite(rgb[GREEN]);
+            double blue = finite(rgb[BLUE]);
             for (int c = 0; c < converted.length; c++) {
                 int row = converted.length * c;
-                converted[c] = (float) (m[row] * rgb[RED] + m[row + 1] * rgb[GREEN] + m[row + 2] * rgb[BLUE]);
+                converted[c] = (float) (m[row] * red + m[row + 1] * green + m[row + 2] * blue);
             }
             sink.accept(x, y, converted);
         });
+    }
+
+    /** Returns the value, or the largest finite one in place of infinity. */
+    private static double finite(float value) {
+        return Math.clamp(value, -Float.MAX_VALUE, Float.MAX_VALUE);
     }
 
     /** Returns the matrix to the working space; empty if the file is in it or does not say. */

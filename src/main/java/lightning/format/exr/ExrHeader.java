@@ -29,6 +29,7 @@ public record ExrHeader(int width, int height, List<ExrChannel> channels, Map<St
     static final byte ZIP = 3;
     /** Width of the image at distance 1 from the camera; 1 if there is no camera. */
     public static final String SCREEN_WINDOW_WIDTH = "screenWindowWidth";
+    public static final String SCREEN_WINDOW_CENTER = "screenWindowCenter";
     /** Scan lines per chunk. */
     public static final int LINES_PER_CHUNK = 16;
 
@@ -79,7 +80,9 @@ public record ExrHeader(int width, int height, List<ExrChannel> channels, Map<St
         writeAttribute(out, "displayWindow", "box2i", encodeInts(0, 0, width - 1, height - 1));
         writeAttribute(out, "lineOrder", "lineOrder", new byte[] {0});
         writeAttribute(out, "pixelAspectRatio", "float", encodeInts(Float.floatToIntBits(1)));
-        writeAttribute(out, "screenWindowCenter", "v2f", encodeInts(0, 0));
+        if (!attributes.containsKey(SCREEN_WINDOW_CENTER)) {
+            writeAttribute(out, SCREEN_WINDOW_CENTER, "v2f", encodeInts(0, 0));
+        }
         if (!attributes.containsKey(SCREEN_WINDOW_WIDTH)) {
             writeAttribute(out, SCREEN_WINDOW_WIDTH, "float", encodeInts(Float.floatToIntBits(1)));
         }

@@ -59,7 +59,8 @@ final class BlockTypes {
                     v.nested(INDIRECT), new ViewSettings(ViewCurve.of(v.word("view")), v.number("exposure"))));
 
     static final BlockType<Camera> CAMERA = new BlockType<>("camera", false, Optional.empty(), Property.of(Camera.ATTRIBUTES),
-            (name, v, children) -> new Camera(v.vector("from"), v.vector("to"), v.vector("up"), v.number("fov")));
+            (name, v, children) -> new Camera(v.vector("from"), v.vector("to"), v.vector("up"), v.number("fov"),
+                    v.attributeValue(Camera.SHIFT)));
 
     static final BlockType<World> WORLD = new BlockType<>("world", false, Optional.empty(), Property.of(World.ATTRIBUTES),
             (name, v, children) -> v.applyAll(World.DEFAULT, World.ATTRIBUTES));

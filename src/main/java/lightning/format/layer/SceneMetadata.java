@@ -12,6 +12,7 @@ import lightning.format.exr.ExrHeader;
 import lightning.format.exr.ExrMetadata;
 import lightning.scene.Camera;
 import lightning.scene.IntensityUnit;
+import lightning.scene.LensShift;
 import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
 import lightning.scene.World;
@@ -58,9 +59,13 @@ public final class SceneMetadata {
         double width = height * picture.width() / picture.height();
         attributes.put("worldToCamera",
                 matrix(column(right, from, 0), column(up, from, 0), column(forward, from, 0), new double[] {0, 0, 0, 1}));
-        Vec3 x = right.times(1 / width).plus(forward.times(0.5));
-        Vec3 y = up.times(-1 / height).plus(forward.times(0.5));
+        Vec3 x = right.times(1 / width).plus(forward.times(0.5 - camera.shift().x()));
+        Vec3 y = up.times(-1 / height).plus(forward.times(0.5 + camera.shift().y()));
         attributes.put("worldToNDC", matrix(column(x, from, 0), column(y, from, 0), column(forward, from, -1), column(forward, from, 0)));
+        if (!camera.shift().equals(LensShift.NONE)) {
+            attributes.put(ExrHeader.SCREEN_WINDOW_CENTER,
+                    new ExrAttribute.Point((float) (camera.shift().x() * width), (float) (camera.shift().y() * height)));
+        }
         attributes.put(ExrHeader.SCREEN_WINDOW_WIDTH, new ExrAttribute.Number((float) width));
     }
 

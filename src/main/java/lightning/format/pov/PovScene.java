@@ -107,8 +107,10 @@ public final class PovScene {
         double half = camera.fov() / 2;
         double distance = 0.5 * Transform.cosDegrees(half) / Transform.sinDegrees(half);
         double aspect = (double) scene.picture().width() / scene.picture().height();
+        // A direction that is not perpendicular to the image plane shifts the picture.
+        Vec3 direction = forward.times(distance).plus(right.times(aspect * camera.shift().x())).plus(up.times(camera.shift().y()));
         return "camera {\n  perspective\n  location " + PovFormat.vector(camera.from()) + "\n  direction "
-                + PovFormat.vector(forward.times(distance)) + "\n  right " + PovFormat.vector(right.times(aspect)) + "\n  up "
+                + PovFormat.vector(direction) + "\n  right " + PovFormat.vector(right.times(aspect)) + "\n  up "
                 + PovFormat.vector(up) + "\n}\n";
     }
 

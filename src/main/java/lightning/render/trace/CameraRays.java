@@ -31,7 +31,9 @@ public final class CameraRays {
         double pixel = 2 * tangent / picture.height();
         right = side.times(pixel);
         down = up.times(-pixel);
-        corner = forward.minus(right.times(picture.width() / 2.0)).minus(down.times(picture.height() / 2.0));
+        double column = picture.width() * (0.5 - camera.shift().x());
+        double row = picture.height() * (0.5 + camera.shift().y());
+        corner = forward.minus(right.times(column)).minus(down.times(row));
     }
 
     /** Returns the ray through the center of pixel {@code column, row}; its direction has length 1. */

@@ -5,6 +5,7 @@ import java.util.Map;
 import java.util.stream.Collectors;
 import lightning.base.math.Vec3;
 import lightning.scene.Camera;
+import lightning.scene.LensShift;
 import lightning.scene.Light;
 import lightning.scene.LightAttribute;
 import lightning.scene.LightGroup;
@@ -46,6 +47,7 @@ final class FrameEvaluator {
         Vec3 to = Camera.TO.get(base);
         Vec3 up = Camera.UP.get(base);
         double fov = Camera.FOV.get(base);
+        LensShift shift = Camera.SHIFT.get(base);
         for (Track track : keys) {
             if (track.attribute().equals(Camera.FROM.name())) {
                 from = track.evaluate(frame, Camera.FROM.kind());
@@ -55,9 +57,11 @@ final class FrameEvaluator {
                 up = track.evaluate(frame, Camera.UP.kind());
             } else if (track.attribute().equals(Camera.FOV.name())) {
                 fov = track.evaluate(frame, Camera.FOV.kind());
+            } else if (track.attribute().equals(Camera.SHIFT.name())) {
+                shift = track.evaluate(frame, Camera.SHIFT.kind());
             }
         }
-        return new Camera(from, to, up, fov);
+        return new Camera(from, to, up, fov, shift);
     }
 
     private Light light(Light light) {

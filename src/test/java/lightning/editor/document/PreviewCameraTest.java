@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import lightning.base.math.Vec3;
 import lightning.render.trace.PixelRays;
 import lightning.scene.Camera;
+import lightning.scene.LensShift;
 import lightning.scene.Scene;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.ForAll;
@@ -131,14 +132,20 @@ public class PreviewCameraTest {
     /** Compares with the renderer's rays: the hit of a pixel's ray must project to that pixel. */
     @Test
     void pointsOnPixelRay_projectToPixelCenter() {
+        assertProjection(scene);
+        assertProjection(scene.withCamera(Camera.SHIFT.with(scene.camera(), new LensShift(0.3, -0.2))));
+    }
+
+    private static void assertProjection(Scene scene) {
         var canvas = new Viewport(40, 30);
+        PreviewCamera view = PreviewCamera.of(scene);
         for (int x = 0; x < 40; x += 13) {
             for (int y = 0; y < 30; y += 7) {
                 Vec3 direction = new PixelRays(scene).ray(x, y).direction();
-                Viewport.Pixel pixel = canvas.project(reset, scene.camera().from().plus(direction.times(5)));
+                Viewport.Pixel pixel = canvas.project(view, scene.camera().from().plus(direction.times(5)));
                 assertThat(pixel.x()).isCloseTo(x + 0.5, within(1e-9));
                 assertThat(pixel.y()).isCloseTo(y + 0.5, within(1e-9));
-                assertClose(canvas.direction(reset, x + 0.5, y + 0.5), direction, 1e-12);
+                assertClose(canvas.direction(view, x + 0.5, y + 0.5), direction, 1e-12);
             }
         }
     }

@@ -13,6 +13,7 @@ import lightning.format.gltf.GltfFixtures;
 import lightning.format.jen.JenDocument;
 import lightning.format.jen.JenReader;
 import lightning.scene.AntialiasMode;
+import lightning.scene.LensShift;
 import lightning.scene.Light;
 import lightning.scene.LightType;
 import lightning.scene.SamplingSettings;
@@ -124,6 +125,20 @@ class SceneExtrasTest {
         assertThat(imported("{'shot': {'frames': [9, 1], 'rate': 25}}").notes()).containsEntry("animation that cannot be used", 1);
         assertThat(imported("{'shot': {'frames': 'all', 'tracks': [{'target': 'light', 'keys': [[]]}]}}").notes())
                 .containsEntry("animation that cannot be used", 1);
+    }
+
+    @Test
+    void lensShift_isRestoredAndAnimated() throws Exception {
+        String extras = "{'camera': 'eye', 'shift': [0.25, -0.5], 'shot': {'frames': [1, 3], 'rate': 25, 'tracks': ["
+                + "{'target': 'camera', 'attribute': 'shift', 'keys': [[1, [0.25, -0.5]], [3, [0.5, 0]]]}]}}";
+        String json = GltfFixtures.SQUARE_JSON.replace("'scene': 0,", "'scene': 0, 'extras': {'lightning': " + extras + "},")
+                .replace("'nodes': [0]", "'nodes': [0, 1]").replace("'name': 'floor'}]", """
+                        'name': 'floor'}, {'name': 'eye', 'camera': 0, 'translation': [0, 0, 5]}],
+                         'cameras': [{'type': 'perspective', 'perspective': {'yfov': 0.5, 'znear': 0.1}}]""");
+        Path gltf = Files.write(folder.resolve("a.gltf"), GltfFixtures.text(json, GltfFixtures.SQUARE));
+        JenDocument document = written(SceneImporter.read(gltf, folder.resolve("a.jen"), LightUnits.CANDELA, Progress.NONE));
+        assertThat(document.scene().camera().shift()).isEqualTo(new LensShift(0.25, -0.5));
+        assertThat(document.shot().orElseThrow().sceneAt(document.scene(), 2).camera().shift()).isEqualTo(new LensShift(0.375, -0.25));
     }
 
     @Test

@@ -19,6 +19,7 @@ import lightning.format.jen.JenReader;
 import lightning.sample.PythonPrograms;
 import lightning.scene.Falloff;
 import lightning.scene.IntensityUnit;
+import lightning.scene.LensShift;
 import lightning.scene.Light;
 import lightning.scene.LightType;
 import lightning.scene.Scene;
@@ -132,6 +133,8 @@ class UsdRoundTripTest {
         assertThat(document.animatedScene().sceneAt(24).stage().node("crate").orElseThrow().placement().position())
                 .isEqualTo(new Vec3(4, 10, 0));
         assertThat(document.animatedScene().sceneAt(24).camera().from()).isEqualTo(new Vec3(1, 5, 8));
+        assertThat(document.animatedScene().sceneAt(1).camera().shift()).isEqualTo(new LensShift(0.1, 0));
+        assertThat(document.animatedScene().sceneAt(24).camera().shift()).isEqualTo(new LensShift(0.1, -0.2));
     }
 
     @Test

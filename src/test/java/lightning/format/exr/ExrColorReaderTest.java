@@ -65,6 +65,18 @@ class ExrColorReaderTest {
     }
 
     @Test
+    void infinitePixels_areNotLost() throws IOException {
+        float infinite = Float.POSITIVE_INFINITY;
+        for (float component : read(ACESCG, infinite, infinite, infinite)) {
+            assertThat(component).isGreaterThan(1e38f);
+        }
+        float[] red = read(ACESCG, infinite, 0, 0);
+        assertThat(red[0]).isEqualTo(infinite);
+        assertThat(red[1]).isLessThan(-1e37f);
+        assertThat(read(ACESCG, Float.NaN, 0, 0)).containsOnly(Float.NaN);
+    }
+
+    @Test
     void chromaticitiesWithoutSpace_areRejected() {
         assertThatIOException().isThrownBy(() -> read(List.of(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f), 1, 1, 1))
                 .withMessageStartingWith("has chromaticities that are no color space");

@@ -25,8 +25,10 @@ import lightning.render.trace.PixelRays;
 import lightning.sample.PythonPrograms;
 import lightning.sample.StudioScene;
 import lightning.scene.AntialiasMode;
+import lightning.scene.Camera;
 import lightning.scene.Emission;
 import lightning.scene.IntensityUnit;
+import lightning.scene.LensShift;
 import lightning.scene.Light;
 import lightning.scene.LightType;
 import lightning.scene.SamplingSettings;
@@ -70,9 +72,11 @@ class CompositingTest {
     /** Numbers below 20 lose at most 2⁻²⁰ as floats; there are four for each coordinate of points up to 10 units away. */
     private static final double ROUNDING = 4 * 10 * 0x1p-20;
 
-    @Test
-    void cameraMatrices_mapPointsToTheirPixels() {
-        Scene scene = StudioScene.of(LightType.POINT);
+    @ParameterizedTest
+    @CsvSource({"0, 0", "0.4, -0.3"})
+    void cameraMatrices_mapPointsToTheirPixels(double shiftX, double shiftY) {
+        Scene studio = StudioScene.of(LightType.POINT);
+        Scene scene = studio.withCamera(Camera.SHIFT.with(studio.camera(), new LensShift(shiftX, shiftY)));
         Map<String, ExrAttribute> attributes = SceneMetadata.of(scene, Optional.empty());
         for (int x = 0; x < 30; x += 7) {
             for (int y = 0; y < 24; y += 5) {
@@ -83,11 +87,17 @@ class CompositingTest {
                 assertThat(ndc[0] / ndc[3]).isCloseTo((x + 0.5) / 30, within(ROUNDING));
                 assertThat(ndc[1] / ndc[3]).isCloseTo((y + 0.5) / 24, within(ROUNDING));
                 double[] camera = transform(point, matrix(attributes, "worldToCamera"));
-                assertThat(Math.signum(camera[0])).isEqualTo(Math.signum(x + 0.5 - 15));
-                assertThat(Math.signum(camera[1])).isEqualTo(Math.signum(12 - y - 0.5));
+                assertThat(Math.signum(camera[0])).isEqualTo(Math.signum(x + 0.5 - 15 + 30 * shiftX));
+                assertThat(Math.signum(camera[1])).isEqualTo(Math.signum(12 - y - 0.5 + 24 * shiftY));
                 assertThat(camera[2]).isEqualTo(ndc[3], within(ROUNDING));
                 assertThat(camera[0] * camera[0] + camera[1] * camera[1] + camera[2] * camera[2]).isCloseTo(9, within(6 * 3 * ROUNDING));
             }
+        }
+        // The window is at distance 1, with y up.
+        if (shiftX != 0) {
+            float width = ((ExrAttribute.Number) attributes.get("screenWindowWidth")).value();
+            assertThat(attributes.get("screenWindowCenter"))
+                    .isEqualTo(new ExrAttribute.Point((float) (shiftX * width), (float) (shiftY * width * 24 / 30)));
         }
         // Left-handed: x × y = −z of the right-handed scene, whose rows are the columns.
         List<Float> m = matrix(attributes, "worldToCamera");
