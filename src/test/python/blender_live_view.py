@@ -168,6 +168,8 @@ scene.camera.data.lens = 35
 check("turned camera, lens")
 scene.camera.data.sensor_fit = "VERTICAL"
 check("sensor")
+scene.camera.data.shift_x = 0.1
+check("shift of the camera")
 cube.location.z, key.rotation_euler.y, copy.scale.y = 0.25, 0.3, 2
 shader("Base Color").default_value = (0.8, 0.3, 0.1, 1)
 scene.world.node_tree.nodes["Background"].inputs["Strength"].default_value = 0.5

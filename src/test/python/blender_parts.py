@@ -5,6 +5,7 @@ import math
 
 import blender_scene as sample
 import bpy
+from bpy_extras.object_utils import world_to_camera_view
 
 sample.start()
 scene = bpy.context.scene
@@ -124,9 +125,10 @@ for frame, turn in ((5, 0.0), (16, 6.0)):
     both.rotation_euler = (turn, 0, 0.5)
     camera.location.x = 2 + turn / 6
     data.lens = 70 - 2 * turn
+    data.shift_x, data.shift_y = 0.25 - turn / 20, 0.3 + turn / 40
     light.location.z = 5 + turn
     light.data.color = (1, 1 - turn / 12, 0.5)
-    for obj, path in ((parent, "rotation_euler"), (parent, "location"), (both, "rotation_euler"), (camera, "location"), (data, "lens"),
+    for obj, path in ((parent, "rotation_euler"), (parent, "location"), (both, "rotation_euler"), (camera, "location"), (data, "lens"), (data, "shift_x"), (data, "shift_y"),
                       (light, "location"), (light.data, "color")):
         obj.keyframe_insert(path, frame=frame)
 light.hide_render = True
@@ -148,8 +150,9 @@ def world(obj) -> list:
 frames = {}
 for frame in range(5, 17):
     scene.frame_set(frame)
+    seen = world_to_camera_view(scene, camera, copy.matrix_world.translation)
     # The angle of the longer side, which is the height.
     frames[frame] = {"Copy": world(copy), "Both": world(both), "camera": world(camera), "fov": math.degrees(data.angle),
-                     "Light": world(light), "on": not light.hide_render, "color": list(light.data.color)}
+                     "Light": world(light), "point": world(copy)[3], "seen": list(seen), "on": not light.hide_render, "color": list(light.data.color)}
 (sample.FOLDER / "frames.json").write_text(json.dumps(frames), encoding="utf-8")
 print("sent")

@@ -8,7 +8,7 @@ edit of the light, and what Blender then has becomes keys.
 import hashlib
 import json
 
-from . import lights
+from . import light_nodes, lights
 
 # Attributes that change the same properties in Blender, and these properties: of the object, of its light, or of its light's node.
 GROUPS = (
@@ -81,7 +81,7 @@ def receive(scene, obj, settings: dict, values: dict[str, list], first: int, gro
 def _block(obj, path: str):
     """Returns what has a property, and the property; None if this light does not have it."""
     if path.startswith("node."):
-        node = lights.own_emission_node(obj.data)
+        node = light_nodes.own_emission(obj.data)
         return node and node.inputs[path.removeprefix("node.")], "default_value"
     block, name = (obj.data, path.removeprefix("data.")) if path.startswith("data.") else (obj, path)
     is_other_rotation = name.startswith("rotation_") and name != {"QUATERNION": "rotation_quaternion", "AXIS_ANGLE": "rotation_axis_angle"}.get(

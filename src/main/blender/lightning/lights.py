@@ -11,7 +11,7 @@ import math
 
 import bpy
 
-from . import axes, linking, temperature
+from . import axes, light_nodes, linking, temperature
 
 PROPERTY = "lightning"
 # Lightning's intensity for one watt, or for one watt per square meter of a sun: the brightness of a white surface at distance 1.
@@ -41,14 +41,15 @@ def send(obj, groups: dict, messages: list[str]) -> dict:
     before = memory.get("shown", {})
     if settings.get("type") != shown["type"]:
         settings, before = {}, {}
-    settings.update({key: value for key, value in shown.items() if key not in settings or before.get(key) != value})
+    settings.update({key: value for key, value in shown.items() if key not in settings or before.get(key, value) != value})
     if settings.get("unit", "relative") != "relative" and before.get("intensity") != shown["intensity"]:
         settings["unit"] = "relative"
     if shown["intensity"] != before.get("intensity") or "falloff" not in settings:
         settings["falloff"] = "custom" if shown["type"] == "directional" else "inverse_square"
     settings.pop("relative_intensity", None)
-    if not settings.get("profile"):
-        settings.pop("profile", None)
+    for key in ("profile", "texture"):
+        if not settings.get(key):
+            settings.pop(key, None)
     settings["name"] = obj.name
     return settings
 
@@ -62,7 +63,7 @@ def describe(obj, groups: dict, messages: list[str]) -> dict:
     group = groups.get(obj.lightgroup, {})
     kelvin = min(max(light.temperature, temperature.LOWEST), temperature.HIGHEST) if light.use_temperature else temperature.NEUTRAL
     correction = temperature.correction(light, kelvin) if light.use_temperature else [1, 1, 1]
-    color, strength = _emission(light, obj.name, messages)
+    color, strength = light_nodes.color_and_strength(light, obj.name, messages)
     matrix = placement(obj)
     scale = matrix.to_scale()
     result = {
@@ -87,13 +88,16 @@ def describe(obj, groups: dict, messages: list[str]) -> dict:
         messages.append(f"{obj.name}: a negative strength became 0")
     if light.type in ("POINT", "SPOT"):
         result["radius"] = axes.number(light.shadow_soft_size)
+        result["profile"] = light_nodes.profile(light)[0]
+        if light.type == "POINT" and result["profile"] and matrix.col[2].to_3d().normalized().z < 0.9999:
+            messages.append(f"{obj.name}: its IES profile hangs straight down in Lightning")
     if light.type == "SPOT":
         result["angle"] = axes.degrees(light.spot_size / 2)
         result["dropoff"] = 0
-        result["profile"] = spot_profile(light)[0]
     if light.type == "SUN":
         result["spread"] = axes.degrees(light.angle / 2)
     if light.type == "AREA":
+        result["texture"] = light_nodes.texture_name(light)
         width, height = light.size * scale.x, (light.size_y if light.shape in ("RECTANGLE", "ELLIPSE") else light.size) * scale.y
         if result["type"] == "disc":
             result["radius"] = axes.number(math.sqrt(width * height) / 2)
@@ -127,33 +131,6 @@ def _area_factor(light, scale) -> float:
     return 4 * math.pi * light.shadow_soft_size ** 2 if light.shadow_soft_size > 0 else 4
 
 
-def emission_node(light):
-    """Returns the Emission node that is the only shader of a light's nodes; None if there is another one, or none."""
-    output = light.node_tree.get_output_node("ALL") or light.node_tree.get_output_node("CYCLES") if light.use_nodes and light.node_tree else None
-    links = output.inputs["Surface"].links if output else ()
-    node = links[0].from_node if links else None
-    return node if node is not None and node.bl_idname == "ShaderNodeEmission" else None
-
-
-def own_emission_node(light):
-    """Returns the Emission node whose color and strength are the light's; None if they come from other nodes, or there is none."""
-    node = emission_node(light)
-    return node if node is not None and not any(node.inputs[name].is_linked for name in ("Color", "Strength")) else None
-
-
-def _emission(light, name: str, messages: list[str]) -> tuple[list[float], float]:
-    """Returns the color and strength of a light's nodes."""
-    node = emission_node(light)
-    if node is None:
-        if light.use_nodes and light.node_tree and any(link.to_socket.name == "Surface" for link in light.node_tree.links):
-            messages.append(f"{name}: its nodes have other shaders than one Emission, and are not exchanged")
-        return [1, 1, 1], 1
-    if node.inputs["Color"].is_linked or node.inputs["Strength"].is_linked:
-        messages.append(f"{name}: textures and IES profiles in a light's nodes are not exchanged")
-    color = node.inputs["Color"].default_value if not node.inputs["Color"].is_linked else (1, 1, 1)
-    return list(color[:3]), 1 if node.inputs["Strength"].is_linked else node.inputs["Strength"].default_value
-
-
 def placement(obj):
     """Returns the world transform of an object; Blender does not compute it for objects that the view layer excludes."""
     if obj.name in bpy.context.view_layer.objects or obj.parent is not None:
@@ -170,29 +147,6 @@ def _is_shown(obj, layer) -> bool:
     if layer.exclude or layer.collection.hide_render:
         return False
     return obj.name in layer.collection.objects or any(_is_shown(obj, child) for child in layer.children)
-
-
-def spot_profile(light) -> tuple[str, str]:
-    """Returns the name and the text of an IES profile with the soft edge of a spot; two empty texts if its edge is sharp.
-
-    The light falls from 1 to 0 as 3t² - 2t³, where t is linear in the cosine. Between 64 angles the profile is linear, with an error of
-    less than 0.0002.
-    """
-    half = light.spot_size / 2
-    if light.spot_blend <= 0 or half >= math.pi / 2:
-        return "", ""
-    outer = math.cos(half)
-    inner = math.acos(min(1.0, outer + (1 - outer) * light.spot_blend))
-    angles = [inner + (half - inner) * i / 64 for i in range(65)]
-    if angles[0] > 1e-6:
-        angles.insert(0, 0.0)
-    values = []
-    for angle in angles:
-        t = min(max((math.cos(angle) - outer) / ((1 - outer) * light.spot_blend), 0), 1)
-        values.append(t * t * (3 - 2 * t))
-    lines = ["IESNA:LM-63-2002", "TILT=NONE", f"1 -1 1 {len(angles)} 1 1 2 0 0 0", "1 1 1"]
-    lines += [f"{math.degrees(a):.9g}" for a in angles] + ["0"] + [f"{v:.9g}" for v in values]
-    return f"spot-{math.degrees(light.spot_size):.4g}-blend-{light.spot_blend:.4g}.ies", "\r\n".join(lines) + "\r\n"
 
 
 def receive(obj, settings: dict, groups: dict, messages: list[str]) -> None:
@@ -300,9 +254,9 @@ def _receive_strength(obj, light, settings: dict, before: dict, groups: dict, me
     if before.get("temperature") != kelvin:
         light.use_temperature = kelvin != temperature.NEUTRAL
         light.temperature = kelvin
-    color, strength = _emission(light, obj.name, messages)
+    color, strength = light_nodes.color_and_strength(light, obj.name, messages)
     correction = temperature.correction(light, kelvin) if light.use_temperature else [1, 1, 1]
-    node = own_emission_node(light)
+    node = light_nodes.own_emission(light)
     wanted = [c * g / k if k > 0 else 0 for c, g, k in zip(settings["color"], group["color"], correction)]
     if node is None:
         light.color = [c / e if e > 0 else 0 for c, e in zip(wanted, color)]

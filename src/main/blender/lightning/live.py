@@ -246,8 +246,8 @@ class LiveView:
                 self._names[name] = name
                 requests.append(("add", {"light": f"{words.quoted(name)} {settings['type']}"}))
             edits += words.edits(words.quoted(self._names[name]), self._lights.get(name, {"type": settings["type"]}), settings)
-        if any(".profile=" in edit for edit in edits):
-            self._write_profiles(scene)
+        if any(".profile=" in edit or ".texture=" in edit for edit in edits):
+            self._write_files(scene)
         self._lights = after
         if is_world_stale:
             edits += self._edit_world(scene)
@@ -263,18 +263,18 @@ class LiveView:
             self._edit_world(scene)
             if self._must_send:
                 return
-        self._write_profiles(scene)
+        self._write_files(scene)
         self._lights = after
         settings = self._model.root["extras"][transfer.PROPERTY]
         groups = dict.fromkeys(obj.lightgroup for obj in transfer.lamps(scene) if obj.lightgroup)
         if scene.camera is not None:
-            settings["distance"] = shot.target_distance(scene.camera.data)
+            settings |= {"distance": shot.target_distance(scene.camera.data), "shift": shot.shift(scene)}
         settings |= {"world": self._world, "banks": transfer.light_groups(self._groups, groups), "lights": list(after.values())}
         self._replace()
 
-    def _write_profiles(self, scene) -> None:
+    def _write_files(self, scene) -> None:
         for obj in transfer.lamps(scene):
-            transfer.write_profile(obj, self._target().parent)
+            transfer.write_files(obj, self._target().parent, [])
 
     def _edit_world(self, scene) -> list[str]:
         """Describes the world again. Returns the edits of it."""

@@ -68,7 +68,16 @@ def camera(scene) -> dict:
         fits_height = data.sensor_fit == "VERTICAL" or data.sensor_fit == "AUTO" and height > width
         half = math.tan((data.angle_y if data.sensor_fit == "VERTICAL" else data.angle) / 2)
         view["fov"] = 2 * math.degrees(math.atan(half if fits_height else half * height / width))
+    view["shift"] = shift(scene)
     return view
+
+
+def shift(scene) -> list[float]:
+    """Returns the lens shift as shares of the picture's width and height; Blender's are shares of the side that the sensor fits."""
+    data = scene.camera.data
+    width, height = size(scene)
+    side = height if data.sensor_fit == "VERTICAL" or data.sensor_fit == "AUTO" and height > width else width
+    return [axes.number(data.shift_x) * side / width, axes.number(data.shift_y) * side / height]
 
 
 def target_distance(data) -> float:

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import bpy
 
-from . import animation, axes, gltf, lights, materials, program, shot, world
+from . import animation, axes, gltf, light_nodes, lights, materials, program, shot, world
 
 PROPERTY = "lightning"
 # Lightning's curves for Blender's view transforms.
@@ -106,10 +106,9 @@ def _settings(scene, target: Path, messages: list[str]) -> dict:
     if scene.camera is not None:
         settings["camera"] = scene.camera.name
         settings["distance"] = shot.target_distance(scene.camera.data)
-        if scene.camera.data.shift_x or scene.camera.data.shift_y:
-            messages.append(f"{scene.camera.name}: the shift of a camera is not sent")
+        settings["shift"] = shot.shift(scene)
     for obj in sent:
-        write_profile(obj, target.parent)
+        write_files(obj, target.parent, messages)
     return settings
 
 
@@ -123,9 +122,10 @@ def world_settings(scene, target: Path, messages: list[str]) -> dict:
     return memory(scene).get("world", {}) | world.send(scene.world, target.parent, target.stem, messages)
 
 
-def write_profile(obj, folder: Path) -> None:
-    """Writes the profile of a spot with a soft edge."""
-    name, profile = lights.spot_profile(obj.data) if obj.data.type == "SPOT" else ("", "")
+def write_files(obj, folder: Path, messages: list[str]) -> None:
+    """Writes the profile and the image of a light."""
+    light_nodes.write_texture(obj.data, folder, messages)
+    name, profile = light_nodes.profile(obj.data) if obj.data.type in ("POINT", "SPOT") else ("", "")
     content = profile.encode("ascii")
     if name and not ((folder / name).is_file() and (folder / name).read_bytes() == content):
         (folder / name).write_bytes(content)

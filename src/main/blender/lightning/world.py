@@ -108,20 +108,28 @@ def _write_image(image, path: Path, messages: list[str]) -> None:
         if not path.exists() or not source.samefile(path):
             shutil.copyfile(source, path)
         return
+    path.write_bytes(radiance(*linear_pixels(image, "world", messages)))
+
+
+def linear_pixels(image, user: str, messages: list[str]):
+    """Returns the width and the height of an image, and its linear colors: a row for each pixel, from the top left. Large ones are reduced."""
     used = image
     width, height = image.size
     if width * height > MAX_PIXELS:
         factor = math.sqrt(MAX_PIXELS / (width * height))
         used = image.copy()
         used.scale(int(width * factor), int(height * factor))
-        messages.append(f"world: {image.name} was reduced to {used.size[0]} x {used.size[1]} pixels")
+        messages.append(f"{user}: {image.name} was reduced to {used.size[0]} x {used.size[1]} pixels")
     width, height = used.size
     pixels = numpy.empty(width * height * used.channels, dtype=numpy.float32)
     used.pixels.foreach_get(pixels)
-    rgb = pixels.reshape(height, width, used.channels)[::-1, :, :3]
-    path.write_bytes(radiance(width, height, rgb.reshape(-1, 3).astype(numpy.float64)))
+    rgb = pixels.reshape(height, width, used.channels)[::-1, :, :3].reshape(-1, 3).astype(numpy.float64)
+    # Blender decodes images of floats only.
+    if not used.is_float and used.colorspace_settings.name == "sRGB":
+        rgb = numpy.where(rgb <= 0.04045, rgb / 12.92, ((rgb + 0.055) / 1.055) ** 2.4)
     if used is not image:
         bpy.data.images.remove(used)
+    return width, height, rgb
 
 
 def radiance(width: int, height: int, rgb) -> bytes:
