@@ -48,11 +48,11 @@ def build() -> None:
         "disc": lambda: sample.add_light("AREA", "L", (2, -2, 3), (0.6, 0.5, 0), energy=300, shape="DISK", size=1, exposure=0.5),
         "warm": lambda: sample.add_light("POINT", "L", (1, -2, 3), energy=400, use_temperature=True, temperature=2500,
                                          shadow_soft_size=0),
-        "screen": lambda: show_image(sample.add_light("AREA", "L", (1, -1, 1.6), (0.7, 0.5, 0.4), energy=100, shape="RECTANGLE", size=2, size_y=1)),
-        "window": lambda: show_image(sample.add_light("AREA", "L", (1, -1, 1.6), (0.7, 0.5, 0.4), energy=100, shape="DISK", size=1.5)),
-        "profile": lambda: shape(sample.add_light("SPOT", "L", (1, -2, 4), (0.4, 0.2, 0), energy=2, spot_size=math.radians(80), spot_blend=0.3,
+        "screen": lambda: sample.show_image(sample.add_light("AREA", "L", (1, -1, 1.6), (0.7, 0.5, 0.4), energy=100, shape="RECTANGLE", size=2, size_y=1)),
+        "window": lambda: sample.show_image(sample.add_light("AREA", "L", (1, -1, 1.6), (0.7, 0.5, 0.4), energy=100, shape="DISK", size=1.5)),
+        "profile": lambda: sample.show_profile(sample.add_light("SPOT", "L", (1, -2, 4), (0.4, 0.2, 0), energy=2, spot_size=math.radians(80), spot_blend=0.3,
                                                   shadow_soft_size=0)),
-        "lamp": lambda: shape(sample.add_light("POINT", "L", (1, -2, 3), energy=2, shadow_soft_size=0)),
+        "lamp": lambda: sample.show_profile(sample.add_light("POINT", "L", (1, -2, 3), energy=2, shadow_soft_size=0)),
         "world": lambda: None,
         "sky": lambda: None,
     }
@@ -68,40 +68,6 @@ def build() -> None:
     if KIND == "sky":
         show_sky(scene)
     scene.render.resolution_x, scene.render.resolution_y, scene.render.resolution_percentage = WIDTH, HEIGHT, 100
-
-
-def emission(light):
-    """Returns the Emission node of a light, and its nodes."""
-    light.data.use_nodes = True
-    tree = light.data.node_tree
-    return tree.nodes["Emission"], tree
-
-
-def show_image(light):
-    """Gives an area light an image whose colors change slowly, each in another direction."""
-    node, tree = emission(light)
-    texture = tree.nodes.new("ShaderNodeTexImage")
-    texture.image = bpy.data.images.new("colors", 64, 64)
-    colors = numpy.ones((64, 64, 4), dtype=numpy.float32)
-    y, x = numpy.mgrid[0:64, 0:64] / 63
-    colors[:, :, 0], colors[:, :, 1], colors[:, :, 2] = x, y, (2 - x - y) / 2
-    texture.image.pixels.foreach_set(colors.reshape(-1))
-    tree.links.new(texture.outputs["Color"], node.inputs["Color"])
-    return light
-
-
-def shape(light):
-    """Gives a light an IES profile, whose values are those of a smooth curve every two degrees."""
-    node, tree = emission(light)
-    angles = range(0, 181, 2)
-    text = bpy.data.texts.new("lamp.ies")
-    text.write("IESNA:LM-63-2002\nTILT=NONE\n1 1000 2 91 1 1 2 0 0 0\n1 1 10\n" + "\n".join(str(a) for a in angles) + "\n0\n"
-               + "\n".join(f"{500 * (1.2 + math.cos(math.radians(2 * a))):.6g}" for a in angles) + "\n")
-    profile = tree.nodes.new("ShaderNodeTexIES")
-    profile.ies = text
-    profile.inputs["Strength"].default_value = 0.5
-    tree.links.new(profile.outputs[0], node.inputs["Strength"])
-    return light
 
 
 def show_sky(scene) -> None:

@@ -43,7 +43,7 @@ def sent(name: str):
         transfer.prepare(bpy.context, target, [])
         fields = {"file": str(target.with_suffix(".glb")), "output": str(sample.FOLDER / f"{time.monotonic_ns()}" / "again.jen"), "indirect": "off"}
         shutil.copytree(sample.FOLDER, Path(fields["output"]).parent, ignore=lambda folder, names: [
-            n for n in names if not n.startswith("again-") and not n.endswith(".ies")])
+            n for n in names if not n.startswith(("again-", "light-")) and not n.endswith(".ies")])
     number = reference.request("open", **fields)["scene"]
     memory = reference.request("render", scene=number, memory=True)["memory"]
     result = numpy.fromfile(memory["path"], dtype="<f4").reshape(memory["shape"])[::-1]
@@ -128,6 +128,12 @@ check("edge of a spot")
 box.data.size, box.data.exposure = 1.25, 0.5
 box.rotation_euler[0] = 0.2
 check("several")
+sample.show_image(box)
+check("image of an area light")
+sample.show_profile(key)
+check("profile of a point light")
+sample.show_profile(spot)
+check("profile of a spot")
 spot.hide_render = True
 check("off")
 key.data.use_shadow = False

@@ -82,4 +82,27 @@ assert abs(float(words[words.index("intensity") + 1]) - 4) <= 4 * PRECISION
 # The world's strength follows Lightning's intensity: one color, whose brightest channel has 255 steps.
 strength = bpy.context.scene.world.node_tree.nodes["Background"].inputs["Strength"].default_value
 assert abs(strength * 0.05087608844041824 * 256 / 255 - 0.2) <= PRECISION, strength
+# An image and a profile in a light's nodes.
+disc, key = (bpy.context.view_layer.objects[name] for name in ("Disc", "Key"))
+sample.show_image(disc)
+sample.show_profile(key)
+key.data.energy = 2
+call(bpy.ops.lightning.send)
+text = open(FILE, encoding="utf-8").read()
+assert 'texture "light-colors.hdr"' in text and 'profile "lamp.ies"' in text, text
+expected = lights()
+subprocess.run([PROGRAM, "relight", FILE, "-o", str(sample.FOLDER / "a.png"), "--size", "24x16", "--no-savings", "--save", FILE,
+                "--set", "Key.exposure=2.5", "--set", "Disc.color=1 0.5 0.25"], check=True)
+call(bpy.ops.lightning.get_lights)
+expected["Key"]["exposure"], expected["Disc"]["color"] = 2.5, [1.0, 0.5, 0.25]
+for name, light in expected.items():
+    sample.assert_same(lights()[name], light, name, PRECISION)
+call(bpy.ops.lightning.send)
+assert 'texture "light-colors.hdr"' in open(FILE, encoding="utf-8").read()
+for light in (disc, key):
+    tree = light.data.node_tree
+    for link in [link for link in tree.links if link.to_node == tree.nodes["Emission"]]:
+        tree.links.remove(link)
+call(bpy.ops.lightning.send)
+assert "texture" not in (text := open(FILE, encoding="utf-8").read()) and "lamp.ies" not in text, text
 print("all lights are equal")

@@ -9,6 +9,7 @@ FOLDER = Path(sys.argv[1])
 os.environ["BLENDER_USER_RESOURCES"] = str(FOLDER / "user")
 
 import bpy  # noqa: E402, after the variable that it reads
+import numpy  # noqa: E402
 
 
 def start() -> None:
@@ -26,6 +27,40 @@ def add_light(kind: str, name: str, location=(0, 0, 0), rotation=(0, 0, 0), **va
     obj.location, obj.rotation_euler = location, rotation
     bpy.context.scene.collection.objects.link(obj)
     return obj
+
+
+def emission(light):
+    """Returns the Emission node of a light, and its nodes."""
+    light.data.use_nodes = True
+    tree = light.data.node_tree
+    return tree.nodes["Emission"], tree
+
+
+def show_image(light):
+    """Gives an area light an image whose colors change slowly, each in another direction."""
+    node, tree = emission(light)
+    texture = tree.nodes.new("ShaderNodeTexImage")
+    texture.image = bpy.data.images.new("colors", 64, 64)
+    colors = numpy.ones((64, 64, 4), dtype=numpy.float32)
+    y, x = numpy.mgrid[0:64, 0:64] / 63
+    colors[:, :, 0], colors[:, :, 1], colors[:, :, 2] = x, y, (2 - x - y) / 2
+    texture.image.pixels.foreach_set(colors.reshape(-1))
+    tree.links.new(texture.outputs["Color"], node.inputs["Color"])
+    return light
+
+
+def show_profile(light):
+    """Gives a light an IES profile, whose values are those of a smooth curve every two degrees."""
+    node, tree = emission(light)
+    angles = range(0, 181, 2)
+    text = bpy.data.texts.new("lamp.ies")
+    text.write("IESNA:LM-63-2002\nTILT=NONE\n1 1000 2 91 1 1 2 0 0 0\n1 1 10\n" + "\n".join(str(a) for a in angles) + "\n0\n"
+               + "\n".join(f"{500 * (1.2 + math.cos(math.radians(2 * a))):.6g}" for a in angles) + "\n")
+    profile = tree.nodes.new("ShaderNodeTexIES")
+    profile.ies = text
+    profile.inputs["Strength"].default_value = 0.5
+    tree.links.new(profile.outputs[0], node.inputs["Strength"])
+    return light
 
 
 def linked(state: str, *objects):
