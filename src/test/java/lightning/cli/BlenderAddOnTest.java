@@ -62,7 +62,8 @@ class BlenderAddOnTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"point", "ball", "spot", "sun", "profile", "lamp", "screen", "window", "rect", "disc", "warm", "world", "sky", "photo"})
+    @ValueSource(strings = {"point", "ball", "spot", "sun", "profile", "lamp", "screen", "window", "rect", "disc", "warm", "world", "sky",
+        "photo"})
     void pictures_equalDirectLightOfCycles(String light) throws Exception {
         assertThat(run("blender_cycles.py", light, Path.of("textures/evening_sky.hdr").toAbsolutePath().toString()))
                 .contains(light + ": sum");
