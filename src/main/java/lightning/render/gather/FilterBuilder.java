@@ -21,16 +21,17 @@ final class FilterBuilder {
 
     /**
      * @param radius of each point
+     * @param pointGroups groups of the points
      * @param side   of the largest cell at each point
      */
-    FilterBuilder(SurfaceColumns points, float[] radius, float[] harmonic, float[] side) {
+    FilterBuilder(SurfaceColumns points, float[] radius, PointGroups pointGroups, float[] harmonic, float[] side) {
         this.points = points;
         this.radius = radius;
         reach = new float[points.count];
         for (int p = 0; p < points.count; p++) {
             reach[p] = Math.max(RADII * radius[p], Math.min(CELLS * side[p], SHARE * harmonic[p]));
         }
-        groups = new PointGroups(points, reach);
+        groups = pointGroups.withRadius(reach);
     }
 
     PointFilter build(WorkerPool workers, Progress progress) {

@@ -24,10 +24,14 @@ final class PointGroups {
     private final int count;
 
     PointGroups(SurfaceColumns points, float[] radius) {
+        this(points, radius, new PointOrder(points).clusters(SIZE));
+    }
+
+    private PointGroups(SurfaceColumns points, float[] radius, int[] order) {
+        this.order = order;
         this.points = points;
         this.radius = radius;
         count = Math.ceilDiv(points.count, SIZE);
-        order = new PointOrder(points).clusters(SIZE);
         boxes = emptyBoxes(count);
         pointBoxes = emptyBoxes(count);
         outerBoxes = emptyBoxes(Math.ceilDiv(count, SIZE));
@@ -39,6 +43,11 @@ final class PointGroups {
             enlarge(pointBoxes, i / SIZE, p, 0);
             enlarge(outerPointBoxes, i / SIZE / SIZE, p, 0);
         }
+    }
+
+    /** Returns the same groups for other distances. */
+    PointGroups withRadius(float[] other) {
+        return new PointGroups(points, other, order);
     }
 
     private static float[] emptyBoxes(int count) {
