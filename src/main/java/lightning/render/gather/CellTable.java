@@ -8,6 +8,7 @@ import java.util.Arrays;
  */
 final class CellTable {
     private static final int SEGMENTS = 64;
+    private static final long EMPTY = -1;
 
     private final Segment[] segments = new Segment[SEGMENTS];
 
@@ -23,7 +24,7 @@ final class CellTable {
     /**
      * Adds an index to a cell.
      *
-     * @param rank that of the lowest rank comes first, and of several the lowest
+     * @param rank 0 or more; that of the lowest rank comes first, and of several the lowest
      */
     void add(long key, int index, int rank) {
         segments[(int) (key >>> 58)].add(key, index, rank);
@@ -38,9 +39,9 @@ final class CellTable {
         int[] firsts = new int[count];
         int at = 0;
         for (Segment segment : segments) {
-            for (int slot = 0; slot < segment.first.length; slot++) {
-                if (segment.first[slot] >= 0) {
-                    firsts[at++] = segment.first[slot];
+            for (int slot = 0; slot < segment.capacity(); slot++) {
+                if (!segment.isEmpty(slot)) {
+                    firsts[at++] = segment.first(slot);
                 }
             }
         }
@@ -59,69 +60,79 @@ final class CellTable {
     int number(long key) {
         Segment segment = segments[(int) (key >>> 58)];
         int slot = segment.slot(key);
-        return segment.first[slot] < 0 ? -1 : segment.number[slot];
+        return segment.isEmpty(slot) ? -1 : segment.number[slot];
     }
 
     /** Part of the cells, with open addressing. */
     private static final class Segment {
-        private long[] keys = new long[256];
-        /** −1 in an empty slot. */
-        private int[] first = new int[256];
+        /** Key and {@link #entry} of each slot, so that they share a cache line. */
+        private long[] slots = emptySlots(256);
         private int[] number = new int[256];
-        private int[] rank = new int[256];
         private int count;
 
-        Segment() {
-            Arrays.fill(first, -1);
+        private static long[] emptySlots(int capacity) {
+            long[] slots = new long[2 * capacity];
+            for (int slot = 0; slot < capacity; slot++) {
+                slots[2 * slot + 1] = EMPTY;
+            }
+            return slots;
+        }
+
+        int capacity() {
+            return number.length;
+        }
+
+        boolean isEmpty(int slot) {
+            return slots[2 * slot + 1] == EMPTY;
+        }
+
+        int first(int slot) {
+            return (int) slots[2 * slot + 1];
         }
 
         /** Returns the slot of a key, or the empty one where it belongs. */
         int slot(long key) {
-            int mask = keys.length - 1;
+            int mask = number.length - 1;
             int slot = (int) key & mask;
-            while (first[slot] >= 0 && keys[slot] != key) {
+            while (slots[2 * slot] != key && !isEmpty(slot)) {
                 slot = slot + 1 & mask;
             }
             return slot;
         }
 
-        synchronized void add(long key, int index, int itsRank) {
+        synchronized void add(long key, int index, int rank) {
             int slot = slot(key);
-            if (first[slot] >= 0) {
-                if (itsRank < rank[slot] || itsRank == rank[slot] && index < first[slot]) {
-                    first[slot] = index;
-                    rank[slot] = itsRank;
-                }
+            if (!isEmpty(slot)) {
+                slots[2 * slot + 1] = Math.min(slots[2 * slot + 1], entry(index, rank));
                 return;
             }
-            put(slot, key, index, itsRank, -1);
-            if (2 * ++count > keys.length) {
+            put(slot, key, entry(index, rank), -1);
+            if (2 * ++count > capacity()) {
                 grow();
             }
         }
 
-        private void put(int slot, long key, int index, int itsRank, int itsNumber) {
-            keys[slot] = key;
-            rank[slot] = itsRank;
-            first[slot] = index;
+        private void put(int slot, long key, long entry, int itsNumber) {
+            slots[2 * slot] = key;
+            slots[2 * slot + 1] = entry;
             number[slot] = itsNumber;
         }
 
         private void grow() {
-            long[] oldKeys = keys;
-            int[] oldFirst = first;
-            int[] oldRank = rank;
+            long[] oldSlots = slots;
             int[] oldNumber = number;
-            keys = new long[2 * oldKeys.length];
-            first = new int[keys.length];
-            rank = new int[keys.length];
-            number = new int[keys.length];
-            Arrays.fill(first, -1);
-            for (int i = 0; i < oldKeys.length; i++) {
-                if (oldFirst[i] >= 0) {
-                    put(slot(oldKeys[i]), oldKeys[i], oldFirst[i], oldRank[i], oldNumber[i]);
+            slots = emptySlots(2 * oldNumber.length);
+            number = new int[2 * oldNumber.length];
+            for (int i = 0; i < oldNumber.length; i++) {
+                if (oldSlots[2 * i + 1] != EMPTY) {
+                    put(slot(oldSlots[2 * i]), oldSlots[2 * i], oldSlots[2 * i + 1], oldNumber[i]);
                 }
             }
         }
+    }
+
+    /** Returns a rank and an index as one number: the lowest comes first. */
+    private static long entry(int index, int rank) {
+        return (long) rank << Integer.SIZE | index;
     }
 }

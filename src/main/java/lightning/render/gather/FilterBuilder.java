@@ -6,9 +6,7 @@ import lightning.base.work.WorkerPool;
 
 /** Builds the {@link PointFilter} of gather points. */
 final class FilterBuilder {
-    private static final int BATCH = 128;
-    /** Points whose neighbors are selected together. */
-    private static final int CHUNK = 8;
+    private static final int BATCH = 256;
     /** Reach of the filter in cells of gather points. */
     private static final float CELLS = 4;
     /** Reach of the filter relative to the harmonic mean distance: contacts stay sharp. */
@@ -23,20 +21,22 @@ final class FilterBuilder {
 
     /**
      * @param radius of each point
+     * @param pointGroups groups of the points
      * @param side   of the largest cell at each point
      */
-    FilterBuilder(SurfaceColumns points, float[] radius, float[] harmonic, float[] side) {
+    FilterBuilder(SurfaceColumns points, float[] radius, PointGroups pointGroups, float[] harmonic, float[] side) {
         this.points = points;
         this.radius = radius;
         reach = new float[points.count];
         for (int p = 0; p < points.count; p++) {
             reach[p] = Math.max(RADII * radius[p], Math.min(CELLS * side[p], SHARE * harmonic[p]));
         }
-        groups = new PointGroups(points, reach);
+        groups = pointGroups.withRadius(reach);
     }
 
     PointFilter build(WorkerPool workers, Progress progress) {
         int jobs = Math.ceilDiv(points.count, BATCH);
+        int[] order = groups.order().clone();
         int[][] neighbors = new int[points.count][];
         float[][] weights = new float[points.count][];
         NearPoints[] near = new NearPoints[workers.count()];
@@ -44,24 +44,13 @@ final class FilterBuilder {
         workers.run(jobs, (worker, job) -> {
             near[worker] = near[worker] == null ? new NearPoints(points, reach, groups) : near[worker];
             linear[worker] = linear[worker] == null ? new LinearWeights() : linear[worker];
-            link(near[worker], linear[worker], job * BATCH, Math.min(points.count, job * BATCH + BATCH), neighbors, weights);
+            near[worker].find(points.px, points.py, points.pz, order, job * BATCH, Math.min(points.count, job * BATCH + BATCH),
+                    (p, candidates) -> link(p, near[worker], candidates, linear[worker], neighbors, weights));
         }, progress.cancellationOnly());
         return PointFilter.of(neighbors, weights);
     }
 
-    private void link(NearPoints near, LinearWeights linear, int from, int to, int[][] neighbors, float[][] weights) {
-        near.collect(points.px, points.py, points.pz, from, to);
-        for (int first = from; first < to; first += CHUNK) {
-            int end = Math.min(to, first + CHUNK);
-            near.select(points.px, points.py, points.pz, first, end);
-            for (int p = first; p < end; p++) {
-                link(p, near, linear, neighbors, weights);
-            }
-        }
-    }
-
-    private void link(int p, NearPoints near, LinearWeights linear, int[][] neighbors, float[][] weights) {
-        int candidates = near.findNear(points.px[p], points.py[p], points.pz[p], reach[p]);
+    private void link(int p, NearPoints near, int candidates, LinearWeights linear, int[][] neighbors, float[][] weights) {
         int[] point = new int[candidates];
         linear.start(points.nx[p], points.ny[p], points.nz[p], reach[p]);
         for (int i = 0; i < candidates; i++) {

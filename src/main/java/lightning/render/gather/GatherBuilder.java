@@ -110,13 +110,13 @@ public final class GatherBuilder {
         SurfelBuilder surfels = new SurfelBuilder(workers, new ProgressPart(progress, POINTS_SHARE, 1), keys, surfelCaster, memo, memory,
                 surfelBytes(), glows);
         surfels.build(placer.sources, placer.links, pointCaster, settings.bounces());
-        PointFilter filter = new FilterBuilder(placer.points, placer.radius, placer.harmonic, placer.side).build(workers, progress);
+        PointGroups groups = new PointGroups(placer.points, placer.radius);
+        PointFilter filter = new FilterBuilder(placer.points, placer.radius, groups, placer.harmonic, placer.side).build(workers, progress);
         long rays = Arrays.stream(candidateTracers).mapToLong(CandidateTracer::rayCount).sum() + pointCaster.rayCount()
                 + surfelCaster.rayCount() + Arrays.stream(surfels.blocks).mapToLong(block -> block.count).sum();
         placer.sources.packNormals();
         return new GatherStructure(
-                new GatherPoints(placer.sources, placer.inverseLengths, placer.radius, new PointGroups(placer.points, placer.radius),
-                        filter),
+                new GatherPoints(placer.sources, placer.inverseLengths, placer.radius, groups, filter),
                 placer.links, surfels.links, new SurfelRows(surfels.blocks, surfels.numbers, surfels.near, surfels.count()),
                 surfels.packNormals(), new GlowPaths(glows, pointCaster.glowLinks(), surfelCaster.glowLinks(), surfels.glowing),
                 surfels.kept, settings.bounces(), rays);

@@ -54,7 +54,7 @@ final class GatherCaster {
         }
         int count = (to - from) * rays;
         batch.trace(count);
-        HitRows rows = batch.rows((hits, textured, transparent) -> new HitRows(hits, textured, transparent, false, false));
+        HitRows rows = batch.rowsWithoutTexels();
         links.clear(from * rays, to * rays);
         for (int row = 0; row < rows.count; row++) {
             int ray = rows.parent[row];

@@ -111,7 +111,7 @@ final class MemoCaster {
         if (count > 0) {
             now.trace(count);
             rays += count;
-            HitRows rows = now.rows((hits, textured, transparent) -> new HitRows(hits, textured, transparent, false, false));
+            HitRows rows = now.rowsWithoutTexels();
             for (int row = 0; row < rows.count; row++) {
                 int ray = rows.parent[row];
                 links.setKey(rayOf[ray], keys.surfelKey(rows, row, now.primitive(ray), now.distance(ray)),

@@ -1,10 +1,16 @@
 package lightning.render.gather;
 
+import java.util.Arrays;
+
 /**
- * Gather points near some places: first those near all of them, then those near a few, then those near one, side by side in memory. Holds
- * scratch memory: use one instance per thread.
+ * Finds the gather points near each of some places: first those near all places, then those near each half of them, and so on, side by side
+ * in memory. Holds scratch memory: use one instance per thread.
  */
 final class NearPoints {
+    /** Places and points from which on places are not divided further. */
+    private static final int FEW_PLACES = 2;
+    private static final int FEW_POINTS = 24;
+
     private final SurfaceColumns points;
     private final float[] radius;
     private final PointGroups groups;
@@ -12,18 +18,27 @@ final class NearPoints {
     private final int[] found;
     final SurfaceColumns columns = new SurfaceColumns();
     float[] columnRadius = new float[1024];
-    /** Columns of the points near a few places, ascending, their places and the squares of their radii. */
-    private int[] selected = new int[1024];
-    private float[] x = new float[1024];
-    private float[] y = new float[1024];
-    private float[] z = new float[1024];
-    private float[] square = new float[1024];
-    private int selectedCount;
-    /** Square of the distance to each selected point, minus the square within which it is near. */
-    private float[] excess = new float[1024];
+    /** Lists of columns, each near a part of the places of the one before it, with their places and the squares of their radii. */
+    private int[] column = new int[4096];
+    private float[] x = new float[4096];
+    private float[] y = new float[4096];
+    private float[] z = new float[4096];
+    private float[] square = new float[4096];
+    /** Square of the distance to each point of a list, minus the square within which it is near; and those of them that are near. */
+    private float[] excess = new float[4096];
+    private int[] kept = new int[4096];
     /** Columns of the points near one place, ascending. */
-    int[] near = new int[1024];
-    private final float[] box = new float[6];
+    int[] near = new int[4096];
+    private float[] placesX;
+    private float[] placesY;
+    private float[] placesZ;
+    private int[] places;
+
+    /** Receives a place after the points near it were found. */
+    interface Visitor {
+        /** @param count number of points in {@link #near} */
+        void visit(int place, int count);
+    }
 
     /** @param radius distance from each point within which it is of interest; also that of the groups */
     NearPoints(SurfaceColumns points, float[] radius, PointGroups groups) {
@@ -34,91 +49,163 @@ final class NearPoints {
     }
 
     /** Returns the gather point of a column. */
-    int point(int column) {
-        return found[column];
+    int point(int itsColumn) {
+        return found[itsColumn];
     }
 
-    /** Collects the points near places {@code from … to − 1}, at least one. */
-    void collect(float[] placesX, float[] placesY, float[] placesZ, int from, int to) {
-        bound(placesX, placesY, placesZ, from, to);
+    /**
+     * Finds the points that are nearer to places than their radius.
+     *
+     * @param itsX      coordinates of places, as {@code itsY} and {@code itsZ}
+     * @param itsPlaces indices of some of them, which are visited in any order; they are sorted
+     * @param from      first index, with {@code to} after the last one
+     */
+    void find(float[] itsX, float[] itsY, float[] itsZ, int[] itsPlaces, int from, int to, Visitor visitor) {
+        placesX = itsX;
+        placesY = itsY;
+        placesZ = itsZ;
+        places = itsPlaces;
+        float[] box = bound(from, to);
         int count = groups.find(box, found);
+        Arrays.sort(found, 0, count);
         columns.reserve(count);
-        if (columnRadius.length < count) {
-            reserve(columns.px.length);
-        }
         columns.count = count;
+        if (columnRadius.length < count) {
+            columnRadius = new float[columns.px.length];
+        }
+        reserve(count);
         for (int i = 0; i < count; i++) {
             int p = found[i];
             columns.set(i, points.px[p], points.py[p], points.pz[p], points.nx[p], points.ny[p], points.nz[p], points.primitive[p]);
             columnRadius[i] = radius[p];
+            column[i] = i;
+            square[i] = radius[p] * radius[p];
         }
+        System.arraycopy(columns.px, 0, x, 0, count);
+        System.arraycopy(columns.py, 0, y, 0, count);
+        System.arraycopy(columns.pz, 0, z, 0, count);
+        visit(from, to, box, 0, count, visitor);
     }
 
     private void reserve(int length) {
-        columnRadius = new float[length];
-        selected = new int[length];
-        x = new float[length];
-        y = new float[length];
-        z = new float[length];
-        square = new float[length];
-        excess = new float[length];
-        near = new int[length];
+        if (length > column.length) {
+            int longer = Math.max(length, 2 * column.length);
+            column = Arrays.copyOf(column, longer);
+            x = Arrays.copyOf(x, longer);
+            y = Arrays.copyOf(y, longer);
+            z = Arrays.copyOf(z, longer);
+            square = Arrays.copyOf(square, longer);
+            excess = new float[longer];
+            kept = new int[longer];
+            near = new int[longer];
+        }
     }
 
-    /** Selects among the collected points those near places {@code from … to − 1}; returns their number. */
-    int select(float[] placesX, float[] placesY, float[] placesZ, int from, int to) {
-        bound(placesX, placesY, placesZ, from, to);
-        int count = 0;
-        for (int i = 0; i < columns.count; i++) {
-            float r = columnRadius[i];
-            selected[count] = i;
-            boolean isNear = columns.px[i] - r <= box[3] & columns.px[i] + r >= box[0] & columns.py[i] - r <= box[4]
-                    & columns.py[i] + r >= box[1] & columns.pz[i] - r <= box[5] & columns.pz[i] + r >= box[2];
-            count += isNear ? 1 : 0;
+    /** Visits places with the points of a list. */
+    private void visit(int from, int to, float[] box, int list, int listEnd, Visitor visitor) {
+        int middle = to - from <= FEW_PLACES || listEnd - list <= FEW_POINTS ? from : split(from, to, box);
+        if (middle == from) {
+            for (int i = from; i < to; i++) {
+                visitor.visit(places[i], findNear(places[i], list, listEnd));
+            }
+            return;
         }
+        visitPart(from, middle, list, listEnd, visitor);
+        visitPart(middle, to, list, listEnd, visitor);
+    }
+
+    private void visitPart(int from, int to, int list, int listEnd, Visitor visitor) {
+        float[] box = bound(from, to);
+        visit(from, to, box, listEnd, select(box, list, listEnd), visitor);
+    }
+
+    /** Sorts places into two halves of their box; returns the first one of the second, {@code from} if they cannot be divided. */
+    private int split(int from, int to, float[] box) {
+        float sizeX = box[3] - box[0];
+        float sizeY = box[4] - box[1];
+        float sizeZ = box[5] - box[2];
+        int axis = sizeX >= sizeY && sizeX >= sizeZ ? 0 : sizeY >= sizeZ ? 1 : 2;
+        float[] along = axis == 0 ? placesX : axis == 1 ? placesY : placesZ;
+        float middle = box[axis] + (box[3 + axis] - box[axis]) / 2;
+        int end = from;
+        for (int i = from; i < to; i++) {
+            int place = places[i];
+            if (along[place] < middle) {
+                places[i] = places[end];
+                places[end++] = place;
+            }
+        }
+        return end;
+    }
+
+    /** Appends a list of the points of a list that are near any place in a box; returns its end. Rounding is monotonic, so none is missed. */
+    private int select(float[] box, int list, int listEnd) {
+        reserve(2 * listEnd - list);
+        float x0 = box[0];
+        float y0 = box[1];
+        float z0 = box[2];
+        float x1 = box[3];
+        float y1 = box[4];
+        float z1 = box[5];
+        for (int i = list; i < listEnd; i++) {
+            float dx = Math.max(0, Math.max(x0 - x[i], x[i] - x1));
+            float dy = Math.max(0, Math.max(y0 - y[i], y[i] - y1));
+            float dz = Math.max(0, Math.max(z0 - z[i], z[i] - z1));
+            excess[i] = dx * dx + dy * dy + dz * dz - square[i];
+        }
+        int count = keep(list, listEnd);
         for (int i = 0; i < count; i++) {
-            int column = selected[i];
-            x[i] = columns.px[column];
-            y[i] = columns.py[column];
-            z[i] = columns.pz[column];
-            square[i] = columnRadius[column] * columnRadius[column];
+            int from = kept[i];
+            column[listEnd + i] = column[from];
+            x[listEnd + i] = x[from];
+            y[listEnd + i] = y[from];
+            z[listEnd + i] = z[from];
+            square[listEnd + i] = square[from];
         }
-        selectedCount = count;
-        return count;
+        return listEnd + count;
     }
 
-    /**
-     * Writes the selected points that are nearer to a place than their radius and a limit to {@link #near}; returns their number. The
-     * first loop has no branch, so that it runs on lanes.
-     */
-    int findNear(float placeX, float placeY, float placeZ, float limit) {
-        float limitSquare = limit * limit;
-        for (int i = 0; i < selectedCount; i++) {
+    /** Writes the points of a list that are near a place to {@link #near}; returns their number. The first loop runs on lanes. */
+    private int findNear(int place, int list, int listEnd) {
+        float placeX = placesX[place];
+        float placeY = placesY[place];
+        float placeZ = placesZ[place];
+        for (int i = list; i < listEnd; i++) {
             float dx = placeX - x[i];
             float dy = placeY - y[i];
             float dz = placeZ - z[i];
-            excess[i] = dx * dx + dy * dy + dz * dz - Math.min(square[i], limitSquare);
+            excess[i] = dx * dx + dy * dy + dz * dz - square[i];
         }
+        int count = keep(list, listEnd);
+        for (int i = 0; i < count; i++) {
+            near[i] = column[kept[i]];
+        }
+        return count;
+    }
+
+    private int keep(int list, int listEnd) {
         int count = 0;
-        for (int i = 0; i < selectedCount; i++) {
-            near[count] = selected[i];
+        for (int i = list; i < listEnd; i++) {
+            kept[count] = i;
             count += excess[i] < 0 ? 1 : 0;
         }
         return count;
     }
 
-    private void bound(float[] placesX, float[] placesY, float[] placesZ, int from, int to) {
-        bound(placesX, from, to, 0);
-        bound(placesY, from, to, 1);
-        bound(placesZ, from, to, 2);
+    private float[] bound(int from, int to) {
+        float[] box = new float[6];
+        bound(placesX, from, to, box, 0);
+        bound(placesY, from, to, box, 1);
+        bound(placesZ, from, to, box, 2);
+        return box;
     }
 
-    private void bound(float[] places, int from, int to, int axis) {
-        float least = places[from];
+    private void bound(float[] along, int from, int to, float[] box, int axis) {
+        float least = along[places[from]];
         float greatest = least;
         for (int i = from + 1; i < to; i++) {
-            least = Math.min(least, places[i]);
-            greatest = Math.max(greatest, places[i]);
+            least = Math.min(least, along[places[i]]);
+            greatest = Math.max(greatest, along[places[i]]);
         }
         box[axis] = least;
         box[3 + axis] = greatest;

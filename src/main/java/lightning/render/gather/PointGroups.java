@@ -1,7 +1,7 @@
 package lightning.render.gather;
 
 /**
- * Boxes of groups of consecutive gather points, and of groups of these groups, by which the points near a place are found.
+ * Boxes of groups of neighboring gather points, and of groups of these groups, by which the points near a place are found.
  *
  * <p>Rounding is monotonic: if a place is beyond the rounded sum of a point's coordinate and its radius, then the rounded difference is
  * at least the radius, and the point's weight is 0. So boxes need no margin.
@@ -12,6 +12,8 @@ final class PointGroups {
     private final SurfaceColumns points;
     /** Distance from each point within which it is of interest. */
     private final float[] radius;
+    /** Points of the groups, one group after the other. */
+    private final int[] order;
     /** Boxes of the groups, enlarged by the radii: least x, y, z, greatest x, y, z. */
     private final float[] boxes;
     /** Boxes of {@link #SIZE} groups each. */
@@ -22,6 +24,11 @@ final class PointGroups {
     private final int count;
 
     PointGroups(SurfaceColumns points, float[] radius) {
+        this(points, radius, new PointOrder(points).clusters(SIZE));
+    }
+
+    private PointGroups(SurfaceColumns points, float[] radius, int[] order) {
+        this.order = order;
         this.points = points;
         this.radius = radius;
         count = Math.ceilDiv(points.count, SIZE);
@@ -29,12 +36,18 @@ final class PointGroups {
         pointBoxes = emptyBoxes(count);
         outerBoxes = emptyBoxes(Math.ceilDiv(count, SIZE));
         outerPointBoxes = emptyBoxes(Math.ceilDiv(count, SIZE));
-        for (int p = 0; p < points.count; p++) {
-            enlarge(boxes, p / SIZE, p, radius[p]);
-            enlarge(outerBoxes, p / SIZE / SIZE, p, radius[p]);
-            enlarge(pointBoxes, p / SIZE, p, 0);
-            enlarge(outerPointBoxes, p / SIZE / SIZE, p, 0);
+        for (int i = 0; i < points.count; i++) {
+            int p = order[i];
+            enlarge(boxes, i / SIZE, p, radius[p]);
+            enlarge(outerBoxes, i / SIZE / SIZE, p, radius[p]);
+            enlarge(pointBoxes, i / SIZE, p, 0);
+            enlarge(outerPointBoxes, i / SIZE / SIZE, p, 0);
         }
+    }
+
+    /** Returns the same groups for other distances. */
+    PointGroups withRadius(float[] other) {
+        return new PointGroups(points, other, order);
     }
 
     private static float[] emptyBoxes(int count) {
@@ -56,11 +69,16 @@ final class PointGroups {
         to[at + 3] = Math.max(to[at + 3], place + distance);
     }
 
+    /** Returns all points, neighbors next to each other. Callers must not modify it. */
+    int[] order() {
+        return order;
+    }
+
     /**
      * Finds the points whose radius may reach into a box.
      *
      * @param box least x, y, z, greatest x, y, z
-     * @param to  receives them, ascending; long enough for all points
+     * @param to  receives them in any order; long enough for all points
      * @return their number
      */
     int find(float[] box, int[] to) {
@@ -79,11 +97,9 @@ final class PointGroups {
 
     private int addPoints(int group, float[] box, int[] to, int count) {
         int found = count;
-        for (int p = group * SIZE; p < Math.min(points.count, group * SIZE + SIZE); p++) {
-            float r = radius[p];
-            if (points.px[p] - r <= box[3] && points.px[p] + r >= box[0] && points.py[p] - r <= box[4] && points.py[p] + r >= box[1]
-                    && points.pz[p] - r <= box[5] && points.pz[p] + r >= box[2]) {
-                to[found++] = p;
+        for (int i = group * SIZE; i < Math.min(points.count, group * SIZE + SIZE); i++) {
+            if (reaches(order[i], box)) {
+                to[found++] = order[i];
             }
         }
         return found;
@@ -93,8 +109,8 @@ final class PointGroups {
     boolean reaches(float[] box) {
         for (int outer = 0; SIZE * outer < count; outer++) {
             for (int g = SIZE * outer; touches(outerBoxes, outer, box) && g < Math.min(count, SIZE * outer + SIZE); g++) {
-                for (int p = g * SIZE; touches(boxes, g, box) && p < Math.min(points.count, g * SIZE + SIZE); p++) {
-                    if (reaches(p, box)) {
+                for (int i = g * SIZE; touches(boxes, g, box) && i < Math.min(points.count, g * SIZE + SIZE); i++) {
+                    if (reaches(order[i], box)) {
                         return true;
                     }
                 }
@@ -115,8 +131,8 @@ final class PointGroups {
             if (g % SIZE == 0 && boxDistance(outerBoxes, g / SIZE, x, y, z) > distance) {
                 g += SIZE - 1;
             } else if (!(boxDistance(pointBoxes, g, x, y, z) > distance)) {
-                for (int p = g * SIZE; p < Math.min(points.count, g * SIZE + SIZE); p++) {
-                    if (!(PointWeight.distance(points, p, x, y, z, nx, ny, nz) > distance)) {
+                for (int i = g * SIZE; i < Math.min(points.count, g * SIZE + SIZE); i++) {
+                    if (!(PointWeight.distance(points, order[i], x, y, z, nx, ny, nz) > distance)) {
                         return true;
                     }
                 }
@@ -143,7 +159,8 @@ final class PointGroups {
             if (g % SIZE == 0 && boxDistance(outerPointBoxes, g / SIZE, x, y, z) > least) {
                 g += SIZE - 1;
             } else if (!(boxDistance(pointBoxes, g, x, y, z) > least)) {
-                for (int p = g * SIZE; p < Math.min(points.count, g * SIZE + SIZE); p++) {
+                for (int i = g * SIZE; i < Math.min(points.count, g * SIZE + SIZE); i++) {
+                    int p = order[i];
                     float distance = PointWeight.distance(points, p, x, y, z, nx, ny, nz);
                     if (distance < least || distance == least && p < nearest) {
                         least = distance;

@@ -6,10 +6,6 @@ import lightning.render.trace.SurfacePoint;
 
 /** Finds the gather points of rows. Holds scratch memory: use one instance per thread. */
 public final class RowWeigher {
-    /** Rows whose points are collected together: about four lines of a tile. */
-    private static final int BLOCK = 128;
-    /** Rows whose points are selected together. */
-    private static final int CHUNK = 16;
     private static final int BEST = RowWeights.PER_ROW;
     private static final int MAX_WEIGHT = 255;
     private static final int MAX_ROWS = 1024;
@@ -26,6 +22,8 @@ public final class RowWeigher {
     private int call;
     private final int[] used = new int[BEST * MAX_ROWS];
     private int usedCount;
+    /** Rows in an order in which neighbors are near each other. */
+    private final int[] order = new int[MAX_ROWS];
     /** Point of the last row that is near none; probably not far from the next such row. */
     private int lastNearest;
     private final int[] best = new int[BEST + 1];
@@ -62,23 +60,20 @@ public final class RowWeigher {
         int count = points.count == 0 ? 0 : rows.count;
         short[] index = new short[BEST * rows.count];
         byte[] weight = new byte[BEST * rows.count];
-        for (int from = 0; from < count; from += CHUNK) {
-            if (from % BLOCK == 0) {
-                near.collect(rows.px, rows.py, rows.pz, from, Math.min(count, from + BLOCK));
-            }
-            int to = Math.min(count, from + CHUNK);
-            near.select(rows.px, rows.py, rows.pz, from, to);
-            for (int row = from; row < to; row++) {
-                findBest(rows, row);
+        for (int row = 0; row < count; row++) {
+            order[row] = row;
+        }
+        if (count > 0) {
+            near.find(rows.px, rows.py, rows.pz, order, 0, count, (row, candidates) -> {
+                findBest(rows, row, candidates);
                 write(rows, row, index, weight);
-            }
+            });
         }
         return new RowWeights(structure, Arrays.copyOf(used, usedCount), index, weight);
     }
 
-    private void findBest(HitRows rows, int row) {
+    private void findBest(HitRows rows, int row, int count) {
         Arrays.fill(bestWeight, 0);
-        int count = near.findNear(rows.px[row], rows.py[row], rows.pz[row], Float.POSITIVE_INFINITY);
         for (int i = 0; i < count; i++) {
             int column = near.near[i];
             float w = PointWeight.at(near.columns, column, near.columnRadius[column], rows.px[row], rows.py[row], rows.pz[row],

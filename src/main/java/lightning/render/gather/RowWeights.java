@@ -8,12 +8,15 @@ import lightning.render.column.ColumnWriter;
 /** Weights of the gather points near each row of a level: at most eight for each, fixed like the rows. Immutable. */
 public final class RowWeights {
     static final int PER_ROW = 8;
+    private static final int HALF_BYTE = 4;
+    private static final int MAX_COUNT = 15;
     /** Maximum bytes of a row: its weights, their number, and its part of the list of points. */
     public static final long MAX_BYTES_PER_ROW = PER_ROW * (2 + Integer.BYTES) + 1;
 
     private final GatherStructure structure;
-    /** Number of weights of each row. */
-    private final byte[] count;
+    /** Number of weights of each row, two rows in a byte: the first one in the lower half. */
+    private final byte[] counts;
+    private final int rows;
     private final WeightedPoints near;
 
     /**
@@ -27,34 +30,41 @@ public final class RowWeights {
      */
     RowWeights(GatherStructure structure, int[] points, short[] index, byte[] weight) {
         this.structure = structure;
-        count = new byte[weight.length / PER_ROW];
+        rows = weight.length / PER_ROW;
+        counts = new byte[(rows + 1) / 2];
         int entries = 0;
-        for (int row = 0; row < count.length; row++) {
+        for (int row = 0; row < rows; row++) {
             int n = 0;
             while (n < PER_ROW && weight[PER_ROW * row + n] != 0) {
                 n++;
             }
-            count[row] = (byte) n;
+            counts[row / 2] |= (byte) (n << HALF_BYTE * (row % 2));
             entries += n;
         }
         WeightedPoints.Builder builder = new WeightedPoints.Builder(points.length, entries);
-        for (int row = 0; row < count.length; row++) {
-            for (int i = PER_ROW * row; i < PER_ROW * row + count[row]; i++) {
+        for (int row = 0; row < rows; row++) {
+            for (int i = PER_ROW * row, end = i + count(row); i < end; i++) {
                 builder.add(index[i] & 0xFFFF, points[index[i] & 0xFFFF], weight[i] & 0xFF);
             }
         }
         near = builder.build();
     }
 
-    private RowWeights(GatherStructure structure, byte[] count, WeightedPoints near) {
+    private RowWeights(GatherStructure structure, int rows, byte[] counts, WeightedPoints near) {
         this.structure = structure;
-        this.count = count;
+        this.rows = rows;
+        this.counts = counts;
         this.near = near;
+    }
+
+    private int count(int row) {
+        return counts[row / 2] >> HALF_BYTE * (row % 2) & MAX_COUNT;
     }
 
     /** Writes all but the structure. */
     public void writeTo(ColumnWriter out) throws IOException {
-        out.writeArray(count);
+        out.writeInt(rows);
+        out.writeArray(counts);
         near.writeTo(out);
     }
 
@@ -65,7 +75,7 @@ public final class RowWeights {
      * @throws IOException if the data is truncated
      */
     public static RowWeights readFrom(ColumnReader in, GatherStructure structure) throws IOException {
-        return new RowWeights(structure, in.readBytes(), WeightedPoints.readFrom(in));
+        return new RowWeights(structure, in.readInt(), in.readBytes(), WeightedPoints.readFrom(in));
     }
 
     /** Returns the structure that the points belong to. */
@@ -96,12 +106,12 @@ public final class RowWeights {
         int table = -1;
         int tableEnd = 0;
         int i = 0;
-        for (int row = 0; row < count.length; row++) {
+        for (int row = 0; row < rows; row++) {
             float red = 0;
             float green = 0;
             float blue = 0;
             int total = 0;
-            for (int end = i + count[row]; i < end;) {
+            for (int end = i + count(row); i < end;) {
                 if (i == tableEnd) {
                     load(++table, light, values);
                     tableEnd = near.endEntry(table);
@@ -137,11 +147,11 @@ public final class RowWeights {
     public void interpolate(float[][] light, int row, float[] to) {
         int first = 0;
         for (int before = 0; before < row; before++) {
-            first += count[before];
+            first += count(before);
         }
         int total = 0;
         Arrays.fill(to, 0);
-        for (int i = first; i < first + count[row]; i++) {
+        for (int i = first; i < first + count(row); i++) {
             int point = near.point(i);
             int whole = near.weight[i] & 0xFF;
             for (int c = 0; c < 3; c++) {
@@ -156,11 +166,11 @@ public final class RowWeights {
 
     /** Returns for each row the point that alone has a weight there; −1 if there are several. */
     int[] onlyPoints() {
-        int[] only = new int[count.length];
+        int[] only = new int[rows];
         int entry = 0;
         for (int row = 0; row < only.length; row++) {
-            only[row] = count[row] == 1 ? near.point(entry) : -1;
-            entry += count[row];
+            only[row] = count(row) == 1 ? near.point(entry) : -1;
+            entry += count(row);
         }
         return only;
     }
@@ -168,11 +178,11 @@ public final class RowWeights {
     /** Returns these weights with other numbers of the points; null if one has none. */
     RowWeights renumbered(GatherStructure to, int[] newNumber) {
         WeightedPoints renumbered = near.renumbered(newNumber);
-        return renumbered == null ? null : new RowWeights(to, count, renumbered);
+        return renumbered == null ? null : new RowWeights(to, rows, counts, renumbered);
     }
 
     /** Returns the bytes of all columns. */
     public long bytes() {
-        return count.length + near.bytes();
+        return counts.length + near.bytes();
     }
 }

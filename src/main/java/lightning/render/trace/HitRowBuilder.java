@@ -30,6 +30,11 @@ final class HitRowBuilder {
      * @param patterns sample patterns by the slots of the rays; unread if the rows have none
      */
     HitRows build(RayColumns rays, byte[] patterns, TileVisibility.Allocator allocator) {
+        return build(rays, patterns, true, allocator);
+    }
+
+    /** @param withTexels whether to look up the textures of the hits */
+    HitRows build(RayColumns rays, byte[] patterns, boolean withTexels, TileVisibility.Allocator allocator) {
         Arrays.fill(starts, 0);
         rankHits(rays);
         for (int i = 0; i < rays.count; i++) {
@@ -39,7 +44,7 @@ final class HitRowBuilder {
         }
         boolean textured = false;
         for (int r = 0; r < materials.count(); r++) {
-            textured |= starts[r + 1] > 0 && materials.isTextured(materials.materialAtRank(r));
+            textured |= withTexels && starts[r + 1] > 0 && materials.isTextured(materials.materialAtRank(r));
             starts[r + 1] += starts[r];
         }
         rays.hitCount = starts[materials.count()];

@@ -209,4 +209,9 @@ public final class RayBatch {
     public HitRows rows(TileVisibility.Allocator allocator) {
         return rowBuilder.build(rays, null, allocator);
     }
+
+    /** Returns the hits as {@link #rows}, but without their texels. */
+    public HitRows rowsWithoutTexels() {
+        return rowBuilder.build(rays, null, false, (hits, textured, transparent) -> new HitRows(hits, textured, transparent, false, false));
+    }
 }
