@@ -29,7 +29,7 @@ final class IndirectBench {
     /** Limits of the reference: sampled pixels and milliseconds. */
     private static final int PIXELS = 1000;
     private static final int QUICK_PIXELS = 32;
-    private static final double REFERENCE_MS = 25_000;
+    private static final double REFERENCE_MS = 60_000;
     private static final List<Integer> SPACINGS = List.of(4, 8, 16, 32);
     private static final List<Integer> RAYS = List.of(16, 64, 256);
     private static final List<Integer> QUICK_RAYS = List.of(16, 64);
@@ -39,7 +39,7 @@ final class IndirectBench {
     /** Most rays of a gather point over the square of the spacing; more would take minutes. */
     private static final double MAX_DENSITY = 4;
     /** Predicted milliseconds of each part of a scene. */
-    private static final double ERROR_MS = 120_000;
+    private static final double ERROR_MS = 155_000;
     private static final double COST_MS = 75_000;
     private static final double ABSENCE_MS = 6000;
     private static final double QUICK_MS = 3000;

@@ -31,9 +31,11 @@ import lightning.scene.effects.ViewEffects;
  * Holds scratch memory: use one instance per thread.
  */
 final class BruteForceGather {
-    static final int RAYS = 1024;
+    static final int RAYS = 4096;
     static final int HIT_RAYS = 16;
     static final int GLOW_BATCHES = 64;
+    /** Rays of a point that are traced together; their directions are stratified. */
+    private static final int BATCH_RAYS = RayBatch.MAX_RAYS;
     /** Reference bounces: those of any setting. */
     static final int BOUNCES = IndirectSettings.MAX_BOUNCES;
     /** Luminance of red, green and blue (ITU-R BT.709). */
@@ -51,15 +53,15 @@ final class BruteForceGather {
     /** Light of a ray that leaves the scene: red, green, blue. */
     private final float[] background;
     private final ScratchColumns columns = new ScratchColumns();
-    private final DirectionTable pointDirections = new DirectionTable((int) Math.sqrt(RAYS));
+    private final DirectionTable pointDirections = new DirectionTable((int) Math.sqrt(BATCH_RAYS));
     private final DirectionTable hitDirections = new DirectionTable((int) Math.sqrt(HIT_RAYS));
     private final DirectionTable pathDirections = new DirectionTable(1);
     private final float[][] direct = new float[3][RayBatch.MAX_RAYS];
     private final float[][] albedo = new float[3][RayBatch.MAX_RAYS];
     private final float[][] glow = new float[3][RayBatch.MAX_RAYS];
     private final GatherPaths point = new GatherPaths(1);
-    private GatherPaths from = new GatherPaths(RAYS);
-    private GatherPaths to = new GatherPaths(RAYS);
+    private GatherPaths from = new GatherPaths(BATCH_RAYS);
+    private GatherPaths to = new GatherPaths(BATCH_RAYS);
     private SplittableRandom random;
 
     /** @param scene its indirect settings decide only whether the background counts */
@@ -93,18 +95,30 @@ final class BruteForceGather {
         random = new SplittableRandom(seed);
         NormalSteps normals = geometry.normalSteps(shape, ray);
         point.start(geometry.surface(shape, ray), normals == null ? null : normals.geometric());
+        double[] mean = new double[BOUNCES];
+        for (int rays = 0; rays < RAYS; rays += BATCH_RAYS) {
+            double[] light = luminances();
+            for (int bounce = 0; bounce < BOUNCES; bounce++) {
+                mean[bounce] += light[bounce] * BATCH_RAYS / RAYS;
+            }
+        }
+        return mean;
+    }
+
+    /** Returns the same by {@value #BATCH_RAYS} rays from {@link #point}. */
+    private double[] luminances() {
         double[] light = new double[BOUNCES];
         to.count = 0;
-        light[0] = (cast(point, 0, 1, pointDirections, false) + glow()) / RAYS;
+        light[0] = (cast(point, 0, 1, pointDirections, false) + glow()) / BATCH_RAYS;
         swap();
         double second = 0;
         for (int first = 0; first < from.count; first += HITS_PER_BATCH) {
             second += cast(from, first, Math.min(from.count, first + HITS_PER_BATCH), hitDirections, true);
         }
-        light[1] = light[0] + second / ((double) RAYS * HIT_RAYS);
+        light[1] = light[0] + second / ((double) BATCH_RAYS * HIT_RAYS);
         for (int bounce = 2; bounce < BOUNCES; bounce++) {
             swap();
-            light[bounce] = light[bounce - 1] + (from.count == 0 ? 0 : cast(from, 0, from.count, pathDirections, false) / RAYS);
+            light[bounce] = light[bounce - 1] + (from.count == 0 ? 0 : cast(from, 0, from.count, pathDirections, false) / BATCH_RAYS);
         }
         return light;
     }
@@ -164,13 +178,13 @@ final class BruteForceGather {
         Arrays.fill(batch.startZ, at, end, paths.pz[p]);
     }
 
-    /** Returns the luminance of the glow that {@value #RAYS} rays from the point meet on average. */
+    /** Returns the luminance of the glow that {@value #BATCH_RAYS} rays from the point meet on average. */
     private double glow() {
         double sum = 0;
         for (int i = 0; glows && i < GLOW_BATCHES; i++) {
             aim(point, 0, pointDirections, 0);
-            batch.trace(RAYS);
-            for (int ray = 0; ray < RAYS; ray++) {
+            batch.trace(BATCH_RAYS);
+            for (int ray = 0; ray < BATCH_RAYS; ray++) {
                 int material = batch.primitive(ray) < 0 ? -1 : geometry.materialIndex(batch.primitive(ray));
                 for (int c = 0; material >= 0 && c < 3; c++) {
                     sum += LUMINANCE[c] * tint(c, ray) * (1 - materials.reflective(material, c)) * materials.ownGlow(material, c);
