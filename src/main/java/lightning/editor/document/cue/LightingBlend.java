@@ -7,6 +7,8 @@ import java.util.Optional;
 import java.util.Set;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
+import lightning.scene.AreaShape;
+import lightning.scene.FaceVisibility;
 import lightning.scene.Light;
 import lightning.scene.LightAttribute;
 import lightning.scene.LightGroup;
@@ -24,7 +26,7 @@ import lightning.scene.World;
  * <li>Color times intensity is interpolated linearly, and so are positions, angles, sizes, attenuation and all other numbers. A light that
  * is off or muted by a solo counts as 0. Integers take the larger value. Directions follow the great circle.
  * <li>Lights of the same name are interpolated if type, unit, falloff, gobo, profile, texture, links and the objects with a gain are equal. All others fade out or in, renamed if their
- * names are taken.
+ * names are taken. If their visible faces are in the same place, the nearer end's face is shown.
  * <li>Solos stay if they are the same at both ends. Otherwise what they mute fades. This includes the light of the environment: its image
  * fades too, unless solos of lights mute it at both ends.
  * <li>Light groups stay if they are equal at both ends. Otherwise they are merged into their lights.
@@ -81,8 +83,10 @@ public final class LightingBlend {
             if (toLight.isPresent() && canInterpolate(fromLight, toLight.get())) {
                 lights.add(interpolate(fromLight, toLight.get()));
             } else {
-                lights.add(fade(fromSolos, fromLight, 1 - t));
-                toLight.ifPresent(l -> added.add(fade(toSolos, l, t).withName(freeName(l.name(), takenNames))));
+                boolean isSameFace = toLight.isPresent() && isSameFace(fromLight, toLight.get());
+                lights.add(withFace(fade(fromSolos, fromLight, 1 - t), !isSameFace || t < 0.5));
+                toLight.ifPresent(l -> added.add(withFace(fade(toSolos, l, t), !isSameFace || t >= 0.5)
+                        .withName(freeName(l.name(), takenNames))));
             }
         }
         to.rig().lights().stream().filter(toLight -> from.rig().light(toLight.name()).isEmpty())
@@ -120,6 +124,18 @@ public final class LightingBlend {
                 && a.illuminates().equals(b.illuminates()) && a.shadowCasters().equals(b.shadowCasters())
                 && a.contribution().gains().names().equals(b.contribution().gains().names())
                 && (!hasSameGroups || a.lightGroup().equals(b.lightGroup()));
+    }
+
+    /** Returns whether the camera sees two lights as one surface, of which only one can be shown. */
+    private static boolean isSameFace(Light a, Light b) {
+        AreaShape first = a.area();
+        AreaShape last = b.area();
+        return a.type() == b.type() && first.visibility() == last.visibility() && a.position().equals(b.position())
+                && a.direction().equals(b.direction()) && first.withSamples(last.samples()).equals(last);
+    }
+
+    private static Light withFace(Light light, boolean isShown) {
+        return isShown ? light : light.withArea(light.area().withVisibility(FaceVisibility.HIDDEN));
     }
 
     /**

@@ -65,6 +65,8 @@ final class ProgressOverlay extends HBox {
                         : editorState.verifying() ? Messages.tr("Verifying") : "";
         double share = editorState.reading() ? ProgressBar.INDETERMINATE_PROGRESS : rendering ? state.progress()
                 : (double) state.verifiedTiles() / state.tilesToVerify();
+        // A narrow pane shortens the bar. Only file names may be too long for any pane.
+        title.setMinWidth(editorState.reading() ? Region.USE_COMPUTED_SIZE : Region.USE_PREF_SIZE);
         message.set(remaining.describe(work, share, System.nanoTime()));
         bar.setProgress(share);
     }

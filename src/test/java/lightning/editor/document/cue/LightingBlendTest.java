@@ -13,12 +13,15 @@ import lightning.scene.Camera;
 import lightning.scene.Environment;
 import lightning.scene.EnvironmentMap;
 import lightning.scene.Light;
+import lightning.scene.LightAttribute;
 import lightning.scene.LightGroup;
 import lightning.scene.LightRig;
+import lightning.scene.LightTexture;
 import lightning.scene.LightType;
 import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
 import lightning.scene.Stage;
+import lightning.scene.Texture;
 import lightning.scene.World;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.EdgeCasesMode;
@@ -94,6 +97,22 @@ class LightingBlendTest {
         assertThat(rig.lights()).extracting(Light::name).containsExactly("key", "key2");
         assertThat(rig.lights()).extracting(Light::type).containsExactly(LightType.SPOT, LightType.POINT);
         assertThat(rig.lights()).extracting(Light::intensity).containsExactly(0.75, 0.25);
+    }
+
+    /** Two faces in one place: the camera would see only the first, which is dark at the end of the second. */
+    @Test
+    void otherTextureOnVisibleFace_showsFaceOfNearerEnd() {
+        Light first = LightAttribute.VISIBLE.with(Light.of("screen", LightType.RECT), true);
+        Light last = first.withTexture(Optional.of(new LightTexture("screen.png", new Texture(1, 1, new float[] {1, 0, 0}))));
+        assertThat(visibleLights(LightingBlend.blend(lightingOf(first), lightingOf(last), 0.25))).containsExactly("screen");
+        assertThat(visibleLights(LightingBlend.blend(lightingOf(first), lightingOf(last), 0.5))).containsExactly("screen2");
+        assertThat(visibleLights(LightingBlend.blend(lightingOf(first), lightingOf(last), 0.75))).containsExactly("screen2");
+        assertThat(visibleLights(LightingBlend.blend(lightingOf(first), lightingOf(last.withPosition(new Vec3(5, 5, 5))), 0.25)))
+                .as("in other places").containsExactly("screen", "screen2");
+    }
+
+    private static List<String> visibleLights(Lighting lighting) {
+        return lighting.rig().lights().stream().filter(LightAttribute.VISIBLE::get).map(Light::name).toList();
     }
 
     @Test

@@ -10,12 +10,14 @@ import java.util.Optional;
 import javafx.geometry.Bounds;
 import javafx.geometry.Point2D;
 import javafx.scene.control.CheckMenuItem;
+import javafx.scene.control.Label;
 import javafx.scene.control.MenuButton;
 import javafx.scene.control.MenuItem;
 import javafx.scene.control.Slider;
 import javafx.scene.control.ToggleButton;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.MouseButton;
+import javafx.scene.layout.HBox;
 import lightning.base.math.Vec3;
 import lightning.editor.document.Command;
 import lightning.editor.document.DeskScene;
@@ -51,6 +53,19 @@ class TracedPaneTest extends EditorFixture {
         Bounds all = picture.getChildrenUnmodifiable().getFirst().localToScreen(
                 picture.getChildrenUnmodifiable().getFirst().getBoundsInLocal());
         return new Point2D(all.getMinX() + (x + 0.5) * all.getWidth() / 64, all.getMinY() + (y + 0.5) * all.getHeight() / 48);
+    }
+
+    @Test
+    void narrowPane_shortensTheBarOfProgress_notItsTitle() {
+        robot.interact(() -> {
+            HBox overlay = robot.lookup("#progress").query();
+            Label title = (Label) overlay.getChildren().getFirst();
+            title.setText("Indirect light… 12 s left");
+            overlay.applyCss();
+            overlay.resize(280, 40);
+            overlay.layout();
+            assertThat(title.getWidth()).isGreaterThanOrEqualTo(title.prefWidth(-1));
+        });
     }
 
     @Test
