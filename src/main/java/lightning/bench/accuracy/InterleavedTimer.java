@@ -27,7 +27,8 @@ record InterleavedTimer(int repetitions, double maxWarmUpMs, double steadyMs) {
     }
 
     private static final ThreadMXBean THREADS = ManagementFactory.getThreadMXBean();
-    private static final double MAX_WARM_UP_MS = 3000;
+    /** Default maximum warm-up, milliseconds. */
+    static final double MAX_WARM_UP_MS = 3000;
     private static final int MIN_WARM_UPS = 2;
     private static final int STEADY_ROUNDS = 2;
     /** Ratio to the previous best time below which a task counts as faster. */

@@ -23,8 +23,9 @@ import lightning.scene.Scene;
  * <p>Each update starts from the cache of the original scene. The full trace does not include building its BVH.
  */
 public final class UpdateSavingMeter implements AutoCloseable {
-    /** Minimum warm-up. Functional tests set 0: each edit once. */
-    private static final long WARM_UP_NANOSECONDS = TimeUnit.MILLISECONDS.toNanos(Long.getLong("lightning.warmup", 4000));
+    /** Minimum warm-up. Functional tests set 0: each edit once, and each measurement after two rounds. */
+    private static final long WARM_UP_MS = Long.getLong("lightning.warmup", 4000);
+    private static final long WARM_UP_NANOSECONDS = TimeUnit.MILLISECONDS.toNanos(WARM_UP_MS);
     /** Maximum warm-up, for busy machines on which the compilers need longer. */
     private static final long MAX_WARM_UP_NANOSECONDS = 15 * WARM_UP_NANOSECONDS / 2;
     private static final CompilerActivity COMPILERS = CompilerActivity.ofVm();
@@ -41,7 +42,7 @@ public final class UpdateSavingMeter implements AutoCloseable {
      * @throws IllegalArgumentException if it is below 1
      */
     public UpdateSavingMeter(RenderOptions options, int repetitions) {
-        timer = new InterleavedTimer(repetitions);
+        timer = new InterleavedTimer(repetitions, Math.min(WARM_UP_MS, InterleavedTimer.MAX_WARM_UP_MS));
         renderer = new Renderer(options.withEngines(Engines.FASTEST));
         workers = new WorkerPool(options.threads());
         bytesPerMs = MemoryBandwidth.bytesPerMs(workers);

@@ -58,7 +58,10 @@ class LightImageTest {
         }
     }
 
-    /** The background lights the picture, but is no part of a light's contribution. */
+    /**
+     * The background lights the picture, but is no part of a light's contribution. Full traces with indirect light are slow, so each step
+     * checks one light, in turns; the property above checks all lights of each step.
+     */
     @Property(tries = 10, edgeCases = EdgeCasesMode.NONE)
     void lightImageWithIndirectLight_matchesFullTraceOfSingleLight(@ForAll("sessions") EditSession session,
             @ForAll ReflectionMode reflections, @ForAll @IntRange(min = 1, max = 2) int threads) {
@@ -67,14 +70,16 @@ class LightImageTest {
             for (int step = 0; step < session.scenes().size(); step++) {
                 Scene scene = IndirectScenes.withBackground(IndirectScenes.withoutEdges(session.scenes().get(step)));
                 renderer.render(scene, Progress.NONE);
-                for (Light light : scene.lights()) {
-                    Scene one = LightImage.scene(renderer.scene(), light.name());
-                    Scene mirrored = LightImage.scene(renderer.cache().mirroredScene(), light.name());
-                    Film expected = new TraditionalTracer(one, mirrored, renderer.cache().geometry()).trace(workers, Progress.NONE).film();
-                    SessionAssert.assertSameBits(renderer.lightImage(light.name(), Progress.NONE), expected, "indirect share", session,
-                            step,
-                            light.name());
+                if (scene.lights().isEmpty()) {
+                    continue;
                 }
+                Light light = scene.lights().get(step % scene.lights().size());
+                Scene one = LightImage.scene(renderer.scene(), light.name());
+                Scene mirrored = LightImage.scene(renderer.cache().mirroredScene(), light.name());
+                Film expected = new TraditionalTracer(one, mirrored, renderer.cache().geometry()).trace(workers, Progress.NONE).film();
+                SessionAssert.assertSameBits(renderer.lightImage(light.name(), Progress.NONE), expected, "indirect share", session,
+                        step,
+                        light.name());
             }
         }
     }
