@@ -121,12 +121,13 @@ final class NearPoints {
 
     /** Sorts places into two halves of their box; returns the first one of the second, {@code from} if they cannot be divided. */
     private int split(int from, int to, float[] box) {
-        float sizeX = box[3] - box[0];
-        float sizeY = box[4] - box[1];
-        float sizeZ = box[5] - box[2];
+        // Halves first: the difference of two floats may be infinite.
+        float sizeX = box[3] / 2 - box[0] / 2;
+        float sizeY = box[4] / 2 - box[1] / 2;
+        float sizeZ = box[5] / 2 - box[2] / 2;
         int axis = sizeX >= sizeY && sizeX >= sizeZ ? 0 : sizeY >= sizeZ ? 1 : 2;
         float[] along = axis == 0 ? placesX : axis == 1 ? placesY : placesZ;
-        float middle = box[axis] + (box[3 + axis] - box[axis]) / 2;
+        float middle = box[axis] / 2 + box[3 + axis] / 2;
         int end = from;
         for (int i = from; i < to; i++) {
             int place = places[i];
@@ -135,7 +136,7 @@ final class NearPoints {
                 places[end++] = place;
             }
         }
-        return end;
+        return end == to ? from : end;
     }
 
     /** Appends a list of the points of a list that are near any place in a box; returns its end. Rounding is monotonic, so none is missed. */
