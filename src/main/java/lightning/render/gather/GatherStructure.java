@@ -186,7 +186,8 @@ public final class GatherStructure {
 
     /** Returns the bytes of the gather points, their filter and their links. */
     public long pointBytes() {
-        return pointLinks.bytes() + points.filter().bytes() + 40L * points.count() + points.sources().normalBytes() + glow.pointBytes();
+        return pointLinks.bytes() + points.filter().bytes() + points.groups().bytes() + 40L * points.count()
+                + points.sources().normalBytes() + glow.pointBytes();
     }
 
     /** Returns the bytes that it took at most while it was built. */

@@ -69,6 +69,11 @@ final class PointGroups {
         to[at + 3] = Math.max(to[at + 3], place + distance);
     }
 
+    /** Returns the bytes of the order and the boxes. */
+    long bytes() {
+        return 4L * (order.length + 2 * boxes.length + 2 * outerBoxes.length);
+    }
+
     /** Returns all points, neighbors next to each other. Callers must not modify it. */
     int[] order() {
         return order;
