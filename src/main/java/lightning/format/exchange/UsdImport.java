@@ -184,7 +184,7 @@ final class UsdImport {
 
     /** Returns the offset of the aperture as a share of its size. */
     private static double shift(JsonValue in, String offset, String size) throws MeshException {
-        double share = UsdNumbers.tidy((float) (in.get(offset).number(0) / in.get(size).number(1)));
+        double share = UsdNumbers.rounded(UsdNumbers.tidy(in.get(offset).number(0)) / UsdNumbers.tidy(in.get(size).number(1)));
         return Math.clamp(share, -SceneLimits.MAX_SHIFT, SceneLimits.MAX_SHIFT);
     }
 }
