@@ -13,6 +13,7 @@ import lightning.base.text.GermanMessages;
 import lightning.editor.document.NumericParameter;
 import lightning.render.image.DisplayCurve;
 import lightning.sample.Slow;
+import lightning.scene.Camera;
 import lightning.scene.ChoiceKind;
 import lightning.scene.IndirectSettings;
 import lightning.scene.LightAttribute;
@@ -56,6 +57,7 @@ class EditorTextsTest {
             usedTexts.add(a.help());
         });
         LightGroup.ATTRIBUTES.forEach(EditorTextsTest::addTexts);
+        Camera.ATTRIBUTES.forEach(a -> usedTexts.add(a.title()));
         World.ATTRIBUTES.forEach(EditorTextsTest::addTexts);
         addTexts(PictureSettings.DEPTH);
         IndirectSettings.ATTRIBUTES.forEach(a -> usedTexts.add(a.title()));
