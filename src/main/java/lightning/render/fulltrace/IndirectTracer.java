@@ -52,7 +52,7 @@ final class IndirectTracer {
         private final ScratchColumns columns = new ScratchColumns();
 
         SurfelTracer(Engine engine) {
-            kernel = new LightKernel(geometry, engine.tracer(geometry), engine.terms(), ViewEffects.ALL);
+            kernel = LightKernel.diffuseOnly(geometry, engine.tracer(geometry), engine.terms(), ViewEffects.ALL);
             shader = new SurfelShader(geometry.materials(), engine.sums());
         }
 

@@ -24,6 +24,7 @@ public final class LightKernel {
     private final TermKernel terms;
     private final TermColumnWriter columnWriter;
     private final RequiredWork requiredWork;
+    private final boolean isDiffuseOnly;
     private final float[] cosine = new float[TermKernel.MAX_ROWS];
     private final int[] facing = RowBits.allocate();
     /** Rows that a cone change affects, and those of them inside the cone. */
@@ -38,9 +39,19 @@ public final class LightKernel {
     private long rowsTouched;
 
     public LightKernel(Geometry geometry, Tracer tracer, TermKernel terms, ViewEffects view) {
+        this(geometry, tracer, terms, view, RequiredWork.of(view));
+    }
+
+    /** Returns a kernel whose layers have no specular terms, for surfels. */
+    public static LightKernel diffuseOnly(Geometry geometry, Tracer tracer, TermKernel terms, ViewEffects view) {
+        return new LightKernel(geometry, tracer, terms, view, RequiredWork.of(view).diffuseOnly());
+    }
+
+    private LightKernel(Geometry geometry, Tracer tracer, TermKernel terms, ViewEffects view, RequiredWork work) {
         this.tracer = tracer;
         this.terms = terms;
-        requiredWork = RequiredWork.of(view);
+        requiredWork = work;
+        isDiffuseOnly = work instanceof DiffuseWork;
         links = new LightLinks(geometry, tracer, view);
         columnWriter = new TermColumnWriter(geometry.materials(), terms, requiredWork);
     }
@@ -283,9 +294,10 @@ public final class LightKernel {
      */
     public LightRows updateSpeculars(HitRows rows, LightSource source, LightRows before, MaterialSet changed, ColumnAllocator columns) {
         if (before.litCount == 0 || !changed.intersects(rows)) {
-            return before.grazing == null || columnWriter.hasMetallic(rows) ? before : before.with(LightRows.Column.GRAZING, null);
+            return before.grazing == null || needsGrazing(rows) ? before : before.with(LightRows.Column.GRAZING, null);
         }
-        boolean metallic = before.grazing != null || columnWriter.hasMetallic(rows);
+        // Without specular terms there are no grazing terms, so no row says whether it was metallic.
+        boolean metallic = isDiffuseOnly || before.grazing != null || columnWriter.hasMetallic(rows);
         if (!columnWriter.hasSpecular(rows) && !metallic) {
             return before.specular == null ? before : before.withoutSpecular();
         }
@@ -359,7 +371,7 @@ public final class LightKernel {
         boolean mixed = !premultiplied && (before.isPremultiplied() || added != null && added.isPremultiplied());
         known.removeIf(kind -> kind == LightRows.Column.FALLOFF && (!haveFalloff || premultiplied)
                 || kind == LightRows.Column.SPECULAR && !columnWriter.hasSpecular(rows)
-                || kind == LightRows.Column.GRAZING && before.grazing == null && !columnWriter.hasMetallic(rows)
+                || kind == LightRows.Column.GRAZING && before.grazing == null && !needsGrazing(rows)
                 || LightRows.Column.HIGHLIGHT_COLUMNS.contains(kind) && !columnWriter.hasSpecular(rows)
                 || (LightRows.Column.COLOR_COLUMNS.stream().anyMatch(colors -> colors.contains(kind))
                         || LightRows.Column.SAMPLE_COLUMNS.contains(kind)) && !before.columns().has(kind)
@@ -398,9 +410,9 @@ public final class LightKernel {
         return columnWriter.falloffColumn(rows, source, ColumnAllocator.NEW_ARRAYS);
     }
 
-    /** Returns whether any row's material is metallic. */
-    public boolean hasMetallic(HitRows rows) {
-        return columnWriter.hasMetallic(rows);
+    /** Returns whether layers of the rows have grazing terms. */
+    public boolean needsGrazing(HitRows rows) {
+        return !isDiffuseOnly && columnWriter.hasMetallic(rows);
     }
 
     /** Returns whether any row's material has a highlight. */

@@ -294,7 +294,7 @@ public final class RatioKernel {
      */
     RatioRows updateSpeculars(HitRows rows, WeightedLight light, RatioRows before, MaterialSet changed) {
         if (before.litCount() == 0 || !changed.intersects(rows)) {
-            return before.grazing == null || lightKernel.hasMetallic(rows) ? before
+            return before.grazing == null || lightKernel.needsGrazing(rows) ? before
                     : new RatioRows(before.states(), before.diffuse, before.specular, null, before.visibleSamples(), before.litCount())
                             .withTint(before.tint());
         }
@@ -348,7 +348,7 @@ public final class RatioKernel {
         if (!lightKernel.hasSpecular(splice.rows())) {
             known.removeAll(RatioRows.Column.SPECULAR_COLUMNS);
         }
-        if (before.grazing == null && !lightKernel.hasMetallic(splice.rows())) {
+        if (before.grazing == null && !lightKernel.needsGrazing(splice.rows())) {
             known.removeAll(RatioRows.Column.GRAZING_COLUMNS);
         }
         if (before.tint() == null && (added == null || added.tint() == null)) {

@@ -46,7 +46,7 @@ final class IndirectBuilder {
         this.workers = workers;
         this.oldCache = old;
         surfelWorkers = EngineWorkers.perThread(workers.count(), job.options().engines(),
-                engine -> new LevelWorker(job, job.target(), engine, engine.tracer(job.target().geometry())));
+                engine -> LevelWorker.forSurfels(job, engine));
     }
 
     /**

@@ -51,10 +51,22 @@ final class LevelWorker {
     private long bytesMoved;
 
     LevelWorker(RenderJob job, PreparedScene shown, Engine engine, Tracer tracer) {
+        this(job, shown, engine, tracer, new LightKernel(shown.geometry(), tracer, engine.terms(), job.options().view()));
+    }
+
+    /** Returns a worker for surfels, whose layers have no specular terms. */
+    static LevelWorker forSurfels(RenderJob job, Engine engine) {
+        PreparedScene shown = job.target();
+        Tracer tracer = engine.tracer(shown.geometry());
+        return new LevelWorker(job, shown, engine, tracer,
+                LightKernel.diffuseOnly(shown.geometry(), tracer, engine.terms(), job.options().view()));
+    }
+
+    private LevelWorker(RenderJob job, PreparedScene shown, Engine engine, Tracer tracer, LightKernel kernel) {
         this.job = job;
         this.target = shown;
         this.tracer = tracer;
-        lightKernel = new LightKernel(shown.geometry(), tracer, engine.terms(), job.options().view());
+        lightKernel = kernel;
         updater = job.options().method().updater(lightKernel, shown.lights().length);
         composer = new TileComposer(shown.geometry().materials(), engine.sums(), job.options().view());
     }
