@@ -9,8 +9,6 @@ import lightning.render.column.ColumnWriter;
  * the light. They are whole numbers up to 255, relative to the largest of each point.
  */
 final class PointFilter {
-    private static final int MAX_WEIGHT = 255;
-
     /** First entry of each point, and the number of all entries. */
     private final int[] start;
     private final WeightedPoints neighbors;
@@ -38,11 +36,11 @@ final class PointFilter {
             for (float w : weight[p]) {
                 largest = Math.max(largest, w);
             }
-            float scale = MAX_WEIGHT / largest;
+            float scale = WeightedPoints.MAX_WEIGHT / largest;
             for (int i = 0; i < point[p].length; i++) {
-                int w = (int) (weight[p][i] * scale + 0.5f);
+                int w = WeightedPoints.whole(weight[p][i], scale);
                 if (w > 0) {
-                    builder.add(point[p][i], point[p][i], Math.min(MAX_WEIGHT, w));
+                    builder.add(point[p][i], point[p][i], w);
                 }
             }
             start[p + 1] = builder.entries();

@@ -7,7 +7,6 @@ import lightning.render.trace.SurfacePoint;
 /** Finds the gather points of rows. Holds scratch memory: use one instance per thread. */
 public final class RowWeigher {
     private static final int BEST = RowWeights.PER_ROW;
-    private static final int MAX_WEIGHT = 255;
     private static final int MAX_ROWS = 1024;
 
     private final GatherStructure structure;
@@ -101,16 +100,16 @@ public final class RowWeigher {
         if (bestWeight[0] == 0) {
             lastNearest = groups.nearest(rows.px[row], rows.py[row], rows.pz[row], rows.nx[row], rows.ny[row], rows.nz[row], lastNearest);
             index[at] = index(lastNearest);
-            weight[at] = (byte) MAX_WEIGHT;
+            weight[at] = (byte) WeightedPoints.MAX_WEIGHT;
             return;
         }
         adjust(rows, row);
-        float scale = MAX_WEIGHT / linear.largest();
+        float scale = WeightedPoints.MAX_WEIGHT / linear.largest();
         for (int i = 0; i < linear.count(); i++) {
-            int w = (int) (linear.weight(i) * scale + 0.5f);
+            int w = WeightedPoints.whole(linear.weight(i), scale);
             if (w > 0) {
                 index[at] = index(best[i]);
-                weight[at++] = (byte) Math.min(MAX_WEIGHT, w);
+                weight[at++] = (byte) w;
             }
         }
     }

@@ -16,6 +16,7 @@ final class ReferencePointLight {
     private static final float FILTER_RADII = 2;
     private static final int BEST = 8;
     private static final int MAX_WEIGHT = 255;
+    private static final int MIN_WEIGHT = 4;
     private static final float NO_OVERFLOW = 0x1p-24f;
 
     private final List<ReferenceGatherPoints.GatherPoint> points;
@@ -85,11 +86,11 @@ final class ReferencePointLight {
         return IntStream.range(0, weighted.size()).mapToObj(i -> new Weighted(weighted.get(i).point, linear.weight(i))).toList();
     }
 
-    /** Returns whole weights: the largest is 255. Points with less than half a step are left out. */
+    /** Returns whole weights: the largest is 255, and those below 4 are left out. */
     private static List<Weighted> whole(List<Weighted> weighted) {
         float scale = MAX_WEIGHT / weighted.stream().map(Weighted::weight).max(Comparator.naturalOrder()).get();
         return weighted.stream().map(w -> new Weighted(w.point, Math.min(MAX_WEIGHT, (int) (w.weight * scale + 0.5f))))
-                .filter(w -> w.weight > 0).toList();
+                .filter(w -> w.weight >= MIN_WEIGHT).toList();
     }
 
     private float weight(int p, float radius, SurfacePoint at) {
