@@ -8,7 +8,7 @@ import lightning.render.trace.tree.CandidateList;
 import lightning.scene.Material;
 
 /**
- * Required work without specular terms.
+ * Required work without specular terms, for surfels: they send light diffusely only.
  *
  * @param others all other work
  */

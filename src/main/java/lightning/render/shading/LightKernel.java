@@ -39,19 +39,19 @@ public final class LightKernel {
     private long rowsTouched;
 
     public LightKernel(Geometry geometry, Tracer tracer, TermKernel terms, ViewEffects view) {
-        this(geometry, tracer, terms, view, RequiredWork.of(view));
+        this(geometry, tracer, terms, view, false);
     }
 
     /** Returns a kernel whose layers have no specular terms, for surfels. */
     public static LightKernel diffuseOnly(Geometry geometry, Tracer tracer, TermKernel terms, ViewEffects view) {
-        return new LightKernel(geometry, tracer, terms, view, RequiredWork.of(view).diffuseOnly());
+        return new LightKernel(geometry, tracer, terms, view, true);
     }
 
-    private LightKernel(Geometry geometry, Tracer tracer, TermKernel terms, ViewEffects view, RequiredWork work) {
+    private LightKernel(Geometry geometry, Tracer tracer, TermKernel terms, ViewEffects view, boolean diffuseOnly) {
         this.tracer = tracer;
         this.terms = terms;
-        requiredWork = work;
-        isDiffuseOnly = work instanceof DiffuseWork;
+        requiredWork = diffuseOnly ? new DiffuseWork(RequiredWork.of(view)) : RequiredWork.of(view);
+        isDiffuseOnly = diffuseOnly;
         links = new LightLinks(geometry, tracer, view);
         columnWriter = new TermColumnWriter(geometry.materials(), terms, requiredWork);
     }

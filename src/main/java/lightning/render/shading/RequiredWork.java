@@ -30,11 +30,6 @@ public interface RequiredWork {
         return view.forced().isEmpty() ? SCENE_ONLY : new ForcedWork(view.forced());
     }
 
-    /** Returns this work without specular terms, for surfels: they send light diffusely only. */
-    default RequiredWork diffuseOnly() {
-        return new DiffuseWork(this);
-    }
-
     /** Requires only work that changes the picture. */
     RequiredWork SCENE_ONLY = new RequiredWork() {
         @Override
