@@ -39,6 +39,8 @@ final class Fader extends Region {
     private double startStops;
     /** Position of the drag, which has no rounding, on the scale. */
     private double dragPosition;
+    /** Stops at position 0 of the drag: a value beyond the range moves from where it is. */
+    private double dragOrigin;
     private double lastY;
 
     /** Receives the fader's values. */
@@ -118,7 +120,8 @@ final class Fader extends Region {
         pressedY = e.getY();
         gesture = new Object();
         startStops = stops.get();
-        dragPosition = scale.position(startStops);
+        dragOrigin = Double.isFinite(startStops) && Math.abs(startStops) > range ? startStops : 0;
+        dragPosition = scale.position(startStops - dragOrigin);
         lastY = e.getY();
         callbacks.startDrag();
         e.consume();
@@ -131,8 +134,8 @@ final class Fader extends Region {
         isDrag |= Math.abs(e.getY() - pressedY) >= DRAG_THRESHOLD;
         dragPosition += FaderScale.drag(lastY - e.getY(), length()) * (e.isShiftDown() ? FINE_FACTOR : 1);
         lastY = e.getY();
-        double newStops = scale.stops(Math.clamp(dragPosition, -1, 1));
-        callbacks.move(canTurnOff && newStops <= -range ? Double.NEGATIVE_INFINITY : Math.rint(newStops * STEPS_PER_STOP) / STEPS_PER_STOP,
+        double newStops = dragOrigin + scale.stops(Math.clamp(dragPosition, -1, 1));
+        callbacks.move(canTurnOff && dragOrigin == 0 && newStops <= -range ? Double.NEGATIVE_INFINITY : Math.rint(newStops * STEPS_PER_STOP) / STEPS_PER_STOP,
                 gesture);
         e.consume();
     }

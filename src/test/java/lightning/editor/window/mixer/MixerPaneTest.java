@@ -236,6 +236,14 @@ class MixerPaneTest extends EditorFixture {
         assertThat(light("lamp").intensity()).isEqualTo(MixerEdits.intensityOfStops(-9.9));
     }
 
+    /** As a light in watts has; a drag once jumped to the end of the range. */
+    @Test
+    void valueBeyondTheFader_isDraggedFromThere() {
+        type("stops-lamp", "15");
+        robot.moveTo(faderPoint("lamp", 15)).press(MouseButton.PRIMARY).moveTo(faderPoint("lamp", 15).add(0, 8)).release(MouseButton.PRIMARY);
+        assertThat(MixerEdits.stops(light("lamp").intensity())).isBetween(14.0, 14.9);
+    }
+
     @Test
     void typedStopsAndNumbers_setTheIntensity() {
         type("stops-lamp", "-1");
