@@ -17,15 +17,16 @@ import lightning.base.text.Messages;
  * @param background  linear color of rays that hit nothing, ≥ 0; replaced by an environment
  * @param environment environment map, visible in the background and used as a light
  * @param rotation    rotation of the environment about y, degrees
- * @param intensity   factor of all light from the environment
+ * @param intensity   factor of the environment's image and light
+ * @param gain        factor of the environment's light alone; its image stays
  * @param lightCount  number of directional lights that represent it
  * @param softness    spread of each light over its region, 0 … 1
- * @param solo        true if its light is soloed: if its intensity is not 0, all lights that are not solo are dark
+ * @param solo        true if its light is soloed: if intensity and gain are not 0, all lights that are not solo are dark
  * @param meters      meters per scene unit, for photometric units of lights
  */
 @RecordBuilder
-public record World(double ambience, Rgb background, Optional<Environment> environment, double rotation, double intensity, int lightCount,
-        double softness, boolean solo, double meters) implements WorldBuilder.With {
+public record World(double ambience, Rgb background, Optional<Environment> environment, double rotation, double intensity, double gain,
+        int lightCount, double softness, boolean solo, double meters) implements WorldBuilder.With {
     public static final SceneAttribute<World, Double> AMBIENCE = new SceneAttribute<>("ambience", "ambience", "ambient light",
             NumericKind.number(0, SceneLimits.MAX_AMBIENCE, 0.1), 1.0, "", World::ambience, World::withAmbience);
     public static final SceneAttribute<World, Rgb> BACKGROUND = new SceneAttribute<>("background", "background",
@@ -38,6 +39,9 @@ public record World(double ambience, Rgb background, Optional<Environment> envir
     public static final SceneAttribute<World, Double> INTENSITY = new SceneAttribute<>("intensity", "environment intensity",
             NumericKind.number(0, SceneLimits.MAX_GROUP_INTENSITY, 0.1), 1.0, "multiplies the environment", World::intensity,
             World::withIntensity);
+    public static final SceneAttribute<World, Double> GAIN = new SceneAttribute<>("gain", "environment light gain",
+            NumericKind.number(0, SceneLimits.MAX_GROUP_INTENSITY, 0.1), 1.0, "multiplies the environment's light, not its image",
+            World::gain, World::withGain);
     public static final SceneAttribute<World, Integer> LIGHT_COUNT = new SceneAttribute<>("lamps", "environment samples",
             NumericKind.integer(SceneLimits.MIN_LIGHT_SAMPLES, SceneLimits.MAX_LIGHT_SAMPLES), 16,
             "directional lights", World::lightCount,
@@ -55,7 +59,7 @@ public record World(double ambience, Rgb background, Optional<Environment> envir
 
     /** All attributes, in file order. */
     public static final List<SceneAttribute<World, ?>> ATTRIBUTES =
-            List.of(AMBIENCE, BACKGROUND, ENVIRONMENT, ROTATION, INTENSITY, LIGHT_COUNT, SOFTNESS, SOLO, METERS);
+            List.of(AMBIENCE, BACKGROUND, ENVIRONMENT, ROTATION, INTENSITY, GAIN, LIGHT_COUNT, SOFTNESS, SOLO, METERS);
 
     /** Number of environment lights that leave neither stripes nor much grain: docs/decisions/0164-first-steps-of-an-artist.md. */
     private static final int SOFT_LIGHTS = 48;
@@ -70,6 +74,7 @@ public record World(double ambience, Rgb background, Optional<Environment> envir
         BACKGROUND.check(background);
         ROTATION.check(rotation);
         INTENSITY.check(intensity);
+        GAIN.check(gain);
         LIGHT_COUNT.check(lightCount);
         SOFTNESS.check(softness);
         METERS.check(meters);
@@ -77,8 +82,8 @@ public record World(double ambience, Rgb background, Optional<Environment> envir
 
     /** Creates a world without an environment. */
     public World(double ambience, Rgb background) {
-        this(ambience, background, ENVIRONMENT.initial(), ROTATION.initial(), INTENSITY.initial(), LIGHT_COUNT.initial(),
-                SOFTNESS.initial(), SOLO.initial(), METERS.initial());
+        this(ambience, background, ENVIRONMENT.initial(), ROTATION.initial(), INTENSITY.initial(), GAIN.initial(),
+                LIGHT_COUNT.initial(), SOFTNESS.initial(), SOLO.initial(), METERS.initial());
     }
 
     /**
@@ -93,9 +98,14 @@ public record World(double ambience, Rgb background, Optional<Environment> envir
 
     /** Returns a clause that says why an attribute has no effect in this world; empty if it has. */
     public Optional<String> inactiveReason(SceneAttribute<World, ?> attribute) {
-        boolean needsEnvironment = attribute == ROTATION || attribute == INTENSITY || attribute == LIGHT_COUNT || attribute == SOFTNESS
-                || attribute == SOLO;
+        boolean needsEnvironment = attribute == ROTATION || attribute == INTENSITY || attribute == GAIN || attribute == LIGHT_COUNT
+                || attribute == SOFTNESS || attribute == SOLO;
         return needsEnvironment && environment.isEmpty() ? Optional.of(Messages.tr("the scene has no environment")) : Optional.empty();
+    }
+
+    /** Returns the factor of the environment's light, ≥ 0; 0 without an environment. */
+    public double lightIntensity() {
+        return environment.isEmpty() ? 0 : intensity * gain;
     }
 
     /**
@@ -122,8 +132,8 @@ public record World(double ambience, Rgb background, Optional<Environment> envir
                             direction.x() * sin - direction.z() * cos))
                     .withColor(maxChannel > 0 ? new Rgb(source.red() / maxChannel, source.green() / maxChannel, source.blue() / maxChannel)
                             : Rgb.BLACK)
-                    .withSolo(solo && intensity > 0)
-                    .withIntensity(Math.min(maxChannel * intensity, SceneLimits.MAX_ENVIRONMENT_LIGHT_INTENSITY))
+                    .withSolo(solo && lightIntensity() > 0)
+                    .withIntensity(Math.min(maxChannel * intensity * gain, SceneLimits.MAX_ENVIRONMENT_LIGHT_INTENSITY))
                     .withArea(AreaShape.DEFAULT.withSpread(source.spread() * softness).withSamples(SAMPLES_PER_LIGHT)));
         }
         return lights;

@@ -117,6 +117,7 @@ public final class EditArbitraries {
                 SceneArbitraries.rotations().map(v -> new Edit.EditWorld<>(World.ROTATION, v)),
                 SceneArbitraries.softnesses().map(v -> new Edit.EditWorld<>(World.SOFTNESS, v)),
                 NumberArbitraries.rangeOrSpecial(0, 2, 0.0, 1.0).map(v -> new Edit.EditWorld<>(World.INTENSITY, v)),
+                SceneArbitraries.environmentGains().map(v -> new Edit.EditWorld<>(World.GAIN, v)),
                 Arbitraries.of(true, false).map(v -> new Edit.EditWorld<>(World.SOLO, v)),
                 SceneArbitraries.depths().map(Edit.SetDepth::new),
                 SceneArbitraries.depths().map(Edit.SetDepth::new)));

@@ -20,8 +20,10 @@ import lightning.scene.World;
 public final class NumericParameter {
     /** Ambient light of the scene. */
     public static final NumericParameter AMBIENCE = ofWorld(World.AMBIENCE);
-    /** Factor of the environment's light. */
+    /** Factor of the environment's image and light. */
     public static final NumericParameter ENVIRONMENT_INTENSITY = ofWorld(World.INTENSITY);
+    /** Factor of the environment's light alone. */
+    public static final NumericParameter ENVIRONMENT_GAIN = ofWorld(World.GAIN);
     /** Rotation of the environment. */
     public static final NumericParameter ENVIRONMENT_ROTATION = ofWorld(World.ROTATION);
     /** Number of environment samples, an integer. */
@@ -36,7 +38,7 @@ public final class NumericParameter {
     /** All parameters, those of lights first. */
     public static final List<NumericParameter> ALL =
             Stream.concat(LightAttribute.ALL.stream().flatMap(a -> of(a).stream()), Stream.of(AMBIENCE, ENVIRONMENT_INTENSITY,
-                    ENVIRONMENT_ROTATION, ENVIRONMENT_LAMPS, ENVIRONMENT_SOFTNESS, METERS, DEPTH)).toList();
+                    ENVIRONMENT_GAIN, ENVIRONMENT_ROTATION, ENVIRONMENT_LAMPS, ENVIRONMENT_SOFTNESS, METERS, DEPTH)).toList();
 
     private static final String ENVIRONMENT = "environment ";
 
@@ -112,7 +114,7 @@ public final class NumericParameter {
             throw new IllegalArgumentException(attribute.title() + " is no number");
         }
         String title = attribute.title();
-        String label = title.startsWith(ENVIRONMENT) ? title.substring(title.lastIndexOf(' ') + 1) : title;
+        String label = title.startsWith(ENVIRONMENT) ? title.substring(ENVIRONMENT.length()) : title;
         return new NumericParameter(attribute.id().replace(' ', '-'), title, label, quantity, true,
                 (scene, _) -> disabledReason.apply(scene),
                 (scene, _) -> quantity.number(attribute.get(getPart.get(scene)), 0),

@@ -4,9 +4,12 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
+import java.util.stream.IntStream;
+import lightning.base.math.Rgb;
 import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
 import lightning.render.image.Film;
+import lightning.scene.ViewSettings;
 
 /** Preview renderer for the lighting of an imported scene. */
 public final class ImportPreviews {
@@ -25,22 +28,47 @@ public final class ImportPreviews {
     }
 
     /**
+     * Preview of a choice.
+     *
+     * @param film     linear image before exposure
+     * @param exposure exposure that the lights of the file need, whole stops; 0 if they need none
+     */
+    public record Preview(Film film, double exposure) {
+        /** Median luminances that need no exposure. */
+        private static final double MIN_MEDIAN = 1.0 / 64;
+        private static final double MAX_MEDIAN = 2;
+        /** Median luminance after exposure. */
+        private static final double GRAY = 0.25;
+
+        /** Exposes a picture whose median would be white or black; pixels without light do not count. */
+        static Preview exposed(Film film) {
+            float[] rgb = film.toScanlines();
+            double[] luminances = IntStream.range(0, rgb.length / 3)
+                    .mapToDouble(i -> new Rgb(rgb[3 * i], rgb[3 * i + 1], rgb[3 * i + 2]).luminance()).filter(v -> v > 0).sorted().toArray();
+            double median = luminances.length == 0 ? GRAY : luminances[luminances.length / 2];
+            return new Preview(film, median >= MIN_MEDIAN && median <= MAX_MEDIAN ? 0
+                    : Math.clamp(Math.rint(Math.log(GRAY / median) / Math.log(2)), -ViewSettings.MAX_EXPOSURE, ViewSettings.MAX_EXPOSURE));
+        }
+    }
+
+    /**
      * Renders an image for each choice, without textures, since these are not read before the scene is written: the lights of the file in
      * each possible unit, if it has lights, then a studio and a sky.
      *
      * @param size longer side in pixels, at least 1
      * @throws CancellationException if {@code progress} requested cancellation
      */
-    public static Map<Choice, Film> render(ImportedScene imported, int size, WorkerPool workers, Progress progress) {
-        Map<Choice, Film> films = new LinkedHashMap<>();
+    public static Map<Choice, Preview> render(ImportedScene imported, int size, WorkerPool workers, Progress progress) {
+        Map<Choice, Preview> previews = new LinkedHashMap<>();
         LightUnitPreviews.render(imported, size, workers, progress)
-                .forEach((units, film) -> films.put(new Choice(ImportLighting.FILE, Optional.of(units)), film));
+                .forEach((units, film) -> previews.put(new Choice(ImportLighting.FILE, Optional.of(units)), Preview.exposed(film)));
         for (ImportLighting lighting : ImportLighting.values()) {
-            if (lighting != ImportLighting.FILE || films.isEmpty() && imported.subject().hasLights()) {
+            if (lighting != ImportLighting.FILE || previews.isEmpty() && imported.subject().hasLights()) {
                 var choice = new Choice(lighting, Optional.empty());
-                films.put(choice, LightUnitPreviews.render(choice.apply(imported).scene(), size, workers, progress));
+                Film film = LightUnitPreviews.render(choice.apply(imported).scene(), size, workers, progress);
+                previews.put(choice, lighting == ImportLighting.FILE ? Preview.exposed(film) : new Preview(film, 0));
             }
         }
-        return films;
+        return previews;
     }
 }

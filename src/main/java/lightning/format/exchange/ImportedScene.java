@@ -96,6 +96,18 @@ public record ImportedScene(Scene unscaledScene, Optional<Shot> shot, Set<String
                         notes, subject, closingComments);
     }
 
+    /**
+     * Returns this scene with another exposure of its view; unchanged for 0 stops.
+     *
+     * @param stops exposure of its view
+     */
+    public ImportedScene withExposure(double stops) {
+        PictureSettings picture = unscaledScene.picture();
+        return stops == 0 ? this
+                : new ImportedScene(unscaledScene.withPicture(picture.withView(picture.view().withExposure(stops))), shot, restored, units,
+                        comments, sceneFile, copies, notes, subject, closingComments);
+    }
+
     /** Returns a shot without the tracks that a scene cannot have. */
     static Shot validTracks(Shot shot, Scene scene) {
         return shot.withTracks(shot.tracks().stream().filter(track -> {

@@ -182,6 +182,7 @@ final class UsdLightExport {
             dome.ifPresent(d -> layer.prim(d.prim().path()).metadata("active", "false"));
             return;
         }
+        notes.add("light gain of the environment", world.gain() == 1 ? 0 : 1);
         UsdLayer.Prim prim = dome.map(d -> layer.prim(d.prim().path())).orElseGet(() -> prim("environment", Optional.empty(), "DomeLight"));
         prim.set("float inputs:intensity", UsdLayer.number(world.intensity() * dome.map(UsdPaths.Dome::factor).orElse(1.0)));
         String file = world.environment().get().file();

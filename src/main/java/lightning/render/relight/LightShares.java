@@ -1,5 +1,7 @@
 package lightning.render.relight;
 
+import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import lightning.base.work.Progress;
 import lightning.render.cache.PixelCache;
@@ -44,6 +46,55 @@ public record LightShares(Scene scene, double[] lights, double environment) {
             return new LightShares(scene, shares, scene.world().environment().isEmpty() ? 0
                     : ofLoss(withoutEnvironment(renderer, cache, progress.cancellationOnly()), cache.film(), all));
         }
+    }
+
+    /**
+     * Returns the shares in an edited scene whose lights differ only in color, intensity, or being on, without a picture of it. The shares of
+     * lights that keep their hue are exact, except for values that a picture limits.
+     *
+     * @return empty if the scenes differ in other ways, or if a light was dark
+     */
+    public Optional<LightShares> scaledTo(Scene edited) {
+        if (edited.lights().size() != lights.length || !edited.camera().equals(scene.camera()) || !edited.picture().equals(scene.picture())
+                || !edited.stage().equals(scene.stage()) || !scene.world().withIntensity(edited.world().intensity()).equals(edited.world())
+                || isEnvironmentActive(scene) != isEnvironmentActive(edited)) {
+            return Optional.empty();
+        }
+        double[] scaled = new double[lights.length];
+        double total = 1;
+        for (int l = 0; l < scaled.length; l++) {
+            double factor = factor(edited, l);
+            if (Double.isNaN(factor) || Double.isInfinite(factor)) {
+                return Optional.empty();
+            }
+            scaled[l] = factor * lights[l];
+            total += scaled[l] - lights[l];
+        }
+        double ofEnvironment = environment == 0 ? 0 : environment * edited.world().intensity() / scene.world().intensity();
+        total += ofEnvironment - environment;
+        for (int l = 0; l < scaled.length; l++) {
+            scaled[l] = total > 0 ? scaled[l] / total : 0;
+        }
+        return Double.isFinite(ofEnvironment) ? Optional.of(new LightShares(edited, scaled, total > 0 ? ofEnvironment / total : 0))
+                : Optional.empty();
+    }
+
+    /** Returns the factor of a light's contribution; NaN or infinite if it is unknown. */
+    private double factor(Scene edited, int index) {
+        Light before = scene.rig().effectiveLights().get(index);
+        Light after = edited.rig().effectiveLights().get(index);
+        Light otherwiseSame = before.withColor(after.color()).withIntensity(after.intensity()).withOn(after.on()).withSolo(after.solo());
+        if (!otherwiseSame.equals(after)) {
+            return Double.NaN;
+        }
+        double afterLuminance = edited.isActive(after) ? after.weight().luminance() : 0;
+        double beforeLuminance = scene.isActive(before) ? before.weight().luminance() : 0;
+        return afterLuminance == beforeLuminance ? 1 : afterLuminance / beforeLuminance;
+    }
+
+    private static boolean isEnvironmentActive(Scene scene) {
+        List<Light> lights = scene.rig().effectiveLights();
+        return lights.size() > scene.lights().size() && scene.isActive(lights.getLast());
     }
 
     /** Returns the share of a contribution in a region of a picture; 0 if the region is black. */

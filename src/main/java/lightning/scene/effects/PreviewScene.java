@@ -14,7 +14,7 @@ import lightning.scene.World;
 
 /**
  * Converts scenes for the editor's preview, which has a few levels of reflections, and shadows of one light at most: limits the depth, dims
- * environments that would overexpose the picture without shadows, and removes other shadows. If the scene shows no reflections, it adds diffuse
+ * the light of environments that would overexpose the picture without shadows, and removes other shadows. If the scene shows no reflections, it adds diffuse
  * color to materials that would be black without them.
  */
 public final class PreviewScene {
@@ -58,7 +58,7 @@ public final class PreviewScene {
 
     /** Returns true if the preview of a scene can show the shadows of one light: an environment has too many lights with shadows. */
     public static boolean canShowShadows(Scene scene) {
-        return scene.world().environment().isEmpty();
+        return scene.world().lightIntensity() == 0;
     }
 
     private static Scene withoutOtherShadows(Scene scene, String shadowLight) {
@@ -105,7 +105,7 @@ public final class PreviewScene {
     }
 
     /**
-     * Dims the environment so that white diffuse surfaces stay below 1. Without shadows, an interior that a window lights sparsely would
+     * Dims the environment's light, not its image, so that white diffuse surfaces stay below 1. Without shadows, an interior that a window lights sparsely would
      * receive light from the whole environment.
      */
     private World dim(World world, Environment environment) {
@@ -114,8 +114,8 @@ public final class PreviewScene {
             environmentLights = newLights;
             maxBrightness = newLights.stream().mapToDouble(lamp -> brightness(lamp.direction(), newLights)).max().orElse(0);
         }
-        double total = maxBrightness * world.intensity() / MAX_WHITE;
-        return total > 0 ? world.withIntensity(-Math.expm1(-total) * MAX_WHITE / maxBrightness) : world;
+        double total = maxBrightness * world.lightIntensity() / MAX_WHITE;
+        return total > 0 ? world.withGain(Math.min(-Math.expm1(-total) / total, 1) * world.gain()) : world;
     }
 
     private static double brightness(Vec3 normal, List<EnvironmentLight> lights) {

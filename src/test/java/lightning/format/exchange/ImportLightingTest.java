@@ -156,10 +156,33 @@ class ImportLightingTest {
     @Test
     void previews_areOfEachChoice() throws Exception {
         try (var workers = new WorkerPool(1)) {
-            Map<ImportPreviews.Choice, Film> films = ImportPreviews.render(read(BOX, 1), 40, workers, Progress.NONE);
+            Map<ImportPreviews.Choice, ImportPreviews.Preview> films = ImportPreviews.render(read(BOX, 1), 40, workers, Progress.NONE);
             assertThat(films.keySet()).extracting(ImportPreviews.Choice::lighting).containsExactly(ImportLighting.STUDIO,
                     ImportLighting.SKY);
-            assertThat(films.values()).allMatch(film -> film.width() == 40);
+            assertThat(films.values()).allMatch(preview -> preview.film().width() == 40);
         }
+    }
+
+    private static double exposure(double value) {
+        float[] rgb = new float[3 * 8 * 8];
+        Arrays.fill(rgb, 3 * 40, rgb.length, (float) value);
+        return ImportPreviews.Preview.exposed(Film.ofScanlines(8, 8, rgb)).exposure();
+    }
+
+    /** Most pixels are black: they show no light, so they do not count. */
+    @Test
+    void whiteOrBlackPreviews_areExposed() {
+        assertThat(exposure(64)).isEqualTo(-8);
+        assertThat(exposure(0.001)).isEqualTo(8);
+        assertThat(exposure(0.5)).isZero();
+        assertThat(exposure(0)).isZero();
+        assertThat(exposure(1e30)).isEqualTo(-64);
+    }
+
+    @Test
+    void exposureOfPreview_isOfTheScene() throws Exception {
+        ImportedScene imported = read(BOX, 1);
+        assertThat(imported.withExposure(-8).scene().picture().view().exposure()).isEqualTo(-8);
+        assertThat(imported.withExposure(0)).isSameAs(imported);
     }
 }

@@ -67,13 +67,26 @@ class EnvironmentWorkTest {
         }
     }
 
+    /** The image stays: with gain 0, the background has its color, and nothing else is lit by it. */
+    @Test
+    void environmentGain_castsNoRays() {
+        for (double gain : new double[] {2, 0.5, 0, 1}) {
+            UpdateResult update = render(world().withGain(gain));
+            assertNoRay(update);
+            assertThat(update.rowsTouched()).isZero();
+        }
+    }
+
     @Test
     void solo_darkensOtherLightsWithoutRays() {
         assertNoRay(render(world().withSolo(true)));
         assertThat(studio.scene().isActive(studio.scene().lights().getFirst())).isFalse();
         assertNoRay(render(world().withIntensity(0)));
         assertThat(studio.scene().isActive(studio.scene().lights().getFirst())).isTrue();
-        assertNoRay(render(world().withIntensity(1)));
+        assertNoRay(render(world().withIntensity(1).withGain(0)));
+        assertThat(studio.scene().isActive(studio.scene().lights().getFirst())).isTrue();
+        assertNoRay(render(world().withGain(1)));
+        assertThat(studio.scene().isActive(studio.scene().lights().getFirst())).isFalse();
         assertNoRay(render(world().withSolo(false)));
     }
 

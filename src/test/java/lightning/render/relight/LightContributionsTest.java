@@ -100,6 +100,37 @@ class LightContributionsTest {
         }
     }
 
+    private static LightShares shares(Scene scene) {
+        try (Renderer renderer = new Renderer(OPTIONS)) {
+            renderer.render(scene, Progress.NONE);
+            return LightShares.of(renderer.cache(), OPTIONS, Progress.NONE);
+        }
+    }
+
+    @Test
+    void scaledShares_areThoseOfTheEditedPicture() {
+        Scene scene = IndirectScenes.with(StudioScene.withFourLights(30, 24));
+        Light key = scene.light(StudioScene.KEY).orElseThrow();
+        for (Light edited : List.of(key.withIntensity(key.intensity() / 64), key.withIntensity(3 * key.intensity()), key.withOn(false),
+                key.withSolo(true))) {
+            LightShares scaled = shares(scene).scaledTo(scene.withLight(edited)).orElseThrow();
+            LightShares exact = shares(scene.withLight(edited));
+            assertThat(scaled.lights()).as("%s", edited).containsExactly(exact.lights(), within(1e-5));
+        }
+    }
+
+    @Test
+    void scaledShares_areUnknownAfterOtherEdits() {
+        Scene scene = StudioScene.withFourLights(30, 24);
+        Light key = scene.light(StudioScene.KEY).orElseThrow();
+        LightShares shares = shares(scene);
+        assertThat(shares.scaledTo(scene).orElseThrow().lights()).isEqualTo(shares.lights());
+        assertThat(shares.scaledTo(scene.withLight(key.withPosition(new Vec3(1, 7, 2))))).isEmpty();
+        assertThat(shares.scaledTo(scene.withLights(List.of(key)))).isEmpty();
+        assertThat(shares.scaledTo(scene.withWorld(scene.world().withAmbience(0.123)))).isEmpty();
+        assertThat(shares(scene.withLight(key.withOn(false))).scaledTo(scene)).as("a dark light comes on").isEmpty();
+    }
+
     @Test
     void sharesOfAllLights_addUpToOne() {
         Scene scene = StudioScene.of(LightType.POINT);

@@ -104,6 +104,15 @@ class PreviewSceneTest {
         Scene scene = ball(Material.of("paper").withAmbient(Rgb.BLACK).withDiffuse(new Rgb(1, 1, 1)), bright);
         assertThat(middle(scene).g()).isGreaterThan(10);
         assertThat(middle(new PreviewScene().of(scene)).g()).isBetween(0.6, 1.0);
+        assertThat(new PreviewScene().of(scene).world().intensity()).as("image of the environment").isEqualTo(1);
+    }
+
+    @Test
+    void environmentWithoutLight_leavesShadows() {
+        Environment sky = new Environment("sky.hdr", new EnvironmentMap(8, 4, new float[3 * 8 * 4]));
+        Scene scene = ball(Material.of("paper"), World.DEFAULT.withEnvironment(Optional.of(sky)));
+        assertThat(PreviewScene.canShowShadows(scene)).isFalse();
+        assertThat(PreviewScene.canShowShadows(scene.withWorld(scene.world().withGain(0)))).isTrue();
     }
 
     @Test

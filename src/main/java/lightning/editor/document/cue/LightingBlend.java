@@ -27,8 +27,8 @@ import lightning.scene.World;
  * is off or muted by a solo counts as 0. Integers take the larger value. Directions follow the great circle.
  * <li>Lights of the same name are interpolated if type, unit, falloff, gobo, profile, texture, links and the objects with a gain are equal. All others fade out or in, renamed if their
  * names are taken. If their visible faces are in the same place, the nearer end's face is shown.
- * <li>Solos stay if they are the same at both ends. Otherwise what they mute fades. This includes the light of the environment: its image
- * fades too, unless solos of lights mute it at both ends.
+ * <li>Solos stay if they are the same at both ends. Otherwise what they mute fades. This includes the light of the environment, whose image
+ * stays.
  * <li>Light groups stay if they are equal at both ends. Otherwise they are merged into their lights.
  * <li>Environments with the same image are interpolated. Otherwise the first fades out in the first half, and the second fades in in the
  * second.
@@ -92,9 +92,6 @@ public final class LightingBlend {
         to.rig().lights().stream().filter(toLight -> from.rig().light(toLight.name()).isEmpty())
                 .forEach(toLight -> added.add(fade(toSolos, toLight, t)));
         lights.addAll(added);
-        if (!keepsSolos && isEnvironmentMuted()) {
-            lights.replaceAll(light -> light.withSolo(light.on()));
-        }
         return new Lighting(world(), LightRig.of(lights, lightGroups()));
     }
 
@@ -102,12 +99,6 @@ public final class LightingBlend {
         return !hasSameGroups ? List.of()
                 : keepsSolos ? from.rig().lightGroups()
                 : from.rig().lightGroups().stream().map(group -> group.withSolo(false)).toList();
-    }
-
-    /** Returns whether the environment's image is visible without its light. */
-    private boolean isEnvironmentMuted() {
-        return hasSameEnvironment ? fromSolos.isEnvironmentMuted() && toSolos.isEnvironmentMuted()
-                : (t < 0.5 ? fromSolos : toSolos).isEnvironmentMuted();
     }
 
     private static String freeName(String name, Set<String> takenNames) {
@@ -241,15 +232,25 @@ public final class LightingBlend {
         for (SceneAttribute<World, ?> attribute : World.ATTRIBUTES) {
             world = interpolateAttribute(attribute, world, first, last);
         }
+        double fromGain = environmentGain(fromSolos);
+        double toGain = environmentGain(toSolos);
         if (hasSameEnvironment) {
-            return fromSolos.isEnvironmentMuted() == toSolos.isEnvironmentMuted() ? world
-                    : world.withIntensity(lerp(fromSolos.isEnvironmentMuted() ? 0 : first.intensity(),
-                            toSolos.isEnvironmentMuted() ? 0 : last.intensity()));
+            // Image and light are linear: a dark image has no say in the gain.
+            double fromLight = first.intensity() * fromGain;
+            double toLight = last.intensity() * toGain;
+            double gain = world.intensity() == 0 ? lerp(fromGain, toGain) : lerp(fromLight, toLight) / world.intensity();
+            return world.withGain(Math.clamp(gain, Math.min(fromGain, toGain), Math.max(fromGain, toGain)));
         }
         World environmentSource = t < 0.5 ? first : last;
         return world.withEnvironment(environmentSource.environment()).withRotation(environmentSource.rotation())
                 .withLightCount(environmentSource.lightCount())
                 .withSoftness(environmentSource.softness())
-                .withIntensity(environmentSource.intensity() * Math.abs(1 - 2 * t));
+                .withIntensity(environmentSource.intensity() * Math.abs(1 - 2 * t))
+                .withGain(t < 0.5 ? fromGain : toGain);
+    }
+
+    /** Returns the gain of an end's environment; 0 if solos mute it and do not stay. */
+    private double environmentGain(SoloState end) {
+        return !keepsSolos && end.isEnvironmentMuted() ? 0 : end.lighting().world().gain();
     }
 }

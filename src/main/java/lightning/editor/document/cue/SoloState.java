@@ -3,7 +3,6 @@ package lightning.editor.document.cue;
 import java.util.Set;
 import java.util.stream.Collectors;
 import lightning.scene.Light;
-import lightning.scene.World;
 
 /**
  * Solos of a lighting that have an effect, and what they mute.
@@ -13,10 +12,9 @@ import lightning.scene.World;
  */
 record SoloState(Lighting lighting, Set<String> lights, boolean environment) {
     static SoloState of(Lighting lighting) {
-        World world = lighting.world();
         return new SoloState(lighting, lighting.rig().lights().stream().filter(l -> isSolo(lighting.rig().effectiveLight(l)))
                 .map(Light::name).collect(Collectors.toUnmodifiableSet()),
-                world.solo() && world.environment().isPresent() && world.intensity() > 0);
+                lighting.world().solo() && lighting.world().lightIntensity() > 0);
     }
 
     private static boolean isSolo(Light effective) {

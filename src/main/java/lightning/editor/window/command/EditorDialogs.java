@@ -25,7 +25,6 @@ import lightning.editor.window.widget.WindowPlacement;
 import lightning.format.exchange.ImportPreviews;
 import lightning.format.jen.JenException;
 import lightning.format.jen.Problem;
-import lightning.render.image.Film;
 import org.kordamp.ikonli.Ikon;
 import org.kordamp.ikonli.javafx.FontIcon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignA;
@@ -121,7 +120,7 @@ public final class EditorDialogs {
      * @param pictures  preview for each choice
      * @return choice; empty if canceled
      */
-    Optional<ImportPreviews.Choice> askImport(Path file, Map<ImportPreviews.Choice, Film> pictures) {
+    Optional<ImportPreviews.Choice> askImport(Path file, Map<ImportPreviews.Choice, ImportPreviews.Preview> pictures) {
         Alert alert =
                 alert(Alert.AlertType.CONFIRMATION, Messages.tr("How do you want to light {0}?", Quote.path(file.getFileName())), "",
                         ButtonType.CANCEL);

@@ -31,7 +31,6 @@ import lightning.format.exchange.SceneImporter;
 import lightning.format.image.ImageFile;
 import lightning.format.image.ImageFormat;
 import lightning.format.jen.JenFile;
-import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
 import lightning.scene.Scene;
 
@@ -114,7 +113,7 @@ public final class FileActions {
     }
 
     /** Imported scene with a preview of each choice. */
-    private record ImportPreview(ImportedScene imported, Map<ImportPreviews.Choice, Film> pictures) {}
+    private record ImportPreview(ImportedScene imported, Map<ImportPreviews.Choice, ImportPreviews.Preview> pictures) {}
 
     private void importScene(Path file, Path to) {
         readInBackground(file, () -> {
@@ -127,13 +126,13 @@ public final class FileActions {
         }, preview -> {
             // Clears the progress message.
             message.clear();
-            notices.askImport(file, preview.pictures()).ifPresent(choice -> write(file, preview.imported(), choice));
+            notices.askImport(file, preview.pictures()).ifPresent(choice -> write(file, preview, choice));
         });
     }
 
-    private void write(Path file, ImportedScene source, ImportPreviews.Choice choice) {
+    private void write(Path file, ImportPreview preview, ImportPreviews.Choice choice) {
         read(file, () -> {
-            ImportedScene imported = choice.apply(source);
+            ImportedScene imported = choice.apply(preview.imported()).withExposure(preview.pictures().get(choice).exposure());
             imported.write();
             int noteCount = imported.notes().size();
             String text = Messages.tr("Imported {0}", Quote.path(file.getFileName())) + (noteCount == 0 ? "" : Messages.count(noteCount,

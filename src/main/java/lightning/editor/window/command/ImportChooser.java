@@ -15,6 +15,7 @@ import javafx.scene.text.TextAlignment;
 import lightning.base.text.Messages;
 import lightning.editor.window.widget.PixelImage;
 import lightning.format.exchange.ImportPreviews.Choice;
+import lightning.format.exchange.ImportPreviews.Preview;
 import lightning.format.exchange.LightUnits;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
@@ -32,7 +33,7 @@ final class ImportChooser extends VBox {
      * @param maxWidth  maximum width in logical pixels; the previews shrink to fit
      * @param onChosen  runs after a choice
      */
-    ImportChooser(Map<Choice, Film> pictures, double maxWidth, Runnable onChosen) {
+    ImportChooser(Map<Choice, Preview> pictures, double maxWidth, Runnable onChosen) {
         super(GAP);
         boolean hasUnits = pictures.keySet().stream().anyMatch(choice -> choice.units().isPresent());
         var explanation = new Label(hasUnits
@@ -40,9 +41,9 @@ final class ImportChooser extends VBox {
                 : Messages.tr("These previews leave out textures."));
         explanation.setWrapText(true);
         var cards = new HBox(GAP);
-        double widest = pictures.values().stream().mapToInt(Film::width).max().orElse(1);
-        pictures.forEach((choice, film) -> cards.getChildren()
-                .add(card(choice, film, Math.min(widest, (maxWidth - GAP) / pictures.size() - 3 * GAP), onChosen)));
+        double widest = pictures.values().stream().mapToInt(preview -> preview.film().width()).max().orElse(1);
+        pictures.forEach((choice, preview) -> cards.getChildren()
+                .add(card(choice, preview, Math.min(widest, (maxWidth - GAP) / pictures.size() - 3 * GAP), onChosen)));
         // The text wraps at the width of the cards.
         explanation.prefWidthProperty().bind(cards.widthProperty());
         explanation.setMaxWidth(USE_PREF_SIZE);
@@ -50,11 +51,11 @@ final class ImportChooser extends VBox {
     }
 
     /** @param width  width of the picture; leaves more than half a gap between a card's edge and its picture */
-    private Button card(Choice choice, Film film, double width, Runnable onChosen) {
-        var picture = new ImageView(image(film));
+    private Button card(Choice choice, Preview preview, double width, Runnable onChosen) {
+        var picture = new ImageView(image(preview));
         picture.setPreserveRatio(true);
         picture.setFitWidth(width);
-        var card = new Button(title(choice), picture);
+        var card = new Button(title(choice) + exposure(preview), picture);
         card.setPrefWidth(width + 2 * GAP);
         card.setMaxHeight(Double.MAX_VALUE);
         card.setAlignment(Pos.TOP_CENTER);
@@ -94,7 +95,12 @@ final class ImportChooser extends VBox {
         };
     }
 
-    private static Image image(Film film) {
-        return PixelImage.of(film.width(), film.height(), ViewTransform.DEFAULT.toPixels(film));
+    private static String exposure(Preview preview) {
+        return preview.exposure() == 0 ? "" : "\n" + Messages.tr("exposure {0} stops", (int) preview.exposure());
+    }
+
+    private static Image image(Preview preview) {
+        Film film = preview.film();
+        return PixelImage.of(film.width(), film.height(), ViewTransform.DEFAULT.withExposure(preview.exposure()).toPixels(film));
     }
 }

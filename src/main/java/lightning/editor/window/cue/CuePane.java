@@ -46,6 +46,8 @@ import lightning.scene.Stage;
 /** Gallery of the open scene's saved looks (cues): saves, applies, compares and blends them. */
 public final class CuePane extends VBox {
     private static final double PERCENT = 100;
+    /** Height of one row of looks with their buttons, pixels. */
+    private static final double MIN_GALLERY_HEIGHT = 200;
 
     private final SceneEditor editor;
     private final TracedPicture picture;
@@ -113,6 +115,8 @@ public final class CuePane extends VBox {
         gallery.getStyleClass().add("cue-gallery");
         var scroll = new ScrollPane(gallery);
         scroll.setFitToWidth(true);
+        // The comparison would leave no room for the looks in a low panel.
+        scroll.setMinHeight(MIN_GALLERY_HEIGHT);
         scroll.getStyleClass().add("edge-to-edge");
         var parts = new SplitPane(scroll, new VBox(compare, blendRow));
         VBox.setVgrow(compare, Priority.ALWAYS);

@@ -15,6 +15,7 @@ import lightning.render.image.ViewTransform;
 import lightning.render.relight.IndirectByLight;
 import lightning.render.relight.LightShares;
 import lightning.render.relight.LightThumbnails;
+import lightning.scene.Scene;
 
 /** Computes the thumbnails of the mixer's strips. */
 final class ChannelImageFeed implements AutoCloseable {
@@ -54,12 +55,12 @@ final class ChannelImageFeed implements AutoCloseable {
         feed = new PaneUpdater<>("lightning-mixer", windowExecutor,
                 () -> workbench.cache().flatMap(this::thumbnails).map(thumbnails -> ChannelImages.of(thumbnails, view)), newImages -> {
                     images = newImages;
-                    show(listener);
+                    listener.accept(newImages);
                 });
         shares = new PaneUpdater<>("lightning-shares", windowExecutor, () -> workbench.cache().flatMap(this::shares), newShares -> {
             lastShares = newShares;
             if (images != null) {
-                show(listener);
+                listener.accept(images);
             }
         });
         settleTimer.setOnFinished(_ -> shares.request());
@@ -79,8 +80,9 @@ final class ChannelImageFeed implements AutoCloseable {
         }
     }
 
-    private void show(Consumer<ChannelImages> listener) {
-        listener.accept(lastShares == null ? images : images.withShares(lastShares));
+    /** Returns the last shares of all pixels, scaled to an edited scene; empty if that needs a picture of it. */
+    Optional<LightShares> scaledShares(Scene scene) {
+        return Optional.ofNullable(lastShares).flatMap(last -> last.scaledTo(scene));
     }
 
     /** Returns the shares of all pixels; empty if there is a newer picture. */

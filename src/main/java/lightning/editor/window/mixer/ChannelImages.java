@@ -44,14 +44,13 @@ record ChannelImages(Scene scene, Map<MixerChannel, ChannelImage> images, Channe
                 shares.hasAllLight());
     }
 
-    /** Returns these thumbnails with the shares of the whole picture; unchanged if the shares are those of another one. */
+    /** Returns these thumbnails with the shares of whole pictures; channels that their scene lacks keep theirs. */
     ChannelImages withShares(LightShares shares) {
-        if (shares.scene() != scene) {
-            return this;
-        }
+        Scene of = shares.scene();
         Map<MixerChannel, ChannelImage> updated = new HashMap<>();
-        images.forEach((channel, image) -> updated.put(channel, new ChannelImage(image.width(), image.height(), image.pixels(),
-                channel instanceof MixerChannel.OfEnvironment ? shares.environment() : shares.ofLights(channel.lightIndices(scene)))));
+        images.forEach((channel, image) -> updated.put(channel, !channel.isIn(of) ? image
+                : new ChannelImage(image.width(), image.height(), image.pixels(),
+                        channel instanceof MixerChannel.OfEnvironment ? shares.environment() : shares.ofLights(channel.lightIndices(of)))));
         return new ChannelImages(scene, updated, master, hasAllLight);
     }
 

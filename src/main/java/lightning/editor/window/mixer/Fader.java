@@ -12,7 +12,7 @@ import javafx.scene.input.MouseEvent;
 import javafx.scene.layout.Region;
 
 /**
- * Fader in stops. A drag moves it, ten times finer with Shift; Escape cancels the drag. A double-click sets 0 stops. The up and down keys
+ * Fader in stops on a {@link FaderScale}. A drag moves it, ten times finer with Shift; Escape cancels the drag. A double-click sets 0 stops. The up and down keys
  * move it by 0.1 stops, or 0.01 with Shift; Page Up and Page Down by one stop. Its lower end can mean no light.
  */
 final class Fader extends Region {
@@ -25,6 +25,7 @@ final class Fader extends Region {
     private static final double STEPS_PER_STOP = 100;
 
     private final double range;
+    private final FaderScale scale;
     private final boolean canTurnOff;
     private final Callbacks callbacks;
     private final Region slot = new Region();
@@ -36,7 +37,10 @@ final class Fader extends Region {
     private boolean isDrag;
     private double pressedY;
     private double startStops;
-    private double dragStops;
+    /** Position of the drag, which has no rounding, on the scale. */
+    private double dragPosition;
+    /** Stops at position 0 of the drag: a value beyond the range moves from where it is. */
+    private double dragOrigin;
     private double lastY;
 
     /** Receives the fader's values. */
@@ -64,6 +68,7 @@ final class Fader extends Region {
      */
     Fader(String title, double range, boolean canTurnOff, Callbacks callbacks) {
         this.range = range;
+        scale = new FaderScale(range);
         this.canTurnOff = canTurnOff;
         this.callbacks = callbacks;
         getStyleClass().add("fader");
@@ -95,12 +100,11 @@ final class Fader extends Region {
 
     /** Returns the center of the cap for a value in stops, pixels from the top. */
     double capY(double v) {
-        double fraction = (Math.clamp(v, -range, range) + range) / (2 * range);
-        return CAP_HEIGHT / 2 + (1 - fraction) * (getHeight() - CAP_HEIGHT);
+        return CAP_HEIGHT / 2 + (1 - scale.position(v)) / 2 * length();
     }
 
-    private double stopsPerPixel() {
-        return 2 * range / Math.max(1, getHeight() - CAP_HEIGHT);
+    private double length() {
+        return getHeight() - CAP_HEIGHT;
     }
 
     private void press(MouseEvent e) {
@@ -116,7 +120,8 @@ final class Fader extends Region {
         pressedY = e.getY();
         gesture = new Object();
         startStops = stops.get();
-        dragStops = Math.clamp(startStops, -range, range);
+        dragOrigin = Double.isFinite(startStops) && Math.abs(startStops) > range ? startStops : 0;
+        dragPosition = scale.position(startStops - dragOrigin);
         lastY = e.getY();
         callbacks.startDrag();
         e.consume();
@@ -127,10 +132,10 @@ final class Fader extends Region {
             return;
         }
         isDrag |= Math.abs(e.getY() - pressedY) >= DRAG_THRESHOLD;
-        dragStops += (lastY - e.getY()) * stopsPerPixel() * (e.isShiftDown() ? FINE_FACTOR : 1);
+        dragPosition += FaderScale.drag(lastY - e.getY(), length()) * (e.isShiftDown() ? FINE_FACTOR : 1);
         lastY = e.getY();
-        double newStops = Math.clamp(dragStops, -range, range);
-        callbacks.move(canTurnOff && newStops <= -range ? Double.NEGATIVE_INFINITY : Math.rint(newStops * STEPS_PER_STOP) / STEPS_PER_STOP,
+        double newStops = dragOrigin + scale.stops(Math.clamp(dragPosition, -1, 1));
+        callbacks.move(canTurnOff && dragOrigin == 0 && newStops <= -range ? Double.NEGATIVE_INFINITY : Math.rint(newStops * STEPS_PER_STOP) / STEPS_PER_STOP,
                 gesture);
         e.consume();
     }
@@ -174,7 +179,7 @@ final class Fader extends Region {
     @Override
     protected void layoutChildren() {
         double middle = getWidth() / 2;
-        slot.resizeRelocate(middle - 2, CAP_HEIGHT / 2, 4, getHeight() - CAP_HEIGHT);
+        slot.resizeRelocate(middle - 2, CAP_HEIGHT / 2, 4, length());
         zeroMark.resizeRelocate(middle - 9, Math.rint(capY(0)), 18, 1);
         cap.resizeRelocate(middle - 13, Math.rint(capY(stops.get()) - CAP_HEIGHT / 2), 26, CAP_HEIGHT);
     }

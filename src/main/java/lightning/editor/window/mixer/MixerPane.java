@@ -1,5 +1,6 @@
 package lightning.editor.window.mixer;
 
+import java.util.Collection;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -30,6 +31,7 @@ import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.model.TracedPicture;
 import lightning.editor.window.widget.TimeSlicedTask;
 import lightning.editor.window.widget.VisibilityListener;
+import lightning.render.relight.LightShares;
 import lightning.scene.Scene;
 
 /**
@@ -182,8 +184,8 @@ public final class MixerPane extends VBox {
             channels = sceneChannels;
             strips.keySet().retainAll(sceneChannels);
             model.setSelected(model.selectedProperty().get().stream().filter(sceneChannels::contains).toList());
-            showPictures();
         }
+        showPictures();
         strips.values().forEach(strip -> strip.show(scene));
         updateStrips();
         stripBuilder.start();
@@ -200,7 +202,7 @@ public final class MixerPane extends VBox {
             strip.setDetail(detail);
             strip.show(editor.scene());
             strip.setSelected(model.isSelected(channel));
-            showPicture(strip);
+            showPictures(List.of(strip));
             updateStrips();
             TimeSlicedTask.applyStyle(strip);
         });
@@ -214,13 +216,19 @@ public final class MixerPane extends VBox {
         lightNote.setText(newImages.hasAllLight() ? "" : Messages.tr("Thumbnails show direct light only"));
     }
 
-    private void showPictures() {
-        strips.values().forEach(this::showPicture);
+    /** Returns the shares in the current scene; empty while they are unknown. */
+    Optional<LightShares> shares() {
+        return feed.scaledShares(editor.scene());
     }
 
-    private void showPicture(MixerStrip strip) {
+    private void showPictures() {
+        showPictures(strips.values());
+    }
+
+    private void showPictures(Collection<MixerStrip> some) {
         if (images != null) {
-            strip.show(images.of(strip.channel(), editor.scene()));
+            ChannelImages shown = shares().map(images::withShares).orElse(images);
+            some.forEach(strip -> strip.show(shown.of(strip.channel(), editor.scene())));
         }
     }
 

@@ -26,6 +26,9 @@ import lightning.scene.SceneLimits;
 public final class NumberField extends TextField {
     private static final PseudoClass REFUSED = PseudoClass.getPseudoClass("refused");
     private static final MathContext DISPLAY_PRECISION = new MathContext(5);
+    private static final MathContext EXPONENT_PRECISION = new MathContext(4);
+    /** Has more digits than a field has room for. */
+    private static final BigDecimal MIN_WITH_EXPONENT = BigDecimal.valueOf(1_000_000);
     private static final int COLUMNS = 5;
     /** Wheel events within this time are one undo step, nanoseconds. */
     private static final long WHEEL_GESTURE_NS = 1_000_000_000;
@@ -153,8 +156,18 @@ public final class NumberField extends TextField {
         if (Double.isNaN(value)) {
             return "";
         }
-        return isFocused() ? SceneLimits.format(value)
-                : SceneLimits.format(BigDecimal.valueOf(value).round(DISPLAY_PRECISION).doubleValue());
+        if (isFocused()) {
+            return SceneLimits.format(value);
+        }
+        BigDecimal rounded = BigDecimal.valueOf(value).round(DISPLAY_PRECISION);
+        return rounded.abs().compareTo(MIN_WITH_EXPONENT) >= 0 ? withExponent(rounded) : SceneLimits.format(rounded.doubleValue());
+    }
+
+    /** Returns a number as {@code 2.754e7}: cut digits would look like a smaller number. */
+    private static String withExponent(BigDecimal number) {
+        BigDecimal rounded = number.round(EXPONENT_PRECISION);
+        int exponent = rounded.precision() - rounded.scale() - 1;
+        return SceneLimits.format(rounded.movePointLeft(exponent).doubleValue()) + "e" + exponent;
     }
 
     /** Steps the value by the wheel. Unfocused, the wheel scrolls the surrounding pane. */

@@ -166,7 +166,7 @@ class LightingBlendTest {
     /** Returns the factor of the environment's light; 0 if it is muted. */
     private static double environmentLight(Scene scene) {
         LightRig rig = scene.rig();
-        return rig.isActive(rig.effectiveLights().getLast()) ? scene.world().intensity() : 0;
+        return rig.isActive(rig.effectiveLights().getLast()) ? scene.world().lightIntensity() : 0;
     }
 
     private static double weight(Scene scene, String light) {
@@ -204,7 +204,39 @@ class LightingBlendTest {
         assertThat(environmentLight(scene)).isEqualTo(0.5);
         assertThat(weight(scene, "key")).isEqualTo(1);
         assertThat(weight(scene, "fill")).isEqualTo(0.25);
+        assertThat(scene.world().intensity()).as("of the background").isEqualTo(2);
         assertThat(environmentLight(blendScene(none, solo, 0.25))).isEqualTo(1.5);
+    }
+
+    @Test
+    void soloOfOneEnd_doesNotJumpAtItsEnd() {
+        Lighting solo = withEnvironment(false, 1, KEY.withSolo(true), FILL);
+        Lighting none = withEnvironment(false, 1, KEY, FILL);
+        for (double t : new double[] {0, 1e-9}) {
+            assertThat(environmentLight(blendScene(solo, none, t))).as("light at %s", t).isCloseTo(0, within(1e-8));
+            assertThat(blendScene(solo, none, t).world().intensity()).as("image at %s", t).isCloseTo(2, within(1e-8));
+            assertThat(environmentLight(blendScene(none, solo, t))).as("light at %s", t).isCloseTo(2, within(1e-8));
+            assertThat(blendScene(none, solo, t).world().intensity()).as("image at %s", t).isCloseTo(2, within(1e-8));
+        }
+    }
+
+    @Test
+    void imageAndLightOfEnvironment_areLinear() {
+        Lighting a = withEnvironment(false, 1);
+        Lighting dimLight = new Lighting(a.world().withIntensity(4).withGain(0.25), a.rig());
+        Scene scene = blendScene(new Lighting(a.world().withGain(3), a.rig()), dimLight, 0.25);
+        assertThat(scene.world().intensity()).isEqualTo(2.5);
+        assertThat(environmentLight(scene)).isCloseTo(0.75 * 6 + 0.25 * 1, within(1e-15));
+    }
+
+    /** A dark image has no light, whatever its gain: at that end the light fades in with the image. */
+    @Test
+    void darkEnvironment_keepsGainOfOtherEnd() {
+        Lighting a = withEnvironment(false, 1);
+        Scene scene = blendScene(new Lighting(a.world().withIntensity(0).withGain(9), a.rig()),
+                new Lighting(a.world().withGain(0.5), a.rig()), 0.25);
+        assertThat(scene.world().intensity()).isEqualTo(0.5);
+        assertThat(scene.world().gain()).isEqualTo(0.5);
     }
 
     @Test

@@ -27,17 +27,17 @@ import org.testfx.util.WaitForAsyncUtils;
 @ExtendWith({JavaFxRequirement.class, StageExtension.class})
 @Slow
 class ImportChooserTest {
-    private final Map<ImportPreviews.Choice, Film> pictures = new LinkedHashMap<>();
+    private final Map<ImportPreviews.Choice, ImportPreviews.Preview> pictures = new LinkedHashMap<>();
     private Stage stage;
 
     @Start
     void open(Stage given) {
         stage = given;
         for (LightUnits units : LightUnits.values()) {
-            pictures.put(new ImportPreviews.Choice(ImportLighting.FILE, Optional.of(units)), Film.black(280, 210));
+            pictures.put(new ImportPreviews.Choice(ImportLighting.FILE, Optional.of(units)), new ImportPreviews.Preview(Film.black(280, 210), -9));
         }
         for (ImportLighting lighting : List.of(ImportLighting.STUDIO, ImportLighting.SKY)) {
-            pictures.put(new ImportPreviews.Choice(lighting, Optional.empty()), Film.black(280, 158));
+            pictures.put(new ImportPreviews.Choice(lighting, Optional.empty()), new ImportPreviews.Preview(Film.black(280, 158), 0));
         }
     }
 

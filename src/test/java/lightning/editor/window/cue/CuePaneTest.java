@@ -3,9 +3,12 @@ package lightning.editor.window.cue;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Files;
+import javafx.scene.Node;
+import javafx.scene.control.ScrollPane;
 import javafx.scene.control.Slider;
 import javafx.scene.control.TextField;
 import javafx.scene.input.KeyCode;
+import javafx.scene.layout.Region;
 import lightning.base.math.Rgb;
 import lightning.editor.document.Command;
 import lightning.editor.document.LightEdits;
@@ -17,6 +20,7 @@ import lightning.format.jen.JenReader;
 import lightning.render.shading.ReferenceTracer;
 import lightning.scene.Scene;
 import org.junit.jupiter.api.Test;
+import org.testfx.util.WaitForAsyncUtils;
 
 class CuePaneTest extends EditorFixture {
     private Scene day;
@@ -52,6 +56,20 @@ class CuePaneTest extends EditorFixture {
 
     private int[] pixels(Scene scene) {
         return model().picture().viewProperty().get().toPixels(new ReferenceTracer(scene).trace());
+    }
+
+    /** A comparison below took almost all of a low panel, so that no button of a look could be reached. */
+    @Test
+    void lowPanel_showsRowOfLooks() {
+        robot.push(KeyCode.SHIFT, KeyCode.F4);
+        saveCue("day");
+        Region card = robot.lookup("#cue-day").query();
+        WaitForAsyncUtils.waitForFxEvents();
+        Node scroll = card;
+        while (!(scroll instanceof ScrollPane)) {
+            scroll = scroll.getParent();
+        }
+        assertThat(card.getHeight()).isPositive().isLessThanOrEqualTo(((ScrollPane) scroll).getHeight());
     }
 
     @Test

@@ -19,6 +19,7 @@ import javafx.scene.input.MouseButton;
 import javafx.scene.input.MouseEvent;
 import lightning.base.math.Rgb;
 import lightning.editor.document.Command;
+import lightning.editor.document.EditOutcome;
 import lightning.editor.document.LightGroupEdits;
 import lightning.editor.document.MixerEdits;
 import lightning.editor.window.EditorFixture;
@@ -54,7 +55,16 @@ class MixerPaneTest extends EditorFixture {
     }
 
     private void press(String name, double from, double to) {
-        robot.moveTo(faderPoint(name, from)).press(MouseButton.PRIMARY).moveTo(faderPoint(name, to));
+        robot.moveTo(faderPoint(name, from)).press(MouseButton.PRIMARY).moveTo(dragPoint(name, from, to));
+    }
+
+    /** Returns the end of a drag between two values in stops, beyond the fader if it is low. */
+    private Point2D dragPoint(String name, double from, double to) {
+        double range = name.equals("master") ? 5 : 10;
+        var scale = new FaderScale(range);
+        double position = Math.abs(to) > range ? 1.02 * Math.signum(to) : scale.position(to);
+        double pixels = (position - scale.position(from)) / FaderScale.drag(1, fader(name).capY(-range) - fader(name).capY(range));
+        return faderPoint(name, from).subtract(0, pixels);
     }
 
     private void drag(String name, double from, double to) {
@@ -103,6 +113,24 @@ class MixerPaneTest extends EditorFixture {
         assertThat(robot.lookup("#part-stage").<Labeled>query().getText()).isEqualTo(PercentText.format(part));
     }
 
+    /** Without waiting for a picture: its thumbnails with indirect light take seconds. */
+    @Test
+    void shares_followTheEdit() {
+        waitFor("the shares of all pixels are known", () -> mixer().shares().isPresent());
+        double before = mixer().shares().orElseThrow().ofLights(0);
+        robot.interact(() -> {
+            Scene scene = model().editor().scene();
+            Light light = scene.lights().getFirst();
+            model().editor().editOrReport(s -> EditOutcome.of(() -> s.withLight(light.withIntensity(light.intensity() / 64))), null);
+            assertThat(robot.lookup("#part-" + light.name()).<Labeled>query().getText())
+                    .isEqualTo(PercentText.format(before / 64 / (1 - before + before / 64)));
+        });
+    }
+
+    private MixerPane mixer() {
+        return robot.lookup("#mixer").query();
+    }
+
     private static double brightness(Film film) {
         double sum = 0;
         float[] rgb = film.toScanlines();
@@ -118,7 +146,7 @@ class MixerPaneTest extends EditorFixture {
         double half = light("lamp").intensity();
         assertThat(half).isBetween(1.8, 2.2);
         assertPictureShowsTheScene();
-        robot.moveTo(faderPoint("lamp", 2));
+        robot.moveTo(dragPoint("lamp", 0, 2));
         assertPictureShowsTheScene();
         robot.release(MouseButton.PRIMARY);
         assertThat(light("lamp").intensity()).isBetween(3.7, 4.3);
@@ -206,6 +234,14 @@ class MixerPaneTest extends EditorFixture {
         robot.interact(() -> fader("lamp").requestFocus());
         robot.push(KeyCode.UP);
         assertThat(light("lamp").intensity()).isEqualTo(MixerEdits.intensityOfStops(-9.9));
+    }
+
+    /** As a light in watts has; a drag once jumped to the end of the range. */
+    @Test
+    void valueBeyondTheFader_isDraggedFromThere() {
+        type("stops-lamp", "15");
+        robot.moveTo(faderPoint("lamp", 15)).press(MouseButton.PRIMARY).moveTo(faderPoint("lamp", 15).add(0, 8)).release(MouseButton.PRIMARY);
+        assertThat(MixerEdits.stops(light("lamp").intensity())).isBetween(14.0, 14.9);
     }
 
     @Test

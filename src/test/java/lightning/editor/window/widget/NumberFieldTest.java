@@ -64,4 +64,23 @@ class NumberFieldTest {
         robot.clickOn(field).write("2");
         assertThat(field.getText()).isEqualTo("2");
     }
+
+    /** Its first digits alone would look like a smaller number. */
+    @Test
+    void largeNumber_isShownWithAnExponent(FxRobot robot) {
+        robot.interact(() -> {
+            robot.lookup("#before").query().requestFocus();
+            field.show(2_753_500);
+        });
+        assertThat(field.getText()).isEqualTo("2.754e6");
+        robot.interact(() -> field.show(-123_456.7));
+        assertThat(field.getText()).isEqualTo("-123460");
+        robot.interact(() -> field.show(1e9));
+        assertThat(field.getText()).isEqualTo("1e9");
+        robot.interact(() -> {
+            field.show(2_753_500);
+            field.requestFocus();
+        });
+        assertThat(field.getText()).as("while it is edited").isEqualTo("2753500");
+    }
 }
