@@ -1,5 +1,6 @@
 package lightning.serve;
 
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -72,10 +73,10 @@ final class Fields {
         return node != null && node.booleanValue();
     }
 
-    /** Returns whether a field is {@code true}; false if it is a text or missing. */
-    boolean isTrue(String name) {
-        JsonNode node = message.get(name);
-        return node != null && node.isBoolean() && node.booleanValue();
+    /** Returns the path that {@code memory} names; empty if it is {@code true} or missing. */
+    Optional<Path> memoryPath() {
+        JsonNode node = message.get("memory");
+        return node != null && node.isBoolean() && node.booleanValue() ? Optional.empty() : optionalString("memory").map(Path::of);
     }
 
     int integer(String name, int min, int max) {

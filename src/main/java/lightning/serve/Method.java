@@ -18,7 +18,7 @@ enum Method {
     FRAME("scene", "frame"),
     UNDO("scene", "steps"),
     REDO("scene", "steps"),
-    RENDER("scene", "region", "light", "file", "bits", "layers", "memory", "progress"),
+    RENDER("scene", "region", "light", "file", "bits", "layers", "memory", "coarse", "progress"),
     EXPLAIN("scene", "pixel", "progress"),
     SAVE("scene", "file"),
     CLOSE("scene"),
