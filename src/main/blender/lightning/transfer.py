@@ -125,7 +125,7 @@ def world_settings(scene, target: Path, messages: list[str]) -> dict:
 def write_files(obj, folder: Path, messages: list[str]) -> None:
     """Writes the profile and the image of a light."""
     light_nodes.write_texture(obj.data, folder, messages)
-    name, profile = light_nodes.profile(obj.data) if obj.data.type in ("POINT", "SPOT") else ("", "")
+    name, profile = light_nodes.profile(obj) if obj.data.type in ("POINT", "SPOT") else ("", "")
     content = profile.encode("ascii")
     if name and not ((folder / name).is_file() and (folder / name).read_bytes() == content):
         (folder / name).write_bytes(content)
