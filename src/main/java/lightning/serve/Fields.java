@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import lightning.base.text.Quote;
+import lightning.format.jen.NameSuggestion;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.node.ObjectNode;
 
@@ -25,7 +26,7 @@ final class Fields {
         for (String name : message.propertyNames()) {
             if (!known.contains(name)) {
                 throw bad(name.length() > MAX_SHOWN ? name.substring(0, MAX_SHOWN) + "…" : name,
-                        "unknown field; expected one of " + String.join(", ", new TreeSet<>(known)));
+                        "unknown field; expected one of " + String.join(", ", new TreeSet<>(known)) + NameSuggestion.hint(name, known));
             }
         }
     }

@@ -136,13 +136,15 @@ final class SceneReplacement {
 
     /** Replaces a file by a link to a staged one, or by a copy. */
     private void replace(Path file, Path staged) throws IOException {
-        AtomicFile.of(file).writeToPath(temporary -> {
-            Files.delete(temporary);
-            if (!link(temporary, staged)) {
-                observer.beforeWrite(file);
-                Files.copy(staged, temporary);
-            }
-        });
+        try {
+            AtomicFile.of(file).writeToPath(temporary -> {
+                Files.delete(temporary);
+                Files.createLink(temporary, staged);
+            });
+        } catch (IOException | UnsupportedOperationException e) {
+            observer.beforeWrite(file);
+            new AssetCopy(file, staged, null).write();
+        }
     }
 
     /** Returns whether a link could be created; not all file systems have links. */
