@@ -53,6 +53,13 @@ def build() -> None:
         "profile": lambda: sample.show_profile(sample.add_light("SPOT", "L", (1, -2, 4), (0.4, 0.2, 0), energy=2, spot_size=math.radians(80), spot_blend=0.3,
                                                   shadow_soft_size=0)),
         "lamp": lambda: sample.show_profile(sample.add_light("POINT", "L", (1, -2, 3), energy=2, shadow_soft_size=0)),
+        "profile360": lambda: sample.show_profile(sample.add_light("SPOT", "L", (1, -2, 4), (0.4, 0.2, 0.9), energy=2, spot_size=math.radians(120),
+                                                                   spot_blend=0.3, shadow_soft_size=0), range(0, 361, 5)),
+        "profile180": lambda: sample.show_profile(sample.add_light("SPOT", "L", (1, -2, 4), (0.4, 0.2, 0.9), energy=2, spot_size=math.radians(120),
+                                                                   spot_blend=0, shadow_soft_size=0), range(0, 181, 5)),
+        "lamp90": lambda: sample.show_profile(sample.add_light("POINT", "L", (1, -2, 3), (0, 0, 0.6), energy=2, shadow_soft_size=0), range(0, 91, 5)),
+        "lamp270": lambda: sample.show_profile(sample.add_light("POINT", "L", (1, -2, 3), energy=2, shadow_soft_size=0), range(90, 271, 5)),
+        "lamp360": lambda: sample.show_profile(sample.add_light("POINT", "L", (1, -2, 3), (0, 0, -2), energy=2, shadow_soft_size=0), range(0, 361, 5)),
         "world": lambda: None,
         "sky": lambda: None,
         "photo": lambda: None,
@@ -130,7 +137,7 @@ sample.start()
 build()
 assert bpy.ops.lightning.send(filepath=str(FILE), overwrite=True) == {"FINISHED"}
 subprocess.run([PROGRAM, "relight", str(FILE), "-o", str(sample.FOLDER / "lightning.exr"), "--set", "picture.antialias=every", "--set",
-                "picture.samples=8", *([] if KIND in ("world", "sky", "photo", "lamp", "profile") else ["--set", "L.samples=64"]), "--bits", "32", "--no-savings"], check=True)
+                "picture.samples=8", *([] if KIND in ("world", "sky", "photo") or KIND.startswith(("lamp", "profile")) else ["--set", "L.samples=64"]), "--bits", "32", "--no-savings"], check=True)
 ours = pixels(str(sample.FOLDER / "lightning.exr"))
 one, two = cycles(1), cycles(2)
 theirs = (one + two) / 2

@@ -25,7 +25,7 @@ def exported() -> dict:
     root = json.loads(target.read_text(encoding="utf-8"))
     result = {}
     for light in root["lights"]:
-        own = {t["attribute"]: t["values"] for t in root["shot"]["tracks"] if t["light"] == light["name"]}
+        own = {t["attribute"]: t["values"] for t in root["shot"]["tracks"] if t.get("light") == light["name"]}
         result[light["name"]] = [{key: own[key][i] if key in own else light[key] for key in KEYED} | {"type": light["type"]} for i in range(12)]
     return result
 
@@ -73,7 +73,7 @@ def replace_keys(edited: str) -> None:
 
 sample.start()
 scene = sample.build()
-from bl_ext.user_default.lightning import lights, transfer  # noqa: E402, after the add-on is enabled
+from bl_ext.user_default.lightning import axes, lights, shot, transfer  # noqa: E402, after the add-on is enabled
 
 # Without groups and temperatures, a description is in Lightning's terms.
 bpy.data.objects["Key"].lightgroup = ""
@@ -162,11 +162,50 @@ replace_keys("light Key { intensity { 1 1  5 7 smooth  12 2 } color { 1 1 1 0  1
 call(bpy.ops.lightning.get_lights)
 assert_same("keyed nodes")
 assert any("inputs" in path for _, path, _, _ in curves())
+
+# Keys of a light group become keys of its lights; the camera and objects get theirs.
+call(bpy.ops.lightning.send)
 text = FILE.read_text(encoding="utf-8")
-FILE.write_text(text.replace("\nshot {", "\nbank fills { }\nshot {").rstrip().removesuffix("}") + "  bank fills { intensity { 1 1  12 3 } }\n}\n",
-                encoding="utf-8")
+assert "light Spot spot {" in text, text
+FILE.write_text(text.replace("\nshot {", "\nbank fills { }\nshot {").replace("light Spot spot {", "light Spot spot { bank fills"), encoding="utf-8")
+cube = bpy.data.objects["Cube"]
+replace_keys("""
+  bank fills { intensity { 1 1  12 3 } color { 1 1 1 1  12 1 0.5 0 } on { 1 yes  5 no  9 yes } }
+  camera { from { 1 7 5 7  12 5 6 7 smooth } to { 1 0 0 0  12 1 0 0 } fov { 1 30  12 50 } shift { 1 0 0  12 0.2 -0.1 } }
+  mesh Cube { at { 1 0 0 0  12 3 4 5 } rotate { 1 0 0 0  12 20 400 0 } scale { 1 1 1 1  12 1 2 1 } }
+""")
 messages = transfer.get_lights(bpy.context, FILE)
-assert "stay in Lightning only: animated light groups (1)" in messages, messages
+assert not any("stay in Lightning" in m and ("group" in m or "Cube" in m) for m in messages), messages
+target = sample.FOLDER / "lights.json"
+subprocess.run([PROGRAM, "export-lights", str(FILE), "-o", str(target), "--quiet"], check=True)
+root = json.loads(target.read_text(encoding="utf-8"))
+tracks = root["shot"]["tracks"]
+matrices = next(t["matrices"] for t in tracks if t.get("node") == "Cube")
+view = {t["attribute"]: t["values"] for t in tracks if "camera" in t}
+
+
+def near(ours, theirs, what) -> None:
+    assert all(abs(a - b) <= PRECISION * max(1, abs(b)) for a, b in zip(ours, theirs, strict=True)), (what, ours, theirs)
+
+
+spot_light = next(light for light in root["lights"] if light["name"] == "Spot")
+for i in range(12):
+    scene.frame_set(i + 1)
+    near(axes.columns(cube.matrix_world), matrices[i], f"Cube at {i + 1}")
+    seen = shot.camera(scene)
+    near(seen["from"], view["from"][i], "camera")
+    near([seen["fov"]], [view["fov"][i]], "field of view")
+    near(seen["shift"], view["shift"][i], "lens shift")
+    near(Vector(seen["to"]) - Vector(seen["from"]), (Vector(view["to"][i]) - Vector(view["from"][i])).normalized() *
+         (Vector(seen["to"]) - Vector(seen["from"])).length, "direction")
+    at = lights.describe(spot, {}, [])
+    assert at["on"] == (not 5 <= i + 1 < 9 and spot_light["on"]), (i, at["on"])
+    near([at["intensity"]], [spot_light["relative_intensity"] * (1 + 2 * i / 11)], "group")
+    near(at["color"], [c * g for c, g in zip(spot_light["color"], (1, 1 - i / 22, 1 - i / 11))], "color of the group")
+scene.frame_set(4)
+after = curves()
+transfer.get_lights(bpy.context, FILE)
+assert curves() == after, "the same keys came back differently"
 messages = []
 lights.describe(bpy.data.objects["Square"], {}, messages)
 assert "except for an image of an area light" in messages[0], messages

@@ -88,13 +88,16 @@ def measure(width: int, height: int) -> None:
                        ("object", lambda i: setattr(bpy.data.objects["Cube"], "location", (i / 50, 0, 0))),
                        ("material", lambda i: setattr(shader("Base Color"), "default_value", (0.1, 0.6, 0.2 + i / 100, 1))),
                        ("mesh", move_vertex)):
-        times = []
+        times, first = [], []
         for i in range(1, 16):
             start = time.perf_counter()
+            live.view().coarse_milliseconds = 0
             edit(i)
             follow()
             times.append(1000 * (time.perf_counter() - start))
-        print(f"{width}x{height} {name}: smallest {min(times[4:]):.1f} ms, median {sorted(times[4:])[5]:.1f} ms")
+            first.append(live.view().coarse_milliseconds or times[-1])
+        print(f"{width}x{height} {name}: smallest {min(times[4:]):.1f} ms, median {sorted(times[4:])[5]:.1f} ms; "
+              f"first picture {min(first[4:]):.1f} ms, median {sorted(first[4:])[5]:.1f} ms")
 
 
 sample.start()
@@ -215,6 +218,24 @@ for i in range(20):
     bpy.context.view_layer.update()
     live.view().pump()
 check("drag")
+# A newer edit cancels the exact picture once a coarse one is shown.
+scene.render.resolution_x, scene.render.resolution_y = 960, 540
+live.view().refresh()
+follow()
+count, shown = live.view().pictures, 0
+for i in range(5):
+    scene.camera.location.x += 0.01
+    bpy.context.view_layer.update()
+    live.view().coarse_milliseconds = 0
+    end = time.monotonic() + 60
+    while not live.view().coarse_milliseconds and not live.view().is_idle():
+        live.view().pump()
+        assert time.monotonic() < end, live.view().status
+    coarse = pixels(bpy.data.images["Lightning"])
+    shown += live.view().coarse_milliseconds > 0
+assert shown == 5 and live.view().pictures < count + 5, (shown, live.view().pictures - count)
+assert coarse.shape == (540, 960, 4) and not numpy.array_equal(coarse, before)
+check("drag of the camera with coarse pictures")
 reference.close()
 # Stopped and started; then the server dies, and another file is loaded.
 bpy.ops.lightning.live_view()

@@ -49,13 +49,19 @@ def show_image(light):
     return light
 
 
-def show_profile(light):
-    """Gives a light an IES profile, whose values are those of a smooth curve every two degrees."""
+def _candela(angle: float, around: float, count: int) -> float:
+    """Returns a smooth value, which does not depend on the direction around the axis if there is only one."""
+    shape = 0.7 * math.cos(around) + (0.4 * math.sin(2 * around) if count > 40 else 0) if count > 1 else 0
+    return (1.2 + math.cos(2 * angle)) * (1 + shape * math.sin(angle) ** 2)
+
+
+def show_profile(light, around=(0,)):
+    """Gives a light an IES profile, whose values are those of a smooth curve every two degrees, at angles around its axis in degrees."""
     node, tree = emission(light)
     angles = range(0, 181, 2)
     text = bpy.data.texts.new("lamp.ies")
-    text.write("IESNA:LM-63-2002\nTILT=NONE\n1 1000 2 91 1 1 2 0 0 0\n1 1 10\n" + "\n".join(str(a) for a in angles) + "\n0\n"
-               + "\n".join(f"{500 * (1.2 + math.cos(math.radians(2 * a))):.6g}" for a in angles) + "\n")
+    text.write("IESNA:LM-63-2002\nTILT=NONE\n1 1000 2 91 " + str(len(around)) + " 1 2 0 0 0\n1 1 10\n" + "\n".join(str(a) for a in (*angles, *around)) + "\n"
+               + "\n".join(f"{500 * _candela(math.radians(a), math.radians(h), len(around)):.6g}" for h in around for a in angles) + "\n")
     profile = tree.nodes.new("ShaderNodeTexIES")
     profile.ies = text
     profile.inputs["Strength"].default_value = 0.5

@@ -13,12 +13,12 @@ from . import light_nodes, lights
 # Attributes that change the same properties in Blender, and these properties: of the object, of its light, or of its light's node.
 GROUPS = (
     (("at", "direction", "up"), ("location", "rotation_euler", "rotation_quaternion", "rotation_axis_angle")),
-    (("color", "intensity", "relative_intensity", "exposure", "temperature"),
+    (("color", "intensity", "relative_intensity", "exposure", "temperature", "bank.color", "bank.intensity"),
      ("data.color", "data.energy", "data.exposure", "data.temperature", "data.use_temperature", "node.Color", "node.Strength")),
     (("radius", "width", "height"), ("data.shadow_soft_size", "data.size", "data.size_y")),
     (("angle", "dropoff"), ("data.spot_size", "data.spot_blend")),
     (("spread",), ("data.angle",)),
-    (("on",), ("hide_render",)),
+    (("on", "bank.on"), ("hide_render",)),
     (("diffuse",), ("data.diffuse_factor",)),
     (("specular",), ("data.specular_factor",)),
     (("casts_shadows",), ("data.use_shadow",)),
@@ -27,11 +27,17 @@ GROUPS = (
 TOLERANCE = 1e-6
 
 
-def by_light(shot: dict) -> dict[str, dict[str, list]]:
-    """Returns the values of each animated attribute, by light and attribute."""
+def by_light(exported: dict) -> dict[str, dict[str, list]]:
+    """Returns the values of each animated attribute, by light and attribute. Those of a light's group have names with `bank.`."""
     result: dict[str, dict[str, list]] = {}
-    for track in shot.get("tracks", []):
-        result.setdefault(track["light"], {})[track["attribute"]] = track["values"]
+    tracks = exported.get("shot", {}).get("tracks", [])
+    for track in tracks:
+        if "light" in track:
+            result.setdefault(track["light"], {})[track["attribute"]] = track["values"]
+    for light in exported["lights"]:
+        for track in tracks:
+            if "bank" in track and track["bank"] == light["bank"]:
+                result.setdefault(light["name"], {})[f"bank.{track['attribute']}"] = track["values"]
     return result
 
 
@@ -60,22 +66,40 @@ def receive(scene, obj, settings: dict, values: dict[str, list], first: int, gro
     # The frames start from the received values, except for those that Blender's animation may have changed.
     covered = {name for names, _ in affected for name in names}
     lights.store(obj, settings["name"], {name: value for name, value in settings.items() if name not in covered}, groups)
-    paths = [path for _, group in affected for path in group if _block(obj, path)[0] is not None]
-    for path in paths:
-        _remove_curves(obj, path)
+    paths = [path for _, group in affected for path in group]
     animated = {name: v for name, v in values.items() if any(name in names for names, _ in affected)}
     if animated:
-        rows = []
-        for i in range(len(next(iter(animated.values())))):
-            at_frame = settings | {name: v[i] for name, v in animated.items()}
-            lights.receive(obj, at_frame, groups, [])
-            lights.store(obj, settings["name"], at_frame, groups)
-            rows.append([_read(obj, path) for path in paths])
-        for path, column in zip(paths, zip(*rows)):
-            _write_curves(obj, path, column, first)
+        def show(i: int) -> None:
+            own = {name: v[i] for name, v in animated.items() if not name.startswith("bank.")}
+            bank = {name.removeprefix("bank."): v[i] for name, v in animated.items() if name.startswith("bank.")}
+            at_frame = groups | {settings["bank"]: groups[settings["bank"]] | bank} if bank else groups
+            lights.receive(obj, settings | own, at_frame, [])
+            # A light whose group goes on again looks unchanged itself.
+            known = {name: value for name, value in (settings | own).items() if name != "on" or "on" not in bank}
+            lights.store(obj, settings["name"], known, at_frame)
+
+        replace_curves(obj, paths, range(len(next(iter(animated.values())))), show, first)
     else:
-        lights.receive(obj, settings, groups, [])
+        replace_curves(obj, paths, [settings], lambda _: lights.receive(obj, settings, groups, []), first)
     scene.frame_set(scene.frame_current, subframe=scene.frame_subframe)
+
+
+def replace_curves(obj, paths, states, show, first: int) -> None:
+    """Replaces the F-curves of properties by those of the values that they have in some states, one for each frame.
+
+    Args:
+        show: gives the object a state
+        first: frame of the first state
+    """
+    paths = [path for path in paths if _block(obj, path)[0] is not None]
+    for path in paths:
+        _remove_curves(obj, path)
+    rows = []
+    for state in states:
+        show(state)
+        rows.append([_read(obj, path) for path in paths])
+    for path, column in zip(paths, zip(*rows)):
+        _write_curves(obj, path, column, first)
 
 
 def _block(obj, path: str):

@@ -31,6 +31,11 @@ def columns(matrix: Matrix) -> list[float]:
     return [m[row][column] for column in range(4) for row in range(4)]
 
 
+def blender_matrix(values: list[float]) -> Matrix:
+    """Returns a transform in Blender's axes of one in Lightning's, column by column."""
+    return TO_BLENDER @ Matrix([values[i:i + 4] for i in range(0, 16, 4)]).transposed() @ TO_LIGHTNING
+
+
 def light_matrix(position, direction, up) -> Matrix:
     """Returns the Blender transform of a light that shines along `direction`; all arguments in Lightning's axes."""
     z = -blender_vector(direction).normalized()

@@ -1,19 +1,19 @@
 # SPDX-License-Identifier: Apache-2.0
 """Node trees of lights: one Emission, whose color can be an image and whose strength an IES profile."""
 
-import bisect
 import math
 import re
 from pathlib import Path
 
 import bpy
+from mathutils import Vector
 
-from . import world
+from . import ies, spot_edge, world
 
 # Cycles takes candelas for watts over all directions, with 177.83 lumens per watt (daylight D65).
 WATTS_PER_CANDELA = 4 * math.pi / 177.83
-# Angles at which a soft edge of a spot is described.
-EDGE_STEPS = 64
+# Sine of the angle to the vertical below which Lightning counts a direction as vertical.
+NEARLY_VERTICAL = 1e-6
 
 
 def emission(light):
@@ -41,7 +41,7 @@ def color_and_strength(light, name: str, messages: list[str]) -> tuple[list[floa
         messages.append(f"{name}: its nodes are not exchanged, except for an image of an area light and an IES profile")
     factor = 1 if strength.is_linked else strength.default_value
     if profile is not None:
-        factor = _source(strength, "ShaderNodeTexIES").inputs["Strength"].default_value * profile[1] * WATTS_PER_CANDELA
+        factor = _source(strength, "ShaderNodeTexIES").inputs["Strength"].default_value * profile.candela * WATTS_PER_CANDELA
     return list((1, 1, 1) if color.is_linked else color.default_value[:3]), factor
 
 
@@ -79,24 +79,36 @@ def write_texture(light, folder: Path, messages: list[str]) -> None:
         (folder / texture_name(light)).write_bytes(world.radiance(width, height, mirrored))
 
 
-def profile(light) -> tuple[str, str]:
+def profile(obj) -> tuple[str, str]:
     """Returns the name and the text of a light's IES profile: of its nodes, times the soft edge of a spot. Two empty texts if there is none."""
+    light = obj.data
     found = _profile(light, [])
-    edge = _edge(light) if light.type == "SPOT" else None
+    edge = spot_edge.points(light) if light.type == "SPOT" else None
     if found is None and edge is None:
         return "", ""
     name = f"spot-{math.degrees(light.spot_size):.4g}-blend-{light.spot_blend:.4g}" if edge is not None else ""
-    points = edge
-    if found is not None:
-        points = found[0]
-        source = _source(emission(light).inputs["Strength"], "ShaderNodeTexIES")
-        name = "-".join(filter(None, (name, _stem(source))))
-        if edge is not None:
-            angles = sorted({a for a, _ in points} | {a for a, _ in edge})
-            points = [(a, _at(points, a) * _at(edge, a)) for a in angles if points[0][0] <= a <= edge[-1][0]]
-    lines = ["IESNA:LM-63-2002", "TILT=NONE", f"1 -1 1 {len(points)} 1 1 2 0 0 0", "1 1 1"]
-    lines += [f"{math.degrees(a):.9g}" for a, _ in points] + ["0"] + [f"{v:.9g}" for _, v in points]
-    return f"{name}.ies", "\r\n".join(lines) + "\r\n"
+    if found is None:
+        return f"{name}.ies", ies.write(ies.Profile([a for a, _ in edge], [0], [[v for _, v in edge]], 1))
+    name = "-".join(filter(None, (name, _stem(_source(emission(light).inputs["Strength"], "ShaderNodeTexIES")))))
+    if len(found.horizontal) > 1:
+        turn = _turn(obj)
+        name += f"-{turn:.6g}"
+        found = ies.mirrored(found, turn)
+    return f"{name}.ies", ies.write(ies.times(found, edge) if edge is not None else found)
+
+
+def _turn(obj) -> float:
+    """Returns the angle around the axis, in degrees as Cycles counts, at which Lightning starts to count.
+
+    Cycles starts at -y of the light and turns to -x. Lightning has no roll of spots: it starts at the right as seen from the light, with
+    the world's z at the top, and turns to the top. A point light looks straight down there, with -y at the top.
+    """
+    matrix = obj.matrix_world
+    forward = -matrix.col[2].to_3d().normalized() if obj.data.type == "SPOT" else Vector((0, 0, -1))
+    right = forward.cross(Vector((0, 0, 1)))
+    if right.length < NEARLY_VERTICAL:
+        right = forward.cross(Vector((0, -1, 0)))
+    return round((270 - math.degrees(math.atan2(right.dot(matrix.col[1].to_3d().normalized()), right.dot(matrix.col[0].to_3d().normalized())))) % 360, 4)
 
 
 def _stem(node) -> str:
@@ -109,36 +121,8 @@ def _safe(name: str) -> str:
     return re.sub(r"[^\w-]", "_", name)
 
 
-def _edge(light) -> list[tuple[float, float]] | None:
-    """Returns the soft edge of a spot as angles and shares of its light; None if its edge is sharp.
-
-    The light falls from 1 to 0 as 3t² - 2t³, where t is linear in the cosine. Between 64 angles the profile is linear, with an error of
-    less than 0.0002.
-    """
-    half = light.spot_size / 2
-    if light.spot_blend <= 0 or half >= math.pi / 2:
-        return None
-    outer = math.cos(half)
-    inner = math.acos(min(1.0, outer + (1 - outer) * light.spot_blend))
-    angles = [inner + (half - inner) * i / EDGE_STEPS for i in range(EDGE_STEPS + 1)]
-    if angles[0] > 1e-6:
-        angles.insert(0, 0.0)
-    result = []
-    for angle in angles:
-        t = min(max((math.cos(angle) - outer) / ((1 - outer) * light.spot_blend), 0), 1)
-        result.append((angle, t * t * (3 - 2 * t)))
-    return result
-
-
-def _at(points: list[tuple[float, float]], angle: float) -> float:
-    """Returns a value between the angles of a profile."""
-    i = min(max(bisect.bisect_right([a for a, _ in points], angle), 1), len(points) - 1)
-    (a, v), (b, w) = points[i - 1], points[i]
-    return v + (w - v) * min(max((angle - a) / (b - a), 0), 1) if b > a else v
-
-
-def _profile(light, messages: list[str]) -> tuple[list[tuple[float, float]], float] | None:
-    """Returns the angles and values of the IES profile of a light's nodes, and its largest value in candelas; None if there is none to send."""
+def _profile(light, messages: list[str]) -> ies.Profile | None:
+    """Returns the IES profile of a light's nodes; None if there is none to send."""
     node = emission(light)
     texture = _source(node.inputs["Strength"], "ShaderNodeTexIES") if node is not None and light.type in ("POINT", "SPOT") else None
     if texture is None or texture.inputs["Vector"].is_linked:
@@ -146,25 +130,7 @@ def _profile(light, messages: list[str]) -> tuple[list[tuple[float, float]], flo
     try:
         text = texture.ies.as_string() if texture.mode == "INTERNAL" and texture.ies else Path(
             bpy.path.abspath(texture.filepath)).read_text(encoding="latin-1")
-        return _parse(text)
+        return ies.parse(text)
     except (OSError, ValueError, IndexError) as e:
         messages.append(f"the IES profile {_stem(texture)} is not sent: {e}")
         return None
-
-
-def _parse(text: str) -> tuple[list[tuple[float, float]], float]:
-    """Reads a profile of LM-63 that is the same in all horizontal directions; a ValueError says why one is not."""
-    found = re.search(r"^TILT=NONE\s*$", text, re.MULTILINE)
-    if found is None:
-        raise ValueError("expected TILT=NONE")
-    numbers = [float(word) for word in text[found.end():].replace(",", " ").split()]
-    multiplier, vertical, horizontal, photometry = numbers[2], int(numbers[3]), int(numbers[4]), int(numbers[5])
-    if photometry != 1 or horizontal != 1 or vertical < 2:
-        raise ValueError("expected photometry of type C with one horizontal angle")
-    angles = [math.radians(a) for a in numbers[13:13 + vertical]]
-    scale = multiplier * numbers[10] * numbers[11]
-    values = [v * scale for v in numbers[14 + vertical:14 + 2 * vertical]]
-    brightest = max(values)
-    if len(values) != vertical or angles != sorted(angles) or not brightest > 0:
-        raise ValueError("expected ascending angles and a value for each")
-    return [(a, v / brightest) for a, v in zip(angles, values)], brightest

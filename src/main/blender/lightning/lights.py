@@ -88,7 +88,7 @@ def describe(obj, groups: dict, messages: list[str]) -> dict:
         messages.append(f"{obj.name}: a negative strength became 0")
     if light.type in ("POINT", "SPOT"):
         result["radius"] = axes.number(light.shadow_soft_size)
-        result["profile"] = light_nodes.profile(light)[0]
+        result["profile"] = light_nodes.profile(obj)[0]
         if light.type == "POINT" and result["profile"] and matrix.col[2].to_3d().normalized().z < 0.9999:
             messages.append(f"{obj.name}: its IES profile hangs straight down in Lightning")
     if light.type == "SPOT":

@@ -12,13 +12,12 @@ import time
 from pathlib import Path
 
 import bpy
-import numpy
 
 from . import gltf, lights, program, shot, transfer, words
 from .lightning_relight import Client, RequestError
 from .model import Model
+from .pictures import Pictures
 
-IMAGE = "Lightning"
 # Objects that have no mesh in the file.
 BARE_TYPES = ("LIGHT", "CAMERA", "EMPTY")
 # Most seconds without another edit until a scene is exported again, and those until a slow picture of older lights is canceled.
@@ -38,6 +37,7 @@ class LiveView:
         self.scene_name = scene.name
         self.error = ""
         self.milliseconds = 0.0
+        self.coarse_milliseconds = 0.0
         self.pictures = 0
         self._folder = Path(tempfile.mkdtemp(prefix="lightning-live-"))
         self._sent = 0
@@ -45,8 +45,6 @@ class LiveView:
         self._model: Model | None = None
         self._export_seconds = 0.0
         self._edits: list = []
-        self._render = None
-        self._render_start = 0.0
         self._number = None
         self._names: dict[str, str] = {}
         self._lights: dict[str, dict] = {}
@@ -61,6 +59,7 @@ class LiveView:
         self._edited_at = time.perf_counter()
         try:
             self._client = Client(program=program.find())
+            self._pictures = Pictures(self._client)
         except BaseException:
             shutil.rmtree(self._folder, ignore_errors=True)
             raise
@@ -72,11 +71,11 @@ class LiveView:
             return self.error
         if self._must_send or self._opening and not self.pictures:
             return "Sending the scene"
-        return "Rendering" if self._render or not self.pictures else f"{self.milliseconds:.0f} ms from edit to picture"
+        return "Rendering" if self._pictures.is_waiting or not self.pictures else f"{self.milliseconds:.0f} ms from edit to picture"
 
     def is_idle(self) -> bool:
         """Returns whether the image shows the scene as it is, or an error stopped it."""
-        return bool(self.error) or not (self._must_send or self._opening or self._render or self._edits or self._is_stale or self._is_world_stale)
+        return bool(self.error) or not (self._must_send or self._opening or self._pictures.is_waiting or self._edits or self._is_stale or self._is_world_stale)
 
     def note(self, scene, depsgraph) -> None:
         """Notes what an update of Blender changed."""
@@ -119,7 +118,8 @@ class LiveView:
     def _fail(self, message: str) -> None:
         self.error = " ".join(message.split()) or "the live view stopped"
         self._clear_notes()
-        self._opening = self._render = None
+        self._opening = None
+        self._pictures.cancel()
         self._edits = []
 
     def _clear_notes(self) -> None:
@@ -131,7 +131,7 @@ class LiveView:
         if scene is None or bpy.context.scene != scene:
             return
         self._receive_edits()
-        self._receive_picture()
+        self._receive_picture(scene)
         if self._opening is not None:
             self._receive_opened()
         elif self._must_send:
@@ -145,7 +145,7 @@ class LiveView:
         """Exports the scene and sends it."""
         start = time.perf_counter()
         self._clear_notes()
-        self._cancel()
+        self._pictures.cancel()
         self._model = None
         self._sent += 1
         target = self._target()
@@ -165,11 +165,11 @@ class LiveView:
         bpy.context.view_layer.update()
         self._clear_notes()
         self._model = model
-        self._replace()
+        self._replace("export")
         self._export_seconds = time.perf_counter() - start
 
-    def _replace(self) -> None:
-        """Lets the server import the exported scene, in place of the one that is open."""
+    def _replace(self, kind: str) -> None:
+        """Lets the server import the exported scene, in place of the one that is open, after an edit of some kind."""
         target = self._target()
         model = target.with_suffix(".gltf")
         gltf.write_text(model, self._model.root, target.with_suffix(".bin").name)
@@ -178,7 +178,7 @@ class LiveView:
             self._opening = self._client.send("open", **fields)
         else:
             self._opening = self._client.send("replace", scene=self._number, **fields)
-            self._request_picture()
+            self._request_picture(kind)
 
     def _target(self) -> Path:
         return self._folder / str(self._sent) / "live.jen"
@@ -202,7 +202,7 @@ class LiveView:
         self._names = dict(zip(self._lights, names))
         shutil.rmtree(self._folder / str(self._sent - 1), ignore_errors=True)
         if is_new:
-            self._request_picture()
+            self._request_picture("export")
 
     def _describe(self, scene) -> dict[str, dict]:
         return {obj.name: lights.send(obj, self._groups, []) for obj in transfer.lamps(scene)}
@@ -216,12 +216,12 @@ class LiveView:
 
     def _edit(self, scene) -> None:
         """Sends the changes and requests a picture."""
-        now = time.perf_counter()
-        if self._render is not None:
-            is_slow = self.pictures and now - self._render_start > SLOW and now - self._changed_at > CANCEL_DELAY
-            if not is_slow:
+        if self._pictures.is_waiting:
+            has_paused = time.perf_counter() - self._changed_at > CANCEL_DELAY
+            is_slow = self.pictures and self._pictures.seconds > SLOW and has_paused
+            if not is_slow and not self._pictures.is_coarse_shown:
                 return
-            self._cancel()
+            self._pictures.cancel()
         is_world_stale, stale_materials = self._is_world_stale, self._stale_materials
         self._clear_notes()
         after = self._describe(scene)
@@ -237,7 +237,7 @@ class LiveView:
             self._must_send = True
             return
         if is_model_edited:
-            self._edit_model(scene, after, is_world_stale)
+            self._edit_model(scene, after, is_world_stale, "material" if stale_materials else "object")
             return
         requests = [("delete", {"light": words.quoted(self._names[name])}) for name in self._lights if name not in after]
         edits: list[str] = []
@@ -255,9 +255,9 @@ class LiveView:
             requests.append(("set", {"edits": edits, "gesture": "live"}))
         if requests:
             self._edits += [self._client.send(method, scene=self._number, **fields) for method, fields in requests]
-            self._request_picture()
+            self._request_picture("light")
 
-    def _edit_model(self, scene, after: dict[str, dict], is_world_stale: bool) -> None:
+    def _edit_model(self, scene, after: dict[str, dict], is_world_stale: bool, kind: str) -> None:
         """Sends the exported scene with an edit of it, and with the lights and the world as they are now."""
         if is_world_stale:
             self._edit_world(scene)
@@ -270,7 +270,7 @@ class LiveView:
         if scene.camera is not None:
             settings |= {"distance": shot.target_distance(scene.camera.data), "shift": shot.shift(scene)}
         settings |= {"world": self._world, "banks": transfer.light_groups(self._groups, groups), "lights": list(after.values())}
-        self._replace()
+        self._replace(kind)
 
     def _write_files(self, scene) -> None:
         for obj in transfer.lamps(scene):
@@ -301,23 +301,14 @@ class LiveView:
                 self._edits = []
                 self._must_send = True
 
-    def _request_picture(self) -> None:
-        self._render_start = time.perf_counter()
-        self._render = self._client.send("render", scene=self._number, memory=True)
+    def _request_picture(self, kind: str) -> None:
+        self._pictures.request(self._number, kind, 0 if kind == "light" else float("inf"))
 
-    def _cancel(self) -> None:
-        if self._render is not None:
-            self._render.cancel()
-            self._render = None
-
-    def _receive_picture(self) -> None:
-        if self._render is None or not self._render.done():
+    def _receive_picture(self, scene) -> None:
+        if self._pictures.show_coarse(shot.size(scene)):
+            self.coarse_milliseconds = 1000 * (time.perf_counter() - self._edited_at)
+        if not self._pictures.show_exact():
             return
-        answer, self._render = self._render, None
-        memory = answer.result()["memory"]
-        height, width, _ = memory["shape"]
-        colors = numpy.fromfile(memory["path"], dtype="<f4").reshape(height, width, 3)
-        show(colors)
         self.pictures += 1
         self.milliseconds = 1000 * (time.perf_counter() - self._edited_at)
         if self._is_stale or self._is_world_stale:
@@ -330,34 +321,6 @@ class LiveView:
         except OSError:
             pass  # The server has ended.
         shutil.rmtree(self._folder, ignore_errors=True)
-
-
-def show(colors) -> None:
-    """Shows linear colors, from the top row, in the image."""
-    height, width, _ = colors.shape
-    image = bpy.data.images.get(IMAGE)
-    if image is not None and (image.source != "GENERATED" or not image.is_float):
-        image.name = f"{IMAGE} (old)"
-        image = None
-    if image is None:
-        image = bpy.data.images.new(IMAGE, width, height, float_buffer=True)
-        # Editors apply the scene's view transform.
-        image.use_view_as_render = True
-        _fill_empty_editors(image)
-    elif tuple(image.size) != (width, height):
-        image.scale(width, height)
-    pixels = numpy.ones((height, width, 4), dtype=numpy.float32)
-    pixels[:, :, :3] = colors[::-1]
-    image.pixels.foreach_set(pixels.reshape(-1))
-    image.update()
-
-
-def _fill_empty_editors(image) -> None:
-    """Shows an image in the image editors that show none."""
-    for window in bpy.context.window_manager.windows:
-        for area in window.screen.areas:
-            if area.type == "IMAGE_EDITOR" and area.spaces.active.image is None:
-                area.spaces.active.image = image
 
 
 _view: LiveView | None = None

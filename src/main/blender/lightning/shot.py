@@ -65,18 +65,24 @@ def camera(scene) -> dict:
             "up": axes.vector(matrix.col[1].to_3d().normalized())}
     if data.type == "PERSP":
         # The angle of a sensor belongs to the longer side, or to the one that is chosen.
-        fits_height = data.sensor_fit == "VERTICAL" or data.sensor_fit == "AUTO" and height > width
         half = math.tan((data.angle_y if data.sensor_fit == "VERTICAL" else data.angle) / 2)
-        view["fov"] = 2 * math.degrees(math.atan(half if fits_height else half * height / width))
+        view["fov"] = 2 * math.degrees(math.atan(half if fits_height(scene) else half * height / width))
     view["shift"] = shift(scene)
     return view
+
+
+def fits_height(scene) -> bool:
+    """Returns whether the camera's sensor fits the height of the picture, and not its width."""
+    fit = scene.camera.data.sensor_fit
+    width, height = size(scene)
+    return fit == "VERTICAL" or fit == "AUTO" and height > width
 
 
 def shift(scene) -> list[float]:
     """Returns the lens shift as shares of the picture's width and height; Blender's are shares of the side that the sensor fits."""
     data = scene.camera.data
     width, height = size(scene)
-    side = height if data.sensor_fit == "VERTICAL" or data.sensor_fit == "AUTO" and height > width else width
+    side = height if fits_height(scene) else width
     return [axes.number(data.shift_x) * side / width, axes.number(data.shift_y) * side / height]
 
 

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import bpy
 
-from . import animation, axes, gltf, light_nodes, lights, materials, program, shot, world
+from . import animation, axes, gltf, light_nodes, lights, materials, program, shot, views, world
 
 PROPERTY = "lightning"
 # Lightning's curves for Blender's view transforms.
@@ -125,7 +125,7 @@ def world_settings(scene, target: Path, messages: list[str]) -> dict:
 def write_files(obj, folder: Path, messages: list[str]) -> None:
     """Writes the profile and the image of a light."""
     light_nodes.write_texture(obj.data, folder, messages)
-    name, profile = light_nodes.profile(obj.data) if obj.data.type in ("POINT", "SPOT") else ("", "")
+    name, profile = light_nodes.profile(obj) if obj.data.type in ("POINT", "SPOT") else ("", "")
     content = profile.encode("ascii")
     if name and not ((folder / name).is_file() and (folder / name).read_bytes() == content):
         (folder / name).write_bytes(content)
@@ -145,11 +145,11 @@ def _remember(scene, target: Path, sent: list) -> None:
     exported = export(target, [])
     groups = {group.pop("name"): group for group in exported["banks"]}
     by_name = {light["name"]: light for light in exported["lights"]}
-    animated = animation.by_light(exported.get("shot", {}))
+    animated = animation.by_light(exported)
     for obj in sent:
         if obj.name in by_name:
             lights.store(obj, obj.name, by_name[obj.name], groups, animation.digests(animated.get(obj.name, {})))
-    scene[PROPERTY] = json.dumps({"banks": groups, "world": exported["world"], "digest": _digest(target)})
+    scene[PROPERTY] = json.dumps({"banks": groups, "world": exported["world"], "digest": _digest(target), "views": views.digests(exported)})
 
 
 def export(source: Path, messages: list[str]) -> dict:
@@ -167,7 +167,7 @@ def get_lights(context, source: Path, remove: bool = True) -> list[str]:
     messages: list[str] = []
     exported = export(source, messages)
     groups = {group.pop("name"): group for group in exported["banks"]}
-    animated = animation.by_light(exported.get("shot", {}))
+    animated = animation.by_light(exported)
     known = {}
     for obj in scene.objects:
         if obj.type == "LIGHT":
@@ -188,8 +188,9 @@ def get_lights(context, source: Path, remove: bool = True) -> list[str]:
     context.view_layer.update()
     for obj, settings, tracks in received:
         lights.store(obj, settings["name"], settings, groups, tracks)
+    views.receive(scene, exported, memory(scene).get("views", {}), messages)
     world.receive(scene.world, exported["world"], memory(scene).get("world", {}), messages)
-    scene[PROPERTY] = json.dumps({"banks": groups, "world": exported["world"], "digest": _digest(source)})
+    scene[PROPERTY] = json.dumps({"banks": groups, "world": exported["world"], "digest": _digest(source), "views": views.digests(exported)})
     if any(settings["solo"] for settings in exported["lights"]) or any(group["solo"] for group in groups.values()):
         messages.append("solo lights: Blender shows the others too")
     for name, group in groups.items():

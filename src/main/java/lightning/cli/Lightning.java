@@ -68,7 +68,7 @@ public final class Lightning {
             }
             int exit = isUnknown(commands, args) ? unknownCommand(console, commands, args[0]) : commands.execute(args);
             if (console.report().isJson()) {
-                printJson(console, commands, exit);
+                printJson(console, commands, exit, args);
             }
             err.flush();
             // PrintStream swallows write errors; checkError flushes and returns them.
@@ -92,14 +92,21 @@ public final class Lightning {
     }
 
     /** Prints the report of the command that ran; help pages and versions are texts. */
-    private static void printJson(Console console, CommandLine commands, int exit) {
-        String name = "lightning";
+    private static void printJson(Console console, CommandLine commands, int exit, String... args) {
         for (ParseResult part = commands.getParseResult(); part != null; part = part.hasSubcommand() ? part.subcommand() : null) {
             if (part.isUsageHelpRequested() || part.isVersionHelpRequested()) {
                 return;
             }
-            name = part.commandSpec().qualifiedName();
         }
+        // Picocli has no result of a command whose arguments are wrong.
+        CommandLine command = commands;
+        for (String arg : args) {
+            if (!arg.startsWith("-") && !command.getSubcommands().containsKey(arg)) {
+                break;
+            }
+            command = command.getSubcommands().getOrDefault(arg, command);
+        }
+        String name = command.getCommandSpec().qualifiedName();
         console.report().print(console.out(), name.substring(name.indexOf(' ') + 1), exit);
     }
 
@@ -165,8 +172,9 @@ public final class Lightning {
         String name = command.qualifiedName();
         // Picocli quotes whole arguments, and also the part after an equals sign separately.
         List<String> words = Stream.of(args).flatMap(arg -> Stream.of(arg, arg.substring(arg.indexOf('=') + 1))).toList();
-        String hint = suggestion(command, e instanceof UnmatchedArgumentException unmatched ? unmatched.getUnmatched()
-                : Stream.of(args).filter(arg -> isUnknownOption(command, arg)).toList());
+        String hint = e instanceof UnmatchedArgumentException unmatched ? suggestion(command, unmatched.getUnmatched())
+                : Stream.of(args).filter(arg -> isUnknownOption(command, arg)).findFirst()
+                        .map(arg -> "; unknown option '" + optionName(arg) + "'" + suggestion(command, List.of(arg))).orElse("");
         console.error(name + ": " + Quote.shortenWords(e.getMessage(), words) + hint);
         console.error("Try '" + name + " --help'.");
         return ExitCode.BAD_INPUT;

@@ -16,4 +16,9 @@ public record LensShift(double x, double y) {
         x += 0.0;
         y += 0.0;
     }
+
+    /** Returns whether a camera can have this shift: at most {@link SceneLimits#MAX_SHIFT} pictures in each direction. */
+    public static boolean isValid(double x, double y) {
+        return Math.abs(x) <= SceneLimits.MAX_SHIFT && Math.abs(y) <= SceneLimits.MAX_SHIFT;
+    }
 }

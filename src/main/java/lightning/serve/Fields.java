@@ -1,11 +1,13 @@
 package lightning.serve;
 
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import lightning.base.text.Quote;
+import lightning.format.jen.NameSuggestion;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.node.ObjectNode;
 
@@ -24,7 +26,7 @@ final class Fields {
         for (String name : message.propertyNames()) {
             if (!known.contains(name)) {
                 throw bad(name.length() > MAX_SHOWN ? name.substring(0, MAX_SHOWN) + "…" : name,
-                        "unknown field; expected one of " + String.join(", ", new TreeSet<>(known)));
+                        "unknown field; expected one of " + String.join(", ", new TreeSet<>(known)) + NameSuggestion.hint(name, known));
             }
         }
     }
@@ -72,10 +74,10 @@ final class Fields {
         return node != null && node.booleanValue();
     }
 
-    /** Returns whether a field is {@code true}; false if it is a text or missing. */
-    boolean isTrue(String name) {
-        JsonNode node = message.get(name);
-        return node != null && node.isBoolean() && node.booleanValue();
+    /** Returns the path that {@code memory} names; empty if it is {@code true} or missing. */
+    Optional<Path> memoryPath() {
+        JsonNode node = message.get("memory");
+        return node != null && node.isBoolean() && node.booleanValue() ? Optional.empty() : optionalString("memory").map(Path::of);
     }
 
     int integer(String name, int min, int max) {

@@ -9,6 +9,7 @@ import lightning.base.file.SharedMemoryFile;
 import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
 import lightning.render.image.Film;
+import tools.jackson.databind.node.ObjectNode;
 
 /** Part of a film as rows of 32-bit floats: red, green and blue of each pixel, linear, the top row first. */
 record FloatRows(Film film, PictureRegion region) {
@@ -35,6 +36,12 @@ record FloatRows(Film film, PictureRegion region) {
         } catch (UncheckedIOException e) {
             throw e.getCause();
         }
+    }
+
+    /** Describes the rows so that a program can map them without knowledge of the request. */
+    void describe(SharedMemoryFile memory, ObjectNode node) {
+        node.put("path", memory.path().toString()).put("bytes", memory.bytes()).put("type", "float32").put("order", "little");
+        node.putArray("shape").add(region.height()).add(region.width()).add(3);
     }
 
     private void writeStrip(SharedMemoryFile file, int first, ByteBuffer bytes) {

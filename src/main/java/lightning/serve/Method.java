@@ -6,6 +6,7 @@ import java.util.Locale;
 import java.util.Set;
 import java.util.stream.Collectors;
 import lightning.base.text.Quote;
+import lightning.format.jen.NameSuggestion;
 
 /** Methods of the protocol with the fields that each allows. */
 enum Method {
@@ -18,7 +19,7 @@ enum Method {
     FRAME("scene", "frame"),
     UNDO("scene", "steps"),
     REDO("scene", "steps"),
-    RENDER("scene", "region", "light", "file", "bits", "layers", "memory", "progress"),
+    RENDER("scene", "region", "light", "file", "bits", "layers", "memory", "coarse", "progress"),
     EXPLAIN("scene", "pixel", "progress"),
     SAVE("scene", "file"),
     CLOSE("scene"),
@@ -53,6 +54,7 @@ enum Method {
     static Method of(String text) {
         return Arrays.stream(values()).filter(method -> method.text().equals(text)).findFirst()
                 .orElseThrow(() -> Fields.bad("method", "unknown method " + Quote.of(text) + "; expected one of "
-                        + Arrays.stream(values()).map(Method::text).collect(Collectors.joining(", "))));
+                        + Arrays.stream(values()).map(Method::text).collect(Collectors.joining(", "))
+                        + NameSuggestion.hint(text, Arrays.stream(values()).map(Method::text).toList())));
     }
 }

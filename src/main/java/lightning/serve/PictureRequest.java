@@ -42,7 +42,7 @@ final class PictureRequest {
         light = fields.optionalString("light");
         file = fields.optionalString("file").map(Path::of);
         hasLayers = fields.flag("layers");
-        memoryPath = fields.isTrue("memory") ? Optional.empty() : fields.optionalString("memory").map(Path::of);
+        memoryPath = fields.memoryPath();
         hasMemory = fields.has("memory");
         light.filter(name -> scene.light(name).isEmpty()).ifPresent(name -> {
             throw Fields.bad("light", "the scene has no light '" + name + "'");
@@ -83,7 +83,7 @@ final class PictureRequest {
             SharedMemoryFile memory = session.sharedPictures().file(request.client(), memoryPath, rows.bytes());
             // A picture that is half overwritten would be neither the old one nor the new one.
             rows.write(memory, session.server().writers());
-            describe(memory, result.putObject("memory"));
+            rows.describe(memory, result.putObject("memory"));
         }
         if (file.isPresent()) {
             if (hasLayers) {
@@ -95,11 +95,5 @@ final class PictureRequest {
             result.put("file", file.get().toAbsolutePath().toString());
         }
         return result.put("writing_milliseconds", (System.nanoTime() - start) / 1e6);
-    }
-
-    /** Describes the rows so that a program can map them without knowledge of the request. */
-    private void describe(SharedMemoryFile memory, ObjectNode node) {
-        node.put("path", memory.path().toString()).put("bytes", memory.bytes()).put("type", "float32").put("order", "little");
-        node.putArray("shape").add(region.height()).add(region.width()).add(3);
     }
 }

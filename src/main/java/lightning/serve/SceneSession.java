@@ -8,6 +8,7 @@ import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.TimeUnit;
 import lightning.base.work.DedicatedThread;
 import lightning.editor.document.OpenDocument;
+import lightning.editor.loop.CoarsePicture;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.UpdateResult;
 import lightning.render.relight.tile.RenderOptions;
@@ -29,6 +30,8 @@ final class SceneSession {
     private final SceneEditing editing = new SceneEditing();
     private final int number;
     private boolean isClosed;
+    /** Speed of the last coarse picture; 0 before the first. */
+    private double coarsePixelsPerSecond;
     /** Bytes of cache and meshes; −1 if they are not known since the last update. */
     private volatile long usedBytes = UNKNOWN;
     /** Document's file and scene, for other threads; null until it is loaded. */
@@ -64,7 +67,8 @@ final class SceneSession {
             }
             result = switch (request.method()) {
                 case OPEN, REPLACE -> open(request);
-                case RENDER -> new PictureRequest(this, request).run();
+                case RENDER -> request.fields().has("coarse") ? new CoarseRequest(this, request).run()
+                        : new PictureRequest(this, request).run();
                 case EXPLAIN -> new PixelRequest(this, request).run();
                 case CLOSE -> {
                     close();
@@ -140,9 +144,7 @@ final class SceneSession {
      * @param reserved bytes that the request needs besides
      */
     UpdateResult update(Request request, long reserved) {
-        document().frameProblem().ifPresent(problem -> {
-            throw new RequestException(ErrorCode.BAD_SCENE, "frame", problem);
-        });
+        requireFrame();
         server.turn().await(request);
         try {
             var options = server.renderOptions(this);
@@ -152,6 +154,26 @@ final class SceneSession {
             usedBytes = UNKNOWN;
             server.turn().release(request);
         }
+    }
+
+    /** Traces a coarse picture in about so many seconds when it is the scene's turn; the first one has few pixels. */
+    CoarsePicture traceCoarse(Request request, double seconds) {
+        requireFrame();
+        server.turn().await(request);
+        try {
+            renderer.setOptions(server.renderOptions(this));
+            CoarsePicture picture = CoarsePicture.during(seconds, coarsePixelsPerSecond, scene(), renderer, request.progress());
+            coarsePixelsPerSecond = picture.pixelsPerSecond();
+            return picture;
+        } finally {
+            server.turn().release(request);
+        }
+    }
+
+    private void requireFrame() {
+        document().frameProblem().ifPresent(problem -> {
+            throw new RequestException(ErrorCode.BAD_SCENE, "frame", problem);
+        });
     }
 
     /** Describes the scene for a list; empty until it is loaded. */

@@ -4,13 +4,21 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
+import java.util.stream.Stream;
 import lightning.base.file.SharedMemoryFile;
 
-/** Files of one scene that clients map into their memory: one for each client, and one for each path that a client names. */
+/**
+ * Files of one scene that clients map into their memory: one for each client's pictures, one for its coarse pictures, and one for each path that a
+ * client names.
+ */
 final class SharedPictures {
     private final Server server;
-    /** Files by client or path. */
+    /** Coarse pictures of a client. Their size changes, so they would take the file of exact pictures away. */
+    private record CoarseOf(Client client) {}
+
+    /** Files by client, coarse pictures of a client, or path. */
     private final Map<Object, SharedMemoryFile> files = new HashMap<>();
 
     SharedPictures(Server server) {
@@ -23,8 +31,17 @@ final class SharedPictures {
      * @param path path that the client names; empty for a file in shared memory
      */
     SharedMemoryFile file(Client client, Optional<Path> path, long bytes) throws IOException {
+        return file((Object) client, path, bytes);
+    }
+
+    /** Returns the file for a coarse picture, as {@link #file(Client, Optional, long)}. */
+    SharedMemoryFile coarseFile(Client client, Optional<Path> path, long bytes) throws IOException {
+        return file(new CoarseOf(client), path, bytes);
+    }
+
+    private SharedMemoryFile file(Object unnamed, Optional<Path> path, long bytes) throws IOException {
         Optional<Path> named = path.map(p -> p.toAbsolutePath().normalize());
-        Object key = named.isPresent() ? named.get() : client;
+        Object key = named.isPresent() ? named.get() : unnamed;
         SharedMemoryFile known = files.get(key);
         if (known != null && known.bytes() == bytes) {
             return known;
@@ -38,12 +55,9 @@ final class SharedPictures {
         return created;
     }
 
-    /** Removes the file of a client. */
+    /** Removes the files of a client. */
     void close(Client client) {
-        SharedMemoryFile file = files.remove(client);
-        if (file != null) {
-            close(file);
-        }
+        Stream.of(client, new CoarseOf(client)).map(files::remove).filter(Objects::nonNull).forEach(SharedPictures::close);
     }
 
     /** Removes all files. */

@@ -35,6 +35,7 @@ class HelpCommandTest {
         CliResult.run("shot", "relihgt", "a.jen").assertRejected("did you mean 'relight'?");
         CliResult.run("render", "a.jen", "--siez", "2x2").assertRejected("did you mean '--size'?");
         CliResult.run("render", "--siez=2x2").assertRejected("did you mean '--size'?");
+        CliResult.run("relight", "a.jen", "--sett", "x").assertRejected("'--output=FILE'; unknown option '--sett'; did you mean '--set'?");
     }
 
     @Test

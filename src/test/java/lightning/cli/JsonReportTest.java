@@ -56,6 +56,14 @@ class JsonReportTest {
         return json;
     }
 
+    @Test
+    void wrongArguments_haveTheNameOfTheirCommand() {
+        assertThat(run(2, "explain", scene, "--pixel", "1,1").get("command").asString()).isEqualTo("explain");
+        assertThat(run(2, "shot", "render", "--siez=1x1").get("command").asString()).isEqualTo("shot render");
+        assertThat(run(2, "--quiet", "check", "--no").get("command").asString()).isEqualTo("check");
+        assertThat(run(2, "rendr").get("command").asString()).isEqualTo("lightning");
+    }
+
     private Path file(String name) {
         return folder.resolve(name);
     }

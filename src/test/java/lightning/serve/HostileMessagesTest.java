@@ -42,6 +42,12 @@ class HostileMessagesTest {
         server.close();
     }
 
+    @Test
+    void misspelledWords_haveSuggestions() throws IOException {
+        assertThat(client.refused("rendr", "'scene':1").get("message").asString()).endsWith(", did you mean 'render'?");
+        assertThat(client.refused("render", "'scene':1,'memry':true").get("message").asString()).endsWith(", did you mean 'memory'?");
+    }
+
     private void assertUnchanged() throws IOException {
         assertThat(client.request("save", "'scene':1")).hasToString(text);
         assertThat(client.request("list", "").get("scenes").size()).isEqualTo(1);

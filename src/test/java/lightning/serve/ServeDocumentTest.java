@@ -37,9 +37,9 @@ class ServeDocumentTest {
     @Test
     void examples_areAnsweredAsDocumented() throws IOException {
         List<String> blocks = blocks();
-        assertThat(blocks).hasSize(3);
-        run(blocks.get(0) + blocks.get(1));
-        run(blocks.get(2));
+        assertThat(blocks).hasSize(4);
+        run(blocks.get(0) + blocks.get(1) + blocks.get(2));
+        run(blocks.get(3));
     }
 
     private void run(String example) throws IOException {

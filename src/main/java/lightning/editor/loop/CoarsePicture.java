@@ -46,6 +46,17 @@ public record CoarsePicture(Scene scene, Geometry geometry, Film film, double pi
         }
     }
 
+    /**
+     * Traces a preview with direct light in about a given time.
+     *
+     * @param pixelsPerSecond speed of the last one; 0 if there is none
+     * @param renderer        supplies geometry; keeps its cache
+     */
+    public static CoarsePicture during(double seconds, double pixelsPerSecond, Scene scene, Renderer renderer, Progress progress) {
+        int pixels = CoarseSteps.of(scene.picture()).during(seconds, pixelsPerSecond);
+        return trace(RenderedScenes.of(scene.withoutIndirect()), pixels, renderer::geometryOf, renderer.options().threads(), progress);
+    }
+
     /** Returns whether memory has room for the film of a scene, which its display needs in any case. */
     static boolean isFilmPossible(Scene scene, RenderOptions options) {
         try {

@@ -187,7 +187,8 @@ final class GltfImport {
         double distance = extras.cameraDistance().orElseGet(
                 () -> Math.max(assembler.bounds.center().minus(camera.from()).dot(view), MIN_TARGET_DISTANCE * radius));
         try {
-            return new Camera(camera.from(), camera.from().plus(view.times(distance)), camera.up(), camera.fov(), extras.cameraShift());
+            return new Camera(camera.from(), camera.from().plus(view.times(distance)), camera.up(), camera.fov(),
+                    extras.cameraShift(assembler.notes));
         } catch (IllegalArgumentException | ArithmeticException e) {
             return camera;
         }

@@ -168,17 +168,17 @@ public record ImportedScene(Scene unscaledScene, Optional<Shot> shot, Set<String
      * @throws JenException as {@link #write}
      */
     public void writeReplacing() throws IOException, JenException {
-        writeReplacing(() -> {});
+        writeReplacing(SceneReplacement.Observer.NONE);
     }
 
-    void writeReplacing(Runnable afterStep) throws IOException, JenException {
+    void writeReplacing(SceneReplacement.Observer observer) throws IOException, JenException {
         requireNoReplacedSource();
         if (differentFiles().isEmpty()) {
             writeCopies();
             JenReader.read(text(), sceneFile.toString(), sceneFile.toAbsolutePath().getParent());
             AtomicFile.of(sceneFile).write(text().getBytes(StandardCharsets.UTF_8));
         } else {
-            new SceneReplacement(sceneFile, copies, afterStep).run(this::text);
+            new SceneReplacement(sceneFile, copies, observer).run(this::text);
         }
     }
 

@@ -5,11 +5,11 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import java.util.stream.IntStream;
 import lightning.base.work.Progress;
 import lightning.format.gltf.GltfLightWriter;
 import lightning.format.mesh.ConversionNotes;
 import lightning.format.mesh.MeshException;
+import lightning.scene.Camera;
 import lightning.scene.Emission;
 import lightning.scene.IntensityUnit;
 import lightning.scene.Light;
@@ -18,9 +18,6 @@ import lightning.scene.LightGroup;
 import lightning.scene.Scene;
 import lightning.scene.World;
 import lightning.scene.shot.AnimatedScene;
-import lightning.scene.shot.Shot;
-import lightning.scene.shot.Track;
-import lightning.scene.shot.TrackTarget;
 import tools.jackson.databind.json.JsonMapper;
 import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.ObjectNode;
@@ -33,9 +30,7 @@ import tools.jackson.databind.node.ObjectNode;
  */
 public record LightExport(byte[] bytes, Map<String, Integer> notes) {
     /** Key of a light's intensity without its unit, so that readers need no photometry. */
-    private static final String RELATIVE_INTENSITY = "relative_intensity";
-    /** Most frames of a shot whose values are written. */
-    private static final int MAX_FRAMES = 100_000;
+    static final String RELATIVE_INTENSITY = "relative_intensity";
     private static final JsonMapper JSON = JsonMapper.builder().build();
 
     /**
@@ -74,14 +69,14 @@ public record LightExport(byte[] bytes, Map<String, Integer> notes) {
         return UsdLightExport.export(text, scene, sceneFile, output);
     }
 
-    /** Returns JSON with all lights and light groups of a scene and its world, with all their attributes. */
+    /** Returns JSON with all lights and light groups of a scene, its world and its camera, with all their attributes. */
     public static LightExport toJson(Scene scene) {
         return toJson(AnimatedScene.of(scene));
     }
 
     /**
-     * Returns JSON with all lights and light groups of a scene and its world, with all their attributes, and the values of animated
-     * attributes of lights at each frame.
+     * Returns JSON with all lights and light groups of a scene, its world and its camera, with all their attributes, and what is animated at
+     * each frame.
      */
     public static LightExport toJson(AnimatedScene animated) {
         Scene scene = animated.base();
@@ -97,59 +92,13 @@ public record LightExport(byte[] bytes, Map<String, Integer> notes) {
             AttributeJson.write(groups.addObject().put("name", group.name()), group, LightGroup.ATTRIBUTES);
         }
         AttributeJson.write(root.putObject("world"), scene.world(), World.ATTRIBUTES);
+        AttributeJson.write(root.putObject("camera"), scene.camera(), Camera.ATTRIBUTES);
         var notes = new ConversionNotes();
-        animated.shot().ifPresent(shot -> writeShot(root.putObject("shot"), animated, shot, notes));
+        animated.shot().ifPresent(shot -> new ShotValues(animated, shot, notes).write(root.putObject("shot")));
         return new LightExport(JSON.writerWithDefaultPrettyPrinter().writeValueAsBytes(root), Map.copyOf(notes.counts()));
     }
 
-    private static double relativeIntensity(Light light, Scene scene) {
+    static double relativeIntensity(Light light, Scene scene) {
         return Emission.withUnit(light, IntensityUnit.RELATIVE, scene.world().meters()).intensity();
-    }
-
-    /** Writes the frames, and each animated attribute of a light with its values at all frames. */
-    private static void writeShot(ObjectNode out, AnimatedScene animated, Shot shot, ConversionNotes notes) {
-        out.putArray("frames").add(shot.first()).add(shot.last());
-        out.put("rate", shot.rate());
-        ArrayNode tracks = out.putArray("tracks");
-        List<Track> ofLights = shot.tracks().stream().filter(track -> track.target().kind() == TrackTarget.Kind.LIGHT).toList();
-        notes.add("animated light groups",
-                (int) shot.tracks().stream().filter(track -> track.target().kind() == TrackTarget.Kind.LIGHT_GROUP).count());
-        if (ofLights.isEmpty()) {
-            return;
-        }
-        if (shot.last() - shot.first() >= MAX_FRAMES) {
-            notes.add("animation of more than " + MAX_FRAMES + " frames");
-            return;
-        }
-        List<Scene> frames;
-        try {
-            frames = IntStream.rangeClosed(shot.first(), shot.last()).mapToObj(animated::sceneAt).toList();
-        } catch (IllegalArgumentException e) {
-            notes.add("animation of frames that cannot be shown");
-            return;
-        }
-        for (Track track : ofLights) {
-            String name = track.target().name();
-            addValues(tracks, name, track.attribute(), frames, (json, light, _) -> AttributeJson.write(json, light, LightAttribute.ALL));
-            if (track.attribute().equals("intensity")) {
-                addValues(tracks, name, RELATIVE_INTENSITY, frames,
-                        (json, light, scene) -> json.put(RELATIVE_INTENSITY, relativeIntensity(light, scene)));
-            }
-        }
-    }
-
-    /** Writes attributes of a light at a frame. */
-    private interface FrameWriter {
-        void write(ObjectNode json, Light light, Scene frame);
-    }
-
-    private static void addValues(ArrayNode tracks, String name, String attribute, List<Scene> frames, FrameWriter writer) {
-        ObjectNode track = tracks.addObject().put("light", name).put("attribute", attribute);
-        ArrayNode values = track.putArray("values");
-        for (Scene frame : frames) {
-            ObjectNode json = JSON.createObjectNode();
-            writer.write(json, frame.light(name).orElseThrow(), frame);
-            values.add(json.get(attribute));
-        }
     }
 }

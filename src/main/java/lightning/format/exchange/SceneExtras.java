@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
+import lightning.format.mesh.ConversionNotes;
 import lightning.scene.AntialiasMode;
 import lightning.scene.LensShift;
 import lightning.scene.Light;
@@ -14,6 +15,7 @@ import lightning.scene.LightAttribute;
 import lightning.scene.LightGroup;
 import lightning.scene.LightType;
 import lightning.scene.SamplingSettings;
+import lightning.scene.SceneLimits;
 import lightning.scene.ShapeGains;
 import lightning.scene.ShapeLinks;
 import lightning.scene.ViewCurve;
@@ -26,6 +28,10 @@ import tools.jackson.databind.JsonNode;
  * docs/pipeline.md describes them. Values that cannot be used are noted and left out.
  */
 final class SceneExtras {
+    /** Note about a lens shift that no camera can have. */
+    static final String INVALID_SHIFT =
+            "lens shifts beyond " + SceneLimits.format(SceneLimits.MAX_SHIFT) + " pictures, imported without shift";
+
     private final JsonNode json;
 
     /** @param json the settings; a missing node if the file has none */
@@ -44,10 +50,16 @@ final class SceneExtras {
         return distance > 0 && Double.isFinite(distance) ? OptionalDouble.of(distance) : OptionalDouble.empty();
     }
 
-    /** Returns the lens shift of the active camera. */
-    LensShift cameraShift() {
+    /** Returns the lens shift of the active camera; none, with a note, if no camera can have it. */
+    LensShift cameraShift(ConversionNotes notes) {
         JsonNode shift = json.path("shift");
-        return new LensShift(shift.path(0).asDouble(0), shift.path(1).asDouble(0));
+        double x = shift.path(0).asDouble(0);
+        double y = shift.path(1).asDouble(0);
+        if (LensShift.isValid(x, y)) {
+            return new LensShift(x, y);
+        }
+        notes.add(INVALID_SHIFT);
+        return LensShift.NONE;
     }
 
     /**

@@ -18,14 +18,15 @@ import lightning.scene.Scene;
  * one, with files that belong to it, because a file system can replace only one file at a time:
  *
  * <ol>
- * <li>Copies all files into a new folder next to the scene.
+ * <li>Copies all files, and the scene as it will be, into a new folder next to the scene.
  * <li>Writes the scene with the files of that folder. From here on it is the new one.
- * <li>Replaces the old files, which no scene file shows now.
- * <li>Writes the scene with the files at their final places.
+ * <li>Replaces the old files, which no scene file shows now, by links to the new ones.
+ * <li>Replaces the scene by the one with the files at their final places, by a link too.
  * <li>Deletes the folder.
  * </ol>
  *
- * <p>A killed process can leave the folder.
+ * <p>Links need no space, so a full disk stops the replacement in the first two steps, and the folder is deleted. On file systems without
+ * links, later steps copy. A failure there leaves the folder, which the scene file shows then; so does a killed process.
  */
 final class SceneReplacement {
     private static final String FOLDER_ENDING = ".import";
@@ -36,20 +37,19 @@ final class SceneReplacement {
     private final Path sceneFile;
     private final Path folder;
     private final List<AssetCopy> copies;
-    private final Runnable afterStep;
+    private final Observer observer;
 
     /**
      * Creates a replacement.
      *
      * @param sceneFile scene file, which need not exist
      * @param copies files of the scene, in its folder
-     * @param afterStep called after each change of a file
      */
-    SceneReplacement(Path sceneFile, List<AssetCopy> copies, Runnable afterStep) {
+    SceneReplacement(Path sceneFile, List<AssetCopy> copies, Observer observer) {
         this.sceneFile = sceneFile;
         this.folder = sceneFile.toAbsolutePath().getParent();
         this.copies = copies;
-        this.afterStep = afterStep;
+        this.observer = observer;
     }
 
     /**
@@ -67,28 +67,41 @@ final class SceneReplacement {
             }
         }
         Path staging = unusedFolder();
+        Path finalScene = staging.resolve(sceneFile.getFileName());
         try {
             for (AssetCopy copy : copies) {
                 stage(copy, staged(staging, copy));
-                afterStep.run();
+                observer.afterStep();
             }
             String stagedText = text.of(new FilePrefix(staging.getFileName() + "/")::applyTo);
             JenReader.read(stagedText, sceneFile.toString(), folder);
-            writeScene(stagedText);
+            write(finalScene, text.of(UnaryOperator.identity()));
+            write(sceneFile, stagedText);
         } catch (IOException | JenException | RuntimeException e) {
             TemporaryFolder.delete(staging);
             throw e;
         }
-        afterStep.run();
+        observer.afterStep();
         for (AssetCopy copy : copies) {
             if (!copy.isWritten()) {
-                new AssetCopy(copy.target(), staged(staging, copy), null).write();
-                afterStep.run();
+                replace(copy.target(), staged(staging, copy));
+                observer.afterStep();
             }
         }
-        writeScene(text.of(UnaryOperator.identity()));
-        afterStep.run();
+        replace(sceneFile, finalScene);
+        observer.afterStep();
         TemporaryFolder.delete(staging);
+    }
+
+    /** Calls between the changes of files. */
+    interface Observer {
+        Observer NONE = new Observer() {};
+
+        /** Called before content is written into a new file; linking is none. */
+        default void beforeWrite(Path file) throws IOException {}
+
+        /** Called after each change of a file. */
+        default void afterStep() {}
     }
 
     /** Text of a scene file. */
@@ -112,21 +125,40 @@ final class SceneReplacement {
         return staging.resolve(folder.relativize(copy.target()));
     }
 
-    /** Links a file that is at its place already, or copies it if the file system has no links. */
-    private static void stage(AssetCopy copy, Path staged) throws IOException {
-        if (copy.isWritten()) {
-            try {
-                Files.createDirectories(staged.getParent());
-                Files.createLink(staged, copy.target().toRealPath());
-                return;
-            } catch (IOException | UnsupportedOperationException e) {
-                // Copied below.
-            }
+    /** Links a file that is at its place already, or copies it. */
+    private void stage(AssetCopy copy, Path staged) throws IOException {
+        Files.createDirectories(staged.getParent());
+        if (!copy.isWritten() || !link(staged, copy.target().toRealPath())) {
+            observer.beforeWrite(staged);
+            copy.to(staged).write();
         }
-        copy.to(staged).write();
     }
 
-    private void writeScene(String text) throws IOException {
-        AtomicFile.of(sceneFile).write(text.getBytes(StandardCharsets.UTF_8));
+    /** Replaces a file by a link to a staged one, or by a copy. */
+    private void replace(Path file, Path staged) throws IOException {
+        try {
+            AtomicFile.of(file).writeToPath(temporary -> {
+                Files.delete(temporary);
+                Files.createLink(temporary, staged);
+            });
+        } catch (IOException | UnsupportedOperationException e) {
+            observer.beforeWrite(file);
+            new AssetCopy(file, staged, null).write();
+        }
+    }
+
+    /** Returns whether a link could be created; not all file systems have links. */
+    private static boolean link(Path link, Path existing) {
+        try {
+            Files.createLink(link, existing);
+            return true;
+        } catch (IOException | UnsupportedOperationException e) {
+            return false;
+        }
+    }
+
+    private void write(Path file, String text) throws IOException {
+        observer.beforeWrite(file);
+        AtomicFile.of(file).write(text.getBytes(StandardCharsets.UTF_8));
     }
 }

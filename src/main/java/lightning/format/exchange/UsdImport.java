@@ -149,18 +149,27 @@ final class UsdImport {
     }
 
     private void importCamera(JsonValue in) throws MeshException {
+        JsonValue frames = in.get("frames");
+        List<JsonValue> states = new ArrayList<>(List.of(in));
+        for (int i = 0; i < frames.size(); i++) {
+            states.add(frames.element(i));
+        }
+        boolean isShifted = true;
+        for (JsonValue state : states) {
+            isShifted &= LensShift.isValid(shift(state, "offset_x", "width"), shift(state, "offset_y", "height"));
+        }
+        assembler.notes.add(SceneExtras.INVALID_SHIFT, isShifted ? 0 : 1);
         try {
-            Camera camera = camera(in);
+            Camera camera = camera(in, isShifted);
             assembler.camera = Optional.of(camera);
             assembler.notes.add("orthographic cameras, imported as perspective", in.get("orthographic").bool(false) ? 1 : 0);
             double aspect = in.get("width").number(1) / in.get("height").number(1);
             if (aspect > 0 && aspect < Double.POSITIVE_INFINITY) {
                 assembler.setAspectRatio(aspect);
             }
-            JsonValue frames = in.get("frames");
             List<Camera> moving = new ArrayList<>();
-            for (int i = 0; i < frames.size(); i++) {
-                moving.add(camera(frames.element(i)));
+            for (JsonValue state : states.subList(1, states.size())) {
+                moving.add(camera(state, isShifted));
             }
             if (!moving.isEmpty()) {
                 tracks.addAll(new FrameTracks(firstFrame).of(TrackTarget.CAMERA, Camera.ATTRIBUTES, moving));
@@ -170,7 +179,7 @@ final class UsdImport {
         }
     }
 
-    private Camera camera(JsonValue in) throws MeshException {
+    private Camera camera(JsonValue in, boolean isShifted) throws MeshException {
         Transform m = upright.times(UsdStage.transform(in.get("matrix")));
         Vec3 from = m.transformPoint(Vec3.ZERO);
         Vec3 view = m.transformVector(new Vec3(0, 0, -1)).normalized();
@@ -179,12 +188,11 @@ final class UsdImport {
         return new Camera(UsdNumbers.rounded(from), UsdNumbers.rounded(from.plus(view.times(distance))),
                 UsdNumbers.rounded(m.transformVector(Vec3.Y).normalized()),
                 UsdNumbers.rounded(Math.clamp(fov, SceneLimits.MIN_FOV, SceneLimits.MAX_FOV)),
-                new LensShift(shift(in, "offset_x", "width"), shift(in, "offset_y", "height")));
+                isShifted ? new LensShift(shift(in, "offset_x", "width"), shift(in, "offset_y", "height")) : LensShift.NONE);
     }
 
     /** Returns the offset of the aperture as a share of its size. */
     private static double shift(JsonValue in, String offset, String size) throws MeshException {
-        double share = UsdNumbers.rounded(UsdNumbers.tidy(in.get(offset).number(0)) / UsdNumbers.tidy(in.get(size).number(1)));
-        return Math.clamp(share, -SceneLimits.MAX_SHIFT, SceneLimits.MAX_SHIFT);
+        return UsdNumbers.rounded(UsdNumbers.tidy(in.get(offset).number(0)) / UsdNumbers.tidy(in.get(size).number(1)));
     }
 }

@@ -2,12 +2,14 @@ package lightning.format.exchange;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
+import static org.assertj.core.data.Offset.offset;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.base.work.Progress;
@@ -137,6 +139,41 @@ class LightExportTest {
                 "{\"light\":\"lamp\",\"attribute\":\"on\",\"values\":[false,false,false]}",
                 "{\"light\":\"lamp\",\"attribute\":\"at\",\"values\":[[0.0,1.0,0.0],[1.0,1.0,0.0],[2.0,1.0,0.0]]}");
         assertThat(EXACT.readTree(LightExport.toJson(scene).bytes()).has("shot")).isFalse();
+    }
+
+    @Test
+    void jsonList_hasAnimatedGroupsCameraAndObjects() throws Exception {
+        String text = """
+                jen 1
+                picture { size 8 8 }
+                camera { from 0 1 5 to 0 0 0 }
+                bank fills { intensity 2 }
+                light lamp point { at 0 1 0 bank fills }
+                material white { diffuse 1 1 1 }
+                sphere ball { at 0 0 0 scale 2 1 1 material white }
+                group pair { at 0 0 0  sphere inner { at 0 0 0 material white } }
+                shot {
+                  frames 1 2  rate 25
+                  bank fills { intensity { 1 2  2 4 } }
+                  camera { fov { 1 30  2 50 } }
+                  sphere ball { at { 1 0 0 0  2 3 4 5 }  rotate { 1 0 90 0 } }
+                  sphere inner { at { 1 0 0 0  2 3 4 5 } }
+                }
+                """;
+        LightExport export = LightExport.toJson(JenReader.read(text, "text", folder).animatedScene());
+        JsonNode root = EXACT.readTree(export.bytes());
+        assertThat(root.get("camera").get("from").toString()).isEqualTo("[0.0,1.0,5.0]");
+        assertThat(export.notes()).containsExactly(Map.entry("animated objects inside of groups", 1));
+        JsonNode tracks = root.get("shot").get("tracks");
+        assertThat(tracks.get(0).toString()).isEqualTo("{\"bank\":\"fills\",\"attribute\":\"intensity\",\"values\":[2.0,4.0]}");
+        assertThat(tracks.get(1).toString()).isEqualTo("{\"camera\":true,\"attribute\":\"fov\",\"values\":[30.0,50.0]}");
+        assertThat(tracks.get(2).get("node").asString()).isEqualTo("ball");
+        // x is twice as long and turned to -z, y stays, z is turned to x; the position comes last.
+        double[] expected = {0, 0, -2, 0, 0, 1, 0, 0, 1, 0, 0, 0, 3, 4, 5, 1};
+        for (int i = 0; i < expected.length; i++) {
+            assertThat(tracks.get(2).get("matrices").get(1).get(i).asDouble()).isCloseTo(expected[i], offset(1e-12));
+        }
+        assertThat(tracks.size()).isEqualTo(3);
     }
 
     /** Returns the file without the extension's lists and references. */

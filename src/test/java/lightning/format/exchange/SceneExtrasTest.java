@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.base.work.Progress;
@@ -127,18 +128,39 @@ class SceneExtrasTest {
                 .containsEntry("animation that cannot be used", 1);
     }
 
-    @Test
-    void lensShift_isRestoredAndAnimated() throws Exception {
-        String extras = "{'camera': 'eye', 'shift': [0.25, -0.5], 'shot': {'frames': [1, 3], 'rate': 25, 'tracks': ["
-                + "{'target': 'camera', 'attribute': 'shift', 'keys': [[1, [0.25, -0.5]], [3, [0.5, 0]]]}]}}";
+    /** Imports the square with a camera named {@code eye} at z = 5 and extras. */
+    private ImportedScene importedWithCamera(String extras) throws Exception {
         String json = GltfFixtures.SQUARE_JSON.replace("'scene': 0,", "'scene': 0, 'extras': {'lightning': " + extras + "},")
                 .replace("'nodes': [0]", "'nodes': [0, 1]").replace("'name': 'floor'}]", """
                         'name': 'floor'}, {'name': 'eye', 'camera': 0, 'translation': [0, 0, 5]}],
                          'cameras': [{'type': 'perspective', 'perspective': {'yfov': 0.5, 'znear': 0.1}}]""");
         Path gltf = Files.write(folder.resolve("a.gltf"), GltfFixtures.text(json, GltfFixtures.SQUARE));
-        JenDocument document = written(SceneImporter.read(gltf, folder.resolve("a.jen"), LightUnits.CANDELA, Progress.NONE));
+        return SceneImporter.read(gltf, folder.resolve("a.jen"), LightUnits.CANDELA, Progress.NONE);
+    }
+
+    @Test
+    void lensShift_isRestoredAndAnimated() throws Exception {
+        JenDocument document = written(importedWithCamera("{'camera': 'eye', 'shift': [0.25, -0.5], 'shot': {'frames': [1, 3], 'rate': 25, "
+                + "'tracks': [{'target': 'camera', 'attribute': 'shift', 'keys': [[1, [0.25, -0.5]], [3, [0.5, 0]]]}]}}"));
         assertThat(document.scene().camera().shift()).isEqualTo(new LensShift(0.25, -0.5));
         assertThat(document.shot().orElseThrow().sceneAt(document.scene(), 2).camera().shift()).isEqualTo(new LensShift(0.375, -0.25));
+    }
+
+    @Test
+    void lensShiftBeyondTenPictures_isNotedAndKeepsTarget() throws Exception {
+        for (String shift : List.of("[10.5, 0]", "[0.25, -1e9]", "[1e999, 0]")) {
+            ImportedScene scene = importedWithCamera("{'camera': 'eye', 'distance': 7, 'shift': " + shift + "}");
+            assertThat(scene.scene().camera().to()).isEqualTo(new Vec3(0, 0, -2));
+            assertThat(scene.scene().camera().shift()).isEqualTo(LensShift.NONE);
+            assertThat(scene.notes()).containsEntry("lens shifts beyond 10 pictures, imported without shift", 1);
+        }
+        ImportedScene moving = importedWithCamera("{'camera': 'eye', 'shift': [0.5, 0], 'shot': {'frames': [1, 3], 'rate': 25, 'tracks': ["
+                + "{'target': 'camera', 'attribute': 'fov', 'keys': [[1, 30], [3, 50]]},"
+                + "{'target': 'camera', 'attribute': 'shift', 'keys': [[1, [0.5, 0]], [3, [10.5, 0]]]}]}}");
+        JenDocument document = written(moving);
+        assertThat(moving.notes()).containsEntry("animated properties that cannot be used", 1);
+        assertThat(document.shot().orElseThrow().sceneAt(document.scene(), 3).camera().fov()).isEqualTo(50);
+        assertThat(document.shot().orElseThrow().sceneAt(document.scene(), 3).camera().shift()).isEqualTo(new LensShift(0.5, 0));
     }
 
     @Test

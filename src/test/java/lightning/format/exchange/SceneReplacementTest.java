@@ -8,6 +8,7 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -18,6 +19,7 @@ import lightning.format.gltf.GltfFixtures;
 import lightning.format.jen.JenReader;
 import lightning.scene.Shape;
 import lightning.scene.Solid;
+import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -74,6 +76,15 @@ class SceneReplacementTest {
         }
     }
 
+    private static SceneReplacement.Observer afterStep(Runnable action) {
+        return new SceneReplacement.Observer() {
+            @Override
+            public void afterStep() {
+                action.run();
+            }
+        };
+    }
+
     private static List<String> files(Path folder) throws IOException {
         try (Stream<Path> files = Files.walk(folder)) {
             return files.filter(Files::isRegularFile).map(file -> folder.relativize(file).toString()).sorted().toList();
@@ -84,10 +95,10 @@ class SceneReplacementTest {
     void processKilledAfterAnyStep_leavesReadableScene() throws Exception {
         writeModel("wide square", 2);
         List<Path> states = new ArrayList<>();
-        imported().writeReplacing(() -> {
+        imported().writeReplacing(afterStep(() -> {
             states.add(folder.resolve("state" + states.size()));
             copyFolder(target, states.getLast());
-        });
+        }));
         List<Float> widths = new ArrayList<>();
         for (Path state : states) {
             widths.add(width(state));
@@ -104,11 +115,11 @@ class SceneReplacementTest {
             float before = width(target);
             writeModel("square " + steps, 1 + steps);
             int[] count = {0};
-            assertThatExceptionOfType(Interruption.class).isThrownBy(() -> imported().writeReplacing(() -> {
+            assertThatExceptionOfType(Interruption.class).isThrownBy(() -> imported().writeReplacing(afterStep(() -> {
                 if (++count[0] == last) {
                     throw new Interruption();
                 }
-            }));
+            })));
             assertThat(width(target)).isEqualTo(steps < 3 ? before : 1 + steps);
         }
         writeModel("last", 9);
@@ -120,10 +131,47 @@ class SceneReplacementTest {
     @Test
     void failureBeforeSceneIsNew_leavesNoFolder() throws Exception {
         writeModel("wide square", 2);
-        assertThatExceptionOfType(Interruption.class).isThrownBy(() -> imported().writeReplacing(() -> {
+        assertThatExceptionOfType(Interruption.class).isThrownBy(() -> imported().writeReplacing(afterStep(() -> {
             throw new Interruption();
-        }));
+        })));
         assertThat(files(target)).containsExactly("a.bin", "a.gltf", "a.jen");
+    }
+
+    /** Lets writes succeed until the disk is full, for every number of them. */
+    @Test
+    void fullDisk_leavesNoFolder() throws Exception {
+        writeModel("wide square", 2);
+        int[] count = {0};
+        int room = -1;
+        boolean isFull = true;
+        while (isFull) {
+            room++;
+            int last = room;
+            count[0] = 0;
+            ImportedScene replaced = imported();
+            isFull = !isWritten(() -> replaced.writeReplacing(new SceneReplacement.Observer() {
+                @Override
+                public void beforeWrite(Path file) throws IOException {
+                    if (++count[0] > last) {
+                        throw new FileSystemException(file.toString(), null, "No space left on device");
+                    }
+                }
+            }));
+            assertThat(width(target)).as("room for %s files", room).isEqualTo(isFull ? 1 : 2);
+            assertThat(files(target)).containsExactly("a.bin", "a.gltf", "a.jen");
+        }
+        assertThat(room).as("two files, and the scene before and after").isEqualTo(4);
+    }
+
+    private static boolean isWritten(ThrowingCallable write) throws Exception {
+        try {
+            write.call();
+            return true;
+        } catch (FileSystemException e) {
+            return false;
+        } catch (Throwable e) {
+            throw new AssertionError(e);
+        }
     }
 
     @Test

@@ -80,6 +80,17 @@ class UsdRoundTripTest {
     }
 
     @Test
+    void lensShiftBeyondTenPictures_isNoted() throws Exception {
+        Path stage = folder.resolve("rig.usda");
+        Files.writeString(stage, Files.readString(stage).replace("24: -4.05", "24: -405"));
+        ImportedScene read = SceneImporter.read(stage, folder.resolve("rig.jen"), LightUnits.CANDELA, Progress.NONE);
+        assertThat(read.notes()).containsEntry("lens shifts beyond 10 pictures, imported without shift", 1);
+        assertThat(read.scene().camera().shift()).isEqualTo(LensShift.NONE);
+        assertThat(read.shot().orElseThrow().sceneAt(read.scene(), 24).camera().from()).isEqualTo(new Vec3(1, 5, 8));
+        assertThat(read.shot().orElseThrow().sceneAt(read.scene(), 24).camera().shift()).isEqualTo(LensShift.NONE);
+    }
+
+    @Test
     void everyLight_comesBackWithEqualValues() throws Exception {
         assertThat(differences(imported())).isEqualTo("9 lights\n");
     }
