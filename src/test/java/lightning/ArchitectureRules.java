@@ -105,8 +105,9 @@ final class ArchitectureRules {
             row("format.pov", "base.math base.file scene render.image format.image"),
             row("format.usd", "base.text base.math base.work base.file scene format.mesh format.mesh.subdivision format.gltf"),
             row("format.exchange",
-                    "base.text base.math base.work base.file scene scene.shot render.image render.trace render.fulltrace format.mesh"
-                            + " format.mesh.ply format.mesh.obj format.gltf format.nff format.usd format format.ies format.exr format.image format.jen"),
+                    "base.text base.math base.work base.file scene scene.shot render.image render.trace render.engine.choice"
+                            + " render.fulltrace format.mesh format.mesh.ply format.mesh.obj format.gltf format.nff format.usd format format.ies"
+                            + " format.exr format.image format.jen"),
             row("shot",
                     "base.text base.work base.file scene scene.shot render.column render.image render.trace render.shading render.cache"
                             + " render.relight.plan render.relight.tile render.relight"),

@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
+import lightning.render.engine.choice.Engines;
 import lightning.render.fulltrace.TraditionalTracer;
 import lightning.render.image.Film;
 import lightning.render.trace.Geometry;
@@ -41,14 +42,19 @@ public final class LightUnitPreviews {
         var geometry = new Geometry(small);
         for (LightUnits units : LightUnits.values()) {
             Scene scene = small.withRig(imported.inUnits(units).scene().rig());
-            films.put(units, new TraditionalTracer(scene, geometry).trace(workers, progress).film());
+            films.put(units, trace(new TraditionalTracer(scene, geometry), workers, progress));
         }
         return films;
     }
 
     /** Renders an image of a scene, without textures. */
     static Film render(Scene scene, int size, WorkerPool workers, Progress progress) {
-        return new TraditionalTracer(small(scene, size)).trace(workers, progress).film();
+        return trace(new TraditionalTracer(small(scene, size)), workers, progress);
+    }
+
+    /** Uses the scalar engine: the lanes for meshes are not compiled yet if the scene before had none, and these images are small. */
+    private static Film trace(TraditionalTracer tracer, WorkerPool workers, Progress progress) {
+        return tracer.withEngines(_ -> Engines.SCALAR).trace(workers, progress).film();
     }
 
     private static Scene small(Scene scene, int size) {

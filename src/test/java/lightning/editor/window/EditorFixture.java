@@ -1,5 +1,6 @@
 package lightning.editor.window;
 
+import static lightning.editor.window.TestEditors.inWindowThread;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Files;
@@ -146,24 +147,24 @@ public abstract class EditorFixture {
     }
 
     public boolean isEnabled(Command command) {
-        return !robot.lookup("#" + command.id()).<Node>query().isDisabled();
+        return inWindowThread(() -> !robot.lookup("#" + command.id()).<Node>query().isDisabled());
     }
 
     public String text(String id) {
-        return robot.lookup("#" + id).<Labeled>query().getText();
+        return inWindowThread(() -> robot.lookup("#" + id).<Labeled>query().getText());
     }
 
     /** Returns the details of the last update in one line. */
     public String telemetry() {
-        return robot.lookup("#status").<javafx.scene.control.Button>query().getTooltip().getText();
+        return inWindowThread(() -> robot.lookup("#status").<javafx.scene.control.Button>query().getTooltip().getText());
     }
 
     public boolean isShown(String id) {
-        return robot.lookup("#" + id).tryQuery().map(Node::isVisible).orElse(false);
+        return inWindowThread(() -> robot.lookup("#" + id).tryQuery().map(Node::isVisible).orElse(false));
     }
 
     public PreviewCanvas preview() {
-        return robot.lookup("#preview-canvas").query();
+        return inWindowThread(() -> robot.lookup("#preview-canvas").query());
     }
 
     /** Returns the screen position of a scene point in the preview. */
@@ -193,8 +194,7 @@ public abstract class EditorFixture {
 
     /** Asserts that every displayed pixel of the canvas equals that of a film. */
     public void assertCanvasShows(lightning.render.image.Film expected) {
-        PictureView picture = robot.lookup("#traced-picture").query();
-        int[] shown = WaitForAsyncUtils.waitFor(WaitForAsyncUtils.asyncFx(picture::pixels));
+        int[] shown = inWindowThread(() -> robot.lookup("#traced-picture").<PictureView>query().pixels());
         assertThat(shown).as("the pixels of the canvas").isEqualTo(model().picture().viewProperty().get().toPixels(expected));
     }
 

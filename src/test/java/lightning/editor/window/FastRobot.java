@@ -23,6 +23,7 @@ import javafx.stage.Window;
 import lightning.base.work.Await;
 import lightning.editor.window.widget.TimeSlicedTask;
 import org.testfx.api.FxRobot;
+import org.testfx.matcher.base.NodeMatchers;
 import org.testfx.robot.Motion;
 import org.testfx.service.query.PointQuery;
 import org.testfx.util.WaitForAsyncUtils;
@@ -212,6 +213,12 @@ public final class FastRobot extends FxRobot {
     public FxRobot clickOn(MouseButton... buttons) {
         press(orPrimary(buttons));
         return release(orPrimary(buttons));
+    }
+
+    /** TestFX looks up the node and its bounds in the calling thread, which sees windows half changed. */
+    @Override
+    public FxRobot clickOn(String query, Motion motion, MouseButton... buttons) {
+        return clickOn(await(() -> point(lookup(query).match(NodeMatchers.isVisible()).<Node>query())), motion, buttons);
     }
 
     @Override

@@ -95,10 +95,11 @@ public final class TestEditors {
         await(() -> inWindowThread(() -> robot.lookup(query).tryQuery().isPresent()));
     }
 
-    /** Returns what a query returns in the thread that changes windows. */
+    /** Returns what a query returns in the thread that changes windows; may be called in it. */
     public static <T> T inWindowThread(Callable<T> query) {
         try {
-            return WaitForAsyncUtils.asyncFx(query).get(Await.TIMEOUT_SECONDS, TimeUnit.SECONDS);
+            return Platform.isFxApplicationThread() ? query.call()
+                    : WaitForAsyncUtils.asyncFx(query).get(Await.TIMEOUT_SECONDS, TimeUnit.SECONDS);
         } catch (Exception e) {
             throw new IllegalStateException(e);
         }

@@ -18,6 +18,7 @@ import lightning.editor.document.Command;
 import lightning.editor.document.NumericParameter;
 import lightning.editor.document.OpenDocument;
 import lightning.editor.window.EditorFixture;
+import lightning.editor.window.TestEditors;
 import lightning.editor.window.model.Preferences;
 import lightning.editor.window.model.RenderMachines;
 import lightning.render.image.Downscale;
@@ -105,11 +106,11 @@ class RemoteFramesTest extends EditorFixture {
     }
 
     private String status() {
-        return WaitForAsyncUtils.waitFor(WaitForAsyncUtils.asyncFx(() -> text("strip-progress")));
+        return text("strip-progress");
     }
 
     private FilmStrip strip() {
-        return robot.lookup("#strip").<FilmStripPane>query().strip().orElseThrow();
+        return TestEditors.inWindowThread(() -> robot.lookup("#strip").<FilmStripPane>query().strip().orElseThrow());
     }
 
     /** Asserts that the nodes' films are bit-identical to the reference, and that the thumbnails match. */
