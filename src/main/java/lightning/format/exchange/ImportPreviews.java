@@ -44,7 +44,8 @@ public final class ImportPreviews {
         static Preview exposed(Film film) {
             float[] rgb = film.toScanlines();
             double[] luminances = IntStream.range(0, rgb.length / 3)
-                    .mapToDouble(i -> new Rgb(rgb[3 * i], rgb[3 * i + 1], rgb[3 * i + 2]).luminance()).filter(v -> v > 0).sorted().toArray();
+                    .mapToDouble(i -> new Rgb(rgb[3 * i], rgb[3 * i + 1], rgb[3 * i + 2]).luminance()).filter(v -> v > 0).sorted()
+                    .toArray();
             double median = luminances.length == 0 ? GRAY : luminances[luminances.length / 2];
             return new Preview(film, median >= MIN_MEDIAN && median <= MAX_MEDIAN ? 0
                     : Math.clamp(Math.rint(Math.log(GRAY / median) / Math.log(2)), -ViewSettings.MAX_EXPOSURE, ViewSettings.MAX_EXPOSURE));

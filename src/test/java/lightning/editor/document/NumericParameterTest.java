@@ -106,7 +106,8 @@ class NumericParameterTest {
     void spot_hasEveryParameterExceptOtherAreas() {
         assertThat(NumericParameter.ALL.stream().filter(dial -> dial.disabledReason(scene, scene.light("key")).isPresent())
                 .map(NumericParameter::title).toList())
-                .containsExactlyInAnyOrder("spread", "width", "height", "environment intensity", "environment light gain", "environment rotation",
+                .containsExactlyInAnyOrder("spread", "width", "height", "environment intensity", "environment light gain",
+                        "environment rotation",
                         "environment samples",
                         "environment shadow smoothing");
     }

@@ -135,7 +135,9 @@ final class Fader extends Region {
         dragPosition += FaderScale.drag(lastY - e.getY(), length()) * (e.isShiftDown() ? FINE_FACTOR : 1);
         lastY = e.getY();
         double newStops = dragOrigin + scale.stops(Math.clamp(dragPosition, -1, 1));
-        callbacks.move(canTurnOff && dragOrigin == 0 && newStops <= -range ? Double.NEGATIVE_INFINITY : Math.rint(newStops * STEPS_PER_STOP) / STEPS_PER_STOP,
+        callbacks.move(
+                canTurnOff && dragOrigin == 0 && newStops <= -range ? Double.NEGATIVE_INFINITY
+                        : Math.rint(newStops * STEPS_PER_STOP) / STEPS_PER_STOP,
                 gesture);
         e.consume();
     }

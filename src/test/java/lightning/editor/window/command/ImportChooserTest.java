@@ -34,7 +34,8 @@ class ImportChooserTest {
     void open(Stage given) {
         stage = given;
         for (LightUnits units : LightUnits.values()) {
-            pictures.put(new ImportPreviews.Choice(ImportLighting.FILE, Optional.of(units)), new ImportPreviews.Preview(Film.black(280, 210), -9));
+            pictures.put(new ImportPreviews.Choice(ImportLighting.FILE, Optional.of(units)),
+                    new ImportPreviews.Preview(Film.black(280, 210), -9));
         }
         for (ImportLighting lighting : List.of(ImportLighting.STUDIO, ImportLighting.SKY)) {
             pictures.put(new ImportPreviews.Choice(lighting, Optional.empty()), new ImportPreviews.Preview(Film.black(280, 158), 0));

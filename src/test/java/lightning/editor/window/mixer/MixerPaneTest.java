@@ -240,7 +240,8 @@ class MixerPaneTest extends EditorFixture {
     @Test
     void valueBeyondTheFader_isDraggedFromThere() {
         type("stops-lamp", "15");
-        robot.moveTo(faderPoint("lamp", 15)).press(MouseButton.PRIMARY).moveTo(faderPoint("lamp", 15).add(0, 8)).release(MouseButton.PRIMARY);
+        robot.moveTo(faderPoint("lamp", 15)).press(MouseButton.PRIMARY).moveTo(faderPoint("lamp", 15).add(0, 8))
+                .release(MouseButton.PRIMARY);
         assertThat(MixerEdits.stops(light("lamp").intensity())).isBetween(14.0, 14.9);
     }
 
