@@ -1,12 +1,15 @@
 package lightning.format.exchange;
 
+import java.util.Arrays;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import java.util.stream.IntStream;
 import lightning.base.math.Rgb;
 import lightning.base.work.Progress;
+import lightning.base.work.ProgressPart;
 import lightning.base.work.WorkerPool;
 import lightning.render.image.Film;
 import lightning.scene.ViewSettings;
@@ -60,15 +63,19 @@ public final class ImportPreviews {
      * @throws CancellationException if {@code progress} requested cancellation
      */
     public static Map<Choice, Preview> render(ImportedScene imported, int size, WorkerPool workers, Progress progress) {
+        boolean hasUnits = imported.units().isPresent();
+        List<ImportLighting> others = Arrays.stream(ImportLighting.values())
+                .filter(lighting -> lighting != ImportLighting.FILE || !hasUnits && imported.subject().hasLights()).toList();
+        int ofUnits = hasUnits ? LightUnits.values().length : 0;
+        int count = ofUnits + others.size();
         Map<Choice, Preview> previews = new LinkedHashMap<>();
-        LightUnitPreviews.render(imported, size, workers, progress)
+        LightUnitPreviews.render(imported, size, workers, new ProgressPart(progress, 0, (double) ofUnits / count))
                 .forEach((units, film) -> previews.put(new Choice(ImportLighting.FILE, Optional.of(units)), Preview.exposed(film)));
-        for (ImportLighting lighting : ImportLighting.values()) {
-            if (lighting != ImportLighting.FILE || previews.isEmpty() && imported.subject().hasLights()) {
-                var choice = new Choice(lighting, Optional.empty());
-                Film film = LightUnitPreviews.render(choice.apply(imported).scene(), size, workers, progress);
-                previews.put(choice, lighting == ImportLighting.FILE ? Preview.exposed(film) : new Preview(film, 0));
-            }
+        for (int i = 0; i < others.size(); i++) {
+            var choice = new Choice(others.get(i), Optional.empty());
+            Film film = LightUnitPreviews.render(choice.apply(imported).scene(), size, workers,
+                    new ProgressPart(progress, 0, 1).section(ofUnits + i, count));
+            previews.put(choice, others.get(i) == ImportLighting.FILE ? Preview.exposed(film) : new Preview(film, 0));
         }
         return previews;
     }

@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import lightning.base.work.Progress;
+import lightning.base.work.ProgressPart;
 import lightning.base.work.WorkerPool;
 import lightning.render.engine.choice.Engines;
 import lightning.render.fulltrace.TraditionalTracer;
@@ -42,7 +43,8 @@ public final class LightUnitPreviews {
         var geometry = new Geometry(small);
         for (LightUnits units : LightUnits.values()) {
             Scene scene = small.withRig(imported.inUnits(units).scene().rig());
-            films.put(units, trace(new TraditionalTracer(scene, geometry), workers, progress));
+            ProgressPart part = new ProgressPart(progress, 0, 1).section(units.ordinal(), LightUnits.values().length);
+            films.put(units, trace(new TraditionalTracer(scene, geometry), workers, part));
         }
         return films;
     }

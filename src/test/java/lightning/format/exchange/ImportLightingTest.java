@@ -5,7 +5,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Map;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import lightning.base.math.Vec3;
@@ -161,6 +163,25 @@ class ImportLightingTest {
                     ImportLighting.SKY);
             assertThat(films.values()).allMatch(preview -> preview.film().width() == 40);
         }
+    }
+
+    @Test
+    void previews_reportProgressOfThemAll() throws Exception {
+        List<Double> shares = new CopyOnWriteArrayList<>();
+        try (var workers = new WorkerPool(1)) {
+            ImportPreviews.render(read(BOX, 1), 40, workers, new Progress() {
+                @Override
+                public void report(int done, int total) {
+                    shares.add((double) done / total);
+                }
+
+                @Override
+                public boolean isCanceled() {
+                    return false;
+                }
+            });
+        }
+        assertThat(shares).isSorted().anyMatch(share -> share > 0.2 && share < 0.6).endsWith(1.0);
     }
 
     private static double exposure(double value) {
