@@ -60,10 +60,12 @@ public record LightShares(Scene scene, double[] lights, double environment) {
                 || isEnvironmentActive(scene) != isEnvironmentActive(edited)) {
             return Optional.empty();
         }
+        List<Light> before = scene.rig().effectiveLights();
+        List<Light> after = edited.rig().effectiveLights();
         double[] scaled = new double[lights.length];
         double total = 1;
         for (int l = 0; l < scaled.length; l++) {
-            double factor = factor(edited, l);
+            double factor = factor(before.get(l), edited, after.get(l));
             if (Double.isNaN(factor) || Double.isInfinite(factor)) {
                 return Optional.empty();
             }
@@ -80,9 +82,7 @@ public record LightShares(Scene scene, double[] lights, double environment) {
     }
 
     /** Returns the factor of a light's contribution; NaN or infinite if it is unknown. */
-    private double factor(Scene edited, int index) {
-        Light before = scene.rig().effectiveLights().get(index);
-        Light after = edited.rig().effectiveLights().get(index);
+    private double factor(Light before, Scene edited, Light after) {
         Light otherwiseSame = before.withColor(after.color()).withIntensity(after.intensity()).withOn(after.on()).withSolo(after.solo());
         if (!otherwiseSame.equals(after)) {
             return Double.NaN;
