@@ -42,7 +42,7 @@ public final class LightKernel {
         this(geometry, tracer, terms, view, false);
     }
 
-    /** Returns a kernel whose layers have no specular terms, for surfels. */
+    /** Returns a kernel whose layers have no specular terms, for surfels: they send light diffusely only. */
     public static LightKernel diffuseOnly(Geometry geometry, Tracer tracer, TermKernel terms, ViewEffects view) {
         return new LightKernel(geometry, tracer, terms, view, true);
     }
@@ -50,10 +50,10 @@ public final class LightKernel {
     private LightKernel(Geometry geometry, Tracer tracer, TermKernel terms, ViewEffects view, boolean diffuseOnly) {
         this.tracer = tracer;
         this.terms = terms;
-        requiredWork = diffuseOnly ? new DiffuseWork(RequiredWork.of(view)) : RequiredWork.of(view);
+        requiredWork = RequiredWork.of(view);
         isDiffuseOnly = diffuseOnly;
         links = new LightLinks(geometry, tracer, view);
-        columnWriter = new TermColumnWriter(geometry.materials(), terms, requiredWork);
+        columnWriter = new TermColumnWriter(geometry.materials(), terms, requiredWork, diffuseOnly);
     }
 
     private AreaLightKernel areaKernel() {

@@ -12,14 +12,17 @@ final class TermColumnWriter {
     private final MaterialTable materials;
     private final TermKernel terms;
     private final RequiredWork requiredWork;
+    private final boolean isDiffuseOnly;
     private final int[] reused = RowBits.allocate();
     private final int[] recomputed = RowBits.allocate();
     private final double[] factors = new double[TermKernel.MAX_ROWS];
 
-    TermColumnWriter(MaterialTable materials, TermKernel terms, RequiredWork required) {
+    /** @param diffuseOnly whether rows get no specular terms */
+    TermColumnWriter(MaterialTable materials, TermKernel terms, RequiredWork required, boolean diffuseOnly) {
         this.materials = materials;
         this.terms = terms;
         this.requiredWork = required;
+        isDiffuseOnly = diffuseOnly;
     }
 
     /** Returns the diffuse terms of lit rows: the cosine, except for metallic materials. */
@@ -137,7 +140,7 @@ final class TermColumnWriter {
     }
 
     boolean isSpecular(int material) {
-        return requiredWork.needsSpecular(materials, material);
+        return !isDiffuseOnly && requiredWork.needsSpecular(materials, material);
     }
 
     /** Returns the falloff of all rows, lit or not; null if it is 1 everywhere. */
