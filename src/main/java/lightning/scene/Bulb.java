@@ -8,18 +8,12 @@ import lightning.base.math.Rgb;
  *
  * @param light    name of the light; empty for none. A light that the scene does not have is dark
  * @param exposure stops, relative to the light's color times intensity
- * @param glow     linear color of the glow, derived from the light by {@link Stage#withBulbs}
- * @param isTextured true if the material's texture multiplies the glow: always false in materials of the document
+ * @param glow     linear color of the glow before the material's glow map, derived from the light by {@link Stage#withBulbs}
  */
 @RecordBuilder
-public record Bulb(String light, double exposure, Rgb glow, boolean isTextured) implements BulbBuilder.With {
+public record Bulb(String light, double exposure, Rgb glow) implements BulbBuilder.With {
     /** No bulb. */
     public static final Bulb NONE = new Bulb("", 0, Rgb.BLACK);
-
-    /** Creates a bulb that glows in one color. */
-    public Bulb(String light, double exposure, Rgb glow) {
-        this(light, exposure, glow, false);
-    }
 
     /** Returns this bulb with the glow of its light in a rig. */
     Bulb litBy(LightRig rig) {

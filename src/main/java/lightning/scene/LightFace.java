@@ -99,11 +99,11 @@ record LightFace(Shape shape, Material material) {
         Rgb radiance = rig.isActive(light) ? radiance(soft, rig.effectiveLight(soft)) : Rgb.BLACK;
         // A dark light keeps its texture, so that switching it on looks up no texel.
         return soft.faceImage().isEmpty() ? black.withBulb(Bulb.NONE.withGlow(Bulb.limited(radiance)))
-                : black.withTexture(texture(light)).withBulb(new Bulb("", 0, limited(radiance, soft.faceImage().get()), true));
+                : black.withGlowMap(glowMap(light)).withBulb(Bulb.NONE.withGlow(limited(radiance, soft.faceImage().get())));
     }
 
     /** Returns the light's image on its plane, upright and not mirrored for a viewer, who looks against the light's direction. */
-    private static Optional<TextureMap> texture(Light light) {
+    private static Optional<TextureMap> glowMap(Light light) {
         return light.texture().map(t -> new TextureMap(t.file(), -1, 1, t.image(), true));
     }
 

@@ -11,6 +11,7 @@ import lightning.base.math.Rgb;
  * @param name         unique among the materials
  * @param ambient      k<sub>ambient</sub>, multiplied by the scene's ambience
  * @param glow         light that the surface emits itself, independent of the scene's ambience and lights
+ * @param glowMap      image that multiplies its {@link #emission}
  * @param bulb         light that makes it glow too
  * @param model        shading model
  * @param diffuse      Phong: k<sub>diffuse</sub>, multiplied by the texture, if any
@@ -27,7 +28,8 @@ import lightning.base.math.Rgb;
  * @param cutout       opacity cutout
  */
 @RecordBuilder
-public record Material(String name, Rgb ambient, Rgb glow, Bulb bulb, ShadingModel model, Rgb diffuse, Rgb specular, double shininess,
+public record Material(String name, Rgb ambient, Rgb glow, Optional<TextureMap> glowMap, Bulb bulb, ShadingModel model, Rgb diffuse,
+        Rgb specular, double shininess,
         Rgb base,
         double metalness, double roughness, double f0, Rgb reflective, Optional<TextureMap> texture,
         BumpMapping bumpMapping, Transmission transmission, AlphaCutout cutout) implements MaterialBuilder.With {
@@ -59,7 +61,8 @@ public record Material(String name, Rgb ambient, Rgb glow, Bulb bulb, ShadingMod
 
     /** Returns a material with initial values. */
     public static Material of(String name) {
-        return new Material(name, MaterialAttribute.AMBIENT.initial(), MaterialAttribute.GLOW.initial(), Bulb.NONE,
+        return new Material(name, MaterialAttribute.AMBIENT.initial(), MaterialAttribute.GLOW.initial(),
+                MaterialAttribute.GLOW_MAP.initial(), Bulb.NONE,
                 MaterialAttribute.MODEL.initial(), MaterialAttribute.DIFFUSE.initial(), MaterialAttribute.SPECULAR.initial(),
                 MaterialAttribute.SHININESS.initial(),
                 MaterialAttribute.BASE.initial(), MaterialAttribute.METALNESS.initial(), MaterialAttribute.ROUGHNESS.initial(),
@@ -67,14 +70,19 @@ public record Material(String name, Rgb ambient, Rgb glow, Bulb bulb, ShadingMod
                 BumpMapping.NONE, Transmission.NONE, AlphaCutout.NONE);
     }
 
-    /** Returns all light that the surface emits itself: its glow and that of its bulb. */
+    /** Returns all light that the surface emits itself, before its glow map: its glow and that of its bulb. */
     public Rgb emission() {
         return bulb.glow().isBlack() ? glow : glow.plus(bulb.glow());
     }
 
-    /** Returns whether the glow of both bulbs is equal, before the texture. */
-    public boolean hasSameBulbGlow(Material o) {
-        return bulb.glow().equals(o.bulb().glow()) && bulb.isTextured() == o.bulb().isTextured();
+    /** Returns whether the images that rows of both look up are the same. */
+    public boolean hasSameTextures(Material o) {
+        return texture.equals(o.texture) && glowMap.equals(o.glowMap);
+    }
+
+    /** Returns this material without any image. */
+    public Material withoutImages() {
+        return with(m -> m.texture(Optional.empty()).glowMap(Optional.empty()).bumpMapping(BumpMapping.NONE).cutout(AlphaCutout.NONE));
     }
 
     /** Returns whether its shading model is {@link ShadingModel#METALLIC}. */

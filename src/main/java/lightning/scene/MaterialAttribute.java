@@ -48,6 +48,9 @@ public final class MaterialAttribute<V> extends SceneAttribute<Material, V> {
             Material::withAmbient, null, Section.AMBIENT, "Color emitted without any light; multiplied by the scene's ambient light");
     public static final MaterialAttribute<Rgb> GLOW = colorAttribute("glow", SceneLimits.MAX_EMISSION, Rgb.BLACK, Material::glow,
             Material::withGlow, null, Section.GLOW, "Light that the surface emits itself, independent of the scene's ambient light");
+    public static final MaterialAttribute<Optional<TextureMap>> GLOW_MAP = new MaterialAttribute<>("glow_map", "glow map",
+            new ValueKind.TextureKind("glow_repeat", TextureUsage.COLOR), Optional.empty(), "", Material::glowMap, Material::withGlowMap,
+            MaterialTerm.TEXEL, null, Section.GLOW, "Image that multiplies the glow, and that of a bulb");
     public static final MaterialAttribute<String> BULB = new MaterialAttribute<>("bulb", "bulb of",
             new ValueKind.NameKind(scene -> scene.lights().stream().map(Light::name).toList(),
                     Messages.key("Light whose color and intensity the surface shows; the light itself lights the scene")),

@@ -73,7 +73,7 @@ public final class SummedAreaTable {
     }
 
     /** Returns the mean color of the image. */
-    Rgb mean() {
+    public Rgb mean() {
         return new Rgb(mean(0, 0, 1, 1, 0), mean(0, 0, 1, 1, 1), mean(0, 0, 1, 1, 2));
     }
 

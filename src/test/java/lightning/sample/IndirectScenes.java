@@ -119,6 +119,15 @@ public final class IndirectScenes {
                 plane pane { material glass  at -0.5 0 0.3  rotate 90 0 0  scale 0.4 1 0.8 }
                 sphere shade { material white  at 0.1 -0.8 0  scale 0.2 0.2 0.2 }
                 """, new IndirectSettings(3, 64, 4, false))));
+        scenes.put("glow maps", withGlowMaps(withMesh(scene("size 32 24  depth 2", CAMERA + ROOM + """
+                material screen { glow 4 2 6  diffuse 0.2 0.3 0.4  reflective 0.5 0.1 0 }
+                material torch { glow 40 20 5  diffuse 0 0 0 }
+                material shade { glow 3 3 1  diffuse 0.5 0.6 0.7  clear 0.5 0.4 0.6  bulb lamp  bulb_exposure 1 }
+                plane screen { material screen  at 0 0.2 -0.9  rotate 90 0 0  scale 1 1 0.6 }
+                sphere torch { material torch  at 0.5 -0.7 0.2  scale 0.1 0.1 0.1 }
+                plane shade { material shade  at -0.5 0 0.3  rotate 90 30 0  scale 0.6 1 0.8 }
+                sphere ball { material screen  at 0.2 -0.6 0.1  scale 0.3 0.3 0.3 }
+                """ + LAMP, new IndirectSettings(3, 16, 4, false)))));
         scenes.put("many small glows", scene("size 24 16  depth 1", CAMERA + ROOM + LAMP + "material bulb { glow 9 7 5 }\n"
                 + IntStream.range(0, 70).mapToObj(i -> "sphere bulb_" + i + " { material bulb  at " + (i % 10 * 0.2 - 0.9) + " "
                         + (i / 10 * 0.2 - 0.6) + " -0.8  scale 0.02 0.02 0.02 }\n").collect(Collectors.joining()),
@@ -157,6 +166,12 @@ public final class IndirectScenes {
         TextureMap steps = new TextureMap("steps.png", 3, 2, new Texture(3, 1, new float[] {0, 0, 0, 1, 1, 1, 0.2f, 0.2f, 0.2f}));
         BumpMapping bumps = BumpMapping.NONE.withBump(Optional.of(steps)).withHeight(1);
         return scene.withMaterials(scene.materials().stream().map(m -> m.withBumpMapping(bumps)).toList());
+    }
+
+    /** Gives a map to all materials that glow, and a texture to one of them. */
+    private static Scene withGlowMaps(Scene scene) {
+        return scene.withMaterials(scene.materials().stream().map(m -> m.glow().isBlack() ? m : m.withGlowMap(Optional.of(CHECKERS)))
+                .map(m -> m.name().equals("screen") ? m.withTexture(Optional.of(CHECKERS)) : m).toList());
     }
 
     private static Scene withTextures(Scene scene) {

@@ -23,9 +23,9 @@ final class MaterialArbitraries {
 
     static Arbitrary<Material> materials(String name) {
         Arbitrary<Material> opaque = Arbitraries.frequencyOf(Tuple.of(2, phong(name)), Tuple.of(1, metallic(name)));
-        return Combinators.combine(opaque, transmissions(), cutouts(), glows(), bulbs())
-                .as((material, clarity, cutout, glow, bulb) -> material
-                        .withTransmission(clarity).withCutout(cutout).withGlow(glow).withBulb(bulb));
+        return Combinators.combine(opaque, transmissions(), cutouts(), glows(), textures(), bulbs())
+                .as((material, clarity, cutout, glow, glowMap, bulb) -> material
+                        .withTransmission(clarity).withCutout(cutout).withGlow(glow).withGlowMap(glowMap).withBulb(bulb));
     }
 
     /** Returns bulbs of lights that scenes may have, three of four none. */
@@ -75,6 +75,8 @@ final class MaterialArbitraries {
                 ambient().map(MaterialChange.Ambient::new),
                 ambient().map(MaterialChange.Glow::new),
                 Arbitraries.of(Rgb.BLACK).map(MaterialChange.Glow::new),
+                textures().map(MaterialChange.GlowMap::new),
+                maps().map(Optional::of).map(MaterialChange.GlowMap::new),
                 NumberArbitraries.colors().map(MaterialChange.Diffuse::new),
                 colorsOrBlack().map(MaterialChange.Specular::new),
                 colorsOrBlack().map(MaterialChange.Specular::new),

@@ -44,7 +44,6 @@ final class BruteForceGather {
     private static final int HITS_PER_BATCH = RayBatch.MAX_RAYS / HIT_RAYS;
 
     private final Geometry geometry;
-    private final MaterialTable materials;
     private final boolean glows;
     private final RayBatch batch;
     private final LightKernel kernel;
@@ -67,7 +66,7 @@ final class BruteForceGather {
     /** @param scene its indirect settings decide only whether the background counts */
     BruteForceGather(Scene scene, Geometry geometry) {
         this.geometry = geometry;
-        materials = geometry.materials();
+        MaterialTable materials = geometry.materials();
         glows = IntStream.range(0, materials.count()).anyMatch(m -> !materials.material(m).glow().isBlack());
         Engine engine = Engines.FASTEST.forTile(0);
         Tracer tracer = engine.tracer(geometry);
@@ -146,7 +145,7 @@ final class BruteForceGather {
             chosen[p - first] = at + random.nextInt(rays);
         }
         batch.trace(count);
-        HitRows rows = batch.rows((hits, textured, transparent) -> new HitRows(hits, textured, transparent, false, true));
+        HitRows rows = rows();
         shade(rows);
         double sum = 0;
         for (int row = 0; row < rows.count; row++) {
@@ -184,14 +183,20 @@ final class BruteForceGather {
         for (int i = 0; glows && i < GLOW_BATCHES; i++) {
             aim(point, 0, pointDirections, 0);
             batch.trace(BATCH_RAYS);
-            for (int ray = 0; ray < BATCH_RAYS; ray++) {
-                int material = batch.primitive(ray) < 0 ? -1 : geometry.materialIndex(batch.primitive(ray));
-                for (int c = 0; material >= 0 && c < 3; c++) {
-                    sum += LUMINANCE[c] * tint(c, ray) * (1 - materials.reflective(material, c)) * materials.ownGlow(material, c);
+            HitRows rows = rows();
+            shader.writeReflection(rows, RAYS_BY_INDEX, albedo, glow);
+            for (int row = 0; row < rows.count; row++) {
+                int ray = rows.parent[row];
+                for (int c = 0; c < 3; c++) {
+                    sum += LUMINANCE[c] * tint(c, ray) * glow[c][ray];
                 }
             }
         }
         return sum / GLOW_BATCHES;
+    }
+
+    private HitRows rows() {
+        return batch.rows((hits, texels, transparent) -> new HitRows(hits, texels, transparent, false, true));
     }
 
     private float tint(int channel, int ray) {

@@ -1,12 +1,9 @@
 package lightning.format.exchange;
 
 import java.util.List;
-import java.util.Optional;
 import lightning.base.math.Ray;
 import lightning.base.math.Vec3;
 import lightning.render.trace.Geometry;
-import lightning.scene.AlphaCutout;
-import lightning.scene.BumpMapping;
 import lightning.scene.Material;
 import lightning.scene.Scene;
 
@@ -27,7 +24,7 @@ final class ClosedRoom {
             return false;
         }
         List<Material> untextured = scene.materials().stream()
-                .map(m -> m.withTexture(Optional.empty()).withCutout(AlphaCutout.NONE).withBumpMapping(BumpMapping.NONE)).toList();
+                .map(Material::withoutImages).toList();
         Geometry geometry = new Geometry(scene.withMaterials(untextured));
         Vec3 eye = geometry.toRenderSpace(scene.camera().origin());
         int hits = 0;

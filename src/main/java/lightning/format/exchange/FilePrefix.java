@@ -38,7 +38,7 @@ record FilePrefix(String prefix) {
     }
 
     private Material material(Material m) {
-        return m.withTexture(map(m.texture())).withCutout(m.cutout().withMap(map(m.cutout().map())))
+        return m.withTexture(map(m.texture())).withGlowMap(map(m.glowMap())).withCutout(m.cutout().withMap(map(m.cutout().map())))
                 .withBumpMapping(m.bumpMapping().withBump(map(m.bumpMapping().bump())).withNormalMap(map(m.bumpMapping().normalMap())));
     }
 

@@ -12,9 +12,7 @@ import lightning.render.engine.choice.Engines;
 import lightning.render.fulltrace.TraditionalTracer;
 import lightning.render.image.Film;
 import lightning.render.trace.Geometry;
-import lightning.scene.AlphaCutout;
 import lightning.scene.AntialiasMode;
-import lightning.scene.BumpMapping;
 import lightning.scene.Material;
 import lightning.scene.PictureSettings;
 import lightning.scene.SamplingSettings;
@@ -65,7 +63,7 @@ public final class LightUnitPreviews {
         PictureSettings small = settings.withSize((int) Math.ceil(scale * settings.width()), (int) Math.ceil(scale * settings.height()))
                 .withSampling(EDGES).withIndirect(Optional.empty());
         List<Material> untextured = scene.materials().stream()
-                .map(m -> m.withTexture(Optional.empty()).withCutout(AlphaCutout.NONE).withBumpMapping(BumpMapping.NONE)).toList();
+                .map(Material::withoutImages).toList();
         return scene.withMaterials(untextured).withPicture(small);
     }
 }

@@ -2,7 +2,6 @@ package lightning.format.exchange;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 import java.util.function.Function;
 import java.util.stream.IntStream;
 import lightning.base.math.Ray;
@@ -10,9 +9,7 @@ import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.format.mesh.UniqueNames;
 import lightning.render.trace.Geometry;
-import lightning.scene.AlphaCutout;
 import lightning.scene.Attenuation;
-import lightning.scene.BumpMapping;
 import lightning.scene.Camera;
 import lightning.scene.Light;
 import lightning.scene.LightRig;
@@ -94,7 +91,7 @@ final class StudioBuilder {
             return false;
         }
         var geometry = new Geometry(scene.withMaterials(scene.materials().stream()
-                .map(m -> m.withTexture(Optional.empty()).withCutout(AlphaCutout.NONE).withBumpMapping(BumpMapping.NONE)).toList()));
+                .map(Material::withoutImages).toList()));
         Vec3 half = subject.max().minus(subject.center());
         double height = subject.min().y() + FLOOR_HEIGHT * subject.radius();
         long hits = IntStream.range(0, 4).filter(i -> {

@@ -58,7 +58,9 @@ public final class ReferencedFiles {
     }
 
     private static Stream<String> texturesAndProfiles(Material material) {
-        return Stream.of(material.texture(), material.bumpMapping().bump(), material.bumpMapping().normalMap(), material.cutout().map())
+        return Stream
+                .of(material.texture(), material.glowMap(), material.bumpMapping().bump(), material.bumpMapping().normalMap(),
+                        material.cutout().map())
                 .flatMap(map -> map.stream())
                 .map(map -> map.file());
     }

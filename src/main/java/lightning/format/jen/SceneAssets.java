@@ -45,7 +45,7 @@ record SceneAssets(Scene scene, Optional<Path> folder) implements AssetSource {
     private static Stream<TextureMap> maps(Material material, TextureUsage samples) {
         BumpMapping relief = material.bumpMapping();
         return switch (samples) {
-            case COLOR -> material.texture().stream();
+            case COLOR -> Stream.concat(material.texture().stream(), material.glowMap().stream());
             case EMISSION -> Stream.empty();
             case DATA -> Stream.concat(relief.bump().stream(), relief.normalMap().stream());
             case OPACITY -> material.cutout().map().stream();

@@ -10,6 +10,7 @@ import lightning.render.trace.Geometry;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.MaterialTable;
 import lightning.render.trace.SamplePositions;
+import lightning.render.trace.TexelColumns;
 import lightning.render.trace.TileVisibility;
 import lightning.render.trace.Tracer;
 import lightning.scene.Scene;
@@ -94,7 +95,7 @@ final class CandidateTracer {
         return sorted;
     }
 
-    private static HitRows allocate(int count, boolean textured, boolean transparent) {
-        return new HitRows(count, textured, transparent, false, true);
+    private static HitRows allocate(int count, TexelColumns texels, boolean transparent) {
+        return new HitRows(count, texels, transparent, false, true);
     }
 }

@@ -87,7 +87,8 @@ public final class GatherBuilder {
     private long surfelBytes() {
         int columns = ColumnGroup.HIT.bytesPerRow() + ColumnGroup.TEXEL.bytesPerRow() + ColumnGroup.OWNER.bytesPerRow()
                 + ColumnGroup.TRANSPARENT.bytesPerRow();
-        return columns + BYTES_BESIDE_ROW + BYTES_PER_LIGHT * scene.rig().effectiveLights().size();
+        int glow = geometry.materials().hasGlowMaps() ? ColumnGroup.GLOW_TEXEL.bytesPerRow() : 0;
+        return columns + glow + BYTES_BESIDE_ROW + BYTES_PER_LIGHT * scene.rig().effectiveLights().size();
     }
 
     /**

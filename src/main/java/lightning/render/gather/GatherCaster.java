@@ -115,7 +115,7 @@ final class GatherCaster {
             setStart(i - from, points.surface, p);
         }
         batch.trace(to - from);
-        HitRows rows = batch.rows((hits, textured, transparent) -> new HitRows(hits, textured, transparent, false, true));
+        HitRows rows = batch.rows((hits, texels, transparent) -> new HitRows(hits, texels, transparent, false, true));
         for (int row = 0; row < rows.count; row++) {
             sides[row] = keys.surfelSide(rows.px[row], rows.py[row], rows.pz[row], batch.distance(rows.parent[row]));
         }

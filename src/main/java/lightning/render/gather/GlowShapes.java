@@ -2,9 +2,11 @@ package lightning.render.gather;
 
 import java.util.Arrays;
 import java.util.stream.IntStream;
+import lightning.base.math.Rgb;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.MaterialTable;
 import lightning.render.trace.tree.Bvh;
+import lightning.scene.TextureMap;
 
 /**
  * Glowing objects of a scene. Where one is small, seen from a point, few of the point's cosine-distributed rays would meet it. So rays are
@@ -63,8 +65,15 @@ public final class GlowShapes {
         return found.length == 0 ? NONE : found.length > MAX_SHAPES ? TOO_MANY : new GlowShapes(geometry, found);
     }
 
+    /** Returns one channel of the light that a material emits, with the mean of its glow map. */
     private static float glow(MaterialTable materials, int m, int c) {
-        return (1 - materials.reflective(m, c)) * materials.ownGlow(m, c);
+        float emitted = (1 - materials.reflective(m, c)) * materials.ownGlow(m, c);
+        TextureMap map = materials.glowMap(m);
+        if (map == null) {
+            return emitted;
+        }
+        Rgb mean = map.image().areas().mean();
+        return emitted * (float) (c == 0 ? mean.r() : c == 1 ? mean.g() : mean.b());
     }
 
     /** Returns the number of objects. */

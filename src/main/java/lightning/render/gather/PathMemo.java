@@ -113,7 +113,7 @@ public final class PathMemo {
         boolean[] changed = new boolean[now.count()];
         for (int m = 0; m < changed.length; m++) {
             changed[m] = now.isTransparent(m) || m < old.count() && (old.isTextured(m) != now.isTextured(m)
-                    || !old.material(m).texture().equals(now.material(m).texture())
+                    || !old.material(m).hasSameTextures(now.material(m))
                     || !old.transmission(m).equals(now.transmission(m)));
         }
         int[] primitives = new int[of.primitiveCount()];

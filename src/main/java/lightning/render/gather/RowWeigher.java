@@ -3,6 +3,7 @@ package lightning.render.gather;
 import java.util.Arrays;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.SurfacePoint;
+import lightning.render.trace.TexelColumns;
 
 /** Finds the gather points of rows. Holds scratch memory: use one instance per thread. */
 public final class RowWeigher {
@@ -41,7 +42,7 @@ public final class RowWeigher {
 
     /** Returns the weights of one point: those of its row in any level. */
     public RowWeights weigh(SurfacePoint point) {
-        HitRows row = new HitRows(1, false);
+        HitRows row = new HitRows(1, TexelColumns.NONE);
         row.px[0] = point.px();
         row.py[0] = point.py();
         row.pz[0] = point.pz();

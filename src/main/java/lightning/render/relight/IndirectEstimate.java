@@ -95,10 +95,11 @@ record IndirectEstimate(double bytesPerPixel, double borderBytes, double surfelB
      * and each ray of a point finds a new surfel; further bounces then find no others.
      *
      * @param levels         levels seen from the first
+     * @param texelBytes     bytes of the texture colors of a row
      * @param layerBytes     bytes of all layers per row
      * @param glows          whether rays may be aimed at glowing objects, in addition to the others
      */
-    static long upperBound(PictureSettings picture, long levels, long layerBytes, boolean glows) {
+    static long upperBound(PictureSettings picture, long levels, int texelBytes, long layerBytes, boolean glows) {
         if (picture.indirect().isEmpty()) {
             return 0;
         }
@@ -108,10 +109,10 @@ record IndirectEstimate(double bytesPerPixel, double borderBytes, double surfelB
         double rays = candidates * settings.rays();
         int linkBytes = RayLinks.BUILD_BYTES + RayLinks.TINT_BUILD_BYTES + Integer.BYTES;
         double glowBytes = glows ? GlowLinks.BUILD_BYTES : 0;
-        double surfelBytes = ColumnGroup.HIT.bytesPerRow() + ColumnGroup.TEXEL.bytesPerRow() + ColumnGroup.OWNER.bytesPerRow()
+        double surfelBytes = ColumnGroup.HIT.bytesPerRow() + texelBytes + ColumnGroup.OWNER.bytesPerRow()
                 + ColumnGroup.TRANSPARENT.bytesPerRow() + layerBytes + SURFEL_BYTES
                 + (settings.bounces() > 1 ? (linkBytes + glowBytes) * settings.rays() / 4.0 : 0);
-        double rowBytes = ColumnGroup.HIT.bytesPerRow() + ColumnGroup.TEXEL.bytesPerRow() + ColumnGroup.OWNER.bytesPerRow();
+        double rowBytes = ColumnGroup.HIT.bytesPerRow() + texelBytes + ColumnGroup.OWNER.bytesPerRow();
         return (long) Math.min(Long.MAX_VALUE / 4.0, candidates * (rowBytes + POINT_BYTES) + rays * (linkBytes + glowBytes + surfelBytes));
     }
 }

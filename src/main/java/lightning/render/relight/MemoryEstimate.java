@@ -47,7 +47,9 @@ public final class MemoryEstimate {
         boolean metallic = scene.materials().stream().anyMatch(Material::isMetallic);
         long lights =
                 scene.rig().effectiveLights().stream().mapToLong(light -> options.method().bytesPerRow(light, metallic, tinted)).sum();
-        long row = ColumnGroup.HIT.bytesPerRow() + ColumnGroup.TEXEL.bytesPerRow()
+        boolean glowMaps = scene.stage().rendered().materials().stream().anyMatch(m -> m.glowMap().isPresent());
+        int texelBytes = ColumnGroup.TEXEL.bytesPerRow() + (glowMaps ? ColumnGroup.GLOW_TEXEL.bytesPerRow() : 0);
+        long row = ColumnGroup.HIT.bytesPerRow() + texelBytes
                 + (sampling.isSupersampled() ? ColumnGroup.PATTERN.bytesPerRow() : 0)
                 + (scene.lights().stream().allMatch(l -> l.illuminates().isAll() && l.contribution().gains().isNone()) ? 0
                         : ColumnGroup.OWNER.bytesPerRow())
@@ -64,7 +66,7 @@ public final class MemoryEstimate {
         };
         // Samples store their colors if errors are bounded.
         long colored = !options.accuracy().isExact() ? samples : sampling.antialias() == AntialiasMode.EVERY ? 0 : 1;
-        return IndirectEstimate.upperBound(picture, levels, lights, glows) + pixels(picture)
+        return IndirectEstimate.upperBound(picture, levels, texelBytes, lights, glows) + pixels(picture)
                 * (samples * (row + mirrored) + colored * BYTES_PER_COLOR + edgeColorBytes(sampling)
                         + (sampling.isSupersampled() ? 3 * BYTES_PER_COLOR : 0));
     }

@@ -57,6 +57,25 @@ final class ClearMaterialShader {
         }
     }
 
+    /**
+     * Adds the glow of a run of rows that were just shaded and whose material has a glow map, by {@link SurfaceWeights#bodyWeight}.
+     *
+     * @param cached terms of the level's clear rows; those of {@link #shade} if null
+     */
+    void addGlow(HitRows rows, int run, ShadingMaterial material, ClearTerms cached, float[][] to) {
+        float body = material.bodyShare();
+        // Without a body there may be no terms.
+        ClearTerms terms = cached == null ? scratch : cached;
+        for (int c = 0; body > 0 && c < 3; c++) {
+            float[] texel = rows.glowTexel(c);
+            float kr = material.reflective()[c];
+            for (int i = rows.runStart(run); i < rows.runEnd[run]; i++) {
+                float weight = (1 - LightingEquation.mirrorShare(kr, terms.share[i])) * body * terms.tint[c][i];
+                to[c][i] = LightingEquation.addGlow(to[c][i], material.glow()[c], texel[i], weight);
+            }
+        }
+    }
+
     /** Returns the body share of a clear surface: 1 minus its largest transmission channel. */
     static float bodyShare(Transmission clarity) {
         return 1 - (float) clarity.color().max();

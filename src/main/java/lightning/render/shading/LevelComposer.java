@@ -124,16 +124,21 @@ final class LevelComposer {
             float[][] to) {
         ShadingMaterial material = shadingMaterials[rows.runMaterial[run]];
         for (int c = 0; c < 3; c++) {
-            emitted[c] = LightingEquation.emitted(material.ambient()[c], ambience, showsGlow ? material.glow()[c] : 0);
-        }
-        if (material.hasTexturedGlow()) {
-            shadeFace(rows, run, material, ambience, to);
-            return;
+            emitted[c] =
+                    LightingEquation.emitted(material.ambient()[c], ambience, showsGlow && !material.hasGlowMap() ? material.glow()[c] : 0);
         }
         if (material.hasImage() && !litTextures) {
             shadeUnlit(rows, run, material, to);
-            return;
+        } else {
+            shadeLit(rows, run, material, sum, allDiffuse, terms, images, to);
         }
+        if (showsGlow && material.hasGlowMap()) {
+            addGlow(rows, run, material, terms, to);
+        }
+    }
+
+    private void shadeLit(HitRows rows, int run, ShadingMaterial material, SumColumns sum, float[][] allDiffuse, ClearTerms terms,
+            BounceImages images, float[][] to) {
         boolean shines = component != LightComponent.DIFFUSE;
         float[][] diffuse = component == LightComponent.SPECULAR ? zeros : allDiffuse;
         float[][] specular = shines && sum.hasSpecular && material.hasSpecular() ? sum.specular : null;
@@ -155,14 +160,18 @@ final class LevelComposer {
         }
     }
 
-    /** Shades the face of a light with a texture, which only glows: all other terms are +0 and change no bit. */
-    private void shadeFace(HitRows rows, int run, ShadingMaterial material, float ambience, float[][] to) {
+    /** Adds the glow of a run whose material has a glow map to the colors of its rows. */
+    private void addGlow(HitRows rows, int run, ShadingMaterial material, ClearTerms terms, float[][] to) {
+        if (material.clarity() != null) {
+            clearShader().addGlow(rows, run, material, terms, to);
+            return;
+        }
         for (int c = 0; c < 3; c++) {
-            float[] texel = rows.texel(c);
-            float ka = material.ambient()[c];
-            float glow = showsGlow ? material.glow()[c] : 0;
+            float[] texel = rows.glowTexel(c);
+            float glow = material.glow()[c];
+            float weight = 1 - material.reflective()[c];
             for (int i = rows.runStart(run); i < rows.runEnd[run]; i++) {
-                to[c][i] = LightingEquation.emitted(ka, ambience, glow * texel[i]);
+                to[c][i] = LightingEquation.addGlow(to[c][i], glow, texel[i], weight);
             }
         }
     }

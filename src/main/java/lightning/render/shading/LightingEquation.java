@@ -236,6 +236,16 @@ public final class LightingEquation {
     }
 
     /**
+     * Adds the glow of a surface with a glow map to one channel of its color. Its {@link #emitted} light has no glow.
+     *
+     * @param texel  color of the map
+     * @param weight factor of emitted light: {@link SurfaceWeights#bodyWeight}
+     */
+    static float addGlow(float color, float glow, float texel, float weight) {
+        return color + weight * (glow * texel);
+    }
+
+    /**
      * Returns one channel of the light that a clear surface itself sends, before the interior tint.
      *
      * @param emitted {@link #emitted}
@@ -247,7 +257,7 @@ public final class LightingEquation {
     }
 
     /** Returns the share of mirrored light of a clear surface. */
-    private static float mirrorShare(float kr, float share) {
+    static float mirrorShare(float kr, float share) {
         return kr + (1 - kr) * share;
     }
 

@@ -114,11 +114,12 @@ public final class PixelExplainer {
         for (int c = 0; c < 3; c++) {
             float ka = materials.ambient(hit.material(), c);
             float kr = materials.reflective(hit.material(), c);
-            float ownLight = materials.glow(hit.material(), c, hit.texel()[c]);
-            float emitted = LightingEquation.emitted(ka, ambience, ownLight);
+            boolean hasMap = hit.glowTexel() != null;
+            float ownLight = materials.glow(hit.material(), c);
+            float emitted = LightingEquation.emitted(ka, ambience, hasMap ? 0 : ownLight);
             float diffuse = sum(reports, c, LightReport::diffuse) + (bounced == null ? 0 : bounced[c]);
             ambient[c] = ka * ambience * share.bodyWeight(kr, c);
-            glow[c] = ownLight * share.bodyWeight(kr, c);
+            glow[c] = (hasMap ? ownLight * hit.glowTexel()[c] : ownLight) * share.bodyWeight(kr, c);
             color[c] = materials.isTransparent(hit.material())
                     ? share.color(c, emitted, hit.diffuse()[c], diffuse,
                             hit.specular()[c], sum(reports, c, LightReport::highlight), sum(reports, c, LightReport::sheen), kr,
@@ -126,6 +127,7 @@ public final class PixelExplainer {
                     : LightingEquation.color(emitted, hit.diffuse()[c], diffuse,
                             hit.specular()[c], sum(reports, c, LightReport::highlight), sum(reports, c, LightReport::sheen), kr,
                             reflected == null ? 0 : reflected.color()[c]);
+            color[c] = hasMap ? LightingEquation.addGlow(color[c], ownLight, hit.glowTexel()[c], share.bodyWeight(kr, c)) : color[c];
         }
         return new PointReport(hit, passedCutouts(ray, geometry.distance(shape, ray)), normals, color, ambient, glow, bounced, reports,
                 reflected,

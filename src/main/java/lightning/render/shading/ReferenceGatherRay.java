@@ -22,9 +22,11 @@ import lightning.scene.Transmission;
  * @param rank   order among the rays that hit the cell
  * @param tint   product of the tints of the transparent surfaces in between: red, green, blue
  * @param texel  mean texture color of the cell: red, green, blue; null for none
+ * @param glowTexel mean color of the glow map in the cell: red, green, blue; null for none
  * @param dark   whether the ray does not count the glow of what it hits, because other rays are aimed at it
  */
-record ReferenceGatherRay(SurfacePoint hit, double length, long cell, int rank, float[] tint, float[] texel, boolean dark) {
+record ReferenceGatherRay(SurfacePoint hit, double length, long cell, int rank, float[] tint, float[] texel, float[] glowTexel,
+        boolean dark) {
     // Arrays in a record: written once by their creator, never after.
 
     /** A ray that passes more surfaces than this counts as a miss. */
@@ -49,7 +51,7 @@ record ReferenceGatherRay(SurfacePoint hit, double length, long cell, int rank, 
     }
 
     private ReferenceGatherRay darkened() {
-        return new ReferenceGatherRay(hit, length, cell, rank, tint, texel, true);
+        return new ReferenceGatherRay(hit, length, cell, rank, tint, texel, glowTexel, true);
     }
 
     /** Returns the normal of the surface on which a point lies; null if the point is shaded by this normal. */
@@ -88,15 +90,16 @@ record ReferenceGatherRay(SurfacePoint hit, double length, long cell, int rank, 
             double distance = geometry.distance(primitive, ray);
             if (hit.backSide() == null) {
                 double length = passed + distance;
+                double side = keys.surfelSide(hit.px(), hit.py(), hit.pz(), length);
                 return new ReferenceGatherRay(hit, length,
                         keys.surfelKey(hit.px(), hit.py(), hit.pz(), hit.nx(), hit.ny(), hit.nz(), primitive, length), rank, tint,
-                        geometry.meanTexelBruteForce(primitive, ray, keys.surfelSide(hit.px(), hit.py(), hit.pz(), length)), false);
+                        geometry.meanTexelBruteForce(primitive, ray, side), geometry.meanGlowTexelBruteForce(primitive, ray, side), false);
             }
             multiply(tint, hit.backSide());
             passed += distance;
             ray = new Ray(new Vec3(hit.backSide().x(), hit.backSide().y(), hit.backSide().z()), ray.direction());
         }
-        return new ReferenceGatherRay(null, Double.POSITIVE_INFINITY, 0, rank, tint, null, false);
+        return new ReferenceGatherRay(null, Double.POSITIVE_INFINITY, 0, rank, tint, null, null, false);
     }
 
     private static void multiply(float[] tint, SurfacePoint.BackSide surface) {

@@ -82,7 +82,8 @@ final class ReferenceIndirect {
         int material = ray.hit().material();
         float[] glow = new float[3];
         for (int c = 0; c < 3; c++) {
-            glow[c] = (1 - materials.reflective(material, c)) * materials.ownGlow(material, c);
+            float emitted = (1 - materials.reflective(material, c)) * materials.ownGlow(material, c);
+            glow[c] = ray.glowTexel() == null ? emitted : emitted * ray.glowTexel()[c];
         }
         surfelByCell.put(ray.cell(), surfels.size());
         surfels.add(new Surfel(ray.hit(), ray.texel(), directLight.apply(ray.hit()), glow));

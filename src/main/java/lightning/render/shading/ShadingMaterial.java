@@ -7,7 +7,7 @@ import lightning.scene.Transmission;
  * Material properties as the {@link LightingEquation} needs them: red, green, blue each.
  *
  * @param ambient      k<sub>ambient</sub> before the scene's ambience
- * @param glow         light that the surface emits itself
+ * @param glow         light that the surface emits itself, before its glow map
  * @param diffuse      k<sub>diffuse</sub> before the texture
  * @param specular     k<sub>specular</sub>, or the part of F0 that no texture multiplies
  * @param texturedF0   the part of F0 that texels multiply; null if the material is not metallic
@@ -17,7 +17,7 @@ import lightning.scene.Transmission;
  * @param bodyShare    body share of a clear surface
  * @param isTextured   true if its rows' texels multiply k<sub>diffuse</sub>
  * @param hasImage     true if an image is among these factors
- * @param hasTexturedGlow true if its rows' texels multiply its glow; it then reflects nothing
+ * @param hasGlowMap   true if its rows have colors of a glow map
  * @param hasSpecular  true if it has specular terms: k<sub>specular</sub> is above 0 in any channel, or the material is metallic
  * @param isReflective true if k<sub>reflective</sub> is above 0 in any channel
  */
@@ -25,7 +25,7 @@ public record ShadingMaterial(float[] ambient, float[] glow, float[] diffuse, fl
         Transmission clarity, InteriorTint interior, float bodyShare,
         boolean isTextured,
         boolean hasImage,
-        boolean hasTexturedGlow,
+        boolean hasGlowMap,
         boolean hasSpecular,
         boolean isReflective) {
     // Arrays in a record: written once by their creator, never after.
@@ -49,7 +49,7 @@ public record ShadingMaterial(float[] ambient, float[] glow, float[] diffuse, fl
                 t.isTransparent(m) ? t.transmission(m) : null, t.isTransparent(m) ? new InteriorTint(t.transmission(m)) : null,
                 ClearMaterialShader.bodyShare(t.transmission(m)), t.isTextured(m),
                 t.texture(m) != null,
-                t.hasTexturedGlow(m),
+                t.glowMap(m) != null,
                 t.isSpecular(m),
                 reflective[0] > 0 || reflective[1] > 0 || reflective[2] > 0);
     }

@@ -45,10 +45,11 @@ public final class SurfelShader {
             ShadingMaterial material = materials[rows.runMaterial[run]];
             for (int c = 0; c < 3; c++) {
                 float emitted = (1 - material.reflective()[c]) * table.ownGlow(rows.runMaterial[run], c);
+                float[] map = material.hasGlowMap() ? rows.glowTexel(c) : null;
                 float share = (1 - material.reflective()[c]) * material.diffuse()[c];
                 for (int row = rows.runStart(run); row < rows.runEnd[run]; row++) {
                     albedo[c][numbers[rows.parent[row]]] = material.isTextured() ? share * rows.texel(c)[row] : share;
-                    glow[c][numbers[rows.parent[row]]] = emitted;
+                    glow[c][numbers[rows.parent[row]]] = map == null ? emitted : emitted * map[row];
                 }
             }
         }

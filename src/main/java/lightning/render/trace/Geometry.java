@@ -526,12 +526,8 @@ public final class Geometry {
 
     /** Computes the surface point where a ray hits a primitive; tests every triangle of a mesh. */
     public SurfacePoint surfaceBruteForce(int primitive, Ray ray) {
-        double t = distance(primitive, ray);
-        Vec3 o = ray.origin();
-        Vec3 d = ray.direction();
-        return t == SolidGeometry.MISS ? throwMissed(primitive)
-                : new SurfacePointBuilder(primitives, materials).surfacePoint(primitive,
-                        primitives.hitPart(primitive, o.x(), o.y(), o.z(), d.x(), d.y(), d.z()), ray, t);
+        double t = hitDistance(primitive, ray);
+        return new SurfacePointBuilder(primitives, materials).surfacePoint(primitive, hitPart(primitive, ray), ray, t);
     }
 
     /**
@@ -541,14 +537,33 @@ public final class Geometry {
      * @throws IllegalArgumentException if the ray misses the primitive
      */
     public float[] meanTexelBruteForce(int primitive, Ray ray, double side) {
+        double t = hitDistance(primitive, ray);
+        return new SurfacePointBuilder(primitives, materials).meanTexel(primitive, hitPart(primitive, ray), ray, t, side);
+    }
+
+    /**
+     * Returns the mean color of the glow map in a square around a ray's hit: red, green, blue; null without a map.
+     *
+     * @param side of the square, scene units
+     * @throws IllegalArgumentException if the ray misses the primitive
+     */
+    public float[] meanGlowTexelBruteForce(int primitive, Ray ray, double side) {
+        double t = hitDistance(primitive, ray);
+        return new SurfacePointBuilder(primitives, materials).meanGlowTexel(primitive, hitPart(primitive, ray), ray, t, side);
+    }
+
+    private double hitDistance(int primitive, Ray ray) {
         double t = distance(primitive, ray);
         if (t == SolidGeometry.MISS) {
             throwMissed(primitive);
         }
+        return t;
+    }
+
+    private int hitPart(int primitive, Ray ray) {
         Vec3 o = ray.origin();
         Vec3 d = ray.direction();
-        return new SurfacePointBuilder(primitives, materials).meanTexel(primitive,
-                primitives.hitPart(primitive, o.x(), o.y(), o.z(), d.x(), d.y(), d.z()), ray, t, side);
+        return primitives.hitPart(primitive, o.x(), o.y(), o.z(), d.x(), d.y(), d.z());
     }
 
     /**

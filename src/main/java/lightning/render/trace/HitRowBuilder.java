@@ -42,14 +42,14 @@ final class HitRowBuilder {
                 starts[ranks[i] + 1]++;
             }
         }
-        boolean textured = false;
+        TexelColumns columns = TexelColumns.NONE;
         for (int r = 0; r < materials.count(); r++) {
-            textured |= withTexels && starts[r + 1] > 0 && materials.isTextured(materials.materialAtRank(r));
+            columns = withTexels && starts[r + 1] > 0 ? columns.or(TexelColumns.of(materials, materials.materialAtRank(r))) : columns;
             starts[r + 1] += starts[r];
         }
         rays.hitCount = starts[materials.count()];
         int transparentCount = starts[materials.transparentCount()];
-        HitRows rows = allocator.allocate(rays.hitCount, textured, transparentCount > 0);
+        HitRows rows = allocator.allocate(rays.hitCount, columns, transparentCount > 0);
         rows.count = rays.hitCount;
         rows.runCount = 0;
         rows.bounds = null;
@@ -65,13 +65,13 @@ final class HitRowBuilder {
                 rays.order[starts[ranks[i]]++] = (short) i;
             }
         }
-        writeRows(rays, patterns, rows, textured);
+        writeRows(rays, patterns, rows, !columns.isNone());
         return rows;
     }
 
     /** Replaces the texels of the rows built last by means over squares on their surfaces, as {@link TexelWriter#writeMeans}. */
     void writeMeanTexels(HitRows rows, RayColumns rays, double[] sides) {
-        if (rows.texelRed != null) {
+        if (!rows.texels().isNone()) {
             texels.writeMeans(rows, rays, sides);
         }
     }

@@ -24,6 +24,8 @@ public final class HitRows {
         HIT,
         /** Present if any row's material is textured. */
         TEXEL,
+        /** Present if any row's material has a glow map. */
+        GLOW_TEXEL,
         /** Present in rows of finer samples. */
         PATTERN,
         /** Present if a light of the scene illuminates only some shapes. */
@@ -58,6 +60,9 @@ public final class HitRows {
         TEXEL_RED(ColumnGroup.TEXEL, ElementType.FLOAT),
         TEXEL_GREEN(ColumnGroup.TEXEL, ElementType.FLOAT),
         TEXEL_BLUE(ColumnGroup.TEXEL, ElementType.FLOAT),
+        GLOW_TEXEL_RED(ColumnGroup.GLOW_TEXEL, ElementType.FLOAT),
+        GLOW_TEXEL_GREEN(ColumnGroup.GLOW_TEXEL, ElementType.FLOAT),
+        GLOW_TEXEL_BLUE(ColumnGroup.GLOW_TEXEL, ElementType.FLOAT),
         PARENT(ColumnGroup.HIT, ElementType.SHORT),
         PATTERN(ColumnGroup.PATTERN, ElementType.BYTE),
         OWNER(ColumnGroup.OWNER, ElementType.INT),
@@ -101,6 +106,10 @@ public final class HitRows {
     public final float[] texelRed;
     public final float[] texelGreen;
     public final float[] texelBlue;
+    /** Color of the glow map, ≥ 0, of rows whose materials have one; null if the tile has none. */
+    public final float[] glowTexelRed;
+    public final float[] glowTexelGreen;
+    public final float[] glowTexelBlue;
     /** Destination of the row's color: a pixel of the tile at the first level, a row of the previous level at others. */
     public final short[] parent;
     /** Pattern of area light samples of each row of finer samples, unsigned ({@link SamplePattern}); null for pixel centers. */
@@ -129,13 +138,13 @@ public final class HitRows {
     private final ColumnSet<Column> columns;
 
     /** Allocates {@code rows} rows of pixel centers without owners. */
-    public HitRows(int rows, boolean textured) {
-        this(rows, textured, false, false, false);
+    public HitRows(int rows, TexelColumns texels) {
+        this(rows, texels, false, false, false);
     }
 
     /** Allocates {@code rows} rows. */
-    public HitRows(int rows, boolean textured, boolean transparent, boolean hasPatterns, boolean hasOwners) {
-        this(ColumnSet.allocate(Column.class, columns(textured, transparent, hasPatterns, hasOwners), rows));
+    public HitRows(int rows, TexelColumns texels, boolean transparent, boolean hasPatterns, boolean hasOwners) {
+        this(ColumnSet.allocate(Column.class, columns(texels, transparent, hasPatterns, hasOwners), rows));
     }
 
     /** Wraps columns that are already filled; there are no runs yet. */
@@ -153,6 +162,9 @@ public final class HitRows {
         texelRed = (float[]) columns.get(Column.TEXEL_RED);
         texelGreen = (float[]) columns.get(Column.TEXEL_GREEN);
         texelBlue = (float[]) columns.get(Column.TEXEL_BLUE);
+        glowTexelRed = (float[]) columns.get(Column.GLOW_TEXEL_RED);
+        glowTexelGreen = (float[]) columns.get(Column.GLOW_TEXEL_GREEN);
+        glowTexelBlue = (float[]) columns.get(Column.GLOW_TEXEL_BLUE);
         parent = (short[]) columns.get(Column.PARENT);
         pattern = (byte[]) columns.get(Column.PATTERN);
         owner = (int[]) columns.get(Column.OWNER);
@@ -162,11 +174,9 @@ public final class HitRows {
         insideDistance = (float[]) columns.get(Column.INSIDE_DISTANCE);
     }
 
-    private static Set<Column> columns(boolean textured, boolean transparent, boolean hasPatterns, boolean hasOwners) {
+    private static Set<Column> columns(TexelColumns texels, boolean transparent, boolean hasPatterns, boolean hasOwners) {
         Set<Column> columns = ColumnGroup.HIT.columns();
-        if (textured) {
-            columns.addAll(ColumnGroup.TEXEL.columns());
-        }
+        columns.addAll(columns(texels));
         if (transparent) {
             columns.addAll(ColumnGroup.TRANSPARENT.columns());
         }
@@ -175,6 +185,17 @@ public final class HitRows {
         }
         if (hasOwners) {
             columns.addAll(ColumnGroup.OWNER.columns());
+        }
+        return columns;
+    }
+
+    private static Set<Column> columns(TexelColumns texels) {
+        Set<Column> columns = EnumSet.noneOf(Column.class);
+        if (texels.colors()) {
+            columns.addAll(ColumnGroup.TEXEL.columns());
+        }
+        if (texels.glow()) {
+            columns.addAll(ColumnGroup.GLOW_TEXEL.columns());
         }
         return columns;
     }
@@ -198,16 +219,16 @@ public final class HitRows {
         return shared == columns ? this : withColumns(shared, reflectiveCount);
     }
 
-    /** Returns these rows without texels. */
-    HitRows withoutTexels() {
-        return withColumns(columns.without(ColumnGroup.TEXEL.columns()), reflectiveCount);
+    /** Returns which texels these rows have. */
+    TexelColumns texels() {
+        return new TexelColumns(texelRed != null, glowTexelRed != null);
     }
 
-    /** Returns these rows with copies of their texels. */
-    HitRows withCopiedTexels() {
-        ColumnSet<Column> copies = ColumnSet.allocate(Column.class, ColumnGroup.TEXEL.columns(), count);
+    /** Returns these rows with copies of some texels, 0 where these rows have none, and without the others. */
+    HitRows withCopiedTexels(TexelColumns texels) {
+        ColumnSet<Column> copies = ColumnSet.allocate(Column.class, columns(texels), count);
         copies.copy(columns, 0, 0, count);
-        return withColumns(columns.with(copies), reflectiveCount);
+        return withColumns(columns.without(columns(new TexelColumns(true, true))).with(copies), reflectiveCount);
     }
 
     /** Returns these rows with other owners, or null for none. */
@@ -239,6 +260,16 @@ public final class HitRows {
     /** Returns the length of a float column for {@code rows} rows: a multiple of 16. */
     public static int paddedLength(int rows) {
         return ElementType.FLOAT.length(rows);
+    }
+
+    /** Returns the red, green or blue colors of glow maps for channel 0, 1, 2; null if the tile has none. */
+    public float[] glowTexel(int channel) {
+        return switch (channel) {
+            case 0 -> glowTexelRed;
+            case 1 -> glowTexelGreen;
+            case 2 -> glowTexelBlue;
+            default -> throw new IllegalArgumentException("channel " + channel);
+        };
     }
 
     /** Returns the red, green or blue texels for channel 0, 1, 2; null if the tile has none. */

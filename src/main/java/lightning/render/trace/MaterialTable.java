@@ -39,6 +39,7 @@ public final class MaterialTable {
     private final float[] glow;
     /** Glow without that of bulbs; the same array if there are none. */
     private final float[] ownGlow;
+    private final boolean hasGlowMaps;
     private final float[] diffuse;
     private final float[] specular;
     private final float[] reflective;
@@ -64,6 +65,7 @@ public final class MaterialTable {
         ambient = new float[3 * count];
         glow = new float[3 * count];
         ownGlow = materials.stream().allMatch(m -> m.bulb().glow().isBlack()) ? glow : new float[3 * count];
+        hasGlowMaps = materials.stream().anyMatch(m -> m.glowMap().isPresent());
         diffuse = new float[3 * count];
         specular = new float[3 * count];
         reflective = new float[3 * count];
@@ -182,7 +184,7 @@ public final class MaterialTable {
     }
 
     /**
-     * Returns true if rows of material {@code m} have texels, from its texture or from vertex colors of any shape that uses it.
+     * Returns true if rows of material {@code m} have texture colors, from its texture or from vertex colors of any shape that uses it.
      */
     public boolean isTextured(int m) {
         return vertexColored[m] || materials.get(m).texture().isPresent();
@@ -222,22 +224,25 @@ public final class MaterialTable {
         return ambient[3 * m + channel];
     }
 
-    /** Returns the light that the surface emits itself, before the texture if that {@link #hasTexturedGlow multiplies it}. */
+    /** Returns the light that the surface emits itself, before its {@link #glowMap}. */
     public float glow(int m, int channel) {
         return glow[3 * m + channel];
     }
 
-    /** Returns one channel of the light that the surface emits where its texture has the value {@code texel}. */
-    public float glow(int m, int channel, float texel) {
-        return hasTexturedGlow(m) ? glow(m, channel) * texel : glow(m, channel);
+    /** Returns the image that multiplies the glow of material {@code m}; null if it has none. */
+    public TextureMap glowMap(int m) {
+        return materials.get(m).glowMap().orElse(null);
     }
 
-    /** Returns true if texels multiply the glow of material {@code m}, which reflects nothing: the face of a light with a texture. */
-    public boolean hasTexturedGlow(int m) {
-        return materials.get(m).bulb().isTextured();
+    /** Returns whether any material has a {@link #glowMap}. */
+    public boolean hasGlowMaps() {
+        return hasGlowMaps;
     }
 
-    /** Returns one channel of the glow that lights other surfaces: without that of a bulb, whose light does so itself. */
+    /**
+     * Returns one channel of the glow that lights other surfaces, before its {@link #glowMap}: without that of a bulb, whose light does so
+     * itself.
+     */
     public float ownGlow(int m, int channel) {
         return ownGlow[3 * m + channel];
     }

@@ -212,6 +212,6 @@ public final class RayBatch {
 
     /** Returns the hits as {@link #rows}, but without their texels. */
     public HitRows rowsWithoutTexels() {
-        return rowBuilder.build(rays, null, false, (hits, textured, transparent) -> new HitRows(hits, textured, transparent, false, false));
+        return rowBuilder.build(rays, null, false, (hits, texels, transparent) -> new HitRows(hits, texels, transparent, false, false));
     }
 }

@@ -68,12 +68,12 @@ public final class RowSplice {
 
     /** @param ends exclusive end row of each rank, all lower ranks included */
     private HitRows allocateRows(int[] ends, MaterialTable materials) {
-        boolean textured = false;
+        TexelColumns needed = TexelColumns.NONE;
         for (int r = 0; r < materials.count(); r++) {
-            textured |= ends[r + 1] > ends[r] && materials.isTextured(materials.materialAtRank(r));
+            needed = ends[r + 1] > ends[r] ? needed.or(TexelColumns.of(materials, materials.materialAtRank(r))) : needed;
         }
-        boolean texels = old.texelRed != null || added != null && added.texelRed != null;
-        HitRows allocated = new HitRows(source.length, textured && texels, transparentCount > 0, old.pattern != null, old.owner != null);
+        TexelColumns known = added == null ? old.texels() : old.texels().or(added.texels());
+        HitRows allocated = new HitRows(source.length, needed.and(known), transparentCount > 0, old.pattern != null, old.owner != null);
         allocated.count = source.length;
         allocated.reflectiveCount = reflectiveCount;
         allocated.transparentCount = transparentCount;

@@ -16,9 +16,11 @@ import lightning.scene.Transmission;
  * @param specular k<sub>specular</sub>, or F0 including the texture, linear RGB, {@code float[3]}
  * @param backSide start of the refracted ray; null for opaque materials
  * @param texel texture color alone, linear RGB, {@code float[3]}; white if there is none
+ * @param glowTexel color of the glow map, linear RGB, {@code float[3]}; null if there is none
  */
 public record SurfacePoint(int primitive, int material, float px, float py, float pz, float nx, float ny, float nz,
-        float vx, float vy, float vz, float[] diffuse, float[] specular, float[] texel, BackSide backSide) {
+        float vx, float vy, float vz, float[] diffuse, float[] specular, float[] texel, float[] glowTexel,
+        BackSide backSide) {
 
     /**
      * Start of a ray behind a transparent surface.

@@ -7,6 +7,7 @@ import lightning.render.trace.primitive.SurfaceHit;
 import lightning.render.trace.primitive.TextureFootprint;
 import lightning.render.trace.primitive.TextureLookup;
 import lightning.scene.BumpMapping;
+import lightning.scene.TextureMap;
 import lightning.scene.Transmission;
 
 /**
@@ -18,10 +19,8 @@ import lightning.scene.Transmission;
 record SurfacePointBuilder(PrimitiveTable primitives, MaterialTable materials) {
     /** Computes the surface point of a ray on a part of a primitive at a distance. */
     SurfacePoint surfacePoint(int primitive, int part, Ray ray, double t) {
-        Vec3 o = ray.origin();
         Vec3 d = ray.direction();
-        SurfaceHit surface = new SurfaceHit();
-        surface.compute(primitives, primitive, part, o.x(), o.y(), o.z(), d.x(), d.y(), d.z(), t);
+        SurfaceHit surface = hit(primitive, part, ray, t);
         int material = primitives.material[primitive];
         float[] diffuse = {materials.diffuse(material, 0), materials.diffuse(material, 1), materials.diffuse(material, 2)};
         float[] texel = {1, 1, 1};
@@ -44,15 +43,43 @@ record SurfacePointBuilder(PrimitiveTable primitives, MaterialTable materials) {
                     insideDistance(materials.transmission(material), surface, t));
         }
         return new SurfacePoint(primitive, material, surface.px, surface.py, surface.pz, surface.nx, surface.ny, surface.nz,
-                (float) d.x(), (float) d.y(), (float) d.z(), diffuse, specular, texel, backSide);
+                (float) d.x(), (float) d.y(), (float) d.z(), diffuse, specular, texel, glowTexel(surface, primitive, part), backSide);
     }
 
-    /** Returns the mean texture color of a square around a ray's hit. */
-    float[] meanTexel(int primitive, int part, Ray ray, double t, double side) {
+    private float[] glowTexel(SurfaceHit surface, int primitive, int part) {
+        TextureMap map = materials.glowMap(primitives.material[primitive]);
+        if (map == null) {
+            return null;
+        }
+        float[] texel = new float[3];
+        new TextureLookup().lookUpMap(primitives, primitive, part, map, surface.localX, surface.localY, surface.localZ, texel);
+        return texel;
+    }
+
+    /** Returns the mean color of the glow map in a square around a ray's hit; null if the material has none. */
+    float[] meanGlowTexel(int primitive, int part, Ray ray, double t, double side) {
+        int material = primitives.material[primitive];
+        if (materials.glowMap(material) == null) {
+            return null;
+        }
+        SurfaceHit surface = hit(primitive, part, ray, t);
+        float[] texel = new float[3];
+        new TextureFootprint().lookUpMap(primitives, primitive, part, materials.glowMap(material), surface.localX, surface.localY,
+                surface.localZ, surface.nx, surface.ny, surface.nz, side, texel);
+        return texel;
+    }
+
+    private SurfaceHit hit(int primitive, int part, Ray ray, double t) {
         Vec3 o = ray.origin();
         Vec3 d = ray.direction();
         SurfaceHit surface = new SurfaceHit();
         surface.compute(primitives, primitive, part, o.x(), o.y(), o.z(), d.x(), d.y(), d.z(), t);
+        return surface;
+    }
+
+    /** Returns the mean texture color of a square around a ray's hit. */
+    float[] meanTexel(int primitive, int part, Ray ray, double t, double side) {
+        SurfaceHit surface = hit(primitive, part, ray, t);
         int material = primitives.material[primitive];
         float[] texel = {1, 1, 1};
         if (materials.isTextured(material)) {
@@ -64,10 +91,7 @@ record SurfacePointBuilder(PrimitiveTable primitives, MaterialTable materials) {
 
     /** Returns the steps from the geometric normal to the shading normal at a ray's hit; null if both are equal. */
     NormalSteps normalSteps(int primitive, int part, Ray ray, double t) {
-        Vec3 o = ray.origin();
-        Vec3 d = ray.direction();
-        SurfaceHit surface = new SurfaceHit();
-        surface.compute(primitives, primitive, part, o.x(), o.y(), o.z(), d.x(), d.y(), d.z(), t);
+        SurfaceHit surface = hit(primitive, part, ray, t);
         boolean isSmooth = surface.isSmooth(primitives, primitive);
         BumpMapping bumpMapping = primitives.bumpMapping(primitive);
         Vec3 smooth = isSmooth ? surface.unbentNormal(primitives, primitive, true, null) : null;

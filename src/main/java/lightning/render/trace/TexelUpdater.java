@@ -62,31 +62,23 @@ public final class TexelUpdater {
         if (!changed.intersects(rows)) {
             return rows;
         }
-        if (!hasTextures(rows)) {
-            return rows.texelRed == null ? rows : rows.withoutTexels();
+        TexelColumns needed = TexelColumns.of(materials, rows);
+        if (needed.isNone()) {
+            return rows.texels().isNone() ? rows : rows.withCopiedTexels(needed);
         }
         if (parentRows == null && positions.pixels() == null) {
             tracer.directEyeRays(camera, positions.x0(), positions.y0(), SamplePositions.SIDE, SamplePositions.SIDE, eyeRays);
         } else if (parentRows == null) {
             tracer.directSampleRays(camera, positions, eyeRays);
         }
-        HitRows updated = rows.withCopiedTexels();
+        HitRows updated = rows.withCopiedTexels(needed);
         for (int r = 0; r < rows.runCount; r++) {
             int material = rows.runMaterial[r];
-            if (changed.contains(material) && materials.isTextured(material)) {
+            if (changed.contains(material) && !TexelColumns.of(materials, material).isNone()) {
                 updateRun(updated, r, parentRows, bounce, positions);
             }
         }
         return updated;
-    }
-
-    private boolean hasTextures(HitRows rows) {
-        for (int r = 0; r < rows.runCount; r++) {
-            if (materials.isTextured(rows.runMaterial[r])) {
-                return true;
-            }
-        }
-        return false;
     }
 
     private void updateRun(HitRows rows, int run, HitRows parentRows, BounceKind bounce, SamplePositions positions) {

@@ -5,7 +5,7 @@ import lightning.render.trace.primitive.TextureFootprint;
 import lightning.render.trace.primitive.TextureLookup;
 import lightning.scene.TextureMap;
 
-/** Writes the texels of rows whose surfaces were just computed. Holds scratch memory: use one per thread. */
+/** Writes the colors of textures, vertices and glow maps of rows whose surfaces were just computed. Holds scratch memory: use one per thread. */
 final class TexelWriter {
     private final PrimitiveTable primitives;
     private final MaterialTable materials;
@@ -25,6 +25,7 @@ final class TexelWriter {
         int lastPrimitive = -1;
         boolean textured = false;
         TextureMap map = null;
+        TextureMap glowMap = null;
         for (int i = 0; i < rays.hitCount; i++) {
             int ray = rays.order[i];
             int primitive = rays.primitive[ray];
@@ -33,12 +34,17 @@ final class TexelWriter {
                 int material = primitives.material[primitive];
                 textured = materials.isTextured(material);
                 map = materials.texture(material);
+                glowMap = materials.glowMap(material);
             }
             if (textured) {
                 lookup.lookUp(primitives, primitive, rays.part[ray], map, rays.localX[i], rays.localY[i], rays.localZ[i], texel);
                 rows.texelRed[row + i] = texel[0];
                 rows.texelGreen[row + i] = texel[1];
                 rows.texelBlue[row + i] = texel[2];
+            }
+            if (glowMap != null) {
+                lookup.lookUpMap(primitives, primitive, rays.part[ray], glowMap, rays.localX[i], rays.localY[i], rays.localZ[i], texel);
+                writeGlow(rows, row + i);
             }
         }
     }
@@ -61,6 +67,17 @@ final class TexelWriter {
                 rows.texelGreen[row] = texel[1];
                 rows.texelBlue[row] = texel[2];
             }
+            if (materials.glowMap(material) != null) {
+                footprint.lookUpMap(primitives, primitive, rays.part[ray], materials.glowMap(material), rays.localX[row], rays.localY[row],
+                        rays.localZ[row], rows.nx[row], rows.ny[row], rows.nz[row], sides[row], texel);
+                writeGlow(rows, row);
+            }
         }
+    }
+
+    private void writeGlow(HitRows rows, int row) {
+        rows.glowTexelRed[row] = texel[0];
+        rows.glowTexelGreen[row] = texel[1];
+        rows.glowTexelBlue[row] = texel[2];
     }
 }

@@ -13,7 +13,7 @@ public final class TileVisibility {
     /** Provides the columns for the rows: new ones to keep, or reused ones. */
     @FunctionalInterface
     public interface Allocator {
-        HitRows allocate(int count, boolean textured, boolean transparent);
+        HitRows allocate(int count, TexelColumns texels, boolean transparent);
     }
 
     private final MaterialTable materials;

@@ -59,7 +59,8 @@ public final class RenderEffect {
             uses -> uses.materials(m -> m.transmission().isTransparent() || !m.transmission().castsShadows()),
             scene -> EffectRemoval.mapMaterials(scene, m -> m.withTransmission(Transmission.NONE)), UnaryOperator.identity(), false);
     public static final RenderEffect GLOW = register("glow", "glowing materials", uses -> uses.materials(m -> !m.emission().isBlack()),
-            scene -> EffectRemoval.mapMaterials(scene, m -> m.withGlow(Rgb.BLACK).withBulb(Bulb.NONE)), UnaryOperator.identity(), false);
+            scene -> EffectRemoval.mapMaterials(scene, m -> m.withGlow(Rgb.BLACK).withGlowMap(Optional.empty()).withBulb(Bulb.NONE)),
+            UnaryOperator.identity(), false);
     public static final RenderEffect TINTED_SHADOWS =
             register("tinted-shadows", "tinted shadows", uses -> uses.materials(m -> m.transmission().tintsShadows()),
                     scene -> EffectRemoval.mapMaterials(scene, m -> m.transmission().tintsShadows()

@@ -9,6 +9,7 @@ import lightning.base.math.Vec3;
 import lightning.render.engine.choice.Engines;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.RowShadowRays;
+import lightning.render.trace.TexelColumns;
 import lightning.scene.AreaShape;
 import lightning.scene.Camera;
 import lightning.scene.Light;
@@ -26,7 +27,7 @@ class AreaTermsTest {
     private static final int SAMPLES = 5;
     private static final double[] SHININESS = {0.5, 5, 14, 60, 180, 1e3, 1e6};
 
-    private final HitRows rows = new HitRows(COUNT, false);
+    private final HitRows rows = new HitRows(COUNT, TexelColumns.NONE);
     private final RowShadowRays ways = new RowShadowRays();
     private final int[] may = RowBits.allocate();
 

@@ -9,6 +9,7 @@ import lightning.base.math.Vec3;
 import lightning.render.engine.choice.Engines;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.HitRows;
+import lightning.render.trace.TexelColumns;
 import lightning.render.trace.Tracer;
 import lightning.scene.Camera;
 import lightning.scene.Light;
@@ -36,7 +37,7 @@ class ConeCullingTest {
 
     /** Creates rows whose normals point up. */
     private static HitRows rows(Vec3... points) {
-        HitRows rows = new HitRows(points.length, false);
+        HitRows rows = new HitRows(points.length, TexelColumns.NONE);
         rows.count = points.length;
         for (int i = 0; i < points.length; i++) {
             rows.px[i] = (float) points[i].x();

@@ -99,6 +99,47 @@ class GlowTest {
         assertBall(scene(NEON.withTexture(Optional.of(black)), 1), 0.7f, 300, 1e6f);
     }
 
+    private static Optional<TextureMap> map(float... rgb) {
+        return Optional.of(new TextureMap("map.png", 1, 1, new Texture(rgb.length / 3, 1, rgb)));
+    }
+
+    @Test
+    void glowMap_multipliesGlowButNotAmbientLight() {
+        Material mapped = NEON.withGlowMap(map(0.5f, 0.25f, 1));
+        assertBall(scene(mapped, 1), 0.5f * 0.7f, 75, 1e6f);
+        assertBall(scene(mapped.withModel(ShadingModel.METALLIC), 1), 0.5f * 0.7f, 75, 1e6f);
+        assertBall(scene(mapped.withAmbient(Rgb.gray(0.5)), 8), 4 + 0.5f * 0.7f, 79, 1e6f + 4);
+    }
+
+    @Test
+    void glowMap_andTextureAreIndependent() {
+        Material mapped = NEON.withTexture(map(0, 0, 0)).withGlowMap(map(0.5f, 0.25f, 1));
+        assertBall(scene(mapped, 1), 0.5f * 0.7f, 75, 1e6f);
+        assertBall(scene(mapped.withReflective(Rgb.gray(0.25)), 1), 0.75f * (0.5f * 0.7f), 56.25f, 0.75f * 1e6f);
+    }
+
+    @Test
+    void halfClearSurface_showsHalfOfItsMappedGlow() {
+        Transmission half = Transmission.NONE.withColor(Rgb.gray(0.5)).withIor(1).withThin(true);
+        Scene scene = scene(NEON.withTransmission(half).withGlowMap(map(0.5f, 0.25f, 1)), 1);
+        assertBall(scene, 0.75f * (0.5f * 0.7f), 56.25f, 0.75f * 1e6f);
+        assertBall(scene.withPicture(scene.picture().withDepth(0)), 0.5f * (0.5f * 0.7f), 37.5f, 0.5f * 1e6f);
+    }
+
+    @Test
+    void editOfGlowMap_castsNoRay() {
+        Scene before = scene(NEON, 1);
+        Scene after = scene(NEON.withGlowMap(map(0.5f, 0.25f, 1)), 1);
+        try (Renderer renderer = new Renderer(RenderOptions.DEFAULT.withThreads(1))) {
+            for (Scene scene : List.of(before, after, scene(NEON.withTexture(map(0, 1, 0)).withGlowMap(map(1, 0, 1)), 1), before)) {
+                UpdateResult update = renderer.render(scene, Progress.NONE);
+                boolean isFirst = update.rays().eye() > 0;
+                assertThat(isFirst ? 0 : update.rays().eye() + update.rays().mirrored() + update.rays().shadow()).isZero();
+                FilmAssert.assertSameBits(renderer.film(), new ReferenceTracer(scene).trace(), "edited");
+            }
+        }
+    }
+
     @Test
     void editOfGlow_castsNoRay() {
         Scene before = scene(NEON.withReflective(Rgb.gray(0.25)), 1);

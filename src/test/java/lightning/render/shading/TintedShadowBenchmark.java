@@ -13,6 +13,7 @@ import lightning.render.trace.BounceKind;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.RowShadowRays;
+import lightning.render.trace.TexelColumns;
 import lightning.render.trace.TileVisibility;
 import lightning.render.trace.Tracer;
 import lightning.scene.Scene;
@@ -62,7 +63,7 @@ final class TintedShadowBenchmark {
         Arrays.setAll(single, _ -> RowBits.allocate());
         Arrays.setAll(through, _ -> RowBits.allocate());
         levels = new HitRows[scene.picture().depth() + 1];
-        Arrays.setAll(levels, _ -> new HitRows(Film.TILE_PIXELS, true, true, false, true));
+        Arrays.setAll(levels, _ -> new HitRows(Film.TILE_PIXELS, TexelColumns.COLORS, true, false, true));
     }
 
     /** @param args scene, width, height, rounds, {@code scalar} or {@code lanes} */

@@ -9,6 +9,7 @@ import lightning.base.math.Vec3;
 import lightning.render.engine.choice.Engines;
 import lightning.render.engine.lanes.PowerLanes;
 import lightning.render.trace.HitRows;
+import lightning.render.trace.TexelColumns;
 import lightning.scene.AreaShape;
 import lightning.scene.Attenuation;
 import lightning.scene.Camera;
@@ -102,7 +103,7 @@ class VectorLanesTest {
     }
 
     private static HitRows rows(Random random, int count) {
-        HitRows rows = new HitRows(count, false);
+        HitRows rows = new HitRows(count, TexelColumns.NONE);
         rows.count = count;
         for (int i = 0; i < count; i++) {
             rows.px[i] = 10 * random.nextFloat() - 5;

@@ -69,7 +69,7 @@ class RowSpliceTest {
 
     @Test
     void eachRowArray_isColumn() {
-        HitRows rows = new HitRows(1, true, true, true, true);
+        HitRows rows = new HitRows(1, new TexelColumns(true, true), true, true, true);
         long arrays = Arrays.stream(HitRows.class.getFields()).filter(f -> f.getType().isArray())
                 .filter(f -> !f.getName().startsWith("run")).count();
         assertThat(arrays).isEqualTo(HitRows.Column.values().length);
@@ -78,7 +78,7 @@ class RowSpliceTest {
 
     /** Returns rows of random materials with random values in all columns. */
     private static HitRows rows(Random random, List<Short> parents, MaterialTable materials) {
-        HitRows rows = new HitRows(parents.size(), true, true, true, true);
+        HitRows rows = new HitRows(parents.size(), new TexelColumns(true, true), true, true, true);
         rows.count = parents.size();
         for (HitRows.Column column : HitRows.Column.values()) {
             Object array = rows.columns().get(column);
@@ -133,7 +133,8 @@ class RowSpliceTest {
             names.add("m" + m);
             materials.add(Material.of("m" + m).withDiffuse(Rgb.WHITE).withShininess(1).withReflective(Rgb.gray(random.nextInt(2)))
                     .withTransmission(m == 1 ? Transmission.NONE.withColor(Rgb.WHITE) : Transmission.NONE)
-                    .withTexture(Optional.of(new TextureMap("t.png", 1, 1, texture))));
+                    .withTexture(Optional.of(new TextureMap("t.png", 1, 1, texture)))
+                    .withGlowMap(Optional.of(new TextureMap("t.png", 1, 1, texture))));
         }
         var plane = new Shape(Solid.PLANE, "p", "m0", Placement.IDENTITY);
         Camera camera = new Camera(Vec3.ZERO, new Vec3(0, 0, -1), Vec3.Y, 40);

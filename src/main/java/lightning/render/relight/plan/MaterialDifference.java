@@ -26,7 +26,7 @@ record MaterialDifference(MaterialTable before, MaterialTable after) {
     }
 
     private boolean changesBulb(int m) {
-        return !before.material(m).hasSameBulbGlow(after.material(m));
+        return !before.material(m).bulb().glow().equals(after.material(m).bulb().glow());
     }
 
     private boolean changesSpecular(int m) {

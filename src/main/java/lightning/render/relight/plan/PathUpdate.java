@@ -43,7 +43,7 @@ public enum PathUpdate {
         return before == after || before.count() == after.count()
                 && IntStream.range(0, after.count()).allMatch(m -> mirrors(before, m) == mirrors(after, m)
                         && before.isTextured(m) == after.isTextured(m)
-                        && before.material(m).texture().equals(after.material(m).texture())
+                        && before.material(m).hasSameTextures(after.material(m))
                         && before.transmission(m).equals(after.transmission(m)))
                 && cache.indirect().structure().canServe(cache.geometry(), after);
     }

@@ -132,7 +132,7 @@ final class BounceLevels {
     }
 
     private TileVisibility.Allocator allocator(HitRows above) {
-        return (count, textured, clear) -> new HitRows(count, textured, clear, above.pattern != null, job.needsOwners());
+        return (count, texels, clear) -> new HitRows(count, texels, clear, above.pattern != null, job.needsOwners());
     }
 
     /**

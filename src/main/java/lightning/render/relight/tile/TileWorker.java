@@ -149,7 +149,7 @@ final class TileWorker {
     }
 
     private TileVisibility.Allocator allocator(boolean fine) {
-        return (count, textured, clear) -> new HitRows(count, textured, clear, fine, needsOwners);
+        return (count, texels, clear) -> new HitRows(count, texels, clear, fine, needsOwners);
     }
 
     /** Updates the centers of a tile's pixels as planned; null if the work was canceled. */

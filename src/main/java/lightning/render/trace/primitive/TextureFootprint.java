@@ -23,6 +23,17 @@ public final class TextureFootprint {
      */
     public void lookUp(PrimitiveTable primitives, int s, int part, TextureMap map, double x, double y, double z, float nx, float ny,
             float nz, double side, float[] rgb) {
+        lookUp(primitives, s, part, map, true, x, y, z, nx, ny, nz, side, rgb);
+    }
+
+    /** Writes the mean of an image alone, without vertex colors, as {@link #lookUp}. */
+    public void lookUpMap(PrimitiveTable primitives, int s, int part, TextureMap map, double x, double y, double z, float nx, float ny,
+            float nz, double side, float[] rgb) {
+        lookUp(primitives, s, part, map, false, x, y, z, nx, ny, nz, side, rgb);
+    }
+
+    private void lookUp(PrimitiveTable primitives, int s, int part, TextureMap map, boolean withVertexColors, double x, double y, double z,
+            float nx, float ny, float nz, double side, float[] rgb) {
         // Two directions across the normal: the first also across the x axis, or across the z axis if the normal is near the x axis.
         boolean nearX = Math.abs(nx) > 0.75f;
         double ax = nearX ? -ny : 0;
@@ -44,8 +55,14 @@ public final class TextureFootprint {
             double dx = u * ax + v * bx;
             double dy = u * ay + v * by;
             double dz = u * az + v * bz;
-            lookup.lookUp(primitives, s, part, map, x + (m[i] * dx + m[i + 1] * dy + m[i + 2] * dz),
-                    y + (m[i + 4] * dx + m[i + 5] * dy + m[i + 6] * dz), z + (m[i + 8] * dx + m[i + 9] * dy + m[i + 10] * dz), texel);
+            double cellX = x + (m[i] * dx + m[i + 1] * dy + m[i + 2] * dz);
+            double cellY = y + (m[i + 4] * dx + m[i + 5] * dy + m[i + 6] * dz);
+            double cellZ = z + (m[i + 8] * dx + m[i + 9] * dy + m[i + 10] * dz);
+            if (withVertexColors) {
+                lookup.lookUp(primitives, s, part, map, cellX, cellY, cellZ, texel);
+            } else {
+                lookup.lookUpMap(primitives, s, part, map, cellX, cellY, cellZ, texel);
+            }
             for (int c = 0; c < 3; c++) {
                 rgb[c] += SHARE * texel[c];
             }

@@ -24,22 +24,36 @@ public final class TextureLookup {
      * @param map texture of its material; null if it has none
      */
     public void lookUp(PrimitiveTable primitives, int s, int part, TextureMap map, double x, double y, double z, float[] rgb) {
-        MeshSolid mesh = primitives.mesh(s);
-        if (mesh != null) {
-            facet.setPoint(mesh.mesh(), part, x, y, z);
-        }
+        MeshSolid mesh = setPoint(primitives, s, part, x, y, z);
         if (map == null) {
             Arrays.fill(rgb, 1);
         } else {
-            coordinates(primitives, s, mesh, x, y, z);
-            lookup.setCoordinates(map, uv[0], uv[1]);
-            lookup.readColor(rgb);
+            read(primitives, s, mesh, map, x, y, z, rgb);
         }
         if (primitives.hasVertexColors(s)) {
             for (int c = 0; c < 3; c++) {
                 rgb[c] *= (float) facet.color(c);
             }
         }
+    }
+
+    /** Writes the color of an image alone, as {@link #lookUp}. */
+    public void lookUpMap(PrimitiveTable primitives, int s, int part, TextureMap map, double x, double y, double z, float[] rgb) {
+        read(primitives, s, setPoint(primitives, s, part, x, y, z), map, x, y, z, rgb);
+    }
+
+    private MeshSolid setPoint(PrimitiveTable primitives, int s, int part, double x, double y, double z) {
+        MeshSolid mesh = primitives.mesh(s);
+        if (mesh != null) {
+            facet.setPoint(mesh.mesh(), part, x, y, z);
+        }
+        return mesh;
+    }
+
+    private void read(PrimitiveTable primitives, int s, MeshSolid mesh, TextureMap map, double x, double y, double z, float[] rgb) {
+        coordinates(primitives, s, mesh, x, y, z);
+        lookup.setCoordinates(map, uv[0], uv[1]);
+        lookup.readColor(rgb);
     }
 
     private void coordinates(PrimitiveTable primitives, int s, MeshSolid mesh, double x, double y, double z) {

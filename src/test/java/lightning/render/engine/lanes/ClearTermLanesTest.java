@@ -10,6 +10,7 @@ import lightning.render.shading.ClearChannel;
 import lightning.render.shading.InteriorTint;
 import lightning.render.shading.SumKernel;
 import lightning.render.trace.HitRows;
+import lightning.render.trace.TexelColumns;
 import lightning.scene.MaterialAttribute;
 import lightning.scene.Transmission;
 import net.jqwik.api.ForAll;
@@ -21,7 +22,7 @@ class ClearTermLanesTest {
 
     @Property
     void lanes_matchLoops(@ForAll Random random) {
-        HitRows rows = new HitRows(ROWS, false, true, false, false);
+        HitRows rows = new HitRows(ROWS, TexelColumns.NONE, true, false, false);
         rows.count = ROWS;
         for (int i = 0; i < ROWS; i++) {
             rows.nx[i] = random.nextInt(4) == 0 ? 0 : random.nextFloat() * 2 - 1;

@@ -11,6 +11,7 @@ import lightning.render.engine.choice.Engines;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.ShadowRayBatch;
+import lightning.render.trace.TexelColumns;
 import lightning.render.trace.Tracer;
 import lightning.render.trace.primitive.ShadowRayHits;
 import lightning.render.trace.tree.CandidateList;
@@ -64,7 +65,7 @@ class HitSurfaceLanesTest {
 
     /** Fills a batch with rays between points near glass shapes. */
     private static void fill(ShadowRayBatch rays, CandidateList candidates, Random random) {
-        var rows = new HitRows(1024, false);
+        var rows = new HitRows(1024, TexelColumns.NONE);
         rays.clear();
         rays.toPoints = true;
         while (rays.count < RAYS) {

@@ -34,6 +34,6 @@ class MeshLaneTracerTest {
     }
 
     private static HitRows rows(Geometry geometry, Scene scene, Tracer tracer) {
-        return new TileVisibility(geometry, scene, tracer).traceEyeRays(0, 0, 32, (count, textured, _) -> new HitRows(count, textured));
+        return new TileVisibility(geometry, scene, tracer).traceEyeRays(0, 0, 32, (count, texels, _) -> new HitRows(count, texels));
     }
 }

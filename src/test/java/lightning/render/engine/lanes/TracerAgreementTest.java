@@ -13,6 +13,7 @@ import lightning.render.trace.Geometry;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.RowShadowRays;
 import lightning.render.trace.ShadowRayBatch;
+import lightning.render.trace.TexelColumns;
 import lightning.render.trace.TileVisibility;
 import lightning.render.trace.TraceScenes;
 import lightning.render.trace.Tracer;
@@ -43,7 +44,7 @@ class TracerAgreementTest {
     }
 
     private static HitRows eyeRows(Geometry geometry, Scene scene, Tracer tracer) {
-        return new TileVisibility(geometry, scene, tracer).traceEyeRays(0, 0, 32, (count, textured, _) -> new HitRows(count, textured));
+        return new TileVisibility(geometry, scene, tracer).traceEyeRays(0, 0, 32, (count, texels, _) -> new HitRows(count, texels));
     }
 
     @Property(tries = 100)
@@ -61,7 +62,7 @@ class TracerAgreementTest {
     void shapesWithHoles_sameOcclusionOnBothEngines(@ForAll @IntRange(min = 1, max = 40) int shapes, @ForAll long seed,
             @ForAll boolean toPoints) {
         Geometry geometry = new Geometry(withHoles(TraceScenes.randomScene(shapes, seed)));
-        var rows = new HitRows(ROWS, false);
+        var rows = new HitRows(ROWS, TexelColumns.NONE);
         RowShadowRays shadowRays = randomShadowRays(geometry, rows, seed, toPoints);
         int[] selected = selectedRows(seed);
         var candidates = CandidateList.fromBvh(geometry.bvh());
@@ -77,7 +78,7 @@ class TracerAgreementTest {
             @ForAll boolean holes) {
         Scene scene = TraceScenes.randomScene(shapes, seed);
         Geometry geometry = new Geometry(holes ? withHoles(scene) : scene);
-        var rows = new HitRows(ROWS, false);
+        var rows = new HitRows(ROWS, TexelColumns.NONE);
         RowShadowRays shadowRays = randomShadowRays(geometry, rows, seed, toPoints);
         int[] selected = selectedRows(seed);
         var rays = new ShadowRayBatch();

@@ -11,6 +11,7 @@ import lightning.render.shading.LightRows;
 import lightning.render.shading.LightSource;
 import lightning.render.shading.WeightedLight;
 import lightning.render.trace.HitRows;
+import lightning.render.trace.TexelColumns;
 import lightning.scene.Attenuation;
 import lightning.scene.Camera;
 import lightning.scene.Light;
@@ -80,7 +81,7 @@ class RatioTermsTest {
 
     /** Creates rows at the given distances under a light in the origin that shines down. */
     private static HitRows rows(double... distances) {
-        HitRows rows = new HitRows(distances.length, false);
+        HitRows rows = new HitRows(distances.length, TexelColumns.NONE);
         rows.count = distances.length;
         for (int i = 0; i < distances.length; i++) {
             rows.py[i] = (float) -distances[i];

@@ -12,6 +12,7 @@ import lightning.render.trace.Geometry;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.LocalSpace;
 import lightning.render.trace.ShadowRays;
+import lightning.render.trace.TexelColumns;
 import lightning.render.trace.TraceScenes;
 import lightning.render.trace.primitive.PrimitiveTable;
 import lightning.render.trace.solid.SolidKind;
@@ -73,7 +74,7 @@ class FullOccluderTest {
 
     /** Rows of a block and positions of a light, with shadow rays past the surface of a primitive. */
     private static final class ShadowRayBundle {
-        private final HitRows rows = new HitRows(ROWS, false);
+        private final HitRows rows = new HitRows(ROWS, TexelColumns.NONE);
         private final boolean toPoints;
         private final Vec3[] targets;
         private final Vec3 center;
