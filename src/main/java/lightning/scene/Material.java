@@ -80,9 +80,10 @@ public record Material(String name, Rgb ambient, Rgb glow, Optional<TextureMap> 
         return texture.equals(o.texture) && glowMap.equals(o.glowMap);
     }
 
-    /** Returns this material without any image. */
+    /** Returns this material without any image; where an image says which parts glow, none does. */
     public Material withoutImages() {
-        return with(m -> m.texture(Optional.empty()).glowMap(Optional.empty()).bumpMapping(BumpMapping.NONE).cutout(AlphaCutout.NONE));
+        return with(m -> m.glow(glowMap.isPresent() ? Rgb.BLACK : glow).texture(Optional.empty()).glowMap(Optional.empty())
+                .bumpMapping(BumpMapping.NONE).cutout(AlphaCutout.NONE));
     }
 
     /** Returns whether its shading model is {@link ShadingModel#METALLIC}. */

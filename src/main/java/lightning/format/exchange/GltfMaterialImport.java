@@ -25,7 +25,6 @@ final class GltfMaterialImport {
     private final String meshFile;
     private final Map<Integer, Optional<String>> images = new HashMap<>();
     private final Map<Integer, TextureMeans> textureMeans = new HashMap<>();
-    private final Map<Integer, Optional<Rgb>> emissionMeans = new HashMap<>();
 
     /**
      * Creates a converter.
@@ -45,9 +44,7 @@ final class GltfMaterialImport {
             return Material.of("material").withAmbient(base).withDiffuse(Rgb.BLACK);
         }
         TextureMeans means = m.metallicRoughnessImage() < 0 ? TextureMeans.NONE : metallicRoughnessMeans(m.metallicRoughnessImage());
-        Material material = Material.of("material").withModel(ShadingModel.METALLIC).withBase(base)
-                .withGlow(
-                        assembler.clampColor(m.emission().times(emissionTextureMean(m)), SceneLimits.MAX_EMISSION, "emission of materials"))
+        Material material = withGlow(Material.of("material").withModel(ShadingModel.METALLIC).withBase(base), m)
                 .withMetalness(SceneAssembler.clamp(m.metallic() * means.metalness(), 1))
                 .withRoughness(SceneAssembler.clamp(m.roughness() * means.roughness(), 1)).withTexture(textureMap(m.baseImage()));
         return withCutout(withNormalMap(withTransmission(MirrorMetals.reflect(withHighlights(material, m), assembler.notes), m), m), m);
@@ -88,21 +85,15 @@ final class GltfMaterialImport {
                                 .withTintDistance(Math.max(distance, SceneLimits.MIN_TINT_DISTANCE)));
     }
 
-    /**
-     * Returns the mean of the emission texture, since the factor alone would make the whole surface emit; black if it cannot
-     * be read.
-     */
-    private Rgb emissionTextureMean(GltfMaterial m) throws IOException, MeshException {
-        if (m.emissionImage().isEmpty()) {
-            return Rgb.WHITE;
+    /** Adds the emission. Without its texture nothing glows, since the factor alone would make the whole surface emit. */
+    private Material withGlow(Material material, GltfMaterial m) throws IOException, MeshException {
+        Rgb glow = assembler.clampColor(m.emission(), SceneLimits.MAX_EMISSION, "emission of materials");
+        if (glow.isBlack() || m.emissionImage().isEmpty()) {
+            return material.withGlow(glow);
         }
-        int image = m.emissionImage().getAsInt();
-        if (!emissionMeans.containsKey(image)) {
-            emissionMeans.put(image, image < 0 ? Optional.empty() : TextureMeans.meanColor(file.imageBytes(image)));
-        }
-        Optional<Rgb> mean = emissionMeans.get(image);
-        assembler.notes.add(mean.isEmpty() ? "emissiveTexture of materials" : "emissiveTexture of materials, averaged");
-        return mean.orElse(Rgb.BLACK);
+        Optional<TextureMap> map = textureMap(m.emissionImage().getAsInt());
+        assembler.notes.add("emissiveTexture of materials", map.isEmpty() ? 1 : 0);
+        return map.isEmpty() ? material : material.withGlow(glow).withGlowMap(map);
     }
 
     /**

@@ -109,16 +109,25 @@ final class ObjImport {
 
     private Material convert(MtlMaterial m) throws IOException {
         Rgb diffuse = assembler.clampColor(m.diffuse(), 1, "diffuse colors of materials");
-        Rgb emission = assembler.clampColor(m.emission(), SceneLimits.MAX_EMISSION, "emission of materials");
-        Material opaque = switch (m.illumination()) {
-            case CONSTANT -> constant(m, diffuse).withGlow(emission);
+        Material opaque = withGlow(m, switch (m.illumination()) {
+            case CONSTANT -> constant(m, diffuse);
             case DIFFUSE, HIGHLIGHT, REFLECTION, GLASS, FRESNEL, REFRACTION, FRESNEL_REFRACTION, REFLECTION_MAP, GLASS_MAP,
                     SHADOW_CATCHER ->
-                    highlightMaterial(m).withDiffuse(diffuse).withGlow(emission).withTexture(textureMap(m.texture()));
-        };
+                    highlightMaterial(m).withDiffuse(diffuse).withTexture(textureMap(m.texture()));
+        });
         Optional<TextureMap> cutout = textureMap(m.cutout());
         assembler.notes.add("opacity maps (map_d), imported as cutouts at half opacity", cutout.isPresent() ? 1 : 0);
         return withTransmission(m, opaque).withCutout(AlphaCutout.NONE.withMap(cutout));
+    }
+
+    /** Adds the emission. Some writers leave its color (Ke) black where an image (map_Ke) has the colors. */
+    private Material withGlow(MtlMaterial m, Material material) throws IOException {
+        Rgb emission = assembler.clampColor(m.emission(), SceneLimits.MAX_EMISSION, "emission of materials");
+        if (m.emissionMap().isEmpty()) {
+            return material.withGlow(emission);
+        }
+        Optional<TextureMap> map = textureMap(m.emissionMap());
+        return map.isEmpty() ? material : material.withGlow(emission.isBlack() ? Rgb.WHITE : emission).withGlowMap(map);
     }
 
     /** Returns a surface of constant color, independent of lighting. It is ambient light, since the surface is no light source. */

@@ -1,7 +1,6 @@
 package lightning.format.exchange;
 
 import java.util.Optional;
-import lightning.base.math.Rgb;
 import lightning.format.jen.TextureDecoder;
 import lightning.format.jen.UnusableFileException;
 import lightning.scene.Texture;
@@ -28,16 +27,6 @@ record TextureMeans(double roughness, double metalness) {
         try {
             Texture texture = TextureDecoder.decodeNumbers("surface", file);
             return Optional.of(new TextureMeans(mean(texture, GREEN), mean(texture, BLUE)));
-        } catch (UnusableFileException e) {
-            return Optional.empty();
-        }
-    }
-
-    /** Returns the mean linear color of an image; empty if the image format is not supported. */
-    static Optional<Rgb> meanColor(byte[] file) {
-        try {
-            Texture texture = TextureDecoder.decodeColors("emission", file);
-            return Optional.of(new Rgb(mean(texture, 0), mean(texture, GREEN), mean(texture, BLUE)));
         } catch (UnusableFileException e) {
             return Optional.empty();
         }

@@ -39,9 +39,10 @@ final class UsdMaterialImport {
         Rgb base = texture.isPresent() ? factor(baseImage) : color(in.get("diffuseColor"), 1, "colors of materials");
         Material material = Material.of("material").withModel(ShadingModel.METALLIC).withBase(base).withTexture(texture)
                 .withMetalness(SceneAssembler.clamp(value(in, "metallic", 0), 1))
-                .withRoughness(SceneAssembler.clamp(value(in, "roughness", HALF), 1)).withGlow(glow(in));
+                .withRoughness(SceneAssembler.clamp(value(in, "roughness", HALF), 1));
         noteLosses(in);
-        return withOpacity(withNormals(MirrorMetals.reflect(withHighlights(material, in), assembler.notes), images.get("normal")), in);
+        return withOpacity(
+                withNormals(MirrorMetals.reflect(withHighlights(withGlow(material, in), in), assembler.notes), images.get("normal")), in);
     }
 
     private void noteLosses(JsonValue in) throws MeshException {
@@ -97,16 +98,27 @@ final class UsdMaterialImport {
         return transmission.withOpacity(material, opacity);
     }
 
-    private Rgb glow(JsonValue in) throws IOException, MeshException {
+    /** Adds the emission. A texture whose values may exceed 1 becomes its mean, because glow maps are limited to 1. */
+    private Material withGlow(Material material, JsonValue in) throws IOException, MeshException {
         JsonValue image = in.get("textures").get("emissiveColor");
         if (!image.isPresent()) {
-            return color(in.get("emissiveColor"), SceneLimits.MAX_EMISSION, "emission of materials");
+            return material.withGlow(color(in.get("emissiveColor"), SceneLimits.MAX_EMISSION, "emission of materials"));
         }
-        Optional<double[]> mean = textures.mean(image, TextureUsage.COLOR);
-        assembler.notes.add("emission textures of materials, averaged");
         Rgb factor = scale(image);
-        return mean.map(m -> assembler.clampColor(new Rgb(m[0] * factor.r(), m[1] * factor.g(), m[2] * factor.b()),
-                SceneLimits.MAX_EMISSION, "emission of materials")).orElse(Rgb.BLACK);
+        if (factor.isBlack()) {
+            return material;
+        }
+        if (textures.hasHighRange(image)) {
+            assembler.notes.add("OpenEXR textures of emission, averaged");
+            return material.withGlow(textures.mean(image, TextureUsage.COLOR)
+                    .map(mean -> emission(new Rgb(mean[0] * factor.r(), mean[1] * factor.g(), mean[2] * factor.b()))).orElse(Rgb.BLACK));
+        }
+        Optional<TextureMap> map = textures.map(image, TextureUsage.COLOR);
+        return map.isEmpty() ? material : material.withGlow(emission(factor)).withGlowMap(map);
+    }
+
+    private Rgb emission(Rgb color) {
+        return assembler.clampColor(color, SceneLimits.MAX_EMISSION, "emission of materials");
     }
 
     /** Returns a number, or the mean of its texture. */

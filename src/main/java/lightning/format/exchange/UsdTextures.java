@@ -135,6 +135,11 @@ final class UsdTextures {
         return atlas.png();
     }
 
+    /** Returns whether the values of a texture may exceed 1. */
+    boolean hasHighRange(JsonValue image) throws MeshException {
+        return tiles(image).stream().flatMap(tiles -> tiles.tiles().stream()).anyMatch(tile -> UsdImages.isExr(tile.place()));
+    }
+
     /** Returns the mean of each channel of a texture, in linear light; empty if it is missing or of another format. */
     Optional<double[]> mean(JsonValue image, TextureUsage usage) throws IOException, MeshException {
         Optional<UsdTiles> tiles = tiles(image);

@@ -40,17 +40,18 @@ final class MaterialReader {
         JsonValue base = pbr.get("baseColorTexture");
         boolean isPlacedApart = base.isPresent() && normals.isPresent() && !TextureTransform.areSame(base, normals);
         notes.add("normalTexture of materials with another placement than baseColorTexture, placed like it", isPlacedApart ? 1 : 0);
+        JsonValue emissive = material.get("emissiveTexture");
+        JsonValue placed = base.isPresent() ? base : normals;
+        boolean isEmissivePlacedApart = emissive.isPresent() && placed.isPresent() && !TextureTransform.areSame(placed, emissive);
+        notes.add("emissiveTexture of materials with another placement than other textures, placed like them",
+                isEmissivePlacedApart ? 1 : 0);
         JsonValue glossy = extensions.get("KHR_materials_pbrSpecularGlossiness");
         Surface surface = glossy.isPresent() && !pbr.isPresent() ? glossySurface(glossy) : metallicSurface(pbr, extensions);
         return new GltfMaterial(material.get("name").text().orElse(""), surface.base, surface.metallic, surface.roughness,
                 surface.f0, surface.f90, new Rgb(emission[0], emission[1], emission[2]).times(strength),
-                emissionImage(material.get("emissiveTexture")),
+                emissive.isPresent() ? OptionalInt.of(textureImage(emissive)) : OptionalInt.empty(),
                 extensions.get("KHR_materials_unlit").isPresent(), surface.baseImage, surface.metallicRoughnessImage, textureImage(normals),
                 normals.get("scale").number(1), opacity, readTransmission(extensions), cutoff, alphaFactor, isBlended);
-    }
-
-    private OptionalInt emissionImage(JsonValue texture) throws MeshException {
-        return texture.isPresent() ? OptionalInt.of(imageIndex(texture)) : OptionalInt.empty();
     }
 
     /** Returns the index of refraction of KHR_materials_ior. */

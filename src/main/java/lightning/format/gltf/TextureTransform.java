@@ -17,7 +17,8 @@ record TextureTransform(int set, double[] matrix) {
         }
         JsonValue json = file.array("materials").element(material);
         JsonValue base = json.get("pbrMetallicRoughness").get("baseColorTexture");
-        return of(base.isPresent() ? base : json.get("normalTexture"));
+        JsonValue normals = json.get("normalTexture");
+        return of(base.isPresent() ? base : normals.isPresent() ? normals : json.get("emissiveTexture"));
     }
 
     private static TextureTransform of(JsonValue texture) throws MeshException {

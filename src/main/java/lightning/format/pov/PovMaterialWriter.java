@@ -2,8 +2,10 @@ package lightning.format.pov;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.regex.Matcher;
 import lightning.base.math.Rgb;
+import lightning.scene.Bulb;
 import lightning.scene.BumpMapping;
 import lightning.scene.Material;
 import lightning.scene.ShadingModel;
@@ -67,11 +69,20 @@ final class PovMaterialWriter {
     }
 
     private String text(Material material, Solid solid, String image) {
-        Material m = material.isMetallic() ? phong(material) : material;
+        Material m = withMeanGlow(material.isMetallic() ? phong(material) : material);
         if (m.transmission().isTransparent()) {
             return transparent(m) + shadows(m);
         }
         return (m.texture().isPresent() ? textured(m, m.texture().get(), solid, image) : untextured(m)) + shadows(m);
+    }
+
+    /** Returns a material whose glow has the mean color of its map, if it has one. */
+    private Material withMeanGlow(Material m) {
+        if (m.glowMap().isEmpty()) {
+            return m;
+        }
+        warn("material " + m.name() + ": glow map is replaced by its mean");
+        return m.withGlow(times(m.emission(), m.glowMap().get().image().areas().mean())).withBulb(Bulb.NONE).withGlowMap(Optional.empty());
     }
 
     /**

@@ -160,15 +160,32 @@ class GltfMaterialImportTest {
         assertThat(material.f0()).isEqualTo(0.04);
     }
 
-    /** Most files contain a factor of 1 1 1 and emit by the texture; the factor alone would make the whole surface emit. */
+    /** Most files contain a factor of 1 1 1 and emit by the texture. */
     @Test
-    void emissiveTexture_isReplacedByItsMean() throws Exception {
+    void emissiveTexture_isGlowMap() throws Exception {
         ImportedScene imported = importJson("{'emissiveTexture': {'index': 0}, 'emissiveFactor': [1, 0.5, 1]}");
-        Rgb emission = imported.scene().materials().getFirst().glow();
-        assertThat(emission.r()).isEqualTo(SrgbCurve.toLinear(128 / 255.0), within(1e-6));
-        assertThat(emission.g()).isEqualTo(0.5 * SrgbCurve.toLinear(192 / 255.0), within(1e-6));
-        assertThat(emission.b()).isEqualTo(1, within(1e-6));
-        assertThat(imported.notes()).containsEntry("emissiveTexture of materials, averaged", 1);
+        imported.write();
+        Material glowing = JenReader.read(folder.resolve("a.jen")).scene().materials().getFirst();
+        assertThat(glowing.glow()).isEqualTo(new Rgb(1, 0.5, 1));
+        assertThat(glowing.glowMap().orElseThrow().image().channel(0, 0, 1)).isEqualTo((float) SrgbCurve.toLinear(192 / 255.0),
+                within(1e-6f));
+        assertThat(imported.notes().keySet()).noneMatch(note -> note.contains("emissiveTexture"));
+    }
+
+    @Test
+    void emissiveTextureOfBlackFactor_isLeftOut() throws Exception {
+        ImportedScene imported = importJson("{'emissiveTexture': {'index': 0}}");
+        assertThat(imported.scene().materials().getFirst().glow()).isEqualTo(Rgb.BLACK);
+        assertThat(imported.scene().materials().getFirst().glowMap()).isEmpty();
+    }
+
+    @Test
+    void emissiveTextureWithAnotherPlacement_isNoted() throws Exception {
+        ImportedScene imported = importJson("{'pbrMetallicRoughness': {'baseColorTexture': {'index': 0}},"
+                + " 'emissiveTexture': {'index': 0, 'texCoord': 1}, 'emissiveFactor': [1, 1, 1]}");
+        assertThat(imported.notes()).containsEntry(
+                "emissiveTexture of materials with another placement than other textures, placed like them",
+                1);
     }
 
     @Test

@@ -3,11 +3,13 @@ package lightning.format.exchange;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 
+import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.concurrent.CancellationException;
+import javax.imageio.ImageIO;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.base.work.Await;
@@ -242,6 +244,16 @@ class SceneImporterTest {
         assertThat(material.glow()).isEqualTo(new Rgb(0, 0, 1));
         assertThat(material.diffuse()).isEqualTo(Rgb.BLACK);
         assertThat(material.specular()).isEqualTo(Rgb.BLACK);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"Ke 0 3 1, 0, 3, 1", "Ke 0 0 0, 1, 1, 1"})
+    void emissionImage_becomesGlowMap(String emission, double r, double g, double b) throws Exception {
+        ImageIO.write(new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB), "png", to.resolveSibling("lamps.png").toFile());
+        Material material = objMaterial(emission + "\nmap_Ke lamps.png\n").material();
+        assertThat(material.glow()).isEqualTo(new Rgb(r, g, b));
+        assertThat(material.glowMap().orElseThrow().file()).isEqualTo("lamps.png");
+        assertThat(objMaterial("Ke 1 1 1\nmap_Ke missing.png\n").material().glow()).isEqualTo(Rgb.BLACK);
     }
 
     @Test

@@ -9,6 +9,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
 import javax.imageio.ImageIO;
+import lightning.base.math.Rgb;
 import lightning.base.math.SrgbCurve;
 import lightning.base.work.Progress;
 import lightning.format.image.ImageFile;
@@ -105,6 +106,16 @@ class UsdTextureTest {
         assertThat(map.image().channel(1, 0, 1)).isCloseTo(0.75f, offset(1e-5f));
         assertThat(material("float inputs:roughness.connect = </look/image.outputs:r>", "n.exr").roughness())
                 .isCloseTo(0.375, offset(1e-6));
+    }
+
+    @Test
+    void emission_becomesGlowMap() throws Exception {
+        writePng("e.png", 2, 1, i -> i == 0 ? 0xff0000 : 0);
+        Material glowing = material("color3f inputs:emissiveColor.connect = </look/image.outputs:rgb>", "e.png");
+        assertThat(glowing.glow()).isEqualTo(Rgb.WHITE);
+        assertThat(glowing.glowMap().orElseThrow().image().channel(0, 0, 0)).isEqualTo(1);
+        assertThat(glowing.glowMap().orElseThrow().image().channel(1, 0, 0)).isEqualTo(0);
+        assertThat(material("color3f inputs:emissiveColor.connect = </look/image.outputs:rgb>", "missing.png").glow()).isEqualTo(Rgb.BLACK);
     }
 
     @Test

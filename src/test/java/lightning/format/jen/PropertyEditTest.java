@@ -167,7 +167,7 @@ class PropertyEditTest {
         "floor.texture=\"a.png\" | material 'floor': texture must be one that the scene already has, was 'a.png'",
         "material:flor.shininess=1 | there is no material 'flor', did you mean 'floor'?",
         "material:key.shininess=1 | there is no material 'key'",
-        "material:floor.shinines=1 | material 'floor': unknown property 'shinines', expected one of ambient, glow, bulb, bulb_exposure, model, diffuse, base, texture, repeat, cutout, cutout_repeat, cutoff, bump, bump_repeat, height, normal_map, normal_repeat, strength, specular, shininess, metalness, roughness, f0, reflective, clear, ior, thin, tint, tint_distance, shadows, did you mean 'shininess'?",
+        "material:floor.shinines=1 | material 'floor': unknown property 'shinines', expected one of ambient, glow, glow_map, glow_repeat, bulb, bulb_exposure, model, diffuse, base, texture, repeat, cutout, cutout_repeat, cutoff, bump, bump_repeat, height, normal_map, normal_repeat, strength, specular, shininess, metalness, roughness, f0, reflective, clear, ior, thin, tint, tint_distance, shadows, did you mean 'shininess'?",
         "material:floor.shininess=-1 | material 'floor': shininess must be ≥ 0, was -1",
         "material:floor.diffuse=1 1 2 | material 'floor': diffuse blue must be from 0 to 1, was 2",
         "camera.from=0 0 0 | camera: from and to must be different points",

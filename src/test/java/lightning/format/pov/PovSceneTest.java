@@ -192,6 +192,18 @@ class PovSceneTest {
     }
 
     @Test
+    void glowMap_isReplacedByItsMean() throws Exception {
+        ImageIO.write(new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB), "png", folder.resolve("black.png").toFile());
+        PovScene pov = PovScene.of(JenReader.read("""
+                jen 1
+                material neon { glow 1 2 0  glow_map "black.png"  diffuse 0.5 0.25 1 }
+                plane a { material neon }
+                """, "p.jen", folder).scene(), "x");
+        assertThat(pov.text()).doesNotContain("emission");
+        assertThat(pov.losses()).containsExactly("material neon: glow map is replaced by its mean");
+    }
+
+    @Test
     void bumpMaps_becomeHeightPatterns() throws Exception {
         Path textures = Path.of("textures").toAbsolutePath();
         Files.copy(textures.resolve("brick.png"), folder.resolve("brick.png"));

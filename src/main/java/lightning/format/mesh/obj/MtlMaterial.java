@@ -17,10 +17,11 @@ import lightning.base.math.Rgb;
  * @param filter Tf, filter color of transmitted light
  * @param ior Ni, index of refraction
  * @param texture path of the diffuse image, as written
+ * @param emissionMap path of the image that multiplies the emission, as written
  * @param cutout path of the opacity map, as written
  */
 public record MtlMaterial(String name, IlluminationModel illumination, Rgb diffuse, Rgb specular, Rgb emission, OptionalDouble shininess,
-        double opacity, Rgb filter, double ior, Optional<String> texture, Optional<String> cutout) {
+        double opacity, Rgb filter, double ior, Optional<String> texture, Optional<String> emissionMap, Optional<String> cutout) {
     /**
      * Minimum exponent: smaller ones give a lobe wider than the diffuse term; exporters write 0 for surfaces without a
      * highlight.

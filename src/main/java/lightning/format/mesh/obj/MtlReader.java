@@ -75,6 +75,7 @@ public final class MtlReader {
             case "Tf" -> current.filter = readColor(current.filter);
             case "Ni" -> current.ior = readNumber();
             case "map_Kd" -> current.texture = readTexturePath();
+            case "map_Ke" -> current.emissionMap = readTexturePath();
             // Most writers use 1 for any surface, which would make it emit light.
             case "Ka" -> notes.add("ambient colors (Ka) of materials");
             case "map_d" -> current.cutout = readTexturePath();
@@ -113,6 +114,7 @@ public final class MtlReader {
         Rgb filter;
         double ior = 1.5;
         Optional<String> texture = Optional.empty();
+        Optional<String> emissionMap = Optional.empty();
         Optional<String> cutout = Optional.empty();
 
         MaterialBuilder(String name) {
@@ -122,7 +124,7 @@ public final class MtlReader {
         MtlMaterial build() {
             return new MtlMaterial(name, illumination, diffuse, specular, emission, shininess, effectiveOpacity(),
                     filter == null ? Rgb.WHITE : filter,
-                    ior, texture, cutout);
+                    ior, texture, emissionMap, cutout);
         }
 
         /**

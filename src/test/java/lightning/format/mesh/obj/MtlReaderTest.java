@@ -40,6 +40,7 @@ class MtlReaderTest {
                 illum 3
                 map_Kd -s 2 2 -clamp on my wood.png
                 map_Bump bumps.png
+                map_Ke lamps.png
                 map_d holes.png
                 newmtl plain
                 Tr 0
@@ -48,11 +49,11 @@ class MtlReaderTest {
         assertThat(materials.get("old oak"))
                 .isEqualTo(new MtlMaterial("old oak", IlluminationModel.REFLECTION, new Rgb(0.5, 0.25, 0.125), Rgb.gray(0.5),
                         new Rgb(0, 0, 2), OptionalDouble.of(96.5), 0.5, Rgb.WHITE, 1.5, Optional.of("my wood.png"),
-                        Optional.of("holes.png")));
+                        Optional.of("lamps.png"), Optional.of("holes.png")));
         assertThat(materials.get("plain"))
                 .isEqualTo(new MtlMaterial("plain", IlluminationModel.HIGHLIGHT, Rgb.gray(0.8), Rgb.BLACK, Rgb.BLACK,
                         OptionalDouble.empty(), 1,
-                        Rgb.WHITE, 1.5, Optional.empty(), Optional.empty()));
+                        Rgb.WHITE, 1.5, Optional.empty(), Optional.empty(), Optional.empty()));
         assertThat(notes.counts()).containsOnlyKeys("ambient colors (Ka) of materials", "options -s of textures",
                 "options -clamp of textures", "map_Bump of materials");
     }
