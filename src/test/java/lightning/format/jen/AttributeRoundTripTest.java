@@ -43,7 +43,7 @@ class AttributeRoundTripTest {
     }
 
     private static Material withoutFiles(Material material) {
-        return material.withTexture(Optional.empty())
+        return material.withTexture(Optional.empty()).withGlowMap(Optional.empty())
                 .withBumpMapping(material.bumpMapping().withBump(Optional.empty()).withNormalMap(Optional.empty()))
                 .withCutout(material.cutout().withMap(Optional.empty()));
     }

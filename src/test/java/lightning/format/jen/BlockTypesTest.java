@@ -102,7 +102,8 @@ class BlockTypesTest {
                 case Value.Gains _ -> throw new AssertionError("gains are absent by default");
                 case Value.Nested n -> throw new AssertionError(n);
                 case Value.Absent a ->
-                        assertThat(p.name()).isIn("texture", "cutout", "bump", "normal_map", "gobo", "profile", "environment", "bank",
+                        assertThat(p.name()).isIn("texture", "cutout", "bump", "normal_map", "glow_map", "gobo", "profile", "environment",
+                                "bank",
                                 "bulb",
                                 "gains", "indirect",
                                 BlockTypes.FILE, BlockTypes.PART);
