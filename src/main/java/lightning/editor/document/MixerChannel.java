@@ -12,6 +12,7 @@ import lightning.scene.LightGroup;
 import lightning.scene.LightRig;
 import lightning.scene.Scene;
 import lightning.scene.SceneLimits;
+import lightning.scene.World;
 
 /** Channel of the light mixer: a light, a light group, or the environment. */
 public sealed interface MixerChannel {
@@ -123,22 +124,28 @@ public sealed interface MixerChannel {
                 ? scene.withLight(LightAttribute.TEMPERATURE.with(LightEdits.light(scene, name), kelvin)) : scene;
     }
 
-    /** Tests if the channel is on; the environment is unless its intensity is 0. */
+    /** Tests if the channel is on; the environment is unless its light is dark. */
     default boolean isOn(Scene scene) {
         return switch (this) {
             case OfLight(String name) -> LightEdits.light(scene, name).on();
             case OfLightGroup(String name) -> LightGroupEdits.lightGroup(scene, name).on();
-            case OfEnvironment _ -> scene.world().intensity() > 0;
+            case OfEnvironment _ -> scene.world().lightIntensity() > 0;
         };
     }
 
-    /** Returns the scene with the channel on or off. The environment is off at intensity 0, and comes on at 1. */
+    /** Returns the scene with the channel on or off. A muted environment has a light gain of 0, which leaves its image. */
     default Scene withOn(Scene scene, boolean v) {
         return switch (this) {
             case OfLight(String name) -> scene.withLight(LightEdits.light(scene, name).withOn(v));
             case OfLightGroup(String name) -> scene.withRig(scene.rig().with(LightGroupEdits.lightGroup(scene, name).withOn(v)));
-            case OfEnvironment _ -> isOn(scene) == v ? scene : withIntensity(scene, v ? 1 : 0);
+            case OfEnvironment _ -> isOn(scene) == v ? scene : scene.withWorld(v ? litWorld(scene.world()) : scene.world().withGain(0));
         };
+    }
+
+    /** Returns a dark world with a light intensity above 0. Files of earlier versions muted the environment with its intensity. */
+    private static World litWorld(World world) {
+        return world.withIntensity(world.intensity() > 0 ? world.intensity() : World.INTENSITY.initial())
+                .withGain(world.gain() > 0 ? world.gain() : World.GAIN.initial());
     }
 
     /** Tests if the channel is solo. */

@@ -72,10 +72,13 @@ final class CueCompare extends BorderPane {
         setCenter(canvas);
         picture.addEventHandler(MouseEvent.MOUSE_PRESSED, this::wipe);
         picture.addEventHandler(MouseEvent.MOUSE_DRAGGED, this::wipe);
-        picture.addEventHandler(MouseEvent.MOUSE_CLICKED, _ -> {
+        picture.addEventHandler(MouseEvent.MOUSE_CLICKED, e -> {
             if (mode == CompareMode.FLIP) {
                 isFlipped = !isFlipped;
                 show();
+            }
+            if (e.getClickCount() == 2) {
+                picture.fit();
             }
         });
     }

@@ -28,8 +28,8 @@ final class MixerModel {
     private final BooleanProperty relative = new SimpleBooleanProperty(true);
     private final ReadOnlyObjectWrapper<Set<MixerChannel>> selected = new ReadOnlyObjectWrapper<>(Set.of());
     private MixerChannel anchor;
-    /** Environment's intensity before it was muted. */
-    private double environmentIntensity = 1;
+    /** Environment's light gain before it was muted. */
+    private double environmentGain = 1;
     /** Scene before the current drag; null without a drag. */
     private Scene sceneBeforeDrag;
 
@@ -77,14 +77,14 @@ final class MixerModel {
         setSelected(shown.subList(Math.min(from, to), Math.max(from, to) + 1));
     }
 
-    /** Returns the environment's intensity before it was muted. */
-    double environmentIntensity() {
-        return environmentIntensity;
+    /** Returns the environment's light gain before it was muted. */
+    double environmentGain() {
+        return environmentGain;
     }
 
-    /** Remembers the intensity to which the environment returns after it is muted. */
-    void setEnvironmentIntensity(double intensity) {
-        environmentIntensity = intensity;
+    /** Remembers the light gain to which the environment returns after it is muted. */
+    void setEnvironmentGain(double gain) {
+        environmentGain = gain;
     }
 
     /** Replaces the selection. */

@@ -170,8 +170,8 @@ final class MixerStrip extends VBox {
 
     private void toggleMute() {
         boolean on = !mute.isSelected();
-        model.editSelected(channel, (scene, c) -> on && c instanceof MixerChannel.OfEnvironment && !c.isOn(scene)
-                ? c.withIntensity(scene, model.environmentIntensity()) : c.withOn(scene, on), null);
+        model.editSelected(channel, (scene, c) -> on && c instanceof MixerChannel.OfEnvironment && scene.world().gain() == 0
+                ? c.withOn(scene.withWorld(scene.world().withGain(model.environmentGain())), true) : c.withOn(scene, on), null);
         show(model.editor().scene());
     }
 
@@ -199,8 +199,8 @@ final class MixerStrip extends VBox {
             type.setIconCode(icon);
         }
         double v = channel.intensity(scene);
-        if (channel instanceof MixerChannel.OfEnvironment && v > 0) {
-            model.setEnvironmentIntensity(v);
+        if (channel instanceof MixerChannel.OfEnvironment && scene.world().gain() > 0) {
+            model.setEnvironmentGain(scene.world().gain());
         }
         double stopsValue = MixerEdits.stops(v);
         fader.show(stopsValue);

@@ -142,6 +142,20 @@ class CuePaneTest extends EditorFixture {
         assertThat(text("cue-note")).isEqualTo("The images are identical");
     }
 
+    /** A zoomed comparison could not be fitted to its panel again. */
+    @Test
+    void doubleClick_fitsComparison() {
+        saveTwoCues();
+        click("cue-a-day");
+        click("cue-b-night");
+        PictureView view = robot.lookup("#cue-picture").query();
+        double fitted = view.magnification();
+        robot.interact(() -> view.zoomBy(40));
+        assertThat(view.magnification()).isGreaterThan(fitted);
+        robot.doubleClickOn("#cue-picture");
+        assertThat(view.magnification()).isEqualTo(fitted);
+    }
+
     @Test
     void stalePicture_isNotSaved() {
         robot.interact(() -> model().editor().edit(s -> LightEdits.setOn(s, "sun", false)));

@@ -2,7 +2,9 @@ package lightning.editor.window.mixer;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Stream;
 import javafx.event.Event;
 import javafx.event.EventType;
@@ -27,6 +29,8 @@ import lightning.editor.window.widget.PercentText;
 import lightning.render.image.Film;
 import lightning.render.relight.LightImage;
 import lightning.render.shading.ReferenceTracer;
+import lightning.scene.Environment;
+import lightning.scene.EnvironmentMap;
 import lightning.scene.Light;
 import lightning.scene.Scene;
 import org.junit.jupiter.api.BeforeEach;
@@ -389,5 +393,22 @@ class MixerPaneTest extends EditorFixture {
     void renamedLight_keepsItsPicture() {
         robot.interact(() -> model().editor().edit(scene -> lightning.editor.document.LightEdits.rename(scene, "stage", "key")));
         assertThat(robot.lookup("#thumbnail-key").<ImageView>query().getImage()).isNotNull();
+    }
+
+    /** Muting set the environment's intensity to 0, which made the background black. */
+    @Test
+    void mutedEnvironment_keepsItsImageAndReturnsToItsGain() {
+        float[] rgb = new float[8 * 4 * 3];
+        Arrays.fill(rgb, 0.5f);
+        var environment = new Environment("sky.hdr", new EnvironmentMap(8, 4, rgb));
+        robot.interact(() -> model().editor().edit(scene -> new EditOutcome.Applied(
+                scene.withWorld(scene.world().withEnvironment(Optional.of(environment)).withIntensity(2).withGain(0.5)))));
+        Scene lit = model().editor().scene();
+        click("mute-environment");
+        assertThat(model().editor().scene().world()).isEqualTo(lit.world().withGain(0));
+        assertPictureShowsTheScene();
+        click("mute-environment");
+        assertThat(model().editor().scene()).isEqualTo(lit);
+        assertPictureShowsTheScene();
     }
 }

@@ -1,0 +1,50 @@
+package lightning.editor.document;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import lightning.scene.Environment;
+import lightning.scene.EnvironmentMap;
+import lightning.scene.Light;
+import lightning.scene.LightType;
+import lightning.scene.Scene;
+import lightning.scene.World;
+import org.junit.jupiter.api.Test;
+
+class MixerChannelTest {
+    private static final MixerChannel ENVIRONMENT = new MixerChannel.OfEnvironment();
+
+    private static Scene scene(double intensity, double gain) {
+        float[] rgb = new float[8 * 4 * 3];
+        Arrays.fill(rgb, 0.5f);
+        World world = World.DEFAULT.withEnvironment(Optional.of(new Environment("sky.hdr", new EnvironmentMap(8, 4, rgb))))
+                .withIntensity(intensity).withGain(gain);
+        return NewScene.create(PictureArea.DEFAULT).scene().withLights(List.of(Light.of("key", LightType.POINT))).withWorld(world);
+    }
+
+    @Test
+    void mutedEnvironment_keepsItsImage() {
+        Scene muted = ENVIRONMENT.withOn(scene(2, 1), false);
+        assertThat(muted.world().intensity()).isEqualTo(2);
+        assertThat(muted.world().lightIntensity()).isZero();
+        assertThat(ENVIRONMENT.isOn(muted)).isFalse();
+        assertThat(ENVIRONMENT.isShining(muted)).isFalse();
+        assertThat(ENVIRONMENT.withOn(muted, true).world()).isEqualTo(scene(2, 1).world());
+    }
+
+    /** Files of earlier versions muted the environment with its intensity. */
+    @Test
+    void environmentOfIntensityZero_comesOn() {
+        assertThat(ENVIRONMENT.isOn(scene(0, 0.5))).isFalse();
+        assertThat(ENVIRONMENT.withOn(scene(0, 0.5), true).world()).isEqualTo(scene(1, 0.5).world());
+        assertThat(ENVIRONMENT.withOn(scene(0, 0), true).world()).isEqualTo(scene(1, 1).world());
+    }
+
+    @Test
+    void environmentThatIsAlreadyOn_keepsItsGain() {
+        Scene lit = scene(2, 0.5);
+        assertThat(ENVIRONMENT.withOn(lit, true)).isSameAs(lit);
+    }
+}
