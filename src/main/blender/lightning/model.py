@@ -150,7 +150,7 @@ def _field_of_view(scene) -> float:
     return 2.0 * math.atan(math.tan(data.angle * 0.5) / (width / height)) if fits_width else data.angle
 
 
-def _principled(material):
+def principled(material):
     """Returns the only shader of a material; None if there are others."""
     nodes = material.node_tree.nodes if material.node_tree else ()
     found = [node for node in nodes if node.bl_idname == "ShaderNodeBsdfPrincipled"]
@@ -159,7 +159,7 @@ def _principled(material):
 
 def _simple_values(material) -> dict:
     """Returns values of the sockets of a material's only shader that nothing is linked to, as glTF has them."""
-    node = _principled(material)
+    node = principled(material)
     if node is None:
         return {}
     result = {}
@@ -242,7 +242,7 @@ PROPERTIES = {
 def _rest(material) -> tuple | None:
     """Returns all settings of a material except its simple values; None if it has nodes that cannot be compared."""
     tree = material.node_tree
-    principled = _principled(material)
+    principled = principled(material)
     if tree is None or principled is None or any(node.bl_idname not in KNOWN_NODES for node in tree.nodes):
         return None
     simple = {name for sockets, _, _ in PROPERTIES.values() for name in sockets}

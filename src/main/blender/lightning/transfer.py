@@ -8,7 +8,7 @@ from pathlib import Path
 
 import bpy
 
-from . import animation, axes, gltf, light_nodes, lights, materials, program, shot, views, world
+from . import animation, axes, gltf, light_nodes, lights, materials, program, shot, surfaces, views, world
 
 PROPERTY = "lightning"
 # Lightning's curves for Blender's view transforms.
@@ -149,7 +149,8 @@ def _remember(scene, target: Path, sent: list) -> None:
     for obj in sent:
         if obj.name in by_name:
             lights.store(obj, obj.name, by_name[obj.name], groups, animation.digests(animated.get(obj.name, {})))
-    scene[PROPERTY] = json.dumps({"banks": groups, "world": exported["world"], "digest": _digest(target), "views": views.digests(exported)})
+    scene[PROPERTY] = json.dumps({"banks": groups, "world": exported["world"], "digest": _digest(target), "views": views.digests(exported),
+                                  "materials": surfaces.digests(exported)})
 
 
 def export(source: Path, messages: list[str]) -> dict:
@@ -189,8 +190,10 @@ def get_lights(context, source: Path, remove: bool = True) -> list[str]:
     for obj, settings, tracks in received:
         lights.store(obj, settings["name"], settings, groups, tracks)
     views.receive(scene, exported, memory(scene).get("views", {}), messages)
+    surfaces.receive(exported, memory(scene).get("materials", {}), messages)
     world.receive(scene.world, exported["world"], memory(scene).get("world", {}), messages)
-    scene[PROPERTY] = json.dumps({"banks": groups, "world": exported["world"], "digest": _digest(source), "views": views.digests(exported)})
+    scene[PROPERTY] = json.dumps({"banks": groups, "world": exported["world"], "digest": _digest(source), "views": views.digests(exported),
+                                  "materials": surfaces.digests(exported)})
     if any(settings["solo"] for settings in exported["lights"]) or any(group["solo"] for group in groups.values()):
         messages.append("solo lights: Blender shows the others too")
     for name, group in groups.items():

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Camera and keys of objects that come back from Lightning: values at each frame, as F-curves with the keys that they need."""
+"""Camera and objects that come back from Lightning: values at each frame, as F-curves with the keys that they need."""
 
 import math
 
@@ -13,14 +13,15 @@ CAMERA = ((("from", "to", "up"), PLACEMENT), (("fov",), ("data.lens",)), (("shif
 
 
 def digests(exported: dict) -> dict[str, str]:
-    """Returns what a scene remembers of its camera, and of the keys of its objects."""
+    """Returns what a scene remembers of its camera, and of the transforms of its objects."""
     keyed = _camera_values(exported)
     values = {f"camera {names[0]}": [keyed.get(name, exported["camera"][name]) for name in names] for names, _ in CAMERA}
-    return animation.digests(values | {f"object {name}": matrices for name, matrices in _matrices(exported).items()})
+    values |= {f"object {name}": matrices for name, matrices in _matrices(exported).items()}
+    return animation.digests(values | {f"visible {obj['name']}": obj["visible"] for obj in exported["objects"]})
 
 
 def receive(scene, exported: dict, before: dict[str, str], messages: list[str]) -> None:
-    """Changes the camera, and the keys of the camera and of objects, where they were edited in Lightning.
+    """Changes the camera and the objects, and their keys, where they were edited in Lightning.
 
     Args:
         before: what the scene remembers; nothing comes back without it
@@ -34,6 +35,10 @@ def receive(scene, exported: dict, before: dict[str, str], messages: list[str]) 
     matrices = _matrices(exported)
     for name in sorted(entry.removeprefix("object ") for entry in edited if entry.startswith("object ")):
         _receive_object(scene.objects.get(name), name, matrices.get(name), first, messages)
+    for settings in exported["objects"]:
+        obj = scene.objects.get(settings["name"])
+        if obj is not None and f"visible {obj.name}" in edited:
+            obj.hide_render = not settings["visible"]
     if edited:
         scene.frame_set(scene.frame_current, subframe=scene.frame_subframe)
 
@@ -43,7 +48,9 @@ def _camera_values(exported: dict) -> dict[str, list]:
 
 
 def _matrices(exported: dict) -> dict[str, list]:
-    return {track["node"]: track["matrices"] for track in exported.get("shot", {}).get("tracks", []) if "node" in track}
+    """Returns the transforms of objects at each frame; only one for an object without keys."""
+    keyed = {track["node"]: track["matrices"] for track in exported.get("shot", {}).get("tracks", []) if "node" in track}
+    return {obj["name"]: [obj["matrix"]] for obj in exported["objects"]} | keyed
 
 
 def _is_free(obj, messages: list[str]) -> bool:
@@ -88,9 +95,9 @@ def _show_camera(scene, view: dict, names: tuple) -> None:
 
 def _receive_object(obj, name: str, matrices: list | None, first: int, messages: list[str]) -> None:
     if matrices is None:
-        messages.append(f"{name}: its keys were deleted in Lightning; they stay in Blender")
+        messages.append(f"{name}: it was deleted or put into a group in Lightning; Blender's object stays as it is")
     elif obj is None:
-        messages.append(f"{name}: its keys stay in Lightning, because Blender has no such object")
+        messages.append(f"{name}: its edits stay in Lightning, because Blender has no such object")
     elif _is_free(obj, messages):
         animation.replace_curves(obj, (*PLACEMENT, "scale"), matrices, lambda matrix: _place(obj, axes.blender_matrix(matrix)), first)
 

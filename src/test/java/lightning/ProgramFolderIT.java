@@ -85,6 +85,16 @@ class ProgramFolderIT {
 
     @Test
     @EnabledOnOs(OS.LINUX)
+    void closedOutputPipe_endsWithoutMessage() throws Exception {
+        Path err = folder.resolve("err");
+        Process completion = launcher(folder, "completion", "bash").redirectError(err.toFile()).start();
+        completion.getInputStream().close();
+        assertThat(completion.waitFor()).isEqualTo(2);
+        assertThat(Files.readString(err)).isEmpty();
+    }
+
+    @Test
+    @EnabledOnOs(OS.LINUX)
     void nonAsciiSceneName_isReadInLocaleC() throws Exception {
         String name = "Käfer-光.jen";
         // The test's Java may run in the locale C and could not name the file; a shell can.

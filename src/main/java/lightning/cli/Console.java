@@ -80,6 +80,11 @@ record Console(PrintStream out, PrintStream err, boolean terminal, CommandReport
         report.addError(error);
     }
 
+    /** Prints a line that says what to do after an error; it is no error of its own, so {@code --json} leaves it out. */
+    void hint(String text) {
+        err.println(PrintableText.escape(text));
+    }
+
     /** Escapes control characters in each line of a text, so that quoted text cannot control the terminal. */
     private static String escapeLines(String text) {
         return text.lines().map(PrintableText::escape).collect(Collectors.joining("\n"));

@@ -73,7 +73,9 @@ public final class Lightning {
             err.flush();
             // PrintStream swallows write errors; checkError flushes and returns them.
             if (out.checkError()) {
-                console.err().println("lightning: cannot write to the standard output; is the device full or closed?");
+                if (!ClosedPipe.isOutput(out)) {
+                    console.err().println("lightning: cannot write to the standard output; is the device full or closed?");
+                }
                 return exit == ExitCode.OK ? ExitCode.BAD_INPUT : exit;
             }
             return exit;
@@ -163,7 +165,7 @@ public final class Lightning {
         Set<String> names = commands.getSubcommands().keySet();
         console.error("lightning: unknown command " + Quote.of(word) + "; expected a scene.jen or one of " + String.join(", ", names)
                 + NameSuggestion.closest(word, names).map(name -> "; did you mean '" + name + "'?").orElse("."));
-        console.error("Try 'lightning --help'.");
+        console.hint("Try 'lightning --help'.");
         return ExitCode.BAD_INPUT;
     }
 
@@ -176,7 +178,7 @@ public final class Lightning {
                 : Stream.of(args).filter(arg -> isUnknownOption(command, arg)).findFirst()
                         .map(arg -> "; unknown option '" + optionName(arg) + "'" + suggestion(command, List.of(arg))).orElse("");
         console.error(name + ": " + Quote.shortenWords(e.getMessage(), words) + hint);
-        console.error("Try '" + name + " --help'.");
+        console.hint("Try '" + name + " --help'.");
         return ExitCode.BAD_INPUT;
     }
 

@@ -61,6 +61,11 @@ class BlenderAddOnTest {
         assertThat(run("blender_keys.py")).contains("all keys are equal");
     }
 
+    @Test
+    void objectsAndMaterials_comeBack() throws Exception {
+        assertThat(run("blender_objects.py")).contains("all objects are equal");
+    }
+
     @ParameterizedTest
     @ValueSource(strings = {"point", "ball", "spot", "sun", "profile", "profile180", "profile360", "lamp", "lamp90", "lamp270",
         "lamp360", "screen", "window", "rect", "disc", "warm", "world", "sky",

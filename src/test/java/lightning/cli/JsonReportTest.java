@@ -94,6 +94,7 @@ class JsonReportTest {
     void badUsage_isAnErrorInTheObject(String line) {
         JsonNode json = run(2, (Object[]) line.split(" "));
         assertThat(json.at("/errors/0/message").stringValue()).startsWith("lightning");
+        assertThat(json.get("errors")).as("the hint is no error").hasSize(1);
     }
 
     @Test

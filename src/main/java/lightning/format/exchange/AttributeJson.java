@@ -20,6 +20,7 @@ import lightning.scene.SceneAttribute;
 import lightning.scene.ShapeGains;
 import lightning.scene.ShapeLinks;
 import lightning.scene.Texture;
+import lightning.scene.TextureMap;
 import lightning.scene.ValueKind;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.node.ArrayNode;
@@ -55,7 +56,7 @@ final class AttributeJson {
             case ValueKind.GainsKind _ -> gains(out.putObject(name), (ShapeGains) value);
             case ValueKind.NameKind _ -> out.put(name, (String) value);
             case ValueKind.AssetKind<?> _ -> ((Optional<?>) value).ifPresent(file -> out.put(name, ((FileAsset) file).file()));
-            case ValueKind.TextureKind _ -> throw new AssertionError("no light has a texture that repeats");
+            case ValueKind.TextureKind _ -> ((Optional<?>) value).ifPresent(map -> out.put(name, ((TextureMap) map).file()));
         }
     }
 

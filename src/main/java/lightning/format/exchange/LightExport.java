@@ -15,7 +15,10 @@ import lightning.scene.IntensityUnit;
 import lightning.scene.Light;
 import lightning.scene.LightAttribute;
 import lightning.scene.LightGroup;
+import lightning.scene.Material;
+import lightning.scene.MaterialAttribute;
 import lightning.scene.Scene;
+import lightning.scene.SceneNode;
 import lightning.scene.World;
 import lightning.scene.shot.AnimatedScene;
 import tools.jackson.databind.json.JsonMapper;
@@ -69,14 +72,14 @@ public record LightExport(byte[] bytes, Map<String, Integer> notes) {
         return UsdLightExport.export(text, scene, sceneFile, output);
     }
 
-    /** Returns JSON with all lights and light groups of a scene, its world and its camera, with all their attributes. */
+    /** Returns JSON of a scene without animation. */
     public static LightExport toJson(Scene scene) {
         return toJson(AnimatedScene.of(scene));
     }
 
     /**
-     * Returns JSON with all lights and light groups of a scene, its world and its camera, with all their attributes, and what is animated at
-     * each frame.
+     * Returns JSON with all lights, light groups and materials of a scene, its world and its camera, with all their attributes, the
+     * transforms of its objects and outermost groups, and what is animated at each frame.
      */
     public static LightExport toJson(AnimatedScene animated) {
         Scene scene = animated.base();
@@ -93,6 +96,15 @@ public record LightExport(byte[] bytes, Map<String, Integer> notes) {
         }
         AttributeJson.write(root.putObject("world"), scene.world(), World.ATTRIBUTES);
         AttributeJson.write(root.putObject("camera"), scene.camera(), Camera.ATTRIBUTES);
+        ArrayNode objects = root.putArray("objects");
+        for (SceneNode node : scene.stage().nodes()) {
+            ObjectNode json = objects.addObject().put("name", node.name()).put("visible", node.visible());
+            TransformJson.write(json.putArray("matrix"), node);
+        }
+        ArrayNode materials = root.putArray("materials");
+        for (Material material : scene.materials()) {
+            AttributeJson.write(materials.addObject().put("name", material.name()), material, MaterialAttribute.ALL);
+        }
         var notes = new ConversionNotes();
         animated.shot().ifPresent(shot -> new ShotValues(animated, shot, notes).write(root.putObject("shot")));
         return new LightExport(JSON.writerWithDefaultPrettyPrinter().writeValueAsBytes(root), Map.copyOf(notes.counts()));

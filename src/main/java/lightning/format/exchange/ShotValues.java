@@ -3,15 +3,12 @@ package lightning.format.exchange;
 import java.util.List;
 import java.util.function.BiConsumer;
 import java.util.stream.IntStream;
-import lightning.base.math.Transform;
-import lightning.base.math.Vec3;
 import lightning.format.mesh.ConversionNotes;
 import lightning.scene.Camera;
 import lightning.scene.Light;
 import lightning.scene.LightAttribute;
 import lightning.scene.LightGroup;
 import lightning.scene.Scene;
-import lightning.scene.SceneNode;
 import lightning.scene.shot.AnimatedScene;
 import lightning.scene.shot.Shot;
 import lightning.scene.shot.Track;
@@ -100,17 +97,7 @@ record ShotValues(AnimatedScene animated, Shot shot, ConversionNotes notes) {
         }
         ArrayNode matrices = tracks.addObject().put("node", name).putArray("matrices");
         for (Scene frame : frames) {
-            SceneNode node = frame.stage().node(name).orElseThrow();
-            Transform transform = node.placement().transform();
-            ArrayNode matrix = matrices.addArray();
-            for (Vec3 axis : List.of(new Vec3(1, 0, 0), Vec3.Y, new Vec3(0, 0, 1))) {
-                addColumn(matrix, transform.transformVector(axis), 0);
-            }
-            addColumn(matrix, transform.transformPoint(Vec3.ZERO), 1);
+            TransformJson.write(matrices.addArray(), frame.stage().node(name).orElseThrow());
         }
-    }
-
-    private static void addColumn(ArrayNode matrix, Vec3 column, int last) {
-        matrix.add(column.x()).add(column.y()).add(column.z()).add(last);
     }
 }

@@ -121,6 +121,22 @@ class LightExportTest {
     }
 
     @Test
+    void jsonList_hasObjectsAndMaterials() throws Exception {
+        String text = "jen 1\ncamera { from 0 0 5  to 0 0 0 }\nmaterial red { model metallic  base 0.5 0.25 0.125  roughness 0.75 }\n"
+                + "sphere ball { material red  at 1 2 3  scale 4 5 6  visible no }\n";
+        JsonNode root = EXACT.readTree(LightExport.toJson(JenReader.read(text, "text", folder).animatedScene()).bytes());
+        JsonNode ball = root.at("/objects/0");
+        assertThat(ball.get("name").stringValue()).isEqualTo("ball");
+        assertThat(ball.get("visible").booleanValue()).isFalse();
+        assertThat(ball.get("matrix").valueStream().map(JsonNode::doubleValue))
+                .containsExactly(4.0, 0.0, 0.0, 0.0, 0.0, 5.0, 0.0, 0.0, 0.0, 0.0, 6.0, 0.0, 1.0, 2.0, 3.0, 1.0);
+        JsonNode red = root.at("/materials/0");
+        assertThat(red.get("name").stringValue()).isEqualTo("red");
+        assertThat(red.get("base").valueStream().map(JsonNode::doubleValue)).containsExactly(0.5, 0.25, 0.125);
+        assertThat(red.get("roughness").doubleValue()).isEqualTo(0.75);
+    }
+
+    @Test
     void jsonList_hasAnimatedAttributesAtEachFrame() throws Exception {
         String text = """
                 jen 1
