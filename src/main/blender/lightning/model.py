@@ -242,8 +242,8 @@ PROPERTIES = {
 def _rest(material) -> tuple | None:
     """Returns all settings of a material except its simple values; None if it has nodes that cannot be compared."""
     tree = material.node_tree
-    principled = principled(material)
-    if tree is None or principled is None or any(node.bl_idname not in KNOWN_NODES for node in tree.nodes):
+    shader = principled(material)
+    if tree is None or shader is None or any(node.bl_idname not in KNOWN_NODES for node in tree.nodes):
         return None
     simple = {name for sockets, _, _ in PROPERTIES.values() for name in sockets}
     result = [_settings(material)]
@@ -251,7 +251,7 @@ def _rest(material) -> tuple | None:
         image = getattr(node, "image", None)
         result.append((node.name, _settings(node), image and (image.name, image.filepath)))
         result += [_value(socket) for socket in node.inputs
-                   if hasattr(socket, "default_value") and (node != principled or socket.is_linked or socket.name not in simple)]
+                   if hasattr(socket, "default_value") and (node != shader or socket.is_linked or socket.name not in simple)]
     result += [(link.from_node.name, link.from_socket.identifier, link.to_node.name, link.to_socket.identifier) for link in tree.links]
     return tuple(result)
 
