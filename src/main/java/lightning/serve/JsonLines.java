@@ -6,9 +6,12 @@ import java.io.InputStream;
 import tools.jackson.core.JacksonException;
 import tools.jackson.core.StreamReadConstraints;
 import tools.jackson.core.StreamReadFeature;
+import tools.jackson.core.exc.StreamConstraintsException;
+import tools.jackson.core.exc.UnexpectedEndOfInputException;
 import tools.jackson.core.json.JsonFactory;
 import tools.jackson.databind.DeserializationFeature;
 import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.exc.MismatchedInputException;
 import tools.jackson.databind.json.JsonMapper;
 import tools.jackson.databind.node.ObjectNode;
 
@@ -91,11 +94,21 @@ final class JsonLines {
         } catch (JacksonException e) {
             var at = e.getLocation();
             throw new RequestException(ErrorCode.BAD_MESSAGE, at == null ? "" : "column " + at.getColumnNr(),
-                    "expected one JSON object a line: " + e.getOriginalMessage().lines().findFirst().orElse(""));
+                    "expected one JSON object a line" + reason(e));
         }
         if (!(node instanceof ObjectNode message)) {
             throw new RequestException(ErrorCode.BAD_MESSAGE, "", "expected a JSON object, such as {\"id\": 1, \"method\": \"list\"}");
         }
         return message;
+    }
+
+    private static String reason(JacksonException e) {
+        return switch (e) {
+            case StreamConstraintsException _ ->
+                    ", at most " + MAX_DEPTH + " levels deep, with numbers of at most " + MAX_NUMBER + " characters";
+            case UnexpectedEndOfInputException _ -> ", found the end of the line";
+            case MismatchedInputException _ -> ", found more after the first";
+            default -> ": " + e.getOriginalMessage().lines().findFirst().orElse("");
+        };
     }
 }
