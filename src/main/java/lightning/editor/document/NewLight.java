@@ -19,12 +19,14 @@ public final class NewLight {
 
     /** A fill light has a quarter of the key light's brightness in a usual portrait. */
     private static final double STOPS_BELOW_KEY = 2;
+    /** Least brightness of a key light, in stops below white paper: a scene that is nearly dark needs no fainter light. */
+    private static final double DARKEST_KEY = 8;
 
     private NewLight() {}
 
     /**
-     * Returns a white light at the upper right of the camera, aimed at the point that the camera looks at. It is fainter if the scene
-     * is lit already.
+     * Returns a white light at the upper right of the camera, aimed at the point that the camera looks at. It makes white paper there white
+     * at the picture's exposure, or a quarter as bright as the strongest light makes it if the scene is lit already.
      */
     public static Light of(Scene scene, LightType type) {
         var view = PreviewCamera.of(scene);
@@ -32,8 +34,29 @@ public final class NewLight {
         Vec3 from = view.camera().from();
         double side = focus.minus(from).length() / 2;
         Light light = of(type, from.plus(view.right().times(side)).plus(view.up().times(side)), focus);
-        boolean isDark = scene.lights().stream().noneMatch(Light::on) && scene.world().environment().isEmpty();
-        return isDark ? light : light.withEmission(light.emission().withExposure(light.emission().exposure() - STOPS_BELOW_KEY));
+        return light.withEmission(light.emission().withExposure(rounded(light.emission().exposure() + stops(scene, focus))));
+    }
+
+    /** Returns the brightness that suits white paper at a point, in stops above intensity 1. */
+    private static double stops(Scene scene, Vec3 at) {
+        double white = -scene.picture().view().exposure();
+        if (scene.lights().stream().noneMatch(Light::on) && scene.world().environment().isEmpty()) {
+            return white;
+        }
+        double key = scene.lights().stream().filter(scene.rig()::isActive).mapToDouble(l -> brightness(scene.rig().effectiveLight(l), at))
+                .max().orElse(0);
+        return (key > 0 ? Math.clamp(Math.log(key) / Math.log(2), white - DARKEST_KEY, white) : white) - STOPS_BELOW_KEY;
+    }
+
+    /** Returns how bright a light makes white paper that faces it, at a point that nothing shades. */
+    private static double brightness(Light effective, Vec3 at) {
+        Vec3 toPoint = at.minus(effective.position());
+        double distance = toPoint.length();
+        double cosine = effective.type() == LightType.DIRECTIONAL || effective.type() == LightType.POINT || distance == 0 ? 1
+                : effective.direction().normalized().dot(toPoint) / distance;
+        boolean isOutside = effective.type() == LightType.SPOT && cosine < Math.cos(Math.toRadians(effective.angle()));
+        double share = effective.type().isSurface() ? Math.max(0, cosine) : isOutside ? 0 : 1;
+        return effective.weight().luminance() * share * strength(effective, distance);
     }
 
     /** Returns a white light at a position, aimed at another point. */
@@ -54,8 +77,12 @@ public final class NewLight {
             return after;
         }
         double stops = after.emission().exposure() + Math.log(ratio) / Math.log(2);
-        double rounded = Math.rint(stops * STEPS_PER_STOP) / STEPS_PER_STOP;
-        return after.withEmission(after.emission().withExposure(Math.clamp(rounded, -Emission.MAX_EXPOSURE, Emission.MAX_EXPOSURE) + 0.0));
+        return after.withEmission(after.emission().withExposure(rounded(stops)));
+    }
+
+    private static double rounded(double stops) {
+        double steps = Math.rint(stops * STEPS_PER_STOP) / STEPS_PER_STOP;
+        return Math.clamp(steps, -Emission.MAX_EXPOSURE, Emission.MAX_EXPOSURE) + 0.0;
     }
 
     private static double strength(Light light, double distance) {

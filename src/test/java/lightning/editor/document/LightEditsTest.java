@@ -16,6 +16,7 @@ import lightning.scene.LightType;
 import lightning.scene.Scene;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class LightEditsTest {
@@ -112,12 +113,27 @@ class LightEditsTest {
     }
 
     /** A light as strong as in the dark would burn out what other lights show. */
-    @Test
-    void newLightInLitScene_hasQuarterOfTheBrightness() {
-        Scene dark = scene.withLights(scene.lights().stream().map(l -> l.withOn(false)).toList());
-        Light alone = DeskScene.sceneOf(LightEdits.add(dark, LightType.RECT)).lights().getLast();
-        Light beside = DeskScene.sceneOf(LightEdits.add(scene, LightType.RECT)).lights().getLast();
-        assertThat(beside.emission().exposure()).isEqualTo(alone.emission().exposure() - 2);
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', textBlock = """
+            light sun directional { direction 0 0 -1  intensity 0.125 }                                       | 0.03125
+            light sun directional { direction 0 0 -1  intensity 9 }                                           | 0.25
+            light dark directional { intensity 3  on no }                                                     | 1
+            light dim point { at 0 0 3  intensity 0.5  falloff inverse_square }                               | 0.03125
+            light dim spot { at 0 0 3  direction 0 1 0  angle 30 }                                            | 0.25
+            light back rect { at 0 0 3  direction 0 0 1 } light low directional { intensity 0.5 }             | 0.125
+            picture { exposure 2 }                                                                            | 0.25
+            picture { exposure 2 } light sun directional { direction 0 0 -1  intensity 1 }                    | 0.0625
+            light sun directional { direction 0 0 -1  intensity 0.000001 }                                    | 0.0009765625
+            """)
+    void newLight_isAQuarterAsBrightAsTheStrongest(String others, double expected) throws Exception {
+        Scene lit = JenReader.read("jen 1 camera { from 0 0 10 to 0 0 1 } sphere ball {} " + others, "lit", Path.of("")).scene();
+        for (LightType type : LightType.values()) {
+            Scene added = DeskScene.sceneOf(LightEdits.add(lit, type));
+            Light light = added.lights().getLast();
+            double distance = light.position().minus(new Vec3(0, 0, 1)).length();
+            double strength = added.rig().effectiveLight(light).intensity() / (type.hasPosition() ? distance * distance : 1);
+            assertThat(strength / expected).as("light on paper at the ball, of " + type).isBetween(0.96, 1.04);
+        }
     }
 
     @Test
