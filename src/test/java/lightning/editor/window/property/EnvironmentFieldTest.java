@@ -200,7 +200,7 @@ class EnvironmentFieldTest extends EditorFixture {
     }
 
     @Test
-    void muteInMixer_restoresIntensity() throws IOException {
+    void muteInMixer_keepsIntensity() throws IOException {
         writeEnvironmentMap("dusk.hdr");
         choose("dusk.hdr");
         waitFor("the file is read", () -> choiceText().equals("dusk.hdr"));
@@ -209,9 +209,10 @@ class EnvironmentFieldTest extends EditorFixture {
         robot.push(KeyCode.F4);
         waitFor("the strip exists", () -> robot.lookup("#mute-environment").tryQuery().isPresent());
         click("mute-environment");
-        assertThat(world().intensity()).isZero();
-        click("mute-environment");
+        assertThat(world().gain()).isZero();
         assertThat(world().intensity()).isEqualTo(2.5);
+        click("mute-environment");
+        assertThat(world().gain()).isEqualTo(1);
         click("solo-environment");
         assertThat(world().solo()).isTrue();
     }
