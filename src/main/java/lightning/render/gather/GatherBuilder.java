@@ -12,6 +12,7 @@ import lightning.render.trace.Geometry;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.HitRows.ColumnGroup;
 import lightning.render.trace.ShapeChange;
+import lightning.render.trace.TexelColumns;
 import lightning.render.trace.Tracer;
 import lightning.scene.IndirectSettings;
 import lightning.scene.PictureSettings;
@@ -85,10 +86,10 @@ public final class GatherBuilder {
 
     /** Returns the maximum bytes of a surfel without rays: its row, its cell, and what lights and solving need. */
     private long surfelBytes() {
-        int columns = ColumnGroup.HIT.bytesPerRow() + ColumnGroup.TEXEL.bytesPerRow() + ColumnGroup.OWNER.bytesPerRow()
-                + ColumnGroup.TRANSPARENT.bytesPerRow();
-        int glow = geometry.materials().hasGlowMaps() ? ColumnGroup.GLOW_TEXEL.bytesPerRow() : 0;
-        return columns + glow + BYTES_BESIDE_ROW + BYTES_PER_LIGHT * scene.rig().effectiveLights().size();
+        int columns =
+                ColumnGroup.HIT.bytesPerRow() + TexelColumns.ofAny(geometry.materials()).bytesPerRow() + ColumnGroup.OWNER.bytesPerRow()
+                        + ColumnGroup.TRANSPARENT.bytesPerRow();
+        return columns + BYTES_BESIDE_ROW + BYTES_PER_LIGHT * scene.rig().effectiveLights().size();
     }
 
     /**

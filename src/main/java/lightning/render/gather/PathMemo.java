@@ -112,9 +112,7 @@ public final class PathMemo {
         MaterialTable now = after.materials();
         boolean[] changed = new boolean[now.count()];
         for (int m = 0; m < changed.length; m++) {
-            changed[m] = now.isTransparent(m) || m < old.count() && (old.isTextured(m) != now.isTextured(m)
-                    || !old.material(m).hasSameTextures(now.material(m))
-                    || !old.transmission(m).equals(now.transmission(m)));
+            changed[m] = now.isTransparent(m) || m < old.count() && !old.hasSamePaths(m, now);
         }
         int[] primitives = new int[of.primitiveCount()];
         int count = 0;

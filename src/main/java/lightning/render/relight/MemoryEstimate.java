@@ -9,6 +9,7 @@ import lightning.render.image.Film;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.render.trace.HitRows.ColumnGroup;
 import lightning.render.trace.SampleCells;
+import lightning.render.trace.TexelColumns;
 import lightning.scene.AntialiasMode;
 import lightning.scene.Material;
 import lightning.scene.PictureSettings;
@@ -48,7 +49,7 @@ public final class MemoryEstimate {
         long lights =
                 scene.rig().effectiveLights().stream().mapToLong(light -> options.method().bytesPerRow(light, metallic, tinted)).sum();
         boolean glowMaps = scene.stage().rendered().materials().stream().anyMatch(m -> m.glowMap().isPresent());
-        int texelBytes = ColumnGroup.TEXEL.bytesPerRow() + (glowMaps ? ColumnGroup.GLOW_TEXEL.bytesPerRow() : 0);
+        int texelBytes = new TexelColumns(true, glowMaps).bytesPerRow();
         long row = ColumnGroup.HIT.bytesPerRow() + texelBytes
                 + (sampling.isSupersampled() ? ColumnGroup.PATTERN.bytesPerRow() : 0)
                 + (scene.lights().stream().allMatch(l -> l.illuminates().isAll() && l.contribution().gains().isNone()) ? 0

@@ -264,20 +264,19 @@ public final class HitRows {
 
     /** Returns the red, green or blue colors of glow maps for channel 0, 1, 2; null if the tile has none. */
     public float[] glowTexel(int channel) {
-        return switch (channel) {
-            case 0 -> glowTexelRed;
-            case 1 -> glowTexelGreen;
-            case 2 -> glowTexelBlue;
-            default -> throw new IllegalArgumentException("channel " + channel);
-        };
+        return channel(channel, glowTexelRed, glowTexelGreen, glowTexelBlue);
     }
 
     /** Returns the red, green or blue texels for channel 0, 1, 2; null if the tile has none. */
     public float[] texel(int channel) {
+        return channel(channel, texelRed, texelGreen, texelBlue);
+    }
+
+    private static float[] channel(int channel, float[] red, float[] green, float[] blue) {
         return switch (channel) {
-            case 0 -> texelRed;
-            case 1 -> texelGreen;
-            case 2 -> texelBlue;
+            case 0 -> red;
+            case 1 -> green;
+            case 2 -> blue;
             default -> throw new IllegalArgumentException("channel " + channel);
         };
     }

@@ -134,6 +134,11 @@ public final class MaterialTable {
         return materials.size();
     }
 
+    /** Returns whether rays pass material {@code m} as in another table, and its surfels have the same textures. */
+    public boolean hasSamePaths(int m, MaterialTable o) {
+        return isTextured(m) == o.isTextured(m) && material(m).hasSameTextures(o.material(m)) && transmission(m).equals(o.transmission(m));
+    }
+
     public Material material(int m) {
         return materials.get(m);
     }

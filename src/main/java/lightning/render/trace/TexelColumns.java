@@ -45,6 +45,11 @@ public record TexelColumns(boolean colors, boolean glow) {
         return of(colors && o.colors, glow && o.glow);
     }
 
+    /** Returns the bytes of a row. */
+    public int bytesPerRow() {
+        return (colors ? HitRows.ColumnGroup.TEXEL.bytesPerRow() : 0) + (glow ? HitRows.ColumnGroup.GLOW_TEXEL.bytesPerRow() : 0);
+    }
+
     /** Returns whether rows have neither. */
     public boolean isNone() {
         return !colors && !glow;

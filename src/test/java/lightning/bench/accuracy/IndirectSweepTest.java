@@ -3,13 +3,11 @@ package lightning.bench.accuracy;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import java.util.ArrayList;
-import java.util.Collections;
-import java.util.List;
 import java.util.concurrent.CancellationException;
 import lightning.base.work.Progress;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.sample.IndirectScenes;
+import lightning.sample.ProgressRecorder;
 import lightning.scene.Scene;
 import org.junit.jupiter.api.Test;
 
@@ -20,23 +18,13 @@ class IndirectSweepTest {
 
     @Test
     void settings_areComparedWithTheDensest() {
-        List<Double> shares = Collections.synchronizedList(new ArrayList<>());
-        IndirectSweep sweep = IndirectSweep.measure(scene, OPTIONS, new Progress() {
-            @Override
-            public void report(int done, int total) {
-                shares.add((double) done / total);
-            }
-
-            @Override
-            public boolean isCanceled() {
-                return false;
-            }
-        });
+        var progress = new ProgressRecorder();
+        IndirectSweep sweep = IndirectSweep.measure(scene, OPTIONS, progress);
         assertThat(sweep.points()).hasSize(9).allMatch(IndirectSweep.Point::fits).allMatch(p -> p.milliseconds() > 0);
         assertThat(sweep.points()).allMatch(p -> p.settings().bounces() == scene.picture().indirect().orElseThrow().bounces());
         assertThat(sweep.points().getLast().meanDifference()).isZero();
         assertThat(sweep.points().getFirst().meanDifference()).isPositive();
-        assertThat(shares).isSorted().endsWith(1.0);
+        assertThat(progress.shares()).isSorted().endsWith(1.0);
     }
 
     @Test

@@ -5,9 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
-import java.util.List;
 import java.util.Map;
-import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import lightning.base.math.Vec3;
@@ -17,6 +15,7 @@ import lightning.format.jen.JenReader;
 import lightning.render.fulltrace.TraditionalTracer;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
+import lightning.sample.ProgressRecorder;
 import lightning.scene.AntialiasMode;
 import lightning.scene.Camera;
 import lightning.scene.Light;
@@ -167,21 +166,11 @@ class ImportLightingTest {
 
     @Test
     void previews_reportProgressOfThemAll() throws Exception {
-        List<Double> shares = new CopyOnWriteArrayList<>();
+        var progress = new ProgressRecorder();
         try (var workers = new WorkerPool(1)) {
-            ImportPreviews.render(read(BOX, 1), 40, workers, new Progress() {
-                @Override
-                public void report(int done, int total) {
-                    shares.add((double) done / total);
-                }
-
-                @Override
-                public boolean isCanceled() {
-                    return false;
-                }
-            });
+            ImportPreviews.render(read(BOX, 1), 40, workers, progress);
         }
-        assertThat(shares).isSorted().anyMatch(share -> share > 0.2 && share < 0.6).endsWith(1.0);
+        assertThat(progress.shares()).isSorted().anyMatch(share -> share > 0.2 && share < 0.6).endsWith(1.0);
     }
 
     private static double exposure(double value) {

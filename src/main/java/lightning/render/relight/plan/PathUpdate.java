@@ -41,10 +41,7 @@ public enum PathUpdate {
     private static boolean haveSamePaths(PixelCache cache, MaterialTable after) {
         MaterialTable before = cache.geometry().materials();
         return before == after || before.count() == after.count()
-                && IntStream.range(0, after.count()).allMatch(m -> mirrors(before, m) == mirrors(after, m)
-                        && before.isTextured(m) == after.isTextured(m)
-                        && before.material(m).hasSameTextures(after.material(m))
-                        && before.transmission(m).equals(after.transmission(m)))
+                && IntStream.range(0, after.count()).allMatch(m -> mirrors(before, m) == mirrors(after, m) && before.hasSamePaths(m, after))
                 && cache.indirect().structure().canServe(cache.geometry(), after);
     }
 
