@@ -140,6 +140,12 @@ def _picture(scene, messages: list[str]) -> dict:
     return result
 
 
+def _store(scene, file: Path, exported: dict, groups: dict) -> None:
+    """Stores in a scene what a file of Lightning has, so that later edits can be told."""
+    scene[PROPERTY] = json.dumps({"banks": groups, "world": exported["world"], "digest": _digest(file), "views": views.digests(exported),
+                                  "materials": surfaces.digests(exported)})
+
+
 def _remember(scene, target: Path, sent: list) -> None:
     """Stores the lights as Lightning has them now, so that a later exchange can tell who changed what."""
     exported = export(target, [])
@@ -149,8 +155,7 @@ def _remember(scene, target: Path, sent: list) -> None:
     for obj in sent:
         if obj.name in by_name:
             lights.store(obj, obj.name, by_name[obj.name], groups, animation.digests(animated.get(obj.name, {})))
-    scene[PROPERTY] = json.dumps({"banks": groups, "world": exported["world"], "digest": _digest(target), "views": views.digests(exported),
-                                  "materials": surfaces.digests(exported)})
+    _store(scene, target, exported, groups)
 
 
 def export(source: Path, messages: list[str]) -> dict:
@@ -192,8 +197,7 @@ def get_lights(context, source: Path, remove: bool = True) -> list[str]:
     views.receive(scene, exported, memory(scene).get("views", {}), messages)
     surfaces.receive(exported, memory(scene).get("materials", {}), messages)
     world.receive(scene.world, exported["world"], memory(scene).get("world", {}), messages)
-    scene[PROPERTY] = json.dumps({"banks": groups, "world": exported["world"], "digest": _digest(source), "views": views.digests(exported),
-                                  "materials": surfaces.digests(exported)})
+    _store(scene, source, exported, groups)
     if any(settings["solo"] for settings in exported["lights"]) or any(group["solo"] for group in groups.values()):
         messages.append("solo lights: Blender shows the others too")
     for name, group in groups.items():
