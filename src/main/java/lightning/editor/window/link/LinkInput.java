@@ -74,26 +74,34 @@ final class LinkInput {
         field.setVisible(false);
         above.getChildren().add(field);
         field.setOnAction(_ -> {
-            LinkEditor.parsePercent(field.getText(),
-                    gain -> editor.setGain(matrix.currentLight(), matrix.currentRow(), gain, null, false));
-            hideField();
+            commitField();
+            matrix.requestFocus();
         });
         field.addEventHandler(KeyEvent.KEY_PRESSED, event -> {
             if (event.getCode() == KeyCode.ESCAPE) {
-                hideField();
+                field.setVisible(false);
+                matrix.requestFocus();
                 event.consume();
             }
         });
         field.focusedProperty().subscribe((_, focused) -> {
             if (!focused) {
-                field.setVisible(false);
+                commitField();
             }
         });
     }
 
-    private void hideField() {
+    /** Sets the gain in the field, if it is open, and closes it. */
+    private void commitField() {
+        if (!field.isVisible()) {
+            return;
+        }
         field.setVisible(false);
-        matrix.requestFocus();
+        if (!matrix.isEmpty()) {
+            LinkEditor.parsePercent(field.getText(),
+                    gain -> editor.setGain(matrix.currentLight(), matrix.currentRow(), gain, null, false));
+            describe();
+        }
     }
 
     private void openField(String text) {

@@ -98,6 +98,15 @@ final class LinkMatrix extends Region {
                 Math.clamp(currentColumn + columns, 0, table.lights().size() - 1));
     }
 
+    /** Moves the keyboard's cell to the selected light's column, and scrolls to it. */
+    void showSelectedLight() {
+        for (int column = 0; column < table.lights().size(); column++) {
+            if (table.lights().get(column).name().equals(selectedLight)) {
+                setCurrent(currentRow, column);
+            }
+        }
+    }
+
     void setCurrent(int row, int column) {
         currentRow = row;
         currentColumn = column;

@@ -67,7 +67,10 @@ public final class LinkPane extends VBox {
     }
 
     private Subscription subscribe() {
-        windowExecutor.execute(matrix::requestFocus);
+        windowExecutor.execute(() -> {
+            matrix.requestFocus();
+            matrix.showSelectedLight();
+        });
         return Subscription.combine(editor.sceneProperty().subscribe(_ -> show()),
                 editor.selection().lightProperty().subscribe(_ -> show()),
                 ForcedLiveUpdate.renderWhileFocused(this, editor, windowExecutor));

@@ -100,6 +100,46 @@ class LinkPaneTest extends EditorFixture {
         assertThat(light("lamp").illuminates()).isEqualTo(ShapeLinks.except("ball"));
     }
 
+    @Test
+    void typedPercentage_isSetAndDescribed_whenAnotherCellIsClicked() {
+        robot.interact(() -> {
+            matrix().requestFocus();
+            matrix().setCurrent(row("ball"), column("lamp"));
+        });
+        robot.push(KeyCode.ENTER);
+        robot.interact(() -> {
+            TextField field = robot.lookup("#link-gain").query();
+            field.setText("30");
+            matrix().requestFocus();
+        });
+        assertThat(gains("lamp")).isEqualTo(ShapeGains.of("ball", 0.3));
+        assertThat(text("link-status")).isEqualTo("lamp on ball: 30 %");
+    }
+
+    @Test
+    void escape_leavesGainAsItIs() {
+        robot.interact(() -> {
+            matrix().requestFocus();
+            matrix().setCurrent(row("ball"), column("lamp"));
+        });
+        robot.push(KeyCode.DIGIT3, KeyCode.ESCAPE);
+        assertThat(gains("lamp")).isEqualTo(ShapeGains.NONE);
+    }
+
+    @Test
+    void matrix_opensAtSelectedLight() {
+        robot.interact(() -> matrix().getScene().getWindow().hide());
+        robot.interact(() -> {
+            model().editor().edit(scene -> EditOutcome.of(() -> scene
+                    .withLights(IntStream.range(0, 60).mapToObj(i -> Light.of("light " + i, LightType.POINT)).toList())));
+            model().editor().selection().selectLight("light 41");
+            model().commands().run(Command.LIGHT_LINKS);
+        });
+        waitFor("the selected light is current", () -> robot.lookup("#link-matrix").tryQuery().isPresent() && !matrix().isEmpty()
+                && matrix().currentLight().name().equals("light 41"));
+        assertThat(matrix().currentCell()).as("a visible cell").isNotNull();
+    }
+
     /** 30 lights and 200 objects: only visible cells have nodes, and the last one is reachable. */
     @Test
     void largeMatrix_hasNodesOfVisibleCellsOnly() {
