@@ -1,5 +1,6 @@
 package lightning.editor.window;
 
+import java.util.function.Supplier;
 import javafx.beans.property.Property;
 import javafx.geometry.Orientation;
 import javafx.geometry.Pos;
@@ -20,11 +21,13 @@ import javafx.scene.text.Text;
 import lightning.base.text.Messages;
 import lightning.editor.document.Command;
 import lightning.editor.document.NumericParameter;
+import lightning.editor.document.PictureArea;
 import lightning.editor.window.command.CommandButton;
 import lightning.editor.window.command.CommandMenuItems;
 import lightning.editor.window.command.SizeMenu;
 import lightning.editor.window.model.AccuracyMode;
 import lightning.editor.window.model.CommandRegistry;
+import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.traced.IndirectMenu;
 import lightning.editor.window.traced.SamplingMenu;
@@ -44,9 +47,9 @@ final class EditorToolBar extends ToolBar {
     private final SceneEditor editor;
     private final CommandRegistry commands;
 
-    EditorToolBar(SceneEditor editor, CommandRegistry commands, Property<AccuracyMode> precision) {
-        this.editor = editor;
-        this.commands = commands;
+    EditorToolBar(EditorModel model) {
+        editor = model.editor();
+        commands = model.commands();
         setId("toolbar");
         add(Command.LOAD_FILE, Command.RELOAD, Command.SAVE_SCENE, Command.SAVE_IMAGE);
         getItems().add(separator());
@@ -56,7 +59,8 @@ final class EditorToolBar extends ToolBar {
         go.button().getStyleClass().add("accent");
         getItems().addAll(go, CommandButton.titledButton(commands, Command.LIVE));
         add(Command.UPDATE_REFLECTIONS, Command.CANCEL, Command.VERIFY);
-        getItems().addAll(separator(), precision(precision), size(), labeled(Messages.tr("Bounces"), depth()), separator());
+        getItems().addAll(separator(), precision(model.accuracyModeProperty()), size(model.layout()::pictureArea),
+                labeled(Messages.tr("Bounces"), depth()), separator());
         add(Command.MAKE_ANIMATION, Command.ACCURACY_PANEL, Command.EFFECTS_PANEL);
     }
 
@@ -103,14 +107,14 @@ final class EditorToolBar extends ToolBar {
         }).max().orElseThrow();
     }
 
-    private MenuButton size() {
+    private MenuButton size(Supplier<PictureArea> area) {
         var sizes = new MenuButton("", new FontIcon(MaterialDesignR.RESIZE));
         sizes.setId("traced-sizes");
         sizes.setAccessibleText(Messages.tr("Resolution, anti-aliasing and indirect light"));
         sizes.setTooltip(
                 new Tooltip(Messages.tr("Resolution, anti-aliasing and indirect light\nA new resolution renders the image in full.")));
         CommandMenuItems items = CommandMenuItems.forMenu(commands);
-        sizes.getItems().setAll(SizeMenu.pictureSizeItems(editor, items));
+        sizes.getItems().setAll(SizeMenu.pictureSizeItems(editor, items, area));
         sizes.getItems().addAll(new SeparatorMenuItem(), SamplingMenu.of(editor, items), IndirectMenu.of(editor, items));
         editor.sceneProperty().subscribe(s -> sizes.setText(s.picture().width() + " × " + s.picture().height() + SamplingMenu.text(s)));
         return sizes;

@@ -60,7 +60,7 @@ public final class EditorWindow implements AutoCloseable {
         model.commands().setAction(Command.EXPORT_SHOT, () -> new ShotExportWindow(model, window()).show());
         menu = new EditorMenu(model, files);
         model.commands().setAction(Command.PALETTE, () -> CommandPalette.open(window(), menu, model.commands()));
-        var tools = new EditorToolBar(model.editor(), model.commands(), model.accuracyModeProperty());
+        var tools = new EditorToolBar(model);
         tools.visibleProperty().bind(model.layout().panelsHiddenProperty().not());
         tools.managedProperty().bind(tools.visibleProperty());
         lessons = new LessonBar(model);

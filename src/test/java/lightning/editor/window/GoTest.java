@@ -21,6 +21,7 @@ import lightning.editor.document.EditOutcome;
 import lightning.editor.document.LightEdits;
 import lightning.editor.document.NumericParameter;
 import lightning.editor.document.OpenDocument;
+import lightning.editor.document.PictureArea;
 import lightning.editor.window.model.AccuracyMode;
 import lightning.render.shading.RayCounts;
 import lightning.render.shading.ReferenceTracer;
@@ -31,6 +32,7 @@ import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
 import lightning.scene.effects.RenderEffect;
 import lightning.scene.effects.ViewEffects;
+import org.assertj.core.data.Offset;
 import org.junit.jupiter.api.Test;
 import org.testfx.util.WaitForAsyncUtils;
 
@@ -214,6 +216,19 @@ class GoTest extends EditorFixture {
         waitForPicture();
         assertThat(model().picture().frame().film().width()).isEqualTo(64);
         assertThat(model().picture().frame().film().height()).isEqualTo(48);
+    }
+
+    @Test
+    void paneSize_isLargestOfSameAspectRatioThatFits() {
+        robot.interact(sizeItem("size-pane")::fire);
+        waitFor("the picture is traced", () -> model().picture().frame().film().width() > 64);
+        PictureArea pane = model().layout().pictureArea();
+        int width = model().editor().scene().picture().width();
+        int height = model().editor().scene().picture().height();
+        assertThat(width).isLessThanOrEqualTo((int) pane.width());
+        assertThat(height).isLessThanOrEqualTo((int) pane.height());
+        assertThat(width + 1 > pane.width() || height + 1 > pane.height()).as("%d × %d in %s", width, height, pane).isTrue();
+        assertThat((double) width / height).isCloseTo(4 / 3.0, Offset.offset(0.01));
     }
 
     private void typeSize(String typed) {

@@ -121,7 +121,7 @@ public final class FileActions {
             ImportedScene imported = IndirectChoice.AUTO.apply(SceneImporter.read(file, to, LightUnits.CANDELA, progress));
             try (var workers = new WorkerPool(WorkerPool.processorCount())) {
                 return new ImportPreview(imported,
-                        ImportPreviews.render(imported, IMPORT_PICTURE_SIZE, workers, progress.titled(Messages.tr("Previewing"))));
+                        ImportPreviews.render(imported, IMPORT_PICTURE_SIZE, workers, progress.next(Messages.tr("Previewing"))));
             }
         }, preview -> {
             // Clears the progress message.

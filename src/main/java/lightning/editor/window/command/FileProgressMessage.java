@@ -3,7 +3,6 @@ package lightning.editor.window.command;
 import java.nio.file.Path;
 import java.util.concurrent.Executor;
 import java.util.concurrent.atomic.AtomicInteger;
-import java.util.function.Supplier;
 import lightning.base.text.Quote;
 import lightning.base.work.Progress;
 import lightning.editor.window.model.FileActivity;
@@ -15,25 +14,20 @@ final class FileProgressMessage implements Progress {
     private final Executor window;
     private final StatusMessage message;
     private final Path file;
-    private final Supplier<String> title;
     private final AtomicInteger lastPercent = new AtomicInteger(-1);
 
     /** @param window  runs tasks in order on the window's thread */
     FileProgressMessage(Path file, FileActivity activity, Executor window, StatusMessage message) {
-        this(file, activity, window, message, activity::title);
-    }
-
-    private FileProgressMessage(Path file, FileActivity activity, Executor window, StatusMessage message, Supplier<String> title) {
         this.activity = activity;
         this.window = window;
         this.message = message;
         this.file = file;
-        this.title = title;
     }
 
-    /** Returns the progress of a further task of the same activity with a title of its own, for example "Previewing". */
-    FileProgressMessage titled(String other) {
-        return new FileProgressMessage(file, activity, window, message, () -> other);
+    /** Returns the progress of the activity's next step, which gets a title of its own, for example "Previewing". */
+    FileProgressMessage next(String title) {
+        window.execute(() -> activity.setTitle(file, title));
+        return new FileProgressMessage(file, activity, window, message);
     }
 
     @Override
@@ -42,7 +36,7 @@ final class FileProgressMessage implements Progress {
         if (lastPercent.getAndSet(percent) != percent) {
             window.execute(() -> {
                 if (activity.isActive(file)) {
-                    message.show(title.get() + " " + Quote.path(file.getFileName()) + ": " + percent + " %");
+                    message.show(activity.title() + " " + Quote.path(file.getFileName()) + ": " + percent + " %");
                 }
             });
         }

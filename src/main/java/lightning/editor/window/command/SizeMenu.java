@@ -3,6 +3,7 @@ package lightning.editor.window.command;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Supplier;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
@@ -14,6 +15,7 @@ import lightning.base.text.Messages;
 import lightning.base.text.Quote;
 import lightning.editor.document.Command;
 import lightning.editor.document.EditOutcome;
+import lightning.editor.document.PictureArea;
 import lightning.editor.window.model.CommandRegistry;
 import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.CanvasSize;
@@ -30,9 +32,11 @@ public final class SizeMenu {
      * Returns the sizes of the traced picture. Choosing one traces the picture again.
      *
      * @param items  factory of the menu's items
+     * @param area  returns the area in which the picture is shown
      */
-    public static List<MenuItem> pictureSizeItems(SceneEditor editor, CommandMenuItems items) {
+    public static List<MenuItem> pictureSizeItems(SceneEditor editor, CommandMenuItems items, Supplier<PictureArea> area) {
         List<MenuItem> all = new ArrayList<>();
+        all.add(paneSizeItem(editor, items, area));
         all.add(sceneSizeItem(editor, items));
         all.add(new SeparatorMenuItem());
         for (CanvasSize size : CanvasSize.FIXED) {
@@ -53,6 +57,16 @@ public final class SizeMenu {
                         () -> editor.message()
                                 .show(Messages.tr("Resolution: expected width × height such as 640 × 480, found {0}",
                                         Quote.of(typed.strip())))));
+    }
+
+    /** Creates the item for the largest size that fits the pane. */
+    private static MenuItem paneSizeItem(SceneEditor editor, CommandMenuItems items, Supplier<PictureArea> area) {
+        MenuItem item = items.value(Command.PICTURE_SIZE, Messages.tr("Fit to Pane"), () -> {
+            PictureSettings fitted = area.get().fit(editor.scene().picture());
+            setSizeAndTrace(editor, CanvasSize.of(fitted.width(), fitted.height()));
+        });
+        item.setId("size-pane");
+        return item;
     }
 
     /** Creates the item for the size stored in the scene file. */

@@ -177,9 +177,9 @@ public final class CuePane extends VBox {
         }
         gallery.getChildren().setAll(cards.values());
         if (cues.isEmpty()) {
-            var empty = new Label(
-                    Messages.tr("No looks yet. Saved looks appear here and are stored in {0}.",
-                            folder().path().getFileName()));
+            var empty = new Label(editor.document().isUntitled()
+                    ? Messages.tr("No looks yet. Save the scene first: looks are stored next to it.")
+                    : Messages.tr("No looks yet. Saved looks appear here and are stored in {0}.", folder().path().getFileName()));
             empty.getStyleClass().add("pane-note");
             gallery.getChildren().add(empty);
         }

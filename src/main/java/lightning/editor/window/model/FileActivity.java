@@ -7,7 +7,7 @@ import lightning.base.text.Messages;
 public final class FileActivity {
     private final Runnable changeListener;
     private volatile Path file;
-    private boolean isWriting;
+    private String title = "";
 
     FileActivity(Runnable changeListener) {
         this.changeListener = changeListener;
@@ -15,16 +15,16 @@ public final class FileActivity {
 
     /** Starts reading a scene file. A previous activity is replaced. */
     public void beginReading(Path file) {
-        begin(file, false);
+        begin(file, Messages.tr("Reading"));
     }
 
     /** Starts writing a file. A previous activity is replaced. */
     public void beginWriting(Path file) {
-        begin(file, true);
+        begin(file, Messages.tr("Writing"));
     }
 
-    private void begin(Path file, boolean isWriting) {
-        this.isWriting = isWriting;
+    private void begin(Path file, String title) {
+        this.title = title;
         this.file = file;
         changeListener.run();
     }
@@ -51,7 +51,15 @@ public final class FileActivity {
 
     /** Returns the activity's title, for example "Reading". */
     public String title() {
-        return isWriting ? Messages.tr("Writing") : Messages.tr("Reading");
+        return title;
+    }
+
+    /** Changes the title of the activity on a file to that of its next step, for example "Previewing". Ignored if it is not active. */
+    public void setTitle(Path file, String title) {
+        if (isActive(file)) {
+            this.title = title;
+            changeListener.run();
+        }
     }
 
     /** Cancels the activity. Returns true if there was one. */

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Files;
 import javafx.scene.Node;
+import javafx.scene.control.Label;
 import javafx.scene.control.ScrollPane;
 import javafx.scene.control.Slider;
 import javafx.scene.control.TextField;
@@ -12,6 +13,7 @@ import javafx.scene.layout.Region;
 import lightning.base.math.Rgb;
 import lightning.editor.document.Command;
 import lightning.editor.document.LightEdits;
+import lightning.editor.document.OpenDocument;
 import lightning.editor.document.cue.Lighting;
 import lightning.editor.document.cue.LightingBlend;
 import lightning.editor.window.EditorFixture;
@@ -70,6 +72,16 @@ class CuePaneTest extends EditorFixture {
             scroll = scroll.getParent();
         }
         assertThat(card.getHeight()).isPositive().isLessThanOrEqualTo(((ScrollPane) scroll).getHeight());
+    }
+
+    @Test
+    void untitledScene_asksToBeSavedBeforeItsLooks() throws Exception {
+        OpenDocument copy = OpenDocument.openCopy(folder.resolve("desk.jen"));
+        robot.interact(() -> model().open(copy));
+        robot.push(KeyCode.SHIFT, KeyCode.F4);
+        waitFor("the empty list says what to do", () -> robot.lookup(".cue-gallery .pane-note").tryQuery().isPresent());
+        assertThat(robot.lookup(".cue-gallery .pane-note").<Label>query().getText())
+                .isEqualTo("No looks yet. Save the scene first: looks are stored next to it.");
     }
 
     @Test

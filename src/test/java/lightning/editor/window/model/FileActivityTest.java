@@ -1,0 +1,30 @@
+package lightning.editor.window.model;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+
+class FileActivityTest {
+    private int changes;
+    private final FileActivity activity = new FileActivity(() -> changes++);
+    private final Path file = Path.of("chair.glb");
+
+    @Test
+    void nextStep_isShownByItsTitle() {
+        activity.beginReading(file);
+        assertThat(activity.title()).isEqualTo("Reading");
+        activity.setTitle(file, "Previewing");
+        assertThat(activity.title()).isEqualTo("Previewing");
+        assertThat(changes).isEqualTo(2);
+    }
+
+    @Test
+    void stepOfCanceledFile_doesNotRenameNextActivity() {
+        activity.beginReading(file);
+        Path other = Path.of("table.exr");
+        activity.beginWriting(other);
+        activity.setTitle(file, "Previewing");
+        assertThat(activity.title()).isEqualTo("Writing");
+    }
+}
