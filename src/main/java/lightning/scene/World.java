@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Predicate;
+import java.util.stream.IntStream;
 import lightning.base.math.Rgb;
 import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
@@ -121,7 +122,7 @@ public record World(double ambience, Rgb background, Optional<Environment> envir
         double cos = Transform.cosDegrees(rotation);
         double sin = Transform.sinDegrees(rotation);
         String name = "environment";
-        while (isUsed.test(name + " 1")) {
+        while (isAnyUsed(name, isUsed)) {
             name += "'";
         }
         for (EnvironmentLight source : environment.get().map().lights(lightCount)) {
@@ -137,5 +138,9 @@ public record World(double ambience, Rgb background, Optional<Environment> envir
                     .withArea(AreaShape.DEFAULT.withSpread(source.spread() * softness).withSamples(SAMPLES_PER_LIGHT)));
         }
         return lights;
+    }
+
+    private boolean isAnyUsed(String name, Predicate<String> isUsed) {
+        return IntStream.rangeClosed(1, lightCount).anyMatch(number -> isUsed.test(name + " " + number));
     }
 }

@@ -145,7 +145,10 @@ class EnvironmentMapTest {
     @Test
     void environmentLights_haveUniqueNames() {
         World world = World.DEFAULT.withEnvironment(Optional.of(new Environment("x.hdr", FOUR)));
-        assertThat(world.environmentLights("environment 1"::equals).getFirst().name()).isEqualTo("environment' 1");
+        for (String taken : List.of("environment 1", "environment 4")) {
+            assertThat(world.withLightCount(4).environmentLights(taken::equals)).hasSize(4).extracting(Light::name)
+                    .containsExactly("environment' 1", "environment' 2", "environment' 3", "environment' 4");
+        }
     }
 
     @Test

@@ -1,13 +1,16 @@
 package lightning.scene.effects;
 
+import java.util.ArrayList;
 import java.util.List;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.scene.Environment;
 import lightning.scene.EnvironmentLight;
+import lightning.scene.Light;
 import lightning.scene.LightAttribute;
 import lightning.scene.Material;
 import lightning.scene.Scene;
+import lightning.scene.SceneLimits;
 import lightning.scene.ShapeLinks;
 import lightning.scene.Stage;
 import lightning.scene.World;
@@ -56,13 +59,22 @@ public final class PreviewScene {
                 effects.with(RenderEffect.SHADOWS, showsShadows).with(RenderEffect.REFLECTION, showsReflections(scene)));
     }
 
-    /** Returns true if the preview of a scene can show the shadows of one light: an environment has too many lights with shadows. */
+    /** Returns true if the preview of a scene can show the shadows of one light: the environment's lights become lights of the scene. */
     public static boolean canShowShadows(Scene scene) {
-        return scene.world().lightIntensity() == 0;
+        return scene.rig().effectiveLights().size() <= SceneLimits.MAX_LIGHTS;
     }
 
     private static Scene withoutOtherShadows(Scene scene, String shadowLight) {
-        return scene.withLights(scene.lights().stream()
+        List<Light> lights = new ArrayList<>(scene.lights());
+        List<Light> effective = scene.rig().effectiveLights();
+        int number = 0;
+        for (Light environment : effective.subList(scene.lights().size(), effective.size())) {
+            do {
+                number++;
+            } while (scene.isNameUsed("environment " + number));
+            lights.add(environment.withName("environment " + number));
+        }
+        return scene.withWorld(scene.world().withGain(0)).withLights(lights.stream()
                 .map(light -> light.name().equals(shadowLight) ? light : LightAttribute.SHADOWED_BY.with(light, ShapeLinks.NONE)).toList());
     }
 

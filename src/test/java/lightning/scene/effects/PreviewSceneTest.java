@@ -3,8 +3,10 @@ package lightning.scene.effects;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.IntStream;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.render.image.Film;
@@ -20,6 +22,7 @@ import lightning.scene.Material;
 import lightning.scene.PictureSettings;
 import lightning.scene.Placement;
 import lightning.scene.Scene;
+import lightning.scene.SceneLimits;
 import lightning.scene.ShadingModel;
 import lightning.scene.Shape;
 import lightning.scene.ShapeLinks;
@@ -98,7 +101,7 @@ class PreviewSceneTest {
     @Test
     void environment_neverOverexposesWhite() {
         float[] rgb = new float[3 * 8 * 4];
-        java.util.Arrays.fill(rgb, 40f);
+        Arrays.fill(rgb, 40f);
         World bright =
                 World.DEFAULT.withAmbience(0).withEnvironment(Optional.of(new Environment("sky.hdr", new EnvironmentMap(8, 4, rgb))));
         Scene scene = ball(Material.of("paper").withAmbient(Rgb.BLACK).withDiffuse(new Rgb(1, 1, 1)), bright);
@@ -107,12 +110,40 @@ class PreviewSceneTest {
         assertThat(new PreviewScene().of(scene).world().intensity()).as("image of the environment").isEqualTo(1);
     }
 
+    /** A floor below a ball and a lamp: the point in the ball's shadow gets the environment's light only, which nothing shadows. */
     @Test
-    void environmentWithoutLight_leavesShadows() {
+    void environment_lightsWithoutShadows_andSelectedLightHasItsOwn() {
+        float[] rgb = new float[3 * 8 * 4];
+        Arrays.fill(rgb, 0.2f);
+        World sky = World.DEFAULT.withAmbience(0).withLightCount(8)
+                .withEnvironment(Optional.of(new Environment("sky.hdr", new EnvironmentMap(8, 4, rgb))));
+        Material paper = Material.of("paper").withAmbient(Rgb.BLACK).withDiffuse(new Rgb(1, 1, 1));
+        Light lamp = Light.of("environment 3", LightType.POINT).withPosition(new Vec3(0, 4, 0));
+        Scene scene = new Scene(new PictureSettings(9, 9, 0), new Camera(new Vec3(0, 1, 9), new Vec3(0, 0, 0), Vec3.Y, 1), sky,
+                new Stage(List.of(paper),
+                        List.of(new Shape(Solid.PLANE, "floor", "paper", new Placement(Vec3.ZERO, Vec3.ZERO, new Vec3(9, 1, 9))),
+                                new Shape(Solid.SPHERE, "ball", "paper", new Placement(new Vec3(0, 2, 0), Vec3.ZERO, Vec3.ONE)))),
+                LightRig.of(List.of(lamp)));
+        double shadowed = preview(scene, lamp.name());
+        double open = preview(scene, "");
+        double environmentOnly = preview(scene.withLights(List.of()), "");
+        assertThat(shadowed).isPositive().isCloseTo(environmentOnly, within(1e-6));
+        assertThat(open).isGreaterThan(1.2 * shadowed);
+    }
+
+    private static double preview(Scene scene, String shadowLight) {
+        PreviewScene.Request request = new PreviewScene().request(scene, shadowLight, ViewEffects.PREVIEW, true);
+        return new ReferenceTracer(request.effects().apply(request.scene())).trace().green(4, 4);
+    }
+
+    @Test
+    void environmentWithManyLights_showsNoShadows() {
         Environment sky = new Environment("sky.hdr", new EnvironmentMap(8, 4, new float[3 * 8 * 4]));
-        Scene scene = ball(Material.of("paper"), World.DEFAULT.withEnvironment(Optional.of(sky)));
-        assertThat(PreviewScene.canShowShadows(scene)).isFalse();
-        assertThat(PreviewScene.canShowShadows(scene.withWorld(scene.world().withGain(0)))).isTrue();
+        Light[] lights = IntStream.range(0, SceneLimits.MAX_LIGHTS).mapToObj(i -> environmentLight().withName("lamp " + i))
+                .toArray(Light[]::new);
+        Scene scene = ball(Material.of("paper"), World.DEFAULT, lights);
+        assertThat(PreviewScene.canShowShadows(scene)).isTrue();
+        assertThat(PreviewScene.canShowShadows(scene.withWorld(scene.world().withEnvironment(Optional.of(sky))))).isFalse();
     }
 
     @Test
