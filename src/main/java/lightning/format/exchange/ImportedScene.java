@@ -62,10 +62,13 @@ public record ImportedScene(Scene unscaledScene, Optional<Shot> shot, Set<String
 
     /** Returns this scene with indirect light of the default settings. */
     ImportedScene withIndirect() {
-        return new ImportedScene(
-                unscaledScene.withPicture(unscaledScene.picture().withIndirect(Optional.of(IndirectSettings.DEFAULT))), shot, restored,
-                units,
-                comments, sceneFile, copies, notes, subject, closingComments);
+        return withPicture(unscaledScene.picture().withIndirect(Optional.of(IndirectSettings.DEFAULT)));
+    }
+
+    /** Returns this scene with other settings of its image. */
+    public ImportedScene withPicture(PictureSettings picture) {
+        return new ImportedScene(unscaledScene.withPicture(picture), shot, restored, units, comments, sceneFile, copies, notes, subject,
+                closingComments);
     }
 
     /**
@@ -90,10 +93,7 @@ public record ImportedScene(Scene unscaledScene, Optional<Shot> shot, Set<String
     /** Returns this scene with smooth edges. */
     public ImportedScene withSmoothEdges() {
         PictureSettings picture = unscaledScene.picture();
-        return picture.sampling().isSupersampled() ? this
-                : new ImportedScene(unscaledScene.withPicture(picture.withSampling(SMOOTH)), shot, restored, units, comments, sceneFile,
-                        copies,
-                        notes, subject, closingComments);
+        return picture.sampling().isSupersampled() ? this : withPicture(picture.withSampling(SMOOTH));
     }
 
     /**
@@ -103,9 +103,7 @@ public record ImportedScene(Scene unscaledScene, Optional<Shot> shot, Set<String
      */
     public ImportedScene withExposure(double stops) {
         PictureSettings picture = unscaledScene.picture();
-        return stops == 0 ? this
-                : new ImportedScene(unscaledScene.withPicture(picture.withView(picture.view().withExposure(stops))), shot, restored, units,
-                        comments, sceneFile, copies, notes, subject, closingComments);
+        return stops == 0 ? this : withPicture(picture.withView(picture.view().withExposure(stops)));
     }
 
     /** Returns a shot without the tracks that a scene cannot have. */

@@ -21,6 +21,7 @@ import javafx.stage.WindowEvent;
 import lightning.editor.document.Command;
 import lightning.editor.document.DeskScene;
 import lightning.editor.document.OpenDocument;
+import lightning.editor.document.PictureArea;
 import lightning.editor.window.model.AccuracyMode;
 import lightning.editor.window.model.Preferences;
 import lightning.editor.window.widget.PictureView;
@@ -35,6 +36,7 @@ import lightning.render.image.DisplayCurve;
 import lightning.render.image.ViewTransform;
 import lightning.scene.AntialiasMode;
 import lightning.scene.Light;
+import lightning.scene.PictureSettings;
 import org.assertj.core.data.Offset;
 import org.junit.jupiter.api.Test;
 
@@ -259,6 +261,19 @@ class FilesTest extends EditorFixture {
         robot.interact(() -> taken.set(window.openDropped(List.of(folder.resolve("a.png").toFile(), small.toFile()))));
         assertThat(taken).isTrue();
         waitFor("the scene is open", () -> model().editor().document().name().equals("small.jen"));
+    }
+
+    @Test
+    void droppedMeshWithoutCamera_fitsItsPane() throws IOException {
+        Path mesh = Files.writeString(folder.resolve("tri.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+        robot.interact(() -> editor.window().openDropped(List.of(mesh.toFile())));
+        chooseLighting("studio");
+        waitFor("the scene is open", () -> model().editor().document().name().equals("tri.jen"));
+        PictureSettings picture = model().editor().scene().picture();
+        PictureArea pane = model().layout().pictureArea();
+        assertThat(picture.width()).isEqualTo((int) Math.min(pane.width(), pane.height() * 16 / 9));
+        assertThat(picture.height()).isEqualTo((int) Math.min(pane.height(), pane.width() * 9 / 16));
+        assertThat(model().editor().editorStateProperty().get().dirty()).isFalse();
     }
 
     @Test

@@ -131,8 +131,12 @@ public final class FileActions {
     }
 
     private void write(Path file, ImportPreview preview, ImportPreviews.Choice choice) {
+        PictureArea area = model.layout().pictureArea();
         read(file, () -> {
-            ImportedScene imported = choice.apply(preview.imported()).withExposure(preview.pictures().get(choice).exposure());
+            ImportedScene exposed = choice.apply(preview.imported()).withExposure(preview.pictures().get(choice).exposure());
+            // Without a camera, the file has no size of its own either.
+            ImportedScene imported = exposed.subject().hasCamera() ? exposed
+                    : exposed.withPicture(area.fit(exposed.unscaledScene().picture()));
             imported.write();
             int noteCount = imported.notes().size();
             String text = Messages.tr("Imported {0}", Quote.path(file.getFileName())) + (noteCount == 0 ? "" : Messages.count(noteCount,

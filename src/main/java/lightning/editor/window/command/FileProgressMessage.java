@@ -36,7 +36,7 @@ final class FileProgressMessage implements Progress {
         if (lastPercent.getAndSet(percent) != percent) {
             window.execute(() -> {
                 if (activity.isActive(file)) {
-                    message.show(activity.title() + " " + Quote.path(file.getFileName()) + ": " + percent + " %");
+                    message.show(activity.titleProperty().get() + " " + Quote.path(file.getFileName()) + ": " + percent + " %");
                 }
             });
         }

@@ -1,13 +1,15 @@
 package lightning.editor.window.model;
 
 import java.nio.file.Path;
+import javafx.beans.property.ReadOnlyStringProperty;
+import javafx.beans.property.ReadOnlyStringWrapper;
 import lightning.base.text.Messages;
 
 /** File being read or written in the background, which the user can cancel. Files are compared by identity. */
 public final class FileActivity {
     private final Runnable changeListener;
     private volatile Path file;
-    private String title = "";
+    private final ReadOnlyStringWrapper title = new ReadOnlyStringWrapper("");
 
     FileActivity(Runnable changeListener) {
         this.changeListener = changeListener;
@@ -24,8 +26,8 @@ public final class FileActivity {
     }
 
     private void begin(Path file, String title) {
-        this.title = title;
         this.file = file;
+        this.title.set(title);
         changeListener.run();
     }
 
@@ -49,16 +51,15 @@ public final class FileActivity {
         return file;
     }
 
-    /** Returns the activity's title, for example "Reading". */
-    public String title() {
-        return title;
+    /** Returns the activity's title, for example "Reading". Changes on the window's thread. */
+    public ReadOnlyStringProperty titleProperty() {
+        return title.getReadOnlyProperty();
     }
 
     /** Changes the title of the activity on a file to that of its next step, for example "Previewing". Ignored if it is not active. */
     public void setTitle(Path file, String title) {
         if (isActive(file)) {
-            this.title = title;
-            changeListener.run();
+            this.title.set(title);
         }
     }
 

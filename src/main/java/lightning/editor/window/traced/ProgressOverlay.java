@@ -47,6 +47,7 @@ final class ProgressOverlay extends HBox {
         getChildren().addAll(title, bar, cancel);
         commands.editorState().subscribe(_ -> update());
         picture.renderStateProperty().subscribe(_ -> update());
+        files.titleProperty().subscribe(_ -> update());
     }
 
     private static String title(RenderState state) {
@@ -61,7 +62,7 @@ final class ProgressOverlay extends HBox {
         EditorState editorState = commands.editorState().get();
         boolean rendering = editorState.sceneInProgress().isPresent();
         String work =
-                editorState.reading() ? files.title() + " " + files.file().getFileName() : rendering ? title(state)
+                editorState.reading() ? files.titleProperty().get() + " " + files.file().getFileName() : rendering ? title(state)
                         : editorState.verifying() ? Messages.tr("Verifying") : "";
         double share = editorState.reading() ? ProgressBar.INDETERMINATE_PROGRESS : rendering ? state.progress()
                 : (double) state.verifiedTiles() / state.tilesToVerify();

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
 import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Optional;
 import javafx.geometry.Bounds;
@@ -66,6 +67,17 @@ class TracedPaneTest extends EditorFixture {
             overlay.layout();
             assertThat(title.getWidth()).isGreaterThanOrEqualTo(title.prefWidth(-1));
         });
+    }
+
+    @Test
+    void progress_namesEachStepOfAnImport() {
+        Path file = Path.of("chair.glb");
+        Label title = (Label) robot.lookup("#progress").<HBox>query().getChildren().getFirst();
+        robot.interact(() -> model().fileActivity().beginReading(file));
+        waitFor("the file is read", () -> title.getText().equals("Reading chair.glb"));
+        robot.interact(() -> model().fileActivity().setTitle(file, "Previewing"));
+        waitFor("the next step has its own title", () -> title.getText().equals("Previewing chair.glb"));
+        robot.interact(() -> model().fileActivity().end(file));
     }
 
     @Test
