@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.util.List;
 import javafx.application.Platform;
 import javafx.geometry.Bounds;
+import javafx.scene.Node;
 import javafx.scene.Parent;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.MouseButton;
@@ -70,7 +71,7 @@ public final class FirstMinutes {
         await(editor::isIdle);
         capture("new light");
         screen.click(Screen.node("#traced-picture"), MouseButton.SECONDARY);
-        Thread.sleep(Screen.DRAW_MS);
+        Screen.node(".context-menu");
         capture("menu of a pixel");
         screen.key(KeyCode.ESCAPE);
         command(editor, Command.ARRANGE_COMPARE);
@@ -81,8 +82,13 @@ public final class FirstMinutes {
         Thread.sleep(2 * Screen.DRAW_MS);
         capture("question about unsaved changes");
         Screen.fire("Don't Save");
-        Thread.sleep(10 * Screen.DRAW_MS);
+        Node studio = Screen.node("#lighting-studio");
         capture("model with a choice of lighting");
+        screen.click(studio, MouseButton.PRIMARY);
+        await(() -> editor.model().editor().document().name().startsWith("lamp") && editor.model().picture().frame() != null);
+        capture("model in a studio");
+        await(editor::isIdle);
+        capture("finished picture of the model");
     }
 
     /** Drags a fader down in small steps, and waits for the exact picture. */
