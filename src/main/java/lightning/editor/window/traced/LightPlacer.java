@@ -39,6 +39,8 @@ final class LightPlacer {
     private Object gesture;
     private Light startLight;
     private Ring ring;
+    /** Distance or snapped value of the placed light as shown in the status line; empty for none. */
+    private String readOut = "";
 
     /** Tool for the next press. */
     private sealed interface Tool {
@@ -89,7 +91,7 @@ final class LightPlacer {
         this.editor = editor;
         editor.editorStateProperty().subscribe(_ -> {
             if (drag == null && ring != null && !ring.light().equals(editor.selection().light())) {
-                ring = null;
+                clearRing();
             }
         });
     }
@@ -117,7 +119,7 @@ final class LightPlacer {
 
     private void selectTool(Tool newTool, String hint) {
         tool = newTool;
-        ring = null;
+        clearRing();
         prompt.set(hint);
     }
 
@@ -145,10 +147,14 @@ final class LightPlacer {
         prompt.set("");
     }
 
-    /** Removes the ring. Returns false if there was none. */
+    /** Removes the ring and, if no later message replaced it, the placed light's read-out. Returns false if there was no ring. */
     boolean clearRing() {
         boolean hadRing = ring != null;
         ring = null;
+        if (!readOut.isEmpty() && readOut.equals(editor.message().textProperty().get())) {
+            editor.message().clear();
+        }
+        readOut = "";
         return hadRing;
     }
 
@@ -269,8 +275,9 @@ final class LightPlacer {
         if (editor.editOrReport(scene -> LightEdits.edit(scene, light.name(), _ -> light), gesture).isEmpty()) {
             ring = new Ring(placing, hit, light);
             double distance = light.position().minus(hit.point()).length();
-            editor.message().show(snapText.map(s -> Messages.tr("Snapped: {0}", s))
-                    .orElse(light.type().hasPosition() ? Messages.tr("Distance {0}", Snapping.numberText(distance)) : ""));
+            readOut = snapText.map(s -> Messages.tr("Snapped: {0}", s))
+                    .orElse(light.type().hasPosition() ? Messages.tr("Distance {0}", Snapping.numberText(distance)) : "");
+            editor.message().show(readOut);
         }
     }
 
@@ -292,7 +299,7 @@ final class LightPlacer {
     void cancelDrag() {
         editor.edit(scene -> LightEdits.edit(scene, startLight.name(), _ -> startLight), gesture);
         drag = null;
-        ring = null;
+        clearRing();
         clearTool();
     }
 }

@@ -217,6 +217,15 @@ class LightPlacerTest extends EditorFixture {
     }
 
     @Test
+    void distance_isShownUntilTheRingGoes() {
+        selectTool("lamp", Command.PLACE_DIFFUSE);
+        robot.clickOn(pixel(34, 20));
+        assertThat(model().editor().message().textProperty().get()).startsWith("Distance ");
+        robot.push(KeyCode.ESCAPE);
+        assertThat(model().editor().message().textProperty().get()).isEmpty();
+    }
+
+    @Test
     void shift_duringWireframeDrag_snapsToGrid() {
         robot.interact(() -> model().editor().selection().selectLight("lamp"));
         Point2D from = pixel(light("lamp").position());
