@@ -72,6 +72,8 @@ public final class FirstMinutes {
         capture("new light");
         screen.click(Screen.node("#traced-picture"), MouseButton.SECONDARY);
         Screen.node(".context-menu");
+        // At scale 2 a menu is painted later than it exists.
+        Thread.sleep(3 * Screen.DRAW_MS);
         capture("menu of a pixel");
         screen.key(KeyCode.ESCAPE);
         command(editor, Command.ARRANGE_COMPARE);
