@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """OpenCue: renders a shot, a chunk of consecutive frames in each process. Needs opencue_pyoutline.
 
-    opencue_shot.py SCENE FOLDER --frames 1-240 --chunk 8
+    opencue_shot.py SCENE FOLDER --frames 1-240 --chunk 8 [options of "lightning shot render"]
 """
 
 import argparse
@@ -22,12 +22,12 @@ def main() -> None:
     parser.add_argument("--program", default="lightning", help="Lightning's program")
     parser.add_argument("--cores", type=int, default=4, help="processors of a process")
     parser.add_argument("--print", action="store_true", help="print the job in place of launching it")
-    options = parser.parse_args()
+    options, others = parser.parse_known_args()
 
     job = outline.Outline(f"lightning-{Path(options.scene).stem}", frame_range=options.frames)
     job.add_layer(Shell("render", range=options.frames, chunk=options.chunk, cores=options.cores, threadable=False, command=[
         options.program, "shot", "render", options.scene, "--frames", "#FRAME_START#-#FRAME_END#", "-o", options.folder,
-        "--threads", str(options.cores)]))
+        "--threads", str(options.cores), *others]))
     if options.print:
         launcher = outline.cuerun.OutlineLauncher(job)
         print(launcher.serialize(use_pycuerun=False))

@@ -14,6 +14,8 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import lightning.base.work.Await;
+import lightning.format.exr.ExrChannel;
+import lightning.format.exr.ExrReader;
 import lightning.sample.PythonPrograms;
 import lightning.sample.Slow;
 import org.junit.jupiter.api.BeforeEach;
@@ -91,14 +93,29 @@ final class FarmTest {
         assertSameAsShotRender("out");
     }
 
+    @Test
+    void chunks_takeNameAndOptionsOfPictures() throws Exception {
+        PythonPrograms.require("openjd.cli");
+        job("shot.openjd.json", "Render", "Scene=" + scene, "Output=" + folder.resolve("out"), "Frames=2-3", "Name=b.exr",
+                "Options=--size 16x10 --layers");
+        assertThat(folder.resolve("out").toFile().list()).containsExactlyInAnyOrder("b-0002.exr", "b-0003.exr");
+        assertSmallWithLayers("b-0002.exr");
+    }
+
+    private void assertSmallWithLayers(String name) throws IOException {
+        try (var picture = new ExrReader(folder.resolve("out").resolve(name))) {
+            assertThat(picture.header().width()).isEqualTo(16);
+            assertThat(picture.header().channels()).extracting(ExrChannel::name).contains("lamp_diffuse.R");
+        }
+    }
+
     /** Three tasks, one process. */
     @Test
     void adaptor_keepsSceneOpenForSession() throws Exception {
         String python = PythonPrograms.require("openjd.cli", "openjd.adaptor_runtime");
         Path starts = folder.resolve("starts");
         Path counted = script("counted", "echo start >> '" + starts + "'\nexec '" + program + "' \"$@\"");
-        Path adaptor = script("adaptor", "export PYTHONPATH='" + Path.of("src/main/python").toAbsolutePath() + "'\nexec '" + python
-                + "' -B -m lightning_openjd \"$@\"");
+        Path adaptor = adaptor(python);
         String log = PythonPrograms.output(folder, List.of("-m", "openjd", "run",
                 Path.of("docs/shot-session.openjd.json").toAbsolutePath().toString(), "--step", "Render", "-p", "Scene=" + scene, "-p",
                 "Output=" + folder.resolve("out"), "-p", "Frames=1-5", "-p", "Chunk=2", "-p", "Lightning=" + counted, "-p",
@@ -108,11 +125,22 @@ final class FarmTest {
         assertSameAsShotRender("out");
     }
 
+    private Path adaptor(String python) throws IOException {
+        return script("adaptor", "export PYTHONPATH='" + Path.of("src/main/python").toAbsolutePath() + "'\nexec '" + python
+                + "' -B -m lightning_openjd \"$@\"");
+    }
+
+    @Test
+    void adaptor_makesEditsAndWritesLayers() throws Exception {
+        Path adaptor = adaptor(PythonPrograms.require("openjd.cli", "openjd.adaptor_runtime"));
+        job("shot-session.openjd.json", "Render", "Scene=" + scene, "Output=" + folder.resolve("out"), "Frames=5-5", "Format=exr",
+                "Layers=true", "Edits=[\"picture.size=16 10\"]", "Adaptor=" + adaptor);
+        assertSmallWithLayers("a-0005.exr");
+    }
+
     @Test
     void adaptor_failsWithOneSentence() throws Exception {
-        String python = PythonPrograms.require("openjd.cli", "openjd.adaptor_runtime");
-        Path adaptor = script("adaptor", "export PYTHONPATH='" + Path.of("src/main/python").toAbsolutePath() + "'\nexec '" + python
-                + "' -B -m lightning_openjd \"$@\"");
+        Path adaptor = adaptor(PythonPrograms.require("openjd.cli", "openjd.adaptor_runtime"));
         PythonPrograms.Result result = PythonPrograms.run(folder, List.of("-m", "openjd", "run",
                 Path.of("docs/shot-session.openjd.json").toAbsolutePath().toString(), "--step", "Render", "-p", "Scene=" + scene, "-p",
                 "Output=" + folder.resolve("out"), "-p", "Frames=5-6", "-p", "Lightning=" + program, "-p", "Adaptor=" + adaptor));
@@ -145,7 +173,7 @@ final class FarmTest {
                 "NodeScript=" + shell("node.sh"));
         user.join();
         assertThat(folder.resolve("red").toFile().list()).as(Files.readString(folder.resolve("relight.log"))).hasSize(5);
-        assertThat(log).contains("Session ended successfully");
+        assertThat(log).contains("Session ended successfully", "has a file stop");
         assertThat(shared.toFile().list()).containsExactlyInAnyOrder("cluster.p12", "stop", "127.0.0.1-17811.log");
     }
 
@@ -154,8 +182,9 @@ final class FarmTest {
     void openCueJob_rendersChunks() throws Exception {
         PythonPrograms.require("outline");
         String xml = PythonPrograms.output(folder, List.of(shell("opencue_shot.py").toString(), scene.toString(),
-                folder.resolve("out").toString(), "--frames", "1-5", "--chunk", "3", "--program", program.toString(), "--print"));
-        assertThat(xml).contains("<range>1-5</range>", "<chunk>3</chunk>");
+                folder.resolve("out").toString(), "--frames", "1-5", "--chunk", "3", "--program", program.toString(), "--print", "--view",
+                "srgb"));
+        assertThat(xml).contains("<range>1-5</range>", "<chunk>3</chunk>", "--view srgb");
         Matcher command = Pattern.compile("<cmd>[^<]*?(" + Pattern.quote(program.toString()) + " shot render [^<]*)</cmd>").matcher(xml);
         assertThat(command.find()).as(xml).isTrue();
         for (String[] chunk : new String[][] {{"1", "3"}, {"4", "5"}}) {
