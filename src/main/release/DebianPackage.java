@@ -8,6 +8,9 @@ import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
+import java.time.LocalDate;
+import java.time.ZoneOffset;
+import java.time.format.DateTimeFormatter;
 import java.util.HexFormat;
 import java.util.List;
 import java.util.Map;
@@ -21,9 +24,13 @@ import java.util.zip.GZIPOutputStream;
 final class DebianPackage {
     /** Name of the package and its folder; another package may be called lightning. */
     static final String NAME = "lightning-relight";
+    static final String MAIL = "lightning-relight@users.noreply.github.com";
     private static final String ID = "io.github.lightning_relight.Lightning";
     private static final String DESCRIPTION = " Editor and commands that light ray-traced scenes. They keep what each pixel was\n"
             + " computed from, so an edit of a light recomputes only what changed. Each image\n equals a full render in every bit.";
+    /** Place of the byte of a gzip file that says how hard it was compressed, and the value for the hardest, which Java leaves out (RFC 1952). */
+    private static final int GZIP_EXTRA_FLAGS = 8;
+    private static final byte GZIP_HARDEST = 2;
     private static final Path RESOURCES = Path.of("src/main/release/linux");
 
     private final Path tree;
@@ -54,7 +61,10 @@ final class DebianPackage {
         }
         Path doc = share.resolve("doc").resolve(NAME);
         write(doc.resolve("copyright"), Files.readAllBytes(RESOURCES.resolve("copyright")));
-        write(doc.resolve("changelog.gz"), compress(Files.readAllBytes(Path.of("docs/CHANGELOG.md"))));
+        write(doc.resolve("NEWS.gz"), compress(Files.readAllBytes(Path.of("docs/CHANGELOG.md"))));
+        write(doc.resolve("changelog.gz"), compress(changelog(version, date).getBytes(StandardCharsets.UTF_8)));
+        // jpackage's script for after a removal has no commands.
+        Files.deleteIfExists(tree.resolve("DEBIAN/postrm"));
         Files.deleteIfExists(home.resolve("share/doc/copyright"));
         Files.deleteIfExists(home.resolve("share/doc"));
         addSums();
@@ -118,6 +128,14 @@ final class DebianPackage {
         }
     }
 
+    /** Returns a changelog in Debian's own format. */
+    private static String changelog(String version, String date) {
+        String time =
+                LocalDate.parse(date).atStartOfDay(ZoneOffset.UTC).format(DateTimeFormatter.RFC_1123_DATE_TIME).replace("GMT", "+0000");
+        return NAME + " (" + version + ") stable; urgency=medium\n\n  * Version " + version + ". NEWS.gz lists the changes.\n\n -- "
+                + "Lightning <" + MAIL + ">  " + time + "\n";
+    }
+
     private Path folder(String name) throws IOException {
         return Files.createDirectories(tree.resolve(name));
     }
@@ -136,7 +154,9 @@ final class DebianPackage {
         }) {
             out.write(content);
         }
-        return bytes.toByteArray();
+        byte[] result = bytes.toByteArray();
+        result[GZIP_EXTRA_FLAGS] = GZIP_HARDEST;
+        return result;
     }
 
     /** Returns the commands that unpack a package and pack it again. */

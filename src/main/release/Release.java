@@ -40,7 +40,6 @@ final class Release {
     private static final String SUMMARY = "Interactive lighting of ray-traced scenes";
     /** Packages that JavaFX loads by name, which no tool can detect; the second names are those with 64-bit time. */
     private static final String DEBIAN = "libgtk-3-0 | libgtk-3-0t64, libfreetype6, libpangoft2-1.0-0, libxtst6, libxxf86vm1";
-    private static final String MAINTAINER = "lightning-relight@users.noreply.github.com";
     private static final int[] ICON_SIDES = {16, 32, 48, 64, 128, 256};
 
     private final Path program;
@@ -164,7 +163,8 @@ final class Release {
         associate(line, "glb", "model/gltf-binary", "glTF scene");
         switch (kind) {
             case "deb" -> line.addAll(List.of("--linux-shortcut", "--linux-menu-group", "Graphics", "--linux-app-category", "graphics",
-                    "--linux-package-deps", DEBIAN, "--linux-package-name", DebianPackage.NAME, "--linux-deb-maintainer", MAINTAINER,
+                    "--linux-package-deps", DEBIAN, "--linux-package-name", DebianPackage.NAME, "--linux-deb-maintainer",
+                    DebianPackage.MAIL,
                     "--resource-dir",
                     "src/main/release/linux"));
             case "rpm" ->
