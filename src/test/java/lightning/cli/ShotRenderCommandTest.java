@@ -20,7 +20,6 @@ import org.junit.jupiter.api.condition.EnabledIf;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
 /** Shot rendered to numbered images. */
@@ -196,17 +195,5 @@ class ShotRenderCommandTest {
         assertThat(new String(probe.getInputStream().readAllBytes(), StandardCharsets.UTF_8).strip()).isEqualTo("32,20,24/1,5");
         CliResult.run("shot", "render", scene, "-o", out.resolve("b.mp4"), "--resume")
                 .assertRejected("--resume works only for numbered images");
-    }
-
-    @Test
-    void jobTemplate_rendersChunk() throws Exception {
-        JsonNode template = JsonMapper.shared().readTree(Files.readString(Path.of("docs/shot.openjd.json")));
-        assertThat(template.get("specificationVersion").asString()).isEqualTo("jobtemplate-2023-09");
-        JsonNode run = template.get("steps").get(0).get("script").get("actions").get("onRun");
-        assertThat(run.get("command").asString()).isEqualTo("{{Param.Lightning}}");
-        Object[] words = run.get("args").values().stream().map(a -> a.asString().replace("{{Param.Scene}}", scene.toString())
-                .replace("{{Param.Output}}", folder.resolve("farm").toString()).replace("{{Task.Param.Frame}}", "4-5")).toArray();
-        CliResult.run(words).assertSuccess();
-        assertThat(files("farm")).containsExactly("a-0004.png", "a-0005.png");
     }
 }
