@@ -104,7 +104,7 @@ final class UsdTextures {
             return Optional.of(assembler.addFile(name.replaceFirst("\\.[^.]*$", "").replace("<UDIM>", "tiles") + ".png",
                     converted(tiles, usage)));
         } catch (UnusableFileException e) {
-            assembler.notes.add("textures that are not PNG, JPEG or single-part OpenEXR without B44 and DWA, or have more than 64 MiB");
+            assembler.notes.add("textures that are not PNG, JPEG or OpenEXR without B44 and DWA, or have more than 64 MiB");
             return Optional.empty();
         }
     }

@@ -11,7 +11,7 @@ import java.util.Map;
 import java.util.stream.Stream;
 
 /**
- * Header of an OpenEXR file with one part (OpenEXR File Layout, openexr.com). All numbers are little-endian. Written files have scan lines
+ * Header of an OpenEXR file, or of one of its parts (OpenEXR File Layout, openexr.com). All numbers are little-endian. Written files have scan lines
  * in increasing order, and ZIP compression in chunks of 16 lines.
  *
  * @param channels sorted by name, as the format requires
@@ -25,6 +25,10 @@ public record ExrHeader(int width, int height, List<ExrChannel> channels, Map<St
     static final int LONG_NAMES_FLAG = 0x400;
     /** Version flag of a file of tiles. */
     static final int TILED_FLAG = 0x200;
+    /** Version flag of a file with deep pixels: a list of values for each. */
+    static final int DEEP_FLAG = 0x800;
+    /** Version flag of a file with several parts. */
+    static final int PARTS_FLAG = 0x1000;
     private static final int MAX_SHORT_NAME = 31;
     static final byte ZIP = 3;
     /** Width of the image at distance 1 from the camera; 1 if there is no camera. */

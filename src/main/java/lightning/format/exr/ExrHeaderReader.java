@@ -3,26 +3,21 @@ package lightning.format.exr;
 import java.io.EOFException;
 import java.io.IOException;
 import java.nio.ByteBuffer;
-import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
-import java.util.Optional;
-import lightning.base.text.Quote;
 
-/** Reader for the header of a single-part file of scan lines or tiles. */
+/**
+ * Reader for the header of a file of scan lines or tiles (OpenEXR File Layout, openexr.com). Of several parts, it chooses the first one with
+ * colors.
+ */
 final class ExrHeaderReader {
-    private static final int MAX_CHANNELS = 4096;
-    private static final int CHROMATICITIES = 8;
-    private static final List<String> COMPRESSIONS = List.of("none", "RLE", "ZIPS", "ZIP", "PIZ", "PXR24", "B44", "B44A", "DWAA", "DWAB");
+    private static final List<String> COLORS = List.of("R", "G", "B");
+    private static final String SCAN_LINES = "scanlineimage";
+    private static final String TILES = "tiledimage";
+    /** Maximum number of parts, so that a damaged file cannot request more. */
+    private static final int MAX_PARTS = 4096;
 
     private final ByteBuffer in;
-    private ExrCompression compression;
-    private int[] tileSize;
-    private int[] dataWindow;
-    private List<ExrChannel> channels;
-    private final Map<String, ExrAttribute> attributes = new LinkedHashMap<>();
 
     /**
      * Creates a reader.
@@ -34,154 +29,79 @@ final class ExrHeaderReader {
     }
 
     /**
-     * Parsed header with the values needed to read the pixels.
-     *
-     * @param tileSize width and height of tiles; null for scan lines
-     */
-    record Result(ExrHeader header, ExrCompression compression, int top, int[] tileSize, int headerBytes) {}
-
-    /**
      * Reads the header.
      *
      * @throws EOFException if the buffer ends within the header
      * @throws IOException if it is not an OpenEXR header, or of an unsupported kind
      */
-    Result read() throws IOException {
-        require(8);
+    ExrPart read() throws IOException {
+        if (in.remaining() < 2 * Integer.BYTES) {
+            throw truncated();
+        }
         if (in.getInt() != ExrHeader.MAGIC) {
             throw new IOException("is not an OpenEXR file: wrong first four bytes");
         }
         int version = in.getInt();
-        if ((version & ~ExrHeader.LONG_NAMES_FLAG & ~ExrHeader.TILED_FLAG) != ExrHeader.VERSION) {
-            throw new IOException("is a multi-part or deep OpenEXR file; expected a single part with scan lines or tiles");
-        }
-        for (String name = readText(); !name.isEmpty(); name = readText()) {
-            readAttribute(name, readText());
-        }
-        if (channels == null || dataWindow == null || compression == null) {
-            throw new IOException("has a damaged OpenEXR header: expected channels, dataWindow and compression");
-        }
-        long width = (long) dataWindow[2] - dataWindow[0] + 1;
-        long height = (long) dataWindow[3] - dataWindow[1] + 1;
-        if (width < 1 || height < 1 || width > Integer.MAX_VALUE || height > Integer.MAX_VALUE) {
-            throw new IOException("has a damaged OpenEXR header: its data window has no pixels");
-        }
-        boolean isTiled = (version & ExrHeader.TILED_FLAG) != 0;
-        if (isTiled && tileSize == null) {
-            throw new IOException("has a damaged OpenEXR header: expected the size of its tiles");
-        }
-        return new Result(new ExrHeader((int) width, (int) height, channels, attributes), compression, dataWindow[1],
-                isTiled ? tileSize : null, in.position());
-    }
-
-    private void readAttribute(String name, String type) throws IOException {
-        require(Integer.BYTES);
-        int size = in.getInt();
-        if (size < 0) {
-            throw new IOException("has a damaged OpenEXR header: attribute " + Quote.of(name) + " has " + size + " bytes");
-        }
-        require(size);
-        int end = in.position() + size;
-        switch (name + " " + type) {
-            case "channels chlist" -> channels = readChannels(end);
-            case "compression compression" -> compression = readCompression(size);
-            case "dataWindow box2i" -> {
-                if (size != 4 * Integer.BYTES) {
-                    throw new IOException("has a damaged OpenEXR header: a data window must have 16 bytes, has " + size);
-                }
-                dataWindow = new int[] {in.getInt(), in.getInt(), in.getInt(), in.getInt()};
+        int flags = version & ~ExrHeader.LONG_NAMES_FLAG;
+        return switch (flags) {
+            case ExrHeader.VERSION, ExrHeader.VERSION | ExrHeader.TILED_FLAG -> {
+                ExrAttributeReader only = readAttributes();
+                yield only.part((flags & ExrHeader.TILED_FLAG) != 0, -1, in.position());
             }
-            case "tiles tiledesc" -> tileSize = readTileSize(size);
-            case "chromaticities chromaticities" -> attributes.put(name, readChromaticities(size));
-            default -> {
-                if (type.equals("string")) {
-                    byte[] bytes = new byte[size];
-                    in.get(bytes);
-                    attributes.put(name, new ExrAttribute.Text(new String(bytes, StandardCharsets.UTF_8)));
-                }
+            case ExrHeader.VERSION | ExrHeader.PARTS_FLAG, ExrHeader.VERSION | ExrHeader.PARTS_FLAG | ExrHeader.DEEP_FLAG -> choosePart();
+            case ExrHeader.VERSION | ExrHeader.DEEP_FLAG -> throw onlyDeep();
+            default ->
+                    throw new IOException("has version " + (version & 0xff) + " of OpenEXR with flags " + Integer.toHexString(version >>> 8)
+                            + ", which are not known; expected version 2");
+        };
+    }
+
+    private ExrAttributeReader readAttributes() throws IOException {
+        var attributes = new ExrAttributeReader(in);
+        attributes.read();
+        return attributes;
+    }
+
+    /** Reads the headers of all parts. Tables of chunks follow them, in the same order. */
+    private ExrPart choosePart() throws IOException {
+        List<ExrAttributeReader> parts = new ArrayList<>();
+        while (!isEndOfParts()) {
+            if (parts.size() == MAX_PARTS) {
+                throw new IOException("has too many parts; expected at most " + MAX_PARTS);
             }
+            parts.add(readAttributes());
         }
-        in.position(end);
-    }
-
-    private ExrCompression readCompression(int size) throws IOException {
-        int code = size == 1 ? in.get() : -1;
-        Optional<ExrCompression> known = ExrCompression.of(code);
-        if (known.isEmpty()) {
-            throw new IOException("has compression " + (code >= 0 && code < COMPRESSIONS.size() ? COMPRESSIONS.get(code) : "unknown")
-                    + "; expected none, RLE, ZIPS, ZIP, PIZ or PXR24");
-        }
-        return known.get();
-    }
-
-    /** Reads the size of tiles. Smaller levels may follow the first one. */
-    private int[] readTileSize(int size) throws IOException {
-        if (size != 2 * Integer.BYTES + 1) {
-            throw new IOException("has a damaged OpenEXR header: the description of tiles must have 9 bytes, has " + size);
-        }
-        int[] tile = {in.getInt(), in.getInt()};
-        if (tile[0] < 1 || tile[1] < 1) {
-            throw new IOException("has a damaged OpenEXR header: its tiles have no pixels");
-        }
-        return tile;
-    }
-
-    private ExrAttribute.Chromaticities readChromaticities(int size) throws IOException {
-        if (size != CHROMATICITIES * Float.BYTES) {
-            throw new IOException("has a damaged OpenEXR header: chromaticities must have 32 bytes, have " + size);
-        }
-        List<Float> values = new ArrayList<>();
-        for (int i = 0; i < CHROMATICITIES; i++) {
-            values.add(in.getFloat());
-        }
-        return new ExrAttribute.Chromaticities(List.copyOf(values));
-    }
-
-    private List<ExrChannel> readChannels(int end) throws IOException {
-        List<ExrChannel> result = new ArrayList<>();
-        for (String name = readText(); !name.isEmpty(); name = readText()) {
-            require(4 * Integer.BYTES);
-            int type = in.getInt();
-            in.getInt();
-            int xSampling = in.getInt();
-            int ySampling = in.getInt();
-            if (type < 0 || type >= ExrType.values().length || xSampling != 1 || ySampling != 1 || result.size() == MAX_CHANNELS) {
-                throw new IOException("has a channel " + Quote.of(name) + ", which is not supported: expected at most " + MAX_CHANNELS
-                        + " channels of type uint, half or float without subsampling");
+        List<ExrAttributeReader> flat = parts.stream().filter(part -> List.of(SCAN_LINES, TILES).contains(part.type())).toList();
+        ExrAttributeReader chosen = flat.stream().filter(part -> part.hasChannels(COLORS)).findFirst()
+                .or(() -> flat.stream().findFirst()).orElseThrow(ExrHeaderReader::onlyDeep);
+        int number = parts.indexOf(chosen);
+        long table = in.position();
+        for (ExrAttributeReader part : parts.subList(0, number)) {
+            if (part.chunkCount() < 0) {
+                throw new IOException("has a damaged OpenEXR header: expected the number of chunks of each part");
             }
-            result.add(channel(name, ExrType.values()[type]));
+            table += (long) Long.BYTES * part.chunkCount();
         }
-        if (in.position() != end || result.stream().map(ExrChannel::name).distinct().count() != result.size()) {
-            throw new IOException("has a damaged OpenEXR header: its channel list");
-        }
-        return result;
+        return chosen.part(chosen.type().equals(TILES), number, table);
     }
 
-    private static ExrChannel channel(String name, ExrType type) throws IOException {
-        try {
-            return new ExrChannel(name, type);
-        } catch (IllegalArgumentException e) {
-            throw new IOException("has a channel " + Quote.of(name) + "; expected an ASCII name", e);
+    /** Skips the empty header after the last part; returns false if there is another part. */
+    private boolean isEndOfParts() throws EOFException {
+        if (!in.hasRemaining()) {
+            throw truncated();
         }
+        if (in.get(in.position()) != 0) {
+            return false;
+        }
+        in.get();
+        return true;
     }
 
-    private String readText() throws IOException {
-        int start = in.position();
-        do {
-            require(1);
-        } while (in.get() != 0 && in.position() - start <= ExrChannel.MAX_NAME_LENGTH + 1);
-        int length = in.position() - 1 - start;
-        if (length > ExrChannel.MAX_NAME_LENGTH) {
-            throw new IOException("has a damaged OpenEXR header: a name is longer than " + ExrChannel.MAX_NAME_LENGTH + " bytes");
-        }
-        byte[] bytes = new byte[length];
-        in.get(start, bytes);
-        return new String(bytes, StandardCharsets.ISO_8859_1);
+    private static IOException onlyDeep() {
+        return new IOException("has only deep pixels; expected scan lines or tiles");
     }
 
-    private void require(int bytes) throws IOException {
-        if (in.remaining() < bytes) {
-            throw new EOFException("is truncated: its OpenEXR header does not end");
-        }
+    private static EOFException truncated() {
+        return new EOFException("is truncated: its OpenEXR header does not end");
     }
 }

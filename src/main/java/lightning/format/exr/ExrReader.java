@@ -12,8 +12,8 @@ import java.util.zip.DataFormatException;
 import lightning.base.text.Quote;
 
 /**
- * Reader for single-part OpenEXR files of scan lines or tiles, in all compressions but B44 and DWA. Of tiles in several sizes, it reads the
- * largest. Messages do not repeat the file's name.
+ * Reader for OpenEXR files of scan lines or tiles, in all compressions but B44 and DWA. Of tiles in several sizes, it reads the largest; of
+ * several parts, the first one with channels R, G and B. Messages do not repeat the file's name.
  */
 public final class ExrReader implements AutoCloseable {
     /** Maximum header size in bytes, with the names of a million shapes. */
@@ -23,7 +23,7 @@ public final class ExrReader implements AutoCloseable {
     private static final long MAX_CHUNK_BYTES = 1L << 28;
 
     private final FileChannel file;
-    private final ExrHeaderReader.Result header;
+    private final ExrPart part;
 
     /**
      * Opens a file and reads its header.
@@ -33,7 +33,7 @@ public final class ExrReader implements AutoCloseable {
     public ExrReader(Path path) throws IOException {
         file = FileChannel.open(path);
         try {
-            header = readHeader(INITIAL_HEADER_BYTES);
+            part = readHeader(INITIAL_HEADER_BYTES);
             checkSize();
         } catch (IOException | RuntimeException | Error e) {
             file.close();
@@ -41,7 +41,7 @@ public final class ExrReader implements AutoCloseable {
         }
     }
 
-    private ExrHeaderReader.Result readHeader(int length) throws IOException {
+    private ExrPart readHeader(int length) throws IOException {
         long size = file.size();
         try {
             return new ExrHeaderReader(readBytes(0, (int) Math.min(size, length))).read();
@@ -55,7 +55,7 @@ public final class ExrReader implements AutoCloseable {
 
     /** Returns the header. The image size is not validated. */
     public ExrHeader header() {
-        return header.header();
+        return part.header();
     }
 
     /** Receives pixel values. */
@@ -66,7 +66,7 @@ public final class ExrReader implements AutoCloseable {
 
     /** Rejects a header that promises more pixels than the file can have, before anyone makes room for them. */
     private void checkSize() throws IOException {
-        ExrHeader exrHeader = header.header();
+        ExrHeader exrHeader = part.header();
         var whole = new ExrBlock(exrHeader.channels(), exrHeader.width(), 1);
         if (whole.bytesPerLine() > file.size() * ExrCompression.MAX_RATIO / exrHeader.height()) {
             throw truncated();
@@ -81,10 +81,10 @@ public final class ExrReader implements AutoCloseable {
      * @throws IOException if a channel is missing, or the file is truncated or damaged
      */
     public void read(List<String> names, PixelConsumer sink) throws IOException {
-        ExrHeader exrHeader = header.header();
+        ExrHeader exrHeader = part.header();
         int[] channels = channelIndices(names);
-        int width = header.tileSize() == null ? exrHeader.width() : Math.min(exrHeader.width(), header.tileSize()[0]);
-        int height = Math.min(exrHeader.height(), header.tileSize() == null ? header.compression().lines() : header.tileSize()[1]);
+        int width = part.tileSize() == null ? exrHeader.width() : Math.min(exrHeader.width(), part.tileSize()[0]);
+        int height = Math.min(exrHeader.height(), part.tileSize() == null ? part.compression().lines() : part.tileSize()[1]);
         long bytes = new ExrBlock(exrHeader.channels(), width, 1).bytesPerLine();
         if (bytes > MAX_CHUNK_BYTES / height) {
             throw new IOException("has chunks of " + bytes + " × " + height + " bytes; expected at most " + MAX_CHUNK_BYTES);
@@ -94,15 +94,15 @@ public final class ExrReader implements AutoCloseable {
         if (chunks > file.size() / Long.BYTES) {
             throw truncated();
         }
-        ByteBuffer table = readBytes(header.headerBytes(), Math.toIntExact(Long.BYTES * chunks));
+        ByteBuffer table = readBytes(part.tableOffset(), Math.toIntExact(Long.BYTES * chunks));
         var seen = new BitSet();
         float[] values = new float[channels.length];
         while (table.hasRemaining()) {
             long offset = table.getLong();
-            ByteBuffer start = readBytes(offset, (header.tileSize() == null ? 2 : 5) * Integer.BYTES);
+            ByteBuffer start = readBytes(offset, part.chunkHeaderBytes());
             long chunk = chunkIndex(start, height, columns);
             if (chunk < 0 || chunk >= chunks || seen.get((int) chunk)) {
-                throw new IOException("has a damaged chunk table: a chunk is outside the picture or occurs twice");
+                throw new IOException("has a damaged chunk table: a chunk belongs to no place of the picture or occurs twice");
             }
             seen.set((int) chunk);
             int left = (int) (chunk % columns) * width;
@@ -122,7 +122,7 @@ public final class ExrReader implements AutoCloseable {
     }
 
     private int[] channelIndices(List<String> names) throws IOException {
-        List<String> all = header.header().channels().stream().map(ExrChannel::name).toList();
+        List<String> all = part.header().channels().stream().map(ExrChannel::name).toList();
         for (String name : names) {
             if (!all.contains(name)) {
                 throw new IOException("has no channel " + Quote.of(name));
@@ -131,10 +131,13 @@ public final class ExrReader implements AutoCloseable {
         return names.stream().mapToInt(all::indexOf).toArray();
     }
 
-    /** Returns the index of a chunk, line by line, from its first numbers; −1 if they belong to no chunk of the largest size. */
+    /** Returns the index of a chunk, line by line, from its first numbers; −1 if they belong to no chunk of the part's largest size. */
     private long chunkIndex(ByteBuffer start, int height, int columns) {
-        if (header.tileSize() == null) {
-            long y = (long) start.getInt() - header.top();
+        if (part.number() >= 0 && start.getInt() != part.number()) {
+            return -1;
+        }
+        if (part.tileSize() == null) {
+            long y = (long) start.getInt() - part.top();
             return y % height == 0 ? y / height : -1;
         }
         int column = start.getInt();
@@ -149,7 +152,7 @@ public final class ExrReader implements AutoCloseable {
         }
         byte[] compressed = readBytes(offset, size).array();
         try {
-            return header.compression().decompress(compressed, block);
+            return part.compression().decompress(compressed, block);
         } catch (DataFormatException e) {
             throw new IOException("is damaged at line " + line + ": its chunk does not give " + block.byteCount() + " bytes", e);
         }

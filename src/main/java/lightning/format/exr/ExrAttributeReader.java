@@ -1,0 +1,216 @@
+package lightning.format.exr;
+
+import java.io.EOFException;
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import lightning.base.text.Quote;
+
+/** Reader for the attributes of one part of a file. What cannot be read counts only if the part is used. */
+final class ExrAttributeReader {
+    private static final int MAX_CHANNELS = 4096;
+    private static final int CHROMATICITIES = 8;
+    private static final List<String> COMPRESSIONS = List.of("none", "RLE", "ZIPS", "ZIP", "PIZ", "PXR24", "B44", "B44A", "DWAA", "DWAB");
+
+    private final ByteBuffer in;
+    private ExrCompression compression;
+    private int[] tileSize;
+    private int[] dataWindow;
+    private List<ExrChannel> channels;
+    private final Map<String, ExrAttribute> attributes = new LinkedHashMap<>();
+
+    private int chunkCount = -1;
+    /** Why the part's pixels cannot be read; null if they can. */
+    private IOException unsupported;
+
+    /**
+     * Creates a reader.
+     *
+     * @param in little-endian content of a file, at the start of the attributes
+     */
+    ExrAttributeReader(ByteBuffer in) {
+        this.in = in;
+    }
+
+    /**
+     * Reads all attributes.
+     *
+     * @throws EOFException if the buffer ends within them
+     * @throws IOException if they are damaged
+     */
+    void read() throws IOException {
+        for (String name = readText(); !name.isEmpty(); name = readText()) {
+            readAttribute(name, readText());
+        }
+    }
+
+    /** Returns true if the part has channels with all of these names. */
+    boolean hasChannels(List<String> names) {
+        return channels != null && channels.stream().map(ExrChannel::name).toList().containsAll(names);
+    }
+
+    /** Returns the kind of a part of a file with several; empty if it says none. */
+    String type() {
+        return attributes.get("type") instanceof ExrAttribute.Text text ? text.value() : "";
+    }
+
+    /** Returns the number of chunks of a part of a file with several; −1 if it says none. */
+    int chunkCount() {
+        return chunkCount;
+    }
+
+    /**
+     * Returns the part.
+     *
+     * @param isTiled true if it has tiles, false for scan lines
+     * @param number number of the part in a file of several; −1 in others
+     * @param tableOffset place of the table of its chunks, bytes
+     * @throws IOException if an attribute is missing or wrong, or the pixels are of an unsupported kind
+     */
+    ExrPart part(boolean isTiled, int number, long tableOffset) throws IOException {
+        if (unsupported != null) {
+            throw unsupported;
+        }
+        if (channels == null || dataWindow == null || compression == null) {
+            throw new IOException("has a damaged OpenEXR header: expected channels, dataWindow and compression");
+        }
+        long width = (long) dataWindow[2] - dataWindow[0] + 1;
+        long height = (long) dataWindow[3] - dataWindow[1] + 1;
+        if (width < 1 || height < 1 || width > Integer.MAX_VALUE || height > Integer.MAX_VALUE) {
+            throw new IOException("has a damaged OpenEXR header: its data window has no pixels");
+        }
+        if (isTiled && tileSize == null) {
+            throw new IOException("has a damaged OpenEXR header: expected the size of its tiles");
+        }
+        return new ExrPart(new ExrHeader((int) width, (int) height, channels, attributes), compression, dataWindow[1],
+                isTiled ? tileSize : null, number, tableOffset);
+    }
+
+    private void readAttribute(String name, String type) throws IOException {
+        require(Integer.BYTES);
+        int size = in.getInt();
+        if (size < 0) {
+            throw new IOException("has a damaged OpenEXR header: attribute " + Quote.of(name) + " has " + size + " bytes");
+        }
+        require(size);
+        int end = in.position() + size;
+        switch (name + " " + type) {
+            case "channels chlist" -> channels = readChannels(end);
+            case "compression compression" -> compression = readCompression(size);
+            case "dataWindow box2i" -> {
+                if (size != 4 * Integer.BYTES) {
+                    throw new IOException("has a damaged OpenEXR header: a data window must have 16 bytes, has " + size);
+                }
+                dataWindow = new int[] {in.getInt(), in.getInt(), in.getInt(), in.getInt()};
+            }
+            case "chunkCount int" -> {
+                require(Integer.BYTES);
+                chunkCount = in.getInt();
+            }
+            case "tiles tiledesc" -> tileSize = readTileSize(size);
+            case "chromaticities chromaticities" -> attributes.put(name, readChromaticities(size));
+            default -> {
+                if (type.equals("string")) {
+                    byte[] bytes = new byte[size];
+                    in.get(bytes);
+                    attributes.put(name, new ExrAttribute.Text(new String(bytes, StandardCharsets.UTF_8)));
+                }
+            }
+        }
+        in.position(end);
+    }
+
+    private ExrCompression readCompression(int size) throws IOException {
+        int code = size == 1 ? in.get() : -1;
+        Optional<ExrCompression> known = ExrCompression.of(code);
+        if (known.isEmpty()) {
+            unsupported =
+                    new IOException("has compression " + (code >= 0 && code < COMPRESSIONS.size() ? COMPRESSIONS.get(code) : "unknown")
+                            + "; expected none, RLE, ZIPS, ZIP, PIZ or PXR24");
+        }
+        return known.orElse(null);
+    }
+
+    /** Reads the size of tiles. Smaller levels may follow the first one. */
+    private int[] readTileSize(int size) throws IOException {
+        if (size != 2 * Integer.BYTES + 1) {
+            throw new IOException("has a damaged OpenEXR header: the description of tiles must have 9 bytes, has " + size);
+        }
+        int[] tile = {in.getInt(), in.getInt()};
+        if (tile[0] < 1 || tile[1] < 1) {
+            throw new IOException("has a damaged OpenEXR header: its tiles have no pixels");
+        }
+        return tile;
+    }
+
+    private ExrAttribute.Chromaticities readChromaticities(int size) throws IOException {
+        if (size != CHROMATICITIES * Float.BYTES) {
+            throw new IOException("has a damaged OpenEXR header: chromaticities must have 32 bytes, have " + size);
+        }
+        List<Float> values = new ArrayList<>();
+        for (int i = 0; i < CHROMATICITIES; i++) {
+            values.add(in.getFloat());
+        }
+        return new ExrAttribute.Chromaticities(List.copyOf(values));
+    }
+
+    private List<ExrChannel> readChannels(int end) throws IOException {
+        List<ExrChannel> result = new ArrayList<>();
+        for (String name = readText(); !name.isEmpty(); name = readText()) {
+            require(4 * Integer.BYTES);
+            int type = in.getInt();
+            in.getInt();
+            int xSampling = in.getInt();
+            int ySampling = in.getInt();
+            if (result.size() == MAX_CHANNELS || type < 0 || type >= ExrType.values().length) {
+                throw unsupportedChannel(name);
+            }
+            if (xSampling != 1 || ySampling != 1) {
+                unsupported = unsupportedChannel(name);
+            }
+            result.add(channel(name, ExrType.values()[type]));
+        }
+        if (in.position() != end || result.stream().map(ExrChannel::name).distinct().count() != result.size()) {
+            throw new IOException("has a damaged OpenEXR header: its channel list");
+        }
+        return result;
+    }
+
+    private static IOException unsupportedChannel(String name) {
+        return new IOException("has a channel " + Quote.of(name) + ", which is not supported: expected at most " + MAX_CHANNELS
+                + " channels of type uint, half or float without subsampling");
+    }
+
+    private static ExrChannel channel(String name, ExrType type) throws IOException {
+        try {
+            return new ExrChannel(name, type);
+        } catch (IllegalArgumentException e) {
+            throw new IOException("has a channel " + Quote.of(name) + "; expected an ASCII name", e);
+        }
+    }
+
+    private String readText() throws IOException {
+        int start = in.position();
+        do {
+            require(1);
+        } while (in.get() != 0 && in.position() - start <= ExrChannel.MAX_NAME_LENGTH + 1);
+        int length = in.position() - 1 - start;
+        if (length > ExrChannel.MAX_NAME_LENGTH) {
+            throw new IOException("has a damaged OpenEXR header: a name is longer than " + ExrChannel.MAX_NAME_LENGTH + " bytes");
+        }
+        byte[] bytes = new byte[length];
+        in.get(start, bytes);
+        return new String(bytes, StandardCharsets.ISO_8859_1);
+    }
+
+    private void require(int bytes) throws IOException {
+        if (in.remaining() < bytes) {
+            throw new EOFException("is truncated: its OpenEXR header does not end");
+        }
+    }
+}
