@@ -6,10 +6,10 @@ import textwrap
 from pathlib import Path
 
 import bpy
-from bpy.props import BoolProperty, StringProperty
+from bpy.props import BoolProperty, EnumProperty, StringProperty
 from bpy_extras.io_utils import ExportHelper, ImportHelper
 
-from . import live, program, transfer
+from . import live, picture, program, transfer
 
 
 class LightningPreferences(bpy.types.AddonPreferences):
@@ -108,6 +108,7 @@ class LIGHTNING_PT_panel(bpy.types.Panel):
     def draw(self, context):
         file = context.scene.lightning_file
         self.layout.prop(context.scene, "lightning_file")
+        self.layout.prop(context.scene, "lightning_indirect")
         for name, icon in (("lightning.send", "EXPORT"), ("lightning.get_lights", "IMPORT")):
             row = self.layout.row()
             # With a file, the buttons act without asking for one.
@@ -143,6 +144,7 @@ def register() -> None:
     for cls in CLASSES:
         bpy.utils.register_class(cls)
     bpy.types.Scene.lightning_file = StringProperty(name="Scene", subtype="FILE_PATH", description="Scene file that is sent and read")
+    bpy.types.Scene.lightning_indirect = EnumProperty(name="Indirect Light", items=picture.INDIRECT, default="AUTO")
     bpy.types.TOPBAR_MT_file_export.append(_draw_export)
     bpy.types.TOPBAR_MT_file_import.append(_draw_import)
     atexit.register(live.stop)
@@ -154,6 +156,6 @@ def unregister() -> None:
     live.stop()
     bpy.types.TOPBAR_MT_file_export.remove(_draw_export)
     bpy.types.TOPBAR_MT_file_import.remove(_draw_import)
-    del bpy.types.Scene.lightning_file
+    del bpy.types.Scene.lightning_file, bpy.types.Scene.lightning_indirect
     for cls in reversed(CLASSES):
         bpy.utils.unregister_class(cls)

@@ -13,7 +13,7 @@ from pathlib import Path
 
 import bpy
 
-from . import gltf, lights, program, shot, transfer, words
+from . import gltf, lights, picture, program, shot, transfer, words
 from .lightning_relight import Client, RequestError
 from .model import Model
 from .pictures import Pictures
@@ -51,6 +51,7 @@ class LiveView:
         self._groups: dict = {}
         self._world: dict = {}
         self._structure: tuple = ()
+        self._choice = self._indirect = ""
         self._is_stale = False
         self._is_world_stale = False
         self._stale_materials: set[str] = set()
@@ -161,6 +162,8 @@ class LiveView:
         settings = root["extras"][transfer.PROPERTY]
         self._world = settings["world"]
         self._structure = self._describe_structure(scene)
+        if self._choice != picture.indirect(scene):
+            self._choice = self._indirect = picture.indirect(scene)
         # The export itself is no edit.
         bpy.context.view_layer.update()
         self._clear_notes()
@@ -173,7 +176,7 @@ class LiveView:
         target = self._target()
         model = target.with_suffix(".gltf")
         gltf.write_text(model, self._model.root, target.with_suffix(".bin").name)
-        fields = {"file": str(model), "output": str(target), "indirect": "off"}
+        fields = {"file": str(model), "output": str(target), "indirect": self._indirect}
         if self._number is None:
             self._opening = self._client.send("open", **fields)
         else:
@@ -198,6 +201,8 @@ class LiveView:
         result = answer.result()
         is_new = self._number is None
         self._number = result["scene"]
+        # Automatic is decided once, so that a moving camera does not switch it.
+        self._indirect = "on" if result["indirect"] else "off"
         names = result["lights"] if len(result["lights"]) == len(self._lights) else list(self._lights)
         self._names = dict(zip(self._lights, names))
         shutil.rmtree(self._folder / str(self._sent - 1), ignore_errors=True)
@@ -212,7 +217,7 @@ class LiveView:
         shown = [obj.name for obj in scene.objects if obj.type not in BARE_TYPES and lights.is_on(obj)]
         groups = {name: group for name, group in transfer.memory(scene).get("banks", {}).items()
                   if any(group.get(key, neutral) != neutral for key, neutral in NEUTRAL.items())}
-        return shot.size(scene), shown, scene.camera and scene.camera.name, groups
+        return shot.size(scene), scene.lightning_indirect, shown, scene.camera and scene.camera.name, groups
 
     def _edit(self, scene) -> None:
         """Sends the changes and requests a picture."""

@@ -8,13 +8,9 @@ from pathlib import Path
 
 import bpy
 
-from . import animation, axes, gltf, light_nodes, lights, materials, program, shot, surfaces, views, world
+from . import animation, axes, gltf, light_nodes, lights, materials, picture, program, shot, surfaces, views, world
 
 PROPERTY = "lightning"
-# Lightning's curves for Blender's view transforms.
-VIEWS = {"AgX": "agx", "ACES 2.0": "aces2", "Filmic": "filmic", "Standard": "srgb", "Raw": "linear"}
-
-
 # Start of messages of the export of lights.
 LEFT_OUT = "not exported exactly: "
 # Parts of messages of the import that say nothing new: Lightning has no clipping planes.
@@ -61,7 +57,7 @@ def prepare(context, target: Path, messages: list[str]) -> list[str]:
     root["extras"][PROPERTY]["shot"] = shot.record(context, shown, names, groups, messages)
     model = target.with_suffix(".glb")
     gltf.write(model, root, rest)
-    return ["import", str(model), "-o", str(target), "--light-units", "candela", "--indirect", "off"]
+    return ["import", str(model), "-o", str(target), "--light-units", "candela", "--indirect", picture.indirect(context.scene)]
 
 
 def complete(context, target: Path, root: dict, messages: list[str]) -> list:
@@ -98,7 +94,7 @@ def _settings(scene, target: Path, messages: list[str]) -> dict:
     used = dict.fromkeys(obj.lightgroup for obj in sent if obj.lightgroup)
     settings = {
         "version": 1,
-        "picture": _picture(scene, messages),
+        "picture": picture.send(scene, memory(scene).get("picture", {}), messages),
         "world": world_settings(scene, target, messages),
         "banks": light_groups(groups, used),
         "lights": [lights.send(obj, groups, messages) for obj in sent],
@@ -131,19 +127,10 @@ def write_files(obj, folder: Path, messages: list[str]) -> None:
         (folder / name).write_bytes(content)
 
 
-def _picture(scene, messages: list[str]) -> dict:
-    view = scene.view_settings
-    result = {"size": shot.size(scene), "exposure": axes.number(view.exposure), "antialias": "edges"}
-    if view.view_transform in VIEWS:
-        return result | {"view": VIEWS[view.view_transform]}
-    messages.append(f"the view transform {view.view_transform} is not sent")
-    return result
-
-
 def _store(scene, file: Path, exported: dict, groups: dict) -> None:
     """Stores in a scene what a file of Lightning has, so that later edits can be told."""
-    scene[PROPERTY] = json.dumps({"banks": groups, "world": exported["world"], "digest": _digest(file), "views": views.digests(exported),
-                                  "materials": surfaces.digests(exported)})
+    scene[PROPERTY] = json.dumps({"banks": groups, "world": exported["world"], "picture": picture.store(scene, exported["picture"]),
+                                  "digest": _digest(file), "views": views.digests(exported), "materials": surfaces.digests(exported)})
 
 
 def _remember(scene, target: Path, sent: list) -> None:
@@ -194,6 +181,7 @@ def get_lights(context, source: Path, remove: bool = True) -> list[str]:
     context.view_layer.update()
     for obj, settings, tracks in received:
         lights.store(obj, settings["name"], settings, groups, tracks)
+    picture.receive(scene, exported["picture"], memory(scene).get("picture", {}), messages)
     views.receive(scene, exported, memory(scene).get("views", {}), messages)
     surfaces.receive(exported, memory(scene).get("materials", {}), messages)
     world.receive(scene.world, exported["world"], memory(scene).get("world", {}), messages)

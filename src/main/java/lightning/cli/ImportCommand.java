@@ -86,6 +86,7 @@ final class ImportCommand implements Callable<Integer> {
         try (var bar = new ProgressBar(console, "reading")) {
             imported = SceneImporter.read(file, output, units == null ? LightUnits.CANDELA : units, levels, bar);
         }
+        boolean saysIndirect = imported.hasIndirect();
         imported = lighting.apply(indirect.apply(imported));
         List<Path> replaced = imported.differentFiles();
         if (!replaced.isEmpty() && !replaces) {
@@ -105,7 +106,7 @@ final class ImportCommand implements Callable<Integer> {
                             usedUnits -> console.warn("%s: light units taken as %s; --light-pictures shows each choice",
                                     file, usedUnits.description()));
         }
-        if (imported.hasIndirect() && indirect == IndirectChoice.AUTO) {
+        if (imported.hasIndirect() && !saysIndirect && indirect == IndirectChoice.AUTO) {
             console.warn("%s: the camera is in a closed room, so indirect light is on; --indirect off leaves it out", file);
         }
         console.printNotes(file, "left out or approximated", imported.notes());

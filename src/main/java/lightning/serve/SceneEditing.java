@@ -49,6 +49,7 @@ final class SceneEditing {
         content.putArray("size").add(scene.picture().width()).add(scene.picture().height());
         addAll(content.putArray("lights"), scene.lights().stream().map(Light::name).toList());
         addAll(content.putArray("materials"), scene.materials().stream().map(Material::name).toList());
+        content.put("indirect", scene.picture().indirect().isPresent());
         document.content().shot().ifPresent(shot -> content.putArray("frames").add(shot.first()).add(shot.last()));
         addAll(content.putArray("notes"), Stream.concat(source.notes().stream(), SceneWarnings.of(scene).stream()).toList());
         return content;

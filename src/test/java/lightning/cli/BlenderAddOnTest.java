@@ -66,6 +66,11 @@ class BlenderAddOnTest {
         assertThat(run("blender_objects.py")).contains("all objects are equal");
     }
 
+    @Test
+    void settingsOfPicture_comeBackOrSurvive() throws Exception {
+        assertThat(run("blender_picture.py")).contains("the picture is equal");
+    }
+
     @ParameterizedTest
     @ValueSource(strings = {"point", "ball", "spot", "sun", "profile", "profile180", "profile360", "lamp", "lamp90", "lamp270",
         "lamp360", "screen", "window", "rect", "disc", "warm", "world", "sky",

@@ -60,9 +60,14 @@ public record ImportedScene(Scene unscaledScene, Optional<Shot> shot, Set<String
                         closingComments);
     }
 
-    /** Returns this scene with indirect light of the default settings. */
+    /** Returns this scene with indirect light, of the default settings if the file has none. */
     ImportedScene withIndirect() {
-        return withPicture(unscaledScene.picture().withIndirect(Optional.of(IndirectSettings.DEFAULT)));
+        return hasIndirect() ? this : withPicture(unscaledScene.picture().withIndirect(Optional.of(IndirectSettings.DEFAULT)));
+    }
+
+    /** Returns this scene without indirect light. */
+    ImportedScene withoutIndirect() {
+        return withPicture(unscaledScene.picture().withIndirect(Optional.empty()));
     }
 
     /** Returns this scene with other settings of its image. */

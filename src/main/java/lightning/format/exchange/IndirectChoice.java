@@ -2,13 +2,17 @@ package lightning.format.exchange;
 
 /** Choice whether an imported scene has indirect light. */
 public enum IndirectChoice {
-    /** Only if the camera is in a closed room. */
+    /** Only if the camera is in a closed room, or the file says so. */
     AUTO,
     ON,
     OFF;
 
     /** Returns the scene with this choice. Takes a moment for large scenes. */
     public ImportedScene apply(ImportedScene imported) {
-        return this == ON || this == AUTO && ClosedRoom.contains(imported.scene()) ? imported.withIndirect() : imported;
+        return switch (this) {
+            case ON -> imported.withIndirect();
+            case OFF -> imported.withoutIndirect();
+            case AUTO -> imported.hasIndirect() || ClosedRoom.contains(imported.scene()) ? imported.withIndirect() : imported;
+        };
     }
 }

@@ -78,7 +78,7 @@ public record LightExport(byte[] bytes, Map<String, Integer> notes) {
     }
 
     /**
-     * Returns JSON with all lights, light groups and materials of a scene, its world and its camera, with all their attributes, the
+     * Returns JSON with all lights, light groups and materials of a scene, its picture, world and camera, with all their attributes, the
      * transforms of its objects and outermost groups, and what is animated at each frame.
      */
     public static LightExport toJson(AnimatedScene animated) {
@@ -94,6 +94,7 @@ public record LightExport(byte[] bytes, Map<String, Integer> notes) {
         for (LightGroup group : scene.rig().lightGroups()) {
             AttributeJson.write(groups.addObject().put("name", group.name()), group, LightGroup.ATTRIBUTES);
         }
+        PictureJson.write(root.putObject("picture"), scene.picture());
         AttributeJson.write(root.putObject("world"), scene.world(), World.ATTRIBUTES);
         AttributeJson.write(root.putObject("camera"), scene.camera(), Camera.ATTRIBUTES);
         ArrayNode objects = root.putArray("objects");

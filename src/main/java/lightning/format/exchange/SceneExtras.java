@@ -8,18 +8,14 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
 import lightning.format.mesh.ConversionNotes;
-import lightning.scene.AntialiasMode;
 import lightning.scene.LensShift;
 import lightning.scene.Light;
 import lightning.scene.LightAttribute;
 import lightning.scene.LightGroup;
 import lightning.scene.LightType;
-import lightning.scene.SamplingSettings;
 import lightning.scene.SceneLimits;
 import lightning.scene.ShapeGains;
 import lightning.scene.ShapeLinks;
-import lightning.scene.ViewCurve;
-import lightning.scene.ViewSettings;
 import lightning.scene.World;
 import tools.jackson.databind.JsonNode;
 
@@ -69,7 +65,7 @@ final class SceneExtras {
      * @param nodeNames names in the scene of the file's nodes
      */
     void apply(SceneAssembler assembler, Map<String, String> nodeNames) {
-        readPicture(assembler);
+        assembler.picture = PictureJson.read(json.path("picture"), assembler.picture, _ -> noteUnusable(assembler));
         assembler.world = AttributeJson.read(json.path("world"), assembler.world, World.ATTRIBUTES, assembler::hasOrCopiesFile,
                 _ -> noteUnusable(assembler));
         assembler.isLit = json.path("lights").isArray();
@@ -89,30 +85,6 @@ final class SceneExtras {
 
     private static void noteUnusable(SceneAssembler assembler) {
         assembler.notes.add("scene settings that cannot be restored");
-    }
-
-    private void readPicture(SceneAssembler assembler) {
-        JsonNode in = json.path("picture");
-        JsonNode size = in.path("size");
-        try {
-            if (size.size() == 2) {
-                assembler.picture = assembler.picture.withSize(size.get(0).asInt(0), size.get(1).asInt(0));
-            }
-            ViewSettings view = new ViewSettings(ViewCurve.SRGB, in.path("exposure").asDouble(0));
-            assembler.picture =
-                    assembler.picture.withView(in.has("view") ? view.withCurve(ViewCurve.of(in.get("view").asString(""))) : view);
-            if (in.has("antialias") || in.has("samples")) {
-                assembler.picture = assembler.picture.withSampling(sampling(in));
-            }
-        } catch (IllegalArgumentException e) {
-            noteUnusable(assembler);
-        }
-    }
-
-    /** Returns the sampling; throws an {@link IllegalArgumentException} if a value is invalid. */
-    private static SamplingSettings sampling(JsonNode in) {
-        return new SamplingSettings(AntialiasMode.of(in.path("antialias").asString("off")),
-                in.path("samples").asInt(SamplingSettings.DEFAULT.grid()));
     }
 
     private static Optional<String> readGroup(SceneAssembler assembler, JsonNode in) {

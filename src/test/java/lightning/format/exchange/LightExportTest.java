@@ -19,7 +19,9 @@ import lightning.format.mesh.MeshException;
 import lightning.scene.Attenuation;
 import lightning.scene.Light;
 import lightning.scene.LightType;
+import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
+import org.assertj.core.api.Assertions;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -155,6 +157,17 @@ class LightExportTest {
                 "{\"light\":\"lamp\",\"attribute\":\"on\",\"values\":[false,false,false]}",
                 "{\"light\":\"lamp\",\"attribute\":\"at\",\"values\":[[0.0,1.0,0.0],[1.0,1.0,0.0],[2.0,1.0,0.0]]}");
         assertThat(EXACT.readTree(LightExport.toJson(scene).bytes()).has("shot")).isFalse();
+    }
+
+    /** What the JSON says of a picture restores it on import. */
+    @Test
+    void jsonList_hasPicture() throws Exception {
+        for (String settings : List.of("size 8 5",
+                "size 8 5 depth 2 view agx exposure 1.5 antialias every samples 3 indirect { bounces 3 }")) {
+            Scene scene = JenReader.read("jen 1\npicture { " + settings + " }", "text", folder).scene();
+            JsonNode json = EXACT.readTree(LightExport.toJson(scene).bytes()).get("picture");
+            assertThat(PictureJson.read(json, PictureSettings.DEFAULT, Assertions::fail)).isEqualTo(scene.picture());
+        }
     }
 
     @Test

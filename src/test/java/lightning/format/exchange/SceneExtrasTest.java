@@ -14,6 +14,7 @@ import lightning.format.gltf.GltfFixtures;
 import lightning.format.jen.JenDocument;
 import lightning.format.jen.JenReader;
 import lightning.scene.AntialiasMode;
+import lightning.scene.IndirectSettings;
 import lightning.scene.LensShift;
 import lightning.scene.Light;
 import lightning.scene.LightType;
@@ -40,6 +41,16 @@ class SceneExtrasTest {
     private JenDocument written(ImportedScene scene) throws Exception {
         scene.write();
         return JenReader.read(folder.resolve("a.jen"));
+    }
+
+    @Test
+    void indirectLight_isThatOfFileUnlessChosenOtherwise() throws Exception {
+        ImportedScene open = imported("{'picture': {'depth': 7, 'indirect': {'bounces': 3}}}");
+        assertThat(IndirectChoice.AUTO.apply(open).scene().picture()).isEqualTo(open.scene().picture());
+        assertThat(open.scene().picture().depth()).isEqualTo(7);
+        assertThat(open.scene().picture().indirect()).contains(IndirectSettings.DEFAULT.withBounces(3));
+        assertThat(IndirectChoice.ON.apply(open).scene().picture()).isEqualTo(open.scene().picture());
+        assertThat(IndirectChoice.OFF.apply(open).hasIndirect()).isFalse();
     }
 
     @Test
@@ -166,6 +177,7 @@ class SceneExtrasTest {
     @Test
     void invalidValues_areNoted() throws Exception {
         assertThat(imported("{'picture': {'antialias': 'much'}}").notes()).containsEntry("scene settings that cannot be restored", 1);
+        assertThat(imported("{'picture': {'indirect': {'rays': 5}}}").notes()).containsEntry("scene settings that cannot be restored", 1);
         assertThat(imported("{'picture': {'samples': 99}}").notes()).containsEntry("scene settings that cannot be restored", 1);
         ImportedScene scene = imported("""
                 {'picture': {'size': [0, -3]}, 'world': {'intensity': 'much', 'rotation': 1e99}, 'banks': [{}, 3, {'name': 'b', 'on': 3}],

@@ -1,0 +1,47 @@
+"""Sends a scene to Lightning, edits its picture there and in Blender, and looks at the settings on both sides."""
+
+import subprocess
+
+import blender_scene as sample
+import bpy
+
+FILE = sample.FOLDER / "shot.jen"
+PROGRAM = (sample.FOLDER / "user/extensions/user_default/lightning/program.txt").read_text(encoding="utf-8").strip()
+
+
+def edit(*edits: str) -> None:
+    """Edits the scene file, and gets it back."""
+    words = [word for text in edits for word in ("--set", text)]
+    subprocess.run([PROGRAM, "relight", str(FILE), "-o", str(sample.FOLDER / "a.png"), "--size", "24x16", "--no-savings", "--save", str(FILE),
+                    *words], check=True)
+    assert bpy.ops.lightning.get_lights(filepath=str(FILE)) == {"FINISHED"}
+
+
+def sent() -> str:
+    """Sends the scene; returns its file."""
+    assert bpy.ops.lightning.send(filepath=str(FILE)) == {"FINISHED"}
+    return FILE.read_text(encoding="utf-8")
+
+
+sample.start()
+scene = sample.build()
+assert "indirect" not in sent()
+# What Blender has too comes back.
+edit("picture.exposure=1.5", "picture.view=filmic", "picture.size=40 30", "picture.depth=7", "picture.indirect.bounces=3")
+assert scene.lightning_indirect == "ON"
+assert (scene.render.resolution_x, scene.render.resolution_y) == (40, 30)
+assert (scene.view_settings.exposure, scene.view_settings.view_transform) == (1.5, "Filmic")
+# What only Lightning has survives the next sending, beside an edit in Blender.
+scene.view_settings.exposure = -1
+text = sent()
+for setting in ("size 40 30", "depth 7", "view filmic", "exposure -1", "bounces 3", "antialias edges"):
+    assert setting in text, (setting, text)
+edit("picture.indirect=none")
+assert scene.lightning_indirect == "OFF" and "indirect" not in sent()
+scene.lightning_indirect = "ON"
+assert "indirect" in sent()
+# The camera in a closed room.
+scene.lightning_indirect = "AUTO"
+bpy.ops.mesh.primitive_cube_add(size=100)
+assert "indirect" in sent()
+print("the picture is equal")
