@@ -29,7 +29,7 @@ import lightning.scene.SceneLimits;
 final class ErrorBench {
     static final String PROGRAM = "Lightning";
     private static final PictureSize SIZE = new PictureSize(160, 90);
-    private static final PictureSize QUICK_SIZE = new PictureSize(64, 36);
+    private static final PictureSize QUICK_SIZE = new PictureSize(32, 18);
     /**
      * Images of many samples have this many times the width and height, and are averaged down: 10×10 samples per pixel. Our grids of 2×2,
      * 4×4 or 8×8 have no sample at the same place, which would hide errors.

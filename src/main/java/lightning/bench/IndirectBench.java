@@ -22,13 +22,13 @@ import lightning.scene.effects.RenderEffect;
 final class IndirectBench {
     static final String ROOM = "room";
     private static final PictureSize ERROR_SIZE = new PictureSize(1920, 1080);
-    private static final PictureSize QUICK_ERROR_SIZE = new PictureSize(64, 36);
+    private static final PictureSize QUICK_ERROR_SIZE = new PictureSize(48, 27);
     private static final PictureSize COST_SIZE = new PictureSize(1920, 1080);
-    private static final PictureSize QUICK_COST_SIZE = new PictureSize(96, 54);
+    private static final PictureSize QUICK_COST_SIZE = new PictureSize(64, 36);
     private static final PictureSize ABSENCE_SIZE = new PictureSize(960, 540);
     /** Limits of the reference: sampled pixels and milliseconds. */
     private static final int PIXELS = 1000;
-    private static final int QUICK_PIXELS = 32;
+    private static final int QUICK_PIXELS = 16;
     private static final double REFERENCE_MS = 60_000;
     private static final List<Integer> SPACINGS = List.of(4, 8, 16, 32);
     private static final List<Integer> RAYS = List.of(16, 64, 256);

@@ -14,7 +14,7 @@ import lightning.format.pov.PovScene;
  */
 final class ModernBench {
     private static final PictureSize COLD_SIZE = new PictureSize(640, 360);
-    private static final PictureSize QUICK_SIZE = new PictureSize(160, 90);
+    private static final PictureSize QUICK_SIZE = new PictureSize(96, 54);
     private static final int PROCESSES = 3;
     /** Time after which no further pair of processes is started: slow images are rendered once or twice. */
     private static final double COLD_MS = 20_000;

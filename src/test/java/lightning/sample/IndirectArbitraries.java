@@ -24,7 +24,7 @@ public final class IndirectArbitraries {
                 .as(IndirectSettings::new);
     }
 
-    /** Returns the scenes of {@link SceneArbitraries} with indirect light and at most nine samples per pixel. */
+    /** Returns the scenes of {@link SceneArbitraries} with indirect light and at most four samples per pixel. */
     public static Arbitrary<Scene> scenes() {
         return Combinators.combine(settings(), SceneArbitraries.scenes()).as(IndirectArbitraries::withIndirect);
     }
@@ -38,7 +38,7 @@ public final class IndirectArbitraries {
         SamplingSettings sampling = scene.picture().sampling();
         return scene.withPicture(scene.picture().withIndirect(Optional.of(settings))
                 .withSampling(
-                        sampling.isSupersampled() ? new SamplingSettings(sampling.antialias(), Math.min(sampling.grid(), 3)) : sampling));
+                        sampling.isSupersampled() ? new SamplingSettings(sampling.antialias(), Math.min(sampling.grid(), 2)) : sampling));
     }
 
     /** Returns the scenes of {@link IndirectScenes} with some random objects among theirs, so that most objects stay after an edit. */

@@ -154,7 +154,7 @@ class PaperCasesTest {
     @MethodSource("sceneNames")
     @Slow
     void everyCaseOfEveryScene_equalsTheTraditionalTrace(String name) {
-        Scene scene = SceneFiles.read(name, 40);
+        Scene scene = SceneFiles.read(name, 24);
         Geometry geometry = new Geometry(scene);
         RenderOptions options = RenderOptions.DEFAULT.withReflections(ReflectionMode.CURRENT).withThreads(2);
         try (Renderer renderer = new Renderer(options); WorkerPool workers = new WorkerPool(2)) {

@@ -19,7 +19,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 /** Tests the lighting of all scenes: every light is visible, and no image is overexposed or underexposed. */
 @Slow
 class SceneLightingTest {
-    private static final int SIZE = 100;
+    private static final int SIZE = 64;
     /** Minimum visible area of a light: 1/500 of the image. */
     private static final long MIN_PIXELS = SIZE * SIZE / 500;
 
