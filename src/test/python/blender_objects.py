@@ -81,4 +81,10 @@ assert_near(cube.location, (0, 0, 0), "without keys")
 FILE.write_text(FILE.read_text(encoding="utf-8").replace("Copy", "Other"), encoding="utf-8")
 messages = transfer.get_lights(bpy.context, FILE)
 assert any("Copy: it was deleted" in m for m in messages) and any("Other: its edits stay" in m for m in messages), messages
+# Such edits are not in the next scene, so the file before is kept, and messages say what it has.
+edited = FILE.read_text(encoding="utf-8")
+messages = transfer.send(bpy.context, FILE)
+assert any(m.startswith("only in shot.edited.jen now: Copy: it was deleted") for m in messages), messages
+assert FILE.with_name("shot.edited.jen").read_text(encoding="utf-8") == edited
+assert not any("only in" in m for m in transfer.send(bpy.context, FILE))
 print("all objects are equal")

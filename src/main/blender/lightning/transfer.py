@@ -3,6 +3,7 @@
 
 import hashlib
 import json
+import shutil
 import tempfile
 from pathlib import Path
 
@@ -36,11 +37,20 @@ def send(context, target: Path, overwrite: bool = False) -> list[str]:
     if target.is_file() and not overwrite and remembered.get("digest") != _digest(target):
         raise program.ProgramError(f"{target.name} was not sent from here, or has changed since: get its lights first, or overwrite it")
     messages: list[str] = []
+    _keep_edited(target, remembered.get("kept", []), messages)
     lines = program.run(*prepare(context, target, messages))
     model = target.with_suffix(".glb")
     messages += [line.removeprefix(f"{model}: ") for line in lines if not any(text in line for text in EXPECTED)]
     _remember(scene, target, lamps(scene))
     return messages
+
+
+def _keep_edited(target: Path, kept: list[str], messages: list[str]) -> None:
+    """Keeps the scene file under another name if it has edits that Blender does not have, and that the new file lacks."""
+    if kept and target.is_file():
+        copy = target.with_suffix(".edited.jen")
+        shutil.copyfile(target, copy)
+        messages += [f"only in {copy.name} now: {edit}" for edit in kept]
 
 
 def lamps(scene) -> list:
@@ -127,10 +137,11 @@ def write_files(obj, folder: Path, messages: list[str]) -> None:
         (folder / name).write_bytes(content)
 
 
-def _store(scene, file: Path, exported: dict, groups: dict) -> None:
-    """Stores in a scene what a file of Lightning has, so that later edits can be told."""
+def _store(scene, file: Path, exported: dict, groups: dict, kept: list[str]) -> None:
+    """Stores in a scene what a file of Lightning has, so that later edits can be told, and the edits that stay there."""
     scene[PROPERTY] = json.dumps({"banks": groups, "world": exported["world"], "picture": picture.store(scene, exported["picture"]),
-                                  "digest": _digest(file), "views": views.digests(exported), "materials": surfaces.digests(exported)})
+                                  "digest": _digest(file), "views": views.digests(exported), "materials": surfaces.digests(exported),
+                                  "kept": kept})
 
 
 def _remember(scene, target: Path, sent: list) -> None:
@@ -142,7 +153,7 @@ def _remember(scene, target: Path, sent: list) -> None:
     for obj in sent:
         if obj.name in by_name:
             lights.store(obj, obj.name, by_name[obj.name], groups, animation.digests(animated.get(obj.name, {})))
-    _store(scene, target, exported, groups)
+    _store(scene, target, exported, groups, [])
 
 
 def export(source: Path, messages: list[str]) -> dict:
@@ -182,10 +193,12 @@ def get_lights(context, source: Path, remove: bool = True) -> list[str]:
     for obj, settings, tracks in received:
         lights.store(obj, settings["name"], settings, groups, tracks)
     picture.receive(scene, exported["picture"], memory(scene).get("picture", {}), messages)
-    views.receive(scene, exported, memory(scene).get("views", {}), messages)
-    surfaces.receive(exported, memory(scene).get("materials", {}), messages)
+    kept: list[str] = []
+    views.receive(scene, exported, memory(scene).get("views", {}), kept)
+    surfaces.receive(exported, memory(scene).get("materials", {}), kept)
+    messages += kept
     world.receive(scene.world, exported["world"], memory(scene).get("world", {}), messages)
-    _store(scene, source, exported, groups)
+    _store(scene, source, exported, groups, [*memory(scene).get("kept", []), *kept])
     if any(settings["solo"] for settings in exported["lights"]) or any(group["solo"] for group in groups.values()):
         messages.append("solo lights: Blender shows the others too")
     for name, group in groups.items():
