@@ -256,16 +256,16 @@ class OtherCommandsTest {
     void tour_writesPictureForEachEdit() throws Exception {
         Path tour = folder.resolve("tour");
         String out =
-                CliResult.run("tour", scene, "-o", tour, "--size", "40x30", "--repetitions", "1", "--threads", "2").assertSuccess().out();
+                CliResult.run("tour", scene, "-o", tour, "--size", "20x15", "--repetitions", "1", "--threads", "2").assertSuccess().out();
         assertThat(out).contains("first pass", "color ", "angle-larger ", "delete ", "composite-2 ", "equal").doesNotContain(" NO");
         for (String name : new String[] {"first-pass", "color", "angle-larger", "delete", "composite-2"}) {
-            assertThat(ImageFile.read(tour.resolve(name + ".png")).width()).isEqualTo(40);
+            assertThat(ImageFile.read(tour.resolve(name + ".png")).width()).isEqualTo(20);
         }
     }
 
     @Test
     void tour_staleReflections_updateMirrorsSeparately() throws Exception {
-        String[] small = {"--size", "40x30", "--repetitions", "1", "-o", folder.resolve("tour").toString()};
+        String[] small = {"--size", "20x15", "--repetitions", "1", "-o", folder.resolve("tour").toString()};
         CliResult.run("tour", scene, small[0], small[1], small[2], small[3], small[4], small[5], "--reflections", "stale").assertSuccess();
         assertThat(folder.resolve("tour/position-mirrored.png")).exists();
         String out = CliResult.run("tour", scene, small[0], small[1], small[2], small[3], small[4], small[5]).assertSuccess().out();

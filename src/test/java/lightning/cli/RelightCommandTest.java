@@ -4,8 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
-import java.util.List;
+import java.util.LinkedHashMap;
+import java.util.Map;
 import java.util.stream.Stream;
 import lightning.bench.accuracy.PaperCases;
 import lightning.format.image.ImageFile;
@@ -154,18 +154,19 @@ class RelightCommandTest {
         assertThat(out.lines().filter(line -> line.matches("\\d\\. lamp: weight, reflections: .*"))).hasSize(2);
     }
 
-    static Stream<Arguments> casesOfAllScenes() throws Exception {
-        List<Arguments> cases = new ArrayList<>();
+    /** Returns each case in the first scene that has it; PaperCasesTest compares all of them in all scenes. */
+    static Stream<Arguments> cases() throws Exception {
+        Map<String, Path> cases = new LinkedHashMap<>();
         try (Stream<Path> files = Files.list(Path.of("scenes"))) {
             for (Path file : files.filter(f -> f.toString().endsWith(".jen")).sorted().toList()) {
-                PaperCases.of(JenReader.read(file).scene()).forEach(edit -> cases.add(Arguments.of(file, edit.name())));
+                PaperCases.of(JenReader.read(file).scene()).forEach(edit -> cases.putIfAbsent(edit.name(), file));
             }
         }
-        return cases.stream();
+        return cases.entrySet().stream().map(edit -> Arguments.of(edit.getValue(), edit.getKey()));
     }
 
     @ParameterizedTest
-    @MethodSource("casesOfAllScenes")
+    @MethodSource("cases")
     @Slow
     void everyCase_isVerified(Path file, String name) {
         CliResult relit =

@@ -20,7 +20,7 @@ import org.junit.jupiter.params.provider.MethodSource;
  */
 @Slow
 class EyeOnSurfaceTest {
-    private static final int PLACEMENTS = Integer.getInteger("lightning.places", 50);
+    private static final int PLACEMENTS = Integer.getInteger("lightning.places", 25);
     private static final int RAYS = 12;
 
     private final RayPacket packet = new RayPacket();
