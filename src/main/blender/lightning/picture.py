@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Settings of the picture: size, view and exposure, which both programs have, and those that only Lightning has."""
+"""Settings of the picture. Blender has size, view and exposure, too; Lightning has more."""
 
 from . import axes, shot
 

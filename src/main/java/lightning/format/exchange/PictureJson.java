@@ -31,7 +31,7 @@ final class PictureJson {
     /**
      * Returns the settings with those that are present. A view or an exposure without the other has the other's default.
      *
-     * @param onError receives a message for each group of settings with an invalid value; they then keep their values
+     * @param onError receives a message for an invalid value; settings in the order above keep their values from it on
      */
     static PictureSettings read(JsonNode in, PictureSettings picture, Consumer<String> onError) {
         PictureSettings result = picture;

@@ -2,7 +2,6 @@ package lightning.format.exr;
 
 import java.io.EOFException;
 import java.io.IOException;
-import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -17,13 +16,12 @@ final class ExrAttributeReader {
     private static final int CHROMATICITIES = 8;
     private static final List<String> COMPRESSIONS = List.of("none", "RLE", "ZIPS", "ZIP", "PIZ", "PXR24", "B44", "B44A", "DWAA", "DWAB");
 
-    private final ByteBuffer in;
+    private final ExrHeaderBytes in;
     private ExrCompression compression;
     private int[] tileSize;
     private int[] dataWindow;
     private List<ExrChannel> channels;
     private final Map<String, ExrAttribute> attributes = new LinkedHashMap<>();
-
     private int chunkCount = -1;
     /** Why the part's pixels cannot be read; null if they can. */
     private IOException unsupported;
@@ -31,9 +29,9 @@ final class ExrAttributeReader {
     /**
      * Creates a reader.
      *
-     * @param in little-endian content of a file, at the start of the attributes
+     * @param in content of a file, at the start of the attributes
      */
-    ExrAttributeReader(ByteBuffer in) {
+    ExrAttributeReader(ExrHeaderBytes in) {
         this.in = in;
     }
 
@@ -44,8 +42,8 @@ final class ExrAttributeReader {
      * @throws IOException if they are damaged
      */
     void read() throws IOException {
-        for (String name = readText(); !name.isEmpty(); name = readText()) {
-            readAttribute(name, readText());
+        for (String name = in.readText(); !name.isEmpty(); name = in.readText()) {
+            readAttribute(name, in.readText());
         }
     }
 
@@ -92,12 +90,11 @@ final class ExrAttributeReader {
     }
 
     private void readAttribute(String name, String type) throws IOException {
-        require(Integer.BYTES);
         int size = in.getInt();
         if (size < 0) {
             throw new IOException("has a damaged OpenEXR header: attribute " + Quote.of(name) + " has " + size + " bytes");
         }
-        require(size);
+        in.require(size);
         int end = in.position() + size;
         switch (name + " " + type) {
             case "channels chlist" -> channels = readChannels(end);
@@ -108,25 +105,20 @@ final class ExrAttributeReader {
                 }
                 dataWindow = new int[] {in.getInt(), in.getInt(), in.getInt(), in.getInt()};
             }
-            case "chunkCount int" -> {
-                require(Integer.BYTES);
-                chunkCount = in.getInt();
-            }
+            case "chunkCount int" -> chunkCount = in.getInt();
             case "tiles tiledesc" -> tileSize = readTileSize(size);
             case "chromaticities chromaticities" -> attributes.put(name, readChromaticities(size));
             default -> {
                 if (type.equals("string")) {
-                    byte[] bytes = new byte[size];
-                    in.get(bytes);
-                    attributes.put(name, new ExrAttribute.Text(new String(bytes, StandardCharsets.UTF_8)));
+                    attributes.put(name, new ExrAttribute.Text(new String(in.getBytes(size), StandardCharsets.UTF_8)));
                 }
             }
         }
-        in.position(end);
+        in.moveTo(end);
     }
 
     private ExrCompression readCompression(int size) throws IOException {
-        int code = size == 1 ? in.get() : -1;
+        int code = size == 1 ? in.getByte() : -1;
         Optional<ExrCompression> known = ExrCompression.of(code);
         if (known.isEmpty()) {
             unsupported =
@@ -161,8 +153,7 @@ final class ExrAttributeReader {
 
     private List<ExrChannel> readChannels(int end) throws IOException {
         List<ExrChannel> result = new ArrayList<>();
-        for (String name = readText(); !name.isEmpty(); name = readText()) {
-            require(4 * Integer.BYTES);
+        for (String name = in.readText(); !name.isEmpty(); name = in.readText()) {
             int type = in.getInt();
             in.getInt();
             int xSampling = in.getInt();
@@ -191,26 +182,6 @@ final class ExrAttributeReader {
             return new ExrChannel(name, type);
         } catch (IllegalArgumentException e) {
             throw new IOException("has a channel " + Quote.of(name) + "; expected an ASCII name", e);
-        }
-    }
-
-    private String readText() throws IOException {
-        int start = in.position();
-        do {
-            require(1);
-        } while (in.get() != 0 && in.position() - start <= ExrChannel.MAX_NAME_LENGTH + 1);
-        int length = in.position() - 1 - start;
-        if (length > ExrChannel.MAX_NAME_LENGTH) {
-            throw new IOException("has a damaged OpenEXR header: a name is longer than " + ExrChannel.MAX_NAME_LENGTH + " bytes");
-        }
-        byte[] bytes = new byte[length];
-        in.get(start, bytes);
-        return new String(bytes, StandardCharsets.ISO_8859_1);
-    }
-
-    private void require(int bytes) throws IOException {
-        if (in.remaining() < bytes) {
-            throw new EOFException("is truncated: its OpenEXR header does not end");
         }
     }
 }

@@ -17,7 +17,7 @@ final class ExrHeaderReader {
     /** Maximum number of parts, so that a damaged file cannot request more. */
     private static final int MAX_PARTS = 4096;
 
-    private final ByteBuffer in;
+    private final ExrHeaderBytes in;
 
     /**
      * Creates a reader.
@@ -25,7 +25,7 @@ final class ExrHeaderReader {
      * @param in little-endian start of a file
      */
     ExrHeaderReader(ByteBuffer in) {
-        this.in = in;
+        this.in = new ExrHeaderBytes(in);
     }
 
     /**
@@ -35,9 +35,6 @@ final class ExrHeaderReader {
      * @throws IOException if it is not an OpenEXR header, or of an unsupported kind
      */
     ExrPart read() throws IOException {
-        if (in.remaining() < 2 * Integer.BYTES) {
-            throw truncated();
-        }
         if (in.getInt() != ExrHeader.MAGIC) {
             throw new IOException("is not an OpenEXR file: wrong first four bytes");
         }
@@ -87,21 +84,14 @@ final class ExrHeaderReader {
 
     /** Skips the empty header after the last part; returns false if there is another part. */
     private boolean isEndOfParts() throws EOFException {
-        if (!in.hasRemaining()) {
-            throw truncated();
-        }
-        if (in.get(in.position()) != 0) {
+        if (in.peek() != 0) {
             return false;
         }
-        in.get();
+        in.getByte();
         return true;
     }
 
     private static IOException onlyDeep() {
         return new IOException("has only deep pixels; expected scan lines or tiles");
-    }
-
-    private static EOFException truncated() {
-        return new EOFException("is truncated: its OpenEXR header does not end");
     }
 }

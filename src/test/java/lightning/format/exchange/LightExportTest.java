@@ -159,7 +159,7 @@ class LightExportTest {
         assertThat(EXACT.readTree(LightExport.toJson(scene).bytes()).has("shot")).isFalse();
     }
 
-    /** What the JSON says of a picture restores it on import. */
+    /** The JSON of a picture restores it. */
     @Test
     void jsonList_hasPicture() throws Exception {
         for (String settings : List.of("size 8 5",
