@@ -81,7 +81,18 @@ assert_near(cube.location, (0, 0, 0), "without keys")
 FILE.write_text(FILE.read_text(encoding="utf-8").replace("Copy", "Other"), encoding="utf-8")
 messages = transfer.get_lights(bpy.context, FILE)
 assert any("Copy: it was deleted" in m for m in messages) and any("Other: its edits stay" in m for m in messages), messages
-# Such edits are not in the next scene, so the file before is kept, and messages say what it has.
+# Edits of a material that Blender cannot hold survive, unless Blender's own value changes.
+edit(f"{material.name}.reflective=0.25 0.5 0.75", f"{material.name}.shadows=none")
+transfer.send(bpy.context, FILE, overwrite=True)
+text = FILE.read_text(encoding="utf-8")
+assert "reflective 0.25 0.5 0.75" in text and "shadows none" in text, text
+edit(f"{material.name}.reflective=0 0 0")
+transfer.send(bpy.context, FILE)
+assert "reflective" not in FILE.read_text(encoding="utf-8") and "shadows none" in FILE.read_text(encoding="utf-8")
+FILE.write_text(FILE.read_text(encoding="utf-8").replace("Copy", "Other"), encoding="utf-8")
+transfer.get_lights(bpy.context, FILE)
+
+# Edits of objects are not in the next scene, so the file before is kept, and messages say what it has.
 edited = FILE.read_text(encoding="utf-8")
 messages = transfer.send(bpy.context, FILE)
 assert any(m.startswith("only in shot.edited.jen now: Copy: it was deleted") for m in messages), messages

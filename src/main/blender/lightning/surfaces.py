@@ -1,36 +1,73 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Materials that come back from Lightning: plain values of the only Principled BSDF."""
+"""Materials that come back from Lightning: plain values of the only Principled BSDF. Other edits are sent again with the scene."""
 
 import bpy
 
-from . import animation, model
+from . import model
 
 # Sockets of a Principled BSDF for each attribute of Lightning's materials.
 SOCKETS = {"base": ("Base Color",), "metalness": ("Metallic",), "roughness": ("Roughness",), "glow": ("Emission Color", "Emission Strength"),
            "ior": ("IOR",)}
 
 
-def digests(exported: dict) -> dict[str, str]:
-    """Returns what a scene remembers of its materials, by material and attribute."""
-    return animation.digests({f"{material['name']}/{key}": value for material in exported["materials"] for key, value in material.items()})
+# Attributes that name files or lights, which the import cannot edit.
+NAMES = ("texture", "cutout", "bump", "normal_map", "glow_map", "bulb")
 
 
-def receive(exported: dict, before: dict[str, str], messages: list[str]) -> None:
+def send(remembered: dict) -> list[dict]:
+    """Returns the edits of materials in Lightning that Blender cannot hold, each with the value before and after.
+
+    Args:
+        remembered: what the scene remembers, see `store`
+    """
+    return [{"name": name, "edits": edits} for name, edits in remembered.get("kept", {}).items()]
+
+
+def store(exported: dict, kept: dict) -> dict:
+    """Returns what a scene remembers of its materials: their values in Lightning, and the edits that Blender cannot hold."""
+    values = {material["name"]: material for material in exported["materials"]}
+    return {"values": values, "kept": {name: edits for name, edits in kept.items() if name in values and edits}}
+
+
+def check(exported: dict, kept: dict, messages: list[str]) -> dict:
+    """Returns the edits that a scene has after it was sent; a message names those whose value was changed in Blender since."""
+    values = {material["name"]: material for material in exported["materials"]}
+    result: dict = {}
+    for name, edits in kept.items():
+        result[name] = {key: edit for key, edit in edits.items() if values.get(name, {}).get(key) == edit[1]}
+        replaced = [key for key in edits if key not in result[name]]
+        if replaced:
+            messages.append(f"{name}: edits in Blender replace those in Lightning: {', '.join(replaced)}")
+    return result
+
+
+def receive(exported: dict, remembered: dict, messages: list[str], lost: list[str]) -> dict:
     """Changes the values of materials that were edited in Lightning, and tells which of them stay there.
 
     Args:
-        before: what the scene remembers; nothing comes back without it
+        remembered: what the scene remembers; nothing comes back without it
+        lost: receives messages about edits that the next sending cannot repeat
+
+    Returns:
+        the edits that Blender cannot hold
     """
-    after = digests(exported)
-    for settings in exported["materials"] if before else ():
-        name = settings["name"]
-        if f"{name}/name" not in before:
-            messages.append(f"{name}: the material stays in Lightning, because it was added there")
+    kept = {name: dict(edits) for name, edits in remembered.get("kept", {}).items()}
+    for after in exported["materials"] if remembered else ():
+        name = after["name"]
+        before = remembered["values"].get(name)
+        if before is None:
+            lost.append(f"{name}: the material stays in Lightning, because it was added there")
             continue
-        edited = [key for key in settings if before.get(f"{name}/{key}") != after[f"{name}/{key}"]]
-        kept = [key for key in edited if not _show(bpy.data.materials.get(name), key, settings[key])]
-        if kept:
-            messages.append(f"{name}: edits of the material stay in Lightning: {', '.join(kept)}")
+        edited = [key for key in before.keys() | after.keys() if before.get(key) != after.get(key)]
+        hidden = sorted(key for key in edited if not _show(bpy.data.materials.get(name), key, after.get(key)))
+        for key in edited:
+            edit = kept.setdefault(name, {}).pop(key, [before.get(key)])
+            if key in hidden and key not in NAMES and edit[0] != after[key]:
+                kept[name][key] = [edit[0], after[key]]
+        for target, keys in ((lost, [key for key in hidden if key in NAMES]), (messages, [key for key in hidden if key not in NAMES])):
+            if keys:
+                target.append(f"{name}: edits of the material stay in Lightning: {', '.join(keys)}")
+    return kept
 
 
 def _show(material, key: str, value) -> bool:

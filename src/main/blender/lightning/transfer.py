@@ -37,20 +37,20 @@ def send(context, target: Path, overwrite: bool = False) -> list[str]:
     if target.is_file() and not overwrite and remembered.get("digest") != _digest(target):
         raise program.ProgramError(f"{target.name} was not sent from here, or has changed since: get its lights first, or overwrite it")
     messages: list[str] = []
-    _keep_edited(target, remembered.get("kept", []), messages)
+    _keep_edited(target, remembered.get("lost", []), messages)
     lines = program.run(*prepare(context, target, messages))
     model = target.with_suffix(".glb")
     messages += [line.removeprefix(f"{model}: ") for line in lines if not any(text in line for text in EXPECTED)]
-    _remember(scene, target, lamps(scene))
+    _remember(scene, target, lamps(scene), messages)
     return messages
 
 
-def _keep_edited(target: Path, kept: list[str], messages: list[str]) -> None:
+def _keep_edited(target: Path, lost: list[str], messages: list[str]) -> None:
     """Keeps the scene file under another name if it has edits that Blender does not have, and that the new file lacks."""
-    if kept and target.is_file():
+    if lost and target.is_file():
         copy = target.with_suffix(".edited.jen")
         shutil.copyfile(target, copy)
-        messages += [f"only in {copy.name} now: {edit}" for edit in kept]
+        messages += [f"only in {copy.name} now: {edit}" for edit in lost]
 
 
 def lamps(scene) -> list:
@@ -107,6 +107,7 @@ def _settings(scene, target: Path, messages: list[str]) -> dict:
         "picture": picture.send(scene, memory(scene).get("picture", {}), messages),
         "world": world_settings(scene, target, messages),
         "banks": light_groups(groups, used),
+        "materials": surfaces.send(memory(scene).get("surfaces", {})),
         "lights": [lights.send(obj, groups, messages) for obj in sent],
     }
     if scene.camera is not None:
@@ -137,14 +138,19 @@ def write_files(obj, folder: Path, messages: list[str]) -> None:
         (folder / name).write_bytes(content)
 
 
-def _store(scene, file: Path, exported: dict, groups: dict, kept: list[str]) -> None:
-    """Stores in a scene what a file of Lightning has, so that later edits can be told, and the edits that stay there."""
+def _store(scene, file: Path, exported: dict, groups: dict, kept: dict, lost: list[str]) -> None:
+    """Stores in a scene what a file of Lightning has, so that later edits can be told.
+
+    Args:
+        kept: edits of materials that are sent again
+        lost: messages about edits that only the file has
+    """
     scene[PROPERTY] = json.dumps({"banks": groups, "world": exported["world"], "picture": picture.store(scene, exported["picture"]),
-                                  "digest": _digest(file), "views": views.digests(exported), "materials": surfaces.digests(exported),
-                                  "kept": kept})
+                                  "digest": _digest(file), "views": views.digests(exported), "surfaces": surfaces.store(exported, kept),
+                                  "lost": lost})
 
 
-def _remember(scene, target: Path, sent: list) -> None:
+def _remember(scene, target: Path, sent: list, messages: list[str]) -> None:
     """Stores the lights as Lightning has them now, so that a later exchange can tell who changed what."""
     exported = export(target, [])
     groups = {group.pop("name"): group for group in exported["banks"]}
@@ -153,7 +159,8 @@ def _remember(scene, target: Path, sent: list) -> None:
     for obj in sent:
         if obj.name in by_name:
             lights.store(obj, obj.name, by_name[obj.name], groups, animation.digests(animated.get(obj.name, {})))
-    _store(scene, target, exported, groups, [])
+    kept = surfaces.check(exported, memory(scene).get("surfaces", {}).get("kept", {}), messages)
+    _store(scene, target, exported, groups, kept, [])
 
 
 def export(source: Path, messages: list[str]) -> dict:
@@ -193,12 +200,12 @@ def get_lights(context, source: Path, remove: bool = True) -> list[str]:
     for obj, settings, tracks in received:
         lights.store(obj, settings["name"], settings, groups, tracks)
     picture.receive(scene, exported["picture"], memory(scene).get("picture", {}), messages)
-    kept: list[str] = []
-    views.receive(scene, exported, memory(scene).get("views", {}), kept)
-    surfaces.receive(exported, memory(scene).get("materials", {}), kept)
-    messages += kept
+    lost: list[str] = []
+    views.receive(scene, exported, memory(scene).get("views", {}), lost)
+    kept = surfaces.receive(exported, memory(scene).get("surfaces", {}), messages, lost)
+    messages += lost
     world.receive(scene.world, exported["world"], memory(scene).get("world", {}), messages)
-    _store(scene, source, exported, groups, [*memory(scene).get("kept", []), *kept])
+    _store(scene, source, exported, groups, kept, [*memory(scene).get("lost", []), *lost])
     if any(settings["solo"] for settings in exported["lights"]) or any(group["solo"] for group in groups.values()):
         messages.append("solo lights: Blender shows the others too")
     for name, group in groups.items():

@@ -59,7 +59,7 @@ final class SceneExtras {
     }
 
     /**
-     * Sets the scene's picture size and view, world, light groups, lights and animation. Lights count only if the file has none of its own, so that
+     * Sets the scene's picture, world, edits of materials, light groups, lights and animation. Lights count only if the file has none of its own, so that
      * lights that were exported into it later win.
      *
      * @param nodeNames names in the scene of the file's nodes
@@ -68,6 +68,7 @@ final class SceneExtras {
         assembler.picture = PictureJson.read(json.path("picture"), assembler.picture, _ -> noteUnusable(assembler));
         assembler.world = AttributeJson.read(json.path("world"), assembler.world, World.ATTRIBUTES, assembler::hasOrCopiesFile,
                 _ -> noteUnusable(assembler));
+        MaterialExtras.apply(json.path("materials"), assembler.materials, () -> noteUnusable(assembler));
         assembler.isLit = json.path("lights").isArray();
         if (assembler.lights.isEmpty()) {
             Set<String> groups = new HashSet<>();

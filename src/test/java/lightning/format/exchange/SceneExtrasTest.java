@@ -18,6 +18,7 @@ import lightning.scene.IndirectSettings;
 import lightning.scene.LensShift;
 import lightning.scene.Light;
 import lightning.scene.LightType;
+import lightning.scene.Material;
 import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
 import lightning.scene.ShapeLinks;
@@ -33,7 +34,8 @@ class SceneExtrasTest {
 
     /** Imports the square with extras; single quotes stand for double ones. */
     private ImportedScene imported(String extras) throws Exception {
-        String json = GltfFixtures.SQUARE_JSON.replace("'scene': 0,", "'scene': 0, 'extras': {'lightning': " + extras + "},");
+        String json = GltfFixtures.SQUARE_JSON.replace("'scene': 0,",
+                "'scene': 0, 'materials': [{'name': 'paint'}], 'extras': {'lightning': " + extras + "},");
         Path gltf = Files.write(folder.resolve("a.gltf"), GltfFixtures.text(json, GltfFixtures.SQUARE));
         return SceneImporter.read(gltf, folder.resolve("a.jen"), LightUnits.CANDELA, Progress.NONE);
     }
@@ -51,6 +53,19 @@ class SceneExtrasTest {
         assertThat(open.scene().picture().indirect()).contains(IndirectSettings.DEFAULT.withBounces(3));
         assertThat(IndirectChoice.ON.apply(open).scene().picture()).isEqualTo(open.scene().picture());
         assertThat(IndirectChoice.OFF.apply(open).hasIndirect()).isFalse();
+    }
+
+    @Test
+    void editOfMaterial_countsIfFileHasValueBefore() throws Exception {
+        Material plain = imported("{}").scene().materials().getLast();
+        String edits = "{'f0': [" + plain.f0() + ", 0.1], 'reflective': [[0, 0, 0.0], [0.2, 0.3, 0.4]], 'roughness': [0.875, 0.25],"
+                + " 'thin': [false, true]}";
+        Material edited =
+                imported("{'materials': [{'name': 'paint', 'edits': " + edits + "}]}").scene().materials().getLast();
+        assertThat(edited.f0()).isEqualTo(0.1);
+        assertThat(edited.reflective()).isEqualTo(new Rgb(0.2, 0.3, 0.4));
+        assertThat(edited.transmission().thin()).isTrue();
+        assertThat(edited.roughness()).as("changed in the other program").isEqualTo(plain.roughness());
     }
 
     @Test
@@ -178,6 +193,8 @@ class SceneExtrasTest {
     void invalidValues_areNoted() throws Exception {
         assertThat(imported("{'picture': {'antialias': 'much'}}").notes()).containsEntry("scene settings that cannot be restored", 1);
         assertThat(imported("{'picture': {'indirect': {'rays': 5}}}").notes()).containsEntry("scene settings that cannot be restored", 1);
+        assertThat(imported("{'materials': [{'name': 'paint', 'edits': {'thin': [false, 3]}}]}").notes())
+                .containsEntry("scene settings that cannot be restored", 1);
         assertThat(imported("{'picture': {'samples': 99}}").notes()).containsEntry("scene settings that cannot be restored", 1);
         ImportedScene scene = imported("""
                 {'picture': {'size': [0, -3]}, 'world': {'intensity': 'much', 'rotation': 1e99}, 'banks': [{}, 3, {'name': 'b', 'on': 3}],
