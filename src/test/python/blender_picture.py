@@ -25,6 +25,8 @@ def sent() -> str:
 
 sample.start()
 scene = sample.build()
+from bl_ext.user_default.lightning import transfer  # noqa: E402, after the add-on is enabled
+
 assert "indirect" not in sent()
 # What Blender has too comes back.
 edit("picture.exposure=1.5", "picture.view=filmic", "picture.size=40 30", "picture.depth=7", "picture.indirect.bounces=3")
@@ -43,5 +45,6 @@ assert "indirect" in sent()
 # The camera in a closed room.
 scene.lightning_indirect = "AUTO"
 bpy.ops.mesh.primitive_cube_add(size=100)
-assert "indirect" in sent()
+assert "the camera is in a closed room, so indirect light is on" in transfer.send(bpy.context, FILE)
+assert "indirect" in FILE.read_text(encoding="utf-8")
 print("the picture is equal")

@@ -14,6 +14,8 @@ from . import animation, axes, gltf, light_nodes, lights, materials, picture, pr
 PROPERTY = "lightning"
 # Start of messages of the export of lights.
 LEFT_OUT = "not exported exactly: "
+# End of a message of the import that names an option of the command.
+OPTION = "; --indirect"
 # Parts of messages of the import that say nothing new: Lightning has no clipping planes.
 EXPECTED = ("written;", "znear of cameras", "zfar of cameras")
 
@@ -40,7 +42,7 @@ def send(context, target: Path, overwrite: bool = False) -> list[str]:
     _keep_edited(target, remembered.get("lost", []), messages)
     lines = program.run(*prepare(context, target, messages))
     model = target.with_suffix(".glb")
-    messages += [line.removeprefix(f"{model}: ") for line in lines if not any(text in line for text in EXPECTED)]
+    messages += [line.removeprefix(f"{model}: ").split(OPTION)[0] for line in lines if not any(text in line for text in EXPECTED)]
     _remember(scene, target, lamps(scene), messages)
     return messages
 
