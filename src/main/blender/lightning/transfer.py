@@ -101,15 +101,16 @@ def _export(path: Path) -> None:
 
 
 def _settings(scene, target: Path, messages: list[str]) -> dict:
-    groups = memory(scene).get("banks", {})
+    remembered = memory(scene)
+    groups = remembered.get("banks", {})
     sent = lamps(scene)
     used = dict.fromkeys(obj.lightgroup for obj in sent if obj.lightgroup)
     settings = {
         "version": 1,
-        "picture": picture.send(scene, memory(scene).get("picture", {}), messages),
+        "picture": picture.send(scene, remembered.get("picture", {}), messages),
         "world": world_settings(scene, target, messages),
         "banks": light_groups(groups, used),
-        "materials": surfaces.send(memory(scene).get("surfaces", {})),
+        "materials": surfaces.send(remembered.get("surfaces", {})),
         "lights": [lights.send(obj, groups, messages) for obj in sent],
     }
     if scene.camera is not None:
@@ -177,6 +178,7 @@ def export(source: Path, messages: list[str]) -> dict:
 def get_lights(context, source: Path, remove: bool = True) -> list[str]:
     """Brings the lights of a .jen file back: edited, added and, with `remove`, deleted ones. Returns messages for the user."""
     scene = context.scene
+    remembered = memory(scene)
     messages: list[str] = []
     exported = export(source, messages)
     groups = {group.pop("name"): group for group in exported["banks"]}
@@ -201,13 +203,13 @@ def get_lights(context, source: Path, remove: bool = True) -> list[str]:
     context.view_layer.update()
     for obj, settings, tracks in received:
         lights.store(obj, settings["name"], settings, groups, tracks)
-    picture.receive(scene, exported["picture"], memory(scene).get("picture", {}), messages)
+    picture.receive(scene, exported["picture"], remembered.get("picture", {}), messages)
     lost: list[str] = []
-    views.receive(scene, exported, memory(scene).get("views", {}), lost)
-    kept = surfaces.receive(exported, memory(scene).get("surfaces", {}), messages, lost)
+    views.receive(scene, exported, remembered.get("views", {}), lost)
+    kept = surfaces.receive(exported, remembered.get("surfaces", {}), messages, lost)
     messages += lost
-    world.receive(scene.world, exported["world"], memory(scene).get("world", {}), messages)
-    _store(scene, source, exported, groups, kept, [*memory(scene).get("lost", []), *lost])
+    world.receive(scene.world, exported["world"], remembered.get("world", {}), messages)
+    _store(scene, source, exported, groups, kept, [*remembered.get("lost", []), *lost])
     if any(settings["solo"] for settings in exported["lights"]) or any(group["solo"] for group in groups.values()):
         messages.append("solo lights: Blender shows the others too")
     for name, group in groups.items():

@@ -9,7 +9,7 @@ import lightning.base.math.Primaries;
 
 /** Reader for the channels R, G and B in the working space, linear Rec. 709. */
 public final class ExrColorReader {
-    private static final List<String> COLORS = List.of("R", "G", "B");
+    static final List<String> COLORS = List.of("R", "G", "B");
     private static final int PRIMARIES = 6;
     private static final int RED = 0;
     private static final int GREEN = 1;

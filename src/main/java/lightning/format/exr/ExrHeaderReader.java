@@ -11,7 +11,6 @@ import java.util.List;
  * colors.
  */
 final class ExrHeaderReader {
-    private static final List<String> COLORS = List.of("R", "G", "B");
     private static final String SCAN_LINES = "scanlineimage";
     private static final String TILES = "tiledimage";
     /** Maximum number of parts, so that a damaged file cannot request more. */
@@ -69,7 +68,7 @@ final class ExrHeaderReader {
             parts.add(readAttributes());
         }
         List<ExrAttributeReader> flat = parts.stream().filter(part -> List.of(SCAN_LINES, TILES).contains(part.type())).toList();
-        ExrAttributeReader chosen = flat.stream().filter(part -> part.hasChannels(COLORS)).findFirst()
+        ExrAttributeReader chosen = flat.stream().filter(part -> part.hasChannels(ExrColorReader.COLORS)).findFirst()
                 .or(() -> flat.stream().findFirst()).orElseThrow(ExrHeaderReader::onlyDeep);
         int number = parts.indexOf(chosen);
         long table = in.position();
