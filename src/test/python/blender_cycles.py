@@ -5,7 +5,6 @@ so at an edge it can count one row of samples too much or too little, an eighth 
 """
 
 import math
-import subprocess
 import sys
 
 import blender_scene as sample
@@ -16,7 +15,6 @@ WIDTH, HEIGHT = 48, 27
 SAMPLES = 1024
 KIND = sys.argv[2]
 FILE = sample.FOLDER / "shot.jen"
-PROGRAM = (sample.FOLDER / "user/extensions/user_default/lightning/program.txt").read_text(encoding="utf-8").strip()
 
 
 def build() -> None:
@@ -136,8 +134,8 @@ def contrast(picture):
 sample.start()
 build()
 assert bpy.ops.lightning.send(filepath=str(FILE), overwrite=True) == {"FINISHED"}
-subprocess.run([PROGRAM, "relight", str(FILE), "-o", str(sample.FOLDER / "lightning.exr"), "--set", "picture.antialias=every", "--set",
-                "picture.samples=8", *([] if KIND in ("world", "sky", "photo") or KIND.startswith(("lamp", "profile")) else ["--set", "L.samples=64"]), "--bits", "32", "--no-savings"], check=True)
+sample.run_program("relight", str(FILE), "-o", str(sample.FOLDER / "lightning.exr"), "--set", "picture.antialias=every", "--set",
+                   "picture.samples=8", *([] if KIND in ("world", "sky", "photo") or KIND.startswith(("lamp", "profile")) else ["--set", "L.samples=64"]), "--bits", "32", "--no-savings")
 ours = pixels(str(sample.FOLDER / "lightning.exr"))
 one, two = cycles(1), cycles(2)
 theirs = (one + two) / 2

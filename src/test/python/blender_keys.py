@@ -1,14 +1,12 @@
 """Sends an animated scene to Lightning, edits keys of lights there, and gets them back."""
 
 import json
-import subprocess
 
 import blender_scene as sample
 import bpy
 from mathutils import Vector
 
 FILE = sample.FOLDER / "shot.jen"
-PROGRAM = (sample.FOLDER / "user/extensions/user_default/lightning/program.txt").read_text(encoding="utf-8").strip()
 PRECISION = 4e-6
 KEYED = ("at", "direction", "color", "intensity", "exposure", "radius", "angle", "on", "width")
 
@@ -21,7 +19,7 @@ def call(operator) -> None:
 def exported() -> dict:
     """Returns what Lightning has, by light and attribute, at frames 1 to 12."""
     target = sample.FOLDER / "lights.json"
-    subprocess.run([PROGRAM, "export-lights", str(FILE), "-o", str(target), "--quiet"], check=True)
+    sample.run_program("export-lights", str(FILE), "-o", str(target), "--quiet")
     root = json.loads(target.read_text(encoding="utf-8"))
     result = {}
     for light in root["lights"]:
@@ -153,8 +151,7 @@ textured.id_data.links.new(texture.outputs["Color"], textured.inputs["Color"])
 call(bpy.ops.lightning.send)
 assert_same("nodes")
 replace_keys("light Spot { on { 1 no  4 yes } }\n")
-subprocess.run([PROGRAM, "relight", str(FILE), "-o", str(sample.FOLDER / "a.png"), "--size", "24x16", "--no-savings", "--save", str(FILE),
-                "--set", "Key.color=0 0.5 1", "--set", "Key.intensity=1.5"], check=True)
+sample.set_in_file(FILE, "Key.color=0 0.5 1", "Key.intensity=1.5")
 call(bpy.ops.lightning.get_lights)
 assert_same("edited nodes")
 assert tuple(key.data.color) == color and key.data.energy == energy and emission.inputs["Color"].default_value[0] == 0
@@ -177,7 +174,7 @@ replace_keys("""
 messages = transfer.get_lights(bpy.context, FILE)
 assert not any("stay in Lightning" in m and ("group" in m or "Cube" in m) for m in messages), messages
 target = sample.FOLDER / "lights.json"
-subprocess.run([PROGRAM, "export-lights", str(FILE), "-o", str(target), "--quiet"], check=True)
+sample.run_program("export-lights", str(FILE), "-o", str(target), "--quiet")
 root = json.loads(target.read_text(encoding="utf-8"))
 tracks = root["shot"]["tracks"]
 matrices = next(t["matrices"] for t in tracks if t.get("node") == "Cube")

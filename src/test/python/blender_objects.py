@@ -1,20 +1,15 @@
 """Sends a scene to Lightning, edits objects and materials there, and gets them back."""
 
-import subprocess
-
 import blender_scene as sample
 import bpy
 
 FILE = sample.FOLDER / "shot.jen"
-PROGRAM = (sample.FOLDER / "user/extensions/user_default/lightning/program.txt").read_text(encoding="utf-8").strip()
 PRECISION = 4e-6
 
 
 def edit(*edits: str) -> list[str]:
     """Edits the scene file, and gets it back; returns the messages."""
-    words = [word for text in edits for word in ("--set", text)]
-    subprocess.run([PROGRAM, "relight", str(FILE), "-o", str(sample.FOLDER / "a.png"), "--size", "24x16", "--no-savings", "--save", str(FILE),
-                    *words], check=True)
+    sample.set_in_file(FILE, *edits)
     messages = transfer.get_lights(bpy.context, FILE)
     bpy.context.view_layer.update()
     return messages

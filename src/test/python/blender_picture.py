@@ -1,19 +1,14 @@
 """Sends a scene to Lightning, edits its picture there and in Blender, and looks at the settings on both sides."""
 
-import subprocess
-
 import blender_scene as sample
 import bpy
 
 FILE = sample.FOLDER / "shot.jen"
-PROGRAM = (sample.FOLDER / "user/extensions/user_default/lightning/program.txt").read_text(encoding="utf-8").strip()
 
 
 def edit(*edits: str) -> None:
     """Edits the scene file, and gets it back."""
-    words = [word for text in edits for word in ("--set", text)]
-    subprocess.run([PROGRAM, "relight", str(FILE), "-o", str(sample.FOLDER / "a.png"), "--size", "24x16", "--no-savings", "--save", str(FILE),
-                    *words], check=True)
+    sample.set_in_file(FILE, *edits)
     assert bpy.ops.lightning.get_lights(filepath=str(FILE)) == {"FINISHED"}
 
 

@@ -1,12 +1,9 @@
 """Sends a scene with every kind of light to Lightning, edits its lights there, and gets them back."""
 
-import subprocess
-
 import blender_scene as sample
 import bpy
 
 FILE = str(sample.FOLDER / "shot.jen")
-PROGRAM = (sample.FOLDER / "user/extensions/user_default/lightning/program.txt").read_text(encoding="utf-8").strip()
 # Single precision, once more after a conversion there and back.
 PRECISION = 2e-6
 
@@ -49,8 +46,7 @@ edits = ["--set", "Key.intensity=2", "--set", "Key.at=0 5 0", "--set", "Spot.on=
          "--set", "Disc.radius=1", "--set", "Soft Box.illuminates=only \"Cube\"", "--set", "keys.intensity=0.5",
          "--set", "world.intensity=0.2", "--set", "world.rotation=-45", "--delete", "Square",
          "--add", "rim rect intensity=4 at=0 2 -5 direction=0 0 1 width=2 height=3 falloff=inverse_square"]
-subprocess.run([PROGRAM, "relight", FILE, "-o", str(sample.FOLDER / "a.png"), "--size", "24x16", "--no-savings", "--save", FILE, *edits],
-               check=True)
+sample.edit_file(FILE, *edits)
 try:
     bpy.ops.lightning.send(filepath=FILE)
     raise AssertionError("a scene that was edited was overwritten")
@@ -91,8 +87,7 @@ call(bpy.ops.lightning.send)
 text = open(FILE, encoding="utf-8").read()
 assert 'texture "light-colors.hdr"' in text and 'profile "lamp.ies"' in text, text
 expected = lights()
-subprocess.run([PROGRAM, "relight", FILE, "-o", str(sample.FOLDER / "a.png"), "--size", "24x16", "--no-savings", "--save", FILE,
-                "--set", "Key.exposure=2.5", "--set", "Disc.color=1 0.5 0.25"], check=True)
+sample.set_in_file(FILE, "Key.exposure=2.5", "Disc.color=1 0.5 0.25")
 call(bpy.ops.lightning.get_lights)
 expected["Key"]["exposure"], expected["Disc"]["color"] = 2.5, [1.0, 0.5, 0.25]
 for name, light in expected.items():

@@ -2,6 +2,7 @@
 
 import math
 import os
+import subprocess
 import sys
 from pathlib import Path
 
@@ -10,6 +11,22 @@ os.environ["BLENDER_USER_RESOURCES"] = str(FOLDER / "user")
 
 import bpy  # noqa: E402, after the variable that it reads
 import numpy  # noqa: E402
+
+
+def run_program(*words: str) -> None:
+    """Runs a command of the program that the add-on finds."""
+    program = (FOLDER / "user/extensions/user_default/lightning/program.txt").read_text(encoding="utf-8").strip()
+    subprocess.run([program, *words], check=True)
+
+
+def edit_file(file, *words: str) -> None:
+    """Edits a scene file in Lightning, with options of `relight`."""
+    run_program("relight", str(file), "-o", str(FOLDER / "a.png"), "--size", "24x16", "--no-savings", "--save", str(file), *words)
+
+
+def set_in_file(file, *edits: str) -> None:
+    """Edits properties of a scene file in Lightning."""
+    edit_file(file, *(word for text in edits for word in ("--set", text)))
 
 
 def start() -> None:
