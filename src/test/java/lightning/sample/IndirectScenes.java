@@ -64,6 +64,17 @@ public final class IndirectScenes {
                 sphere ball { material glass  at 0.2 -0.5 -0.2  scale 0.5 0.5 0.5 }
                 plane pane { material glass  at -0.4 0 0.3  rotate 90 30 0  scale 0.3 1 0.5 }
                 """, new IndirectSettings(3, 16, 3, true)));
+        scenes.put("panes that reflect", scene("size 24 18  depth 2", CAMERA + ROOM + LAMP + """
+                material mirrored { diffuse 0.1 0.1 0.1  clear 0.9 1 0.8  ior 1.8  reflective 0.5 0.2 0  thin yes }
+                plane pane { material mirrored  at 0 0.2 0.5  rotate 80 10 0  scale 1.5 1 1.5 }
+                plane other { material glass  at 0.3 0.1 0.6  rotate 90 30 20  scale 0.8 1 0.8 }
+                """, new IndirectSettings(2, 16, 3, true)));
+        scenes.put("visible lights", withMesh(scene("size 24 18  depth 2", CAMERA + ROOM + """
+                light panel rect { at 0 0.5 0  direction 0 -1 0.2  width 0.8  height 0.6  samples 4  visible yes }
+                light bulb point { at 0.4 -0.5 0.2  radius 0.2  samples 4  visible yes  intensity 0 }
+                plane pane { material glass  at -0.4 0 0.3  rotate 90 30 0  scale 0.6 1 0.8 }
+                sphere ball { material blue  at -0.4 -0.6 -0.2  scale 0.3 0.3 0.3 }
+                """, new IndirectSettings(2, 16, 4, true))));
         scenes.put("area light", scene("size 24 24  depth 1  antialias edges  samples 2", CAMERA + ROOM + """
                 cylinder block { material blue  at -0.3 -1 -0.3  scale 0.3 0.8 0.3 }
                 light panel rect { at 0 0.95 0  direction 0 -1 0  width 0.6  height 0.4  samples 8 }

@@ -12,7 +12,7 @@ import lightning.render.trace.tree.BoxSet;
  * Paths of indirect light before an edit of objects or materials. A ray that meets no changed object, before or after, hits what it hit,
  * so a repetition takes its surfel from here. Immutable.
  *
- * <p>Rays that may meet a transparent object are cast again: their segments do not lie exactly on one line.
+ * <p>Rays that may pass a transparent object or the face of a light are cast again: their segments do not lie exactly on one line.
  */
 public final class PathMemo {
     /** With more boxes their tests cost as much as rays. */
@@ -106,7 +106,7 @@ public final class PathMemo {
         return changes.count() > MAX_BOXES ? null : new PathMemo(before, rows, geometry, shapes, cells, changes);
     }
 
-    /** Returns the boxes of the primitives of a geometry whose materials changed in what rays and surfels read, or are transparent. */
+    /** Returns the boxes of the primitives of a geometry that rays pass, or whose materials changed in what rays and surfels read. */
     private static BoxSet changedMaterials(Geometry of, Geometry geometry, Geometry after) {
         MaterialTable old = geometry.materials();
         MaterialTable now = after.materials();
@@ -117,7 +117,7 @@ public final class PathMemo {
         int[] primitives = new int[of.primitiveCount()];
         int count = 0;
         for (int p = 0; p < primitives.length && count <= MAX_BOXES; p++) {
-            if (changed[of.materialIndex(p)]) {
+            if (changed[of.materialIndex(p)] || of.isLightFace(p)) {
                 primitives[count++] = p;
             }
         }

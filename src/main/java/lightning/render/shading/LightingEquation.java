@@ -202,12 +202,6 @@ public final class LightingEquation {
         return weight * (term * falloff);
     }
 
-    /** Returns one channel of a clear surface's transmission: the unmirrored share times its color. */
-    static float transmitted(float kr, float share, float kt) {
-        float mirror = kr + (1 - kr) * share;
-        return (1 - mirror) * kt;
-    }
-
     /** Returns the mean of a light's samples from their sum, first to last, of exact products {@code term·falloff}. */
     static float mean(double sum, int samples) {
         return (float) (sum / samples);

@@ -9,14 +9,17 @@ import lightning.render.gather.CellKeys;
 import lightning.render.gather.DirectionTable;
 import lightning.render.gather.GlowShapes;
 import lightning.render.trace.Geometry;
+import lightning.render.trace.MaterialTable;
 import lightning.render.trace.NormalSteps;
+import lightning.render.trace.RayBatch;
+import lightning.render.trace.Refraction;
 import lightning.render.trace.SurfacePoint;
 import lightning.scene.Transmission;
 
 /**
  * Ray by which a point gathers light, for {@link ReferenceTracer}.
  *
- * @param hit    first surface that is not transparent; null for none
+ * @param hit    first surface that is neither transparent nor the face of a light; null for none
  * @param length distance to it, in lengths of the direction
  * @param cell   cell of surfels that the ray hits; undefined for none
  * @param rank   order among the rays that hit the cell
@@ -28,9 +31,6 @@ import lightning.scene.Transmission;
 record ReferenceGatherRay(SurfacePoint hit, double length, long cell, int rank, float[] tint, float[] texel, float[] glowTexel,
         boolean dark) {
     // Arrays in a record: written once by their creator, never after.
-
-    /** A ray that passes more surfaces than this counts as a miss. */
-    private static final int MAX_SURFACES = 16;
 
     /** Casts the rays of a point. */
     static List<ReferenceGatherRay> cast(Geometry geometry, CellKeys keys, GlowShapes glows, DirectionTable directions, long seed,
@@ -81,32 +81,46 @@ record ReferenceGatherRay(SurfacePoint hit, double length, long cell, int rank, 
         float[] tint = {1, 1, 1};
         double passed = 0;
         Ray ray = first;
-        for (int surfaces = 0; surfaces <= MAX_SURFACES; surfaces++) {
+        for (int surfaces = 0;; surfaces++) {
             int primitive = geometry.nearestBruteForce(ray);
             if (primitive < 0) {
-                break;
+                return miss(rank, tint);
             }
             SurfacePoint hit = geometry.surfaceBruteForce(primitive, ray);
             double distance = geometry.distance(primitive, ray);
-            if (hit.backSide() == null) {
+            boolean isFace = geometry.isLightFace(primitive);
+            if (hit.backSide() == null && !isFace) {
                 double length = passed + distance;
                 double side = keys.surfelSide(hit.px(), hit.py(), hit.pz(), length);
                 return new ReferenceGatherRay(hit, length,
                         keys.surfelKey(hit.px(), hit.py(), hit.pz(), hit.nx(), hit.ny(), hit.nz(), primitive, length), rank, tint,
                         geometry.meanTexelBruteForce(primitive, ray, side), geometry.meanGlowTexelBruteForce(primitive, ray, side), false);
             }
-            multiply(tint, hit.backSide());
+            if (surfaces == RayBatch.MAX_SURFACES) {
+                return miss(rank, new float[3]);
+            }
+            if (!isFace) {
+                multiply(tint, geometry.materials(), hit);
+            }
             passed += distance;
-            ray = new Ray(new Vec3(hit.backSide().x(), hit.backSide().y(), hit.backSide().z()), ray.direction());
+            ray = new Ray(geometry.pointBehindBruteForce(primitive, ray), ray.direction());
         }
+    }
+
+    private static ReferenceGatherRay miss(int rank, float[] tint) {
         return new ReferenceGatherRay(null, Double.POSITIVE_INFINITY, 0, rank, tint, null, null, false);
     }
 
-    private static void multiply(float[] tint, SurfacePoint.BackSide surface) {
-        Transmission transmission = surface.transmission();
-        multiply(tint, transmission.color(), 1);
-        if (surface.isInside()) {
-            multiply(tint, transmission.tint(), surface.insideDistance() / transmission.tintDistance());
+    /** Multiplies a tint by what a transparent surface transmits, by the angle from outside. */
+    private static void multiply(float[] tint, MaterialTable materials, SurfacePoint hit) {
+        Transmission transmission = hit.backSide().transmission();
+        float reflectance =
+                Refraction.fresnelReflectance(transmission, false, hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz());
+        for (int c = 0; c < 3; c++) {
+            tint[c] *= materials.transmitted(hit.material(), reflectance, c);
+        }
+        if (hit.backSide().isInside()) {
+            multiply(tint, transmission.tint(), hit.backSide().insideDistance() / transmission.tintDistance());
         }
     }
 

@@ -61,7 +61,7 @@ final class Transmittance {
             new InteriorTint(clarity).write(isExit ? (float) ((t - last) * length) : -1, tint);
             float share = Refraction.fresnelReflectance(clarity, false, surface.nx, surface.ny, surface.nz, vx, vy, vz);
             for (int c = 0; c < 3; c++) {
-                rgb[c] *= LightingEquation.transmitted(ClearMaterialShader.channel(material.reflective(), c), share,
+                rgb[c] *= Refraction.transmitted(ClearMaterialShader.channel(material.reflective(), c), share,
                         ClearMaterialShader.channel(clarity.color(), c))
                         * tint[c];
             }

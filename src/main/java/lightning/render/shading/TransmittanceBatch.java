@@ -1,6 +1,7 @@
 package lightning.render.shading;
 
 import java.util.Arrays;
+import lightning.render.trace.Refraction;
 import lightning.render.trace.ShadowRayBatch;
 import lightning.render.trace.Tracer;
 import lightning.render.trace.primitive.PrimitiveTable;
@@ -113,14 +114,14 @@ final class TransmittanceBatch {
             float[] kr = surface.reflective;
             float[] kt = surface.color;
             if (isInside && !surface.thin) {
-                red *= LightingEquation.transmitted(kr[0], share, kt[0]) * (float) power[p];
-                green *= LightingEquation.transmitted(kr[1], share, kt[1]) * (float) power[p + 1];
-                blue *= LightingEquation.transmitted(kr[2], share, kt[2]) * (float) power[p + 2];
+                red *= Refraction.transmitted(kr[0], share, kt[0]) * (float) power[p];
+                green *= Refraction.transmitted(kr[1], share, kt[1]) * (float) power[p + 1];
+                blue *= Refraction.transmitted(kr[2], share, kt[2]) * (float) power[p + 2];
                 p += 3;
             } else {
-                red *= LightingEquation.transmitted(kr[0], share, kt[0]);
-                green *= LightingEquation.transmitted(kr[1], share, kt[1]);
-                blue *= LightingEquation.transmitted(kr[2], share, kt[2]);
+                red *= Refraction.transmitted(kr[0], share, kt[0]);
+                green *= Refraction.transmitted(kr[1], share, kt[1]);
+                blue *= Refraction.transmitted(kr[2], share, kt[2]);
             }
             entered = isInside || surface.thin ? null : surface;
         }

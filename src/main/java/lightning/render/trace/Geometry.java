@@ -389,6 +389,11 @@ public final class Geometry {
         return owner(primitive) >= scene.stage().shapes().size();
     }
 
+    /** Returns whether the scene has visible lights. */
+    boolean hasLightFaces() {
+        return shapes.size() > scene.stage().shapes().size();
+    }
+
     /** Returns the material of a primitive. */
     public Material material(int primitive) {
         return materials.material(materialIndex(primitive));
@@ -528,6 +533,12 @@ public final class Geometry {
     public SurfacePoint surfaceBruteForce(int primitive, Ray ray) {
         double t = hitDistance(primitive, ray);
         return new SurfacePointBuilder(primitives, materials).surfacePoint(primitive, hitPart(primitive, ray), ray, t);
+    }
+
+    /** Returns the start of a ray that passes a primitive which it hits, behind the surface; tests every triangle of a mesh. */
+    public Vec3 pointBehindBruteForce(int primitive, Ray ray) {
+        double t = hitDistance(primitive, ray);
+        return new SurfacePointBuilder(primitives, materials).pointBehind(primitive, hitPart(primitive, ray), ray, t);
     }
 
     /**

@@ -136,7 +136,8 @@ public final class MaterialTable {
 
     /** Returns whether rays pass material {@code m} as in another table, and its surfels have the same textures. */
     public boolean hasSamePaths(int m, MaterialTable o) {
-        return isTextured(m) == o.isTextured(m) && material(m).hasSameTextures(o.material(m)) && transmission(m).equals(o.transmission(m));
+        return isTextured(m) == o.isTextured(m) && material(m).hasSameTextures(o.material(m)) && transmission(m).equals(o.transmission(m))
+                && (!isTransparent(m) || material(m).reflective().equals(o.material(m).reflective()));
     }
 
     public Material material(int m) {
@@ -166,6 +167,17 @@ public final class MaterialTable {
     /** Returns the transmission of material {@code m}. */
     public Transmission transmission(int m) {
         return materials.get(m).transmission();
+    }
+
+    /**
+     * Returns one channel of the share of light that passes a surface of a transparent material.
+     *
+     * @param reflectance Fresnel reflectance, 0…1
+     */
+    public float transmitted(int m, float reflectance, int channel) {
+        Rgb color = transmission(m).color();
+        return Refraction.transmitted(reflective(m, channel), reflectance,
+                (float) (channel == 0 ? color.r() : channel == 1 ? color.g() : color.b()));
     }
 
     /** Returns the position of material {@code m} in the order of a tile's rows: 0 … {@code count() − 1}. */

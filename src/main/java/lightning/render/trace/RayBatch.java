@@ -10,22 +10,24 @@ import lightning.scene.Scene;
 import lightning.scene.Transmission;
 
 /**
- * Up to 1024 rays with any origins and directions, which pass through transparent surfaces. Holds scratch memory: use one per thread.
+ * Up to 1024 rays with any origins and directions, which pass through transparent surfaces and faces of lights. Holds scratch memory:
+ * use one per thread.
  *
- * <p>A ray that hits a transparent surface continues in the same direction, tinted by the surface's color and by the path inside the
- * body.
+ * <p>A ray that hits a transparent surface continues in the same direction. It is tinted as a tinted shadow ray is: by the share of light
+ * that the surface does not reflect, by its color, and by the path inside the body. Light that the surface reflects toward the ray is
+ * lost. The face of a light does not change the ray, because the light itself is computed by shadow rays.
  */
 public final class RayBatch {
     /** Maximum number of rays. */
     public static final int MAX_RAYS = RayColumns.MAX_RAYS;
-    /** A ray that passes more surfaces than this counts as a miss. */
-    private static final int MAX_SURFACES = 16;
+    /** A ray that passes more surfaces than this meets nothing, not even the background: its tint is black. */
+    public static final int MAX_SURFACES = 256;
 
     /** Origins, render space. */
     public final float[] startX = new float[MAX_RAYS + 64];
     public final float[] startY = new float[MAX_RAYS + 64];
     public final float[] startZ = new float[MAX_RAYS + 64];
-    /** Directions, of any length. */
+    /** Directions; of length 1 if the geometry has transparent surfaces. */
     public final double[] directionX;
     public final double[] directionY;
     public final double[] directionZ;
@@ -47,11 +49,13 @@ public final class RayBatch {
     /** Length of each ray before its last segment. */
     private final double[] passed = new double[MAX_RAYS];
     private boolean tinted;
+    private final boolean hasPassableSurfaces;
 
     public RayBatch(Geometry geometry, Scene scene, Tracer tracer) {
         this.geometry = geometry;
         primitives = geometry.primitives();
         materials = geometry.materials();
+        hasPassableSurfaces = materials.transparentCount() > 0 || geometry.hasLightFaces();
         this.tracer = tracer;
         rowBuilder = new HitRowBuilder(geometry, tracer);
         rays = new RayColumns(new CameraRays(scene.camera(), scene.picture()));
@@ -66,7 +70,7 @@ public final class RayBatch {
     /** Traces rays {@code 0 … count − 1}. Replaces the origins of rays that pass a transparent surface. */
     public void trace(int count) {
         traceToFirst(count);
-        for (int pass = 1, moved = count; materials.transparentCount() > 0 && moved > 0; pass++) {
+        for (int pass = 1, moved = count; hasPassableSurfaces && moved > 0; pass++) {
             moved = moveThroughSurfaces(moved, pass > MAX_SURFACES);
             findNearest(moved);
         }
@@ -117,15 +121,17 @@ public final class RayBatch {
         }
     }
 
-    /** Moves the origins of selected rays that hit a transparent surface to its other side; selects these and returns their number. */
+    /** Moves the origins of selected rays that pass a surface to its other side; selects these and returns their number. */
     private int moveThroughSurfaces(int count, boolean stop) {
         int moved = 0;
         for (int i = 0; i < count; i++) {
             int ray = selected[i];
             int primitive = rays.primitive[ray];
-            if (primitive >= 0 && materials.isTransparent(primitives.material[primitive])) {
+            if (primitive >= 0 && (materials.isTransparent(primitives.material[primitive]) || geometry.isLightFace(primitive))) {
                 if (stop) {
                     rays.primitive[ray] = -1;
+                    allocateTints();
+                    multiplyTint(ray, Rgb.BLACK, 1);
                 } else {
                     moveThroughSurface(ray, primitive);
                     selected[moved++] = (short) ray;
@@ -136,24 +142,39 @@ public final class RayBatch {
     }
 
     private void moveThroughSurface(int ray, int primitive) {
+        computeSurface(ray, primitive);
+        surface.computeBackPoint();
+        if (materials.isTransparent(primitives.material[primitive])) {
+            multiplyTransmittance(ray, primitives.material[primitive]);
+        }
+        passed[ray] += rays.t[ray];
+        startX[ray] = surface.backX;
+        startY[ray] = surface.backY;
+        startZ[ray] = surface.backZ;
+    }
+
+    /** Multiplies the tint of a ray by what the surface computed last transmits. */
+    private void multiplyTransmittance(int ray, int material) {
+        allocateTints();
+        Transmission transmission = materials.transmission(material);
+        float reflectance = Refraction.fresnelReflectance(transmission, false, surface.nx, surface.ny, surface.nz, (float) rays.dx[ray],
+                (float) rays.dy[ray], (float) rays.dz[ray]);
+        for (int c = 0; c < 3; c++) {
+            tint[c][ray] *= materials.transmitted(material, reflectance, c);
+        }
+        double inside = SurfacePointBuilder.insideDistance(transmission, surface, rays.t[ray]);
+        if (inside >= 0) {
+            multiplyTint(ray, transmission.tint(), inside / transmission.tintDistance());
+        }
+    }
+
+    private void allocateTints() {
         if (!tinted) {
             tinted = true;
             for (float[] channel : tint) {
                 Arrays.fill(channel, 1);
             }
         }
-        computeSurface(ray, primitive);
-        surface.computeBackPoint();
-        Transmission transmission = materials.transmission(primitives.material[primitive]);
-        multiplyTint(ray, transmission.color(), 1);
-        double inside = SurfacePointBuilder.insideDistance(transmission, surface, rays.t[ray]);
-        if (inside >= 0) {
-            multiplyTint(ray, transmission.tint(), inside / transmission.tintDistance());
-        }
-        passed[ray] += rays.t[ray];
-        startX[ray] = surface.backX;
-        startY[ray] = surface.backY;
-        startZ[ray] = surface.backZ;
     }
 
     private void computeSurface(int ray, int primitive) {

@@ -67,4 +67,16 @@ public final class Refraction {
         double f = (s * s + p * p) / 2;
         return (float) (transmission.thin() ? 2 * f / (1 + f) : f);
     }
+
+    /**
+     * Returns one channel of the share of light that passes a surface: the share that is not reflected times the color of transmission.
+     *
+     * @param kr    color of reflection, 0…1
+     * @param share Fresnel reflectance, 0…1
+     * @param kt    color of transmission, 0…1
+     */
+    public static float transmitted(float kr, float share, float kt) {
+        float mirror = kr + (1 - kr) * share;
+        return (1 - mirror) * kt;
+    }
 }

@@ -56,6 +56,13 @@ record SurfacePointBuilder(PrimitiveTable primitives, MaterialTable materials) {
         return texel;
     }
 
+    /** Returns the point behind the surface that a ray hits at a distance. */
+    Vec3 pointBehind(int primitive, int part, Ray ray, double t) {
+        SurfaceHit surface = hit(primitive, part, ray, t);
+        surface.computeBackPoint();
+        return new Vec3(surface.backX, surface.backY, surface.backZ);
+    }
+
     /** Returns the mean color of the glow map in a square around a ray's hit; null if the material has none. */
     float[] meanGlowTexel(int primitive, int part, Ray ray, double t, double side) {
         int material = primitives.material[primitive];

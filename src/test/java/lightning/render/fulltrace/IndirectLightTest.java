@@ -6,6 +6,8 @@ import static org.assertj.core.api.Assertions.within;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.base.work.Progress;
@@ -18,6 +20,7 @@ import lightning.scene.IndirectSettings;
 import lightning.scene.Light;
 import lightning.scene.Scene;
 import lightning.scene.World;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -130,6 +133,120 @@ class IndirectLightTest {
         }
         // The camera is in the left room.
         assertThat(brightest).isZero();
+    }
+
+    /** A floor below a large roof, under a white background. */
+    private static Film floorUnder(String roof) throws JenException {
+        return trace(JenReader.read("""
+                jen 1
+                picture { size 16 12  depth 2  indirect { bounces 1  rays 256  spacing 4  background on } }
+                camera { from 0 0.8 0  to 0 0 0  up 0 0 -1  fov 40 }
+                world { ambience 0  background 1 1 1 }
+                material white { diffuse 0.5 0.5 0.5 }
+                plane floor { material white }
+                """ + roof, "floor.jen", Path.of("")).scene());
+    }
+
+    private static float[] valuesUnder(String roof) throws JenException {
+        return floorUnder(roof).toScanlines();
+    }
+
+    /** The roof covers all rays but those within 0.002 radians of the horizon, to which a stratum of the rays belongs only in part. */
+    private static final String ROOF = "plane roof { material r  at 0 1 0  scale 1000 1 1000 }\n";
+
+    /** Every ray passes the same surface and keeps 1 − 0.9 of its light. Each mean rounds as in {@link #FILTER_ROUNDING}. */
+    @Test
+    void reflectivePane_passesTheRest() throws JenException {
+        float[] under = valuesUnder("material r { diffuse 0 0 0  clear 1 1 1  ior 1  reflective 0.9 0.9 0.9  thin yes }\n" + ROOF);
+        float passed = (1 - 0.9f) * 1;
+        for (float value : under) {
+            assertThat(value).isCloseTo(0.5f * passed, within(FILTER_ROUNDING));
+        }
+    }
+
+    /**
+     * A thin sheet passes (1 − F)/(1 + F), which falls with the angle. The 256 rays are stratified in 16 rings of equal weight, and no ring
+     * differs from its mean by more than the values at its edges do: all together by at most 1/16 of the range, which is 0…1.
+     */
+    @Test
+    void clearPane_passesWhatFresnelsEquationsLeave() throws JenException {
+        float[] under = valuesUnder("material r { diffuse 0 0 0  clear 1 1 1  ior 1.5  thin yes }\n" + ROOF);
+        int steps = 1000;
+        double passed = 0;
+        for (int i = 0; i < steps; i++) {
+            double cosine = Math.sqrt((i + 0.5) / steps);
+            double refracted = Math.sqrt(1 - (1 - cosine * cosine) / 2.25);
+            double s = (cosine - 1.5 * refracted) / (cosine + 1.5 * refracted);
+            double p = (refracted - 1.5 * cosine) / (refracted + 1.5 * cosine);
+            double f = (s * s + p * p) / 2;
+            passed += (1 - f) / (1 + f) / steps;
+        }
+        assertThat(passed).isBetween(0.84, 0.86);
+        for (float value : under) {
+            assertThat((double) value).isCloseTo(0.5 * passed, within(0.5 / 16));
+        }
+    }
+
+    /** The face of a light hides nothing from indirect light, whatever the light's intensity is. */
+    @ParameterizedTest
+    @ValueSource(strings = {"rect { at 0 1 0  direction 0 -1 0  width 40  height 40", "point { at 0 3 0  radius 2"})
+    void visibleLight_blocksNoSky(String light) throws JenException {
+        String text = "light l " + light + "  intensity 0  samples 4  visible ";
+        assertThat(valuesUnder(text + "yes }\n")).isEqualTo(valuesUnder(text + "no }\n")).isEqualTo(valuesUnder(""));
+    }
+
+    /** Without a limit on the right side, the last panes let the background into the closed room. */
+    @ParameterizedTest
+    @ValueSource(ints = {17, 100, 300})
+    void closedRoomBehindPanes_staysDark(int panes) throws JenException {
+        String all = IntStream.range(0, panes).mapToObj(i -> "plane p" + i + " { material pane  at " + (0.2 + 0.8 * i / panes)
+                + " 0 0  rotate 0 0 90  scale 1.9 1 3.9 }\n").collect(Collectors.joining());
+        Film film = trace(JenReader.read("""
+                jen 1
+                picture { size 16 12  depth 2  indirect { bounces 1  rays 64  spacing 4  background on } }
+                camera { from -0.9 0 0  to -0.5 -1 0  fov 60 }
+                world { ambience 0  background 1 1 1 }
+                material white { diffuse 0.8 0.8 0.8 }
+                material pane { diffuse 0 0 0  clear 1 1 1  ior 1  thin yes }
+                plane floor { material white  at 0 -1 0  scale 4 1 4 }
+                plane ceiling { material white  at 0 1 0  scale 4 1 4 }
+                plane back { material white  at 0 0 -2  rotate 90 0 0  scale 4 1 2 }
+                plane front { material white  at 0 0 2  rotate 90 0 0  scale 4 1 2 }
+                plane left { material white  at -2 0 0  rotate 0 0 90  scale 2 1 4 }
+                plane right { material white  at 2 0 0  rotate 0 0 90  scale 2 1 4 }
+                """ + all, "panes.jen", Path.of("")).scene());
+        assertThat(film.toScanlines()).containsOnly(0);
+    }
+
+    /** The shadows of an object are those of lights. Rays of indirect light meet all objects but those that are clear. */
+    @Test
+    void shadowsOfMaterials_concernLightsOnly() throws JenException {
+        assertThat(valuesUnder("material r { diffuse 0 0 0  shadows none }\n" + ROOF))
+                .isEqualTo(valuesUnder("material r { diffuse 0 0 0  shadows full }\n" + ROOF)).isNotEqualTo(valuesUnder(""));
+        assertThat(valuesUnder("material r { diffuse 0 0 0  clear 1 1 1  ior 1  thin yes  shadows full }\n" + ROOF))
+                .isEqualTo(valuesUnder(""));
+    }
+
+    /** A mirror's light is not traced further, so a mirror around a floor takes all light from it. */
+    @Test
+    void mirror_absorbsIndirectLight() throws JenException {
+        assertThat(valuesUnder("material r { diffuse 0.8 0.8 0.8  reflective 1 1 1 }\n" + ROOF.replace("1000", "1e7"))).containsOnly(0);
+    }
+
+    /** Links and gains choose which objects a light reaches directly; light that other objects scatter is that of all lights. */
+    @ParameterizedTest
+    @ValueSource(strings = {"gains \"ball\" 0", "illuminates only \"floor\""})
+    void objectThatALightDoesNotReach_isLitByOtherObjects(String choice) throws JenException {
+        Film film = trace(JenReader.read("""
+                jen 1
+                picture { size 16 12  depth 0  indirect { bounces 1  rays 64  spacing 4 } }
+                camera { from 0 0.5 3  to 0 0.5 0  fov 10 }
+                world { ambience 0  background 0 0 0 }
+                material white { diffuse 0.8 0.8 0.8 }
+                plane floor { material white  at 0 -1 0  scale 9 1 9 }
+                sphere ball { material white  at 0 0.5 0 }
+                """ + "light lamp point { at 3 3 3  " + choice + " }\n", "links.jen", Path.of("")).scene());
+        assertThat(film.red(8, 6)).isPositive();
     }
 
     private static Scene withoutBackground(Scene scene) {
