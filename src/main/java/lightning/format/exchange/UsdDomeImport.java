@@ -18,7 +18,6 @@ import lightning.format.usd.UsdStage;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
 import lightning.scene.ColorTemperature;
-import lightning.scene.Emission;
 import lightning.scene.Environment;
 import lightning.scene.EnvironmentMap;
 import lightning.scene.SceneLimits;
@@ -51,8 +50,9 @@ final class UsdDomeImport {
         double wanted = in.get("hidden").bool(false) ? 0 : intensity * stops;
         double strength = Math.clamp(wanted, 0, SceneLimits.MAX_GROUP_INTENSITY);
         double[] c = in.get("color").numbers(1, 1, 1);
-        Rgb color = Emission.DEFAULT.withTemperature(Math.clamp(in.get("temperature").number(ColorTemperature.NEUTRAL),
-                ColorTemperature.MIN, ColorTemperature.MAX)).tinted(new Rgb(Math.max(c[0], 0), Math.max(c[1], 0), Math.max(c[2], 0)));
+        Rgb tint =
+                in.get("temperature").isPresent() ? UsdBlackbody.tint(in.get("temperature").number(ColorTemperature.NEUTRAL)) : Rgb.WHITE;
+        Rgb color = new Rgb(Math.max(c[0], 0), Math.max(c[1], 0), Math.max(c[2], 0)).times(tint);
         Rgb factor = color.times(strength > 0 ? wanted / strength : 1);
         JsonValue texture = in.get("texture");
         String format = in.get("format").text().orElse("automatic");

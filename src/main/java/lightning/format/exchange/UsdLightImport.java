@@ -201,12 +201,13 @@ final class UsdLightImport {
         double[] color = in.get("color").numbers(1, 1, 1);
         double temperature = in.get("temperature").number(ColorTemperature.NEUTRAL);
         double allowed = Math.clamp(temperature, ColorTemperature.MIN, ColorTemperature.MAX);
-        notes.add("color temperatures beyond 1667 to 25000 kelvin", allowed == temperature ? 0 : 1);
         double exposure = UsdNumbers.tidy(in.get("exposure").number(0));
         double stops = Math.clamp(exposure, -Emission.MAX_EXPOSURE, Emission.MAX_EXPOSURE);
         double intensity = UsdNumbers.tidy(in.get("intensity").number(1)) * light.intensity() * Math.pow(2, exposure - stops);
         notes.add("negative intensities of lights", intensity < 0 ? 1 : 0);
-        return light.withColor(color(color)).withIntensity(SceneAssembler.clamp(shortened(intensity), SceneLimits.MAX_INTENSITY))
+        Rgb correction = in.get("temperature").isPresent() ? UsdBlackbody.correction(temperature, allowed) : Rgb.WHITE;
+        return light.withColor(color(color, correction))
+                .withIntensity(SceneAssembler.clamp(shortened(intensity), SceneLimits.MAX_INTENSITY))
                 .withEmission(light.emission().withExposure(stops).withTemperature(UsdNumbers.tidy(allowed)))
                 .withOn(!in.get("hidden").bool(false))
                 .withContribution(Contribution.DEFAULT.withCastsShadows(in.get("shadows").bool(true))
@@ -214,14 +215,16 @@ final class UsdLightImport {
                         .withSpecular(SceneAssembler.clamp(UsdNumbers.tidy(in.get("specular").number(1)), SceneLimits.MAX_GAIN)));
     }
 
-    private Rgb color(double[] color) {
-        double max = SceneLimits.MAX_LIGHT_COLOR;
-        Rgb result = new Rgb(SceneAssembler.clamp(UsdNumbers.tidy(color[0]), max), SceneAssembler.clamp(UsdNumbers.tidy(color[1]), max),
-                SceneAssembler.clamp(UsdNumbers.tidy(color[2]), max));
-        notes.add("colors of lights beyond 0 to 1000",
-                result.r() == UsdNumbers.tidy(color[0]) && result.g() == UsdNumbers.tidy(color[1])
-                        && result.b() == UsdNumbers.tidy(color[2]) ? 0 : 1);
-        return result;
+    private Rgb color(double[] color, Rgb correction) {
+        return new Rgb(channel(color[0], correction.r()), channel(color[1], correction.g()), channel(color[2], correction.b()));
+    }
+
+    private double channel(double v, double correction) {
+        double wanted = UsdNumbers.tidy(v);
+        double corrected = correction == 1 ? wanted : shortened(wanted * correction);
+        double allowed = SceneAssembler.clamp(corrected, SceneLimits.MAX_LIGHT_COLOR);
+        notes.add("channels of lights' colors beyond 0 to 1000", allowed == corrected ? 0 : 1);
+        return allowed;
     }
 
     /** Returns a light whose intensity in candelas is the factor times that of the stage. */

@@ -4,6 +4,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import lightning.base.math.Rgb;
 import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
 import lightning.format.usd.UsdLayer;
@@ -35,15 +36,14 @@ record UsdLightValues(String type, Light light, double meters, boolean hasZUp) {
     /** Returns the values of all attributes that a type has. */
     Map<String, String> values(boolean isOn) {
         Map<String, String> result = new LinkedHashMap<>();
+        boolean isTinted = light.emission().temperature() != ColorTemperature.NEUTRAL;
+        Rgb color = isTinted ? usdColor() : light.color();
         result.put("color3f inputs:color",
-                "(" + Stream.of(light.color().r(), light.color().g(), light.color().b()).map(UsdLayer::number)
-                        .collect(Collectors.joining(", "))
-                        + ")");
+                "(" + Stream.of(color.r(), color.g(), color.b()).map(UsdLayer::number).collect(Collectors.joining(", ")) + ")");
         boolean hasLuminance = light.emission().unit() == IntensityUnit.NIT && light.isArea();
         result.put("float inputs:intensity", UsdLayer.number(hasLuminance ? light.intensity() : power()));
         result.put("float inputs:exposure", UsdLayer.number(light.emission().exposure()));
         result.put("bool inputs:normalize", hasLuminance ? "0" : "1");
-        boolean isTinted = light.emission().temperature() != ColorTemperature.NEUTRAL;
         result.put("bool inputs:enableColorTemperature", isTinted ? "1" : "0");
         result.put("float inputs:colorTemperature", UsdLayer.number(light.emission().temperature()));
         result.put("float inputs:diffuse", UsdLayer.number(light.contribution().diffuse()));
@@ -53,6 +53,18 @@ record UsdLightValues(String type, Light light, double meters, boolean hasZUp) {
         result.put("token visibility", isOn ? "\"inherited\"" : "\"invisible\"");
         result.put("matrix4d xformOp:transform:lightning", matrix());
         return result;
+    }
+
+    /** Returns the color with which UsdLux shows the same light at this temperature. */
+    private Rgb usdColor() {
+        double kelvin = light.emission().temperature();
+        Rgb correction = UsdBlackbody.correction(kelvin, kelvin);
+        return new Rgb(ratio(light.color().r(), correction.r()), ratio(light.color().g(), correction.g()),
+                ratio(light.color().b(), correction.b()));
+    }
+
+    private static double ratio(double channel, double correction) {
+        return correction > 0 ? channel / correction : channel;
     }
 
     private void addSize(Map<String, String> result) {
