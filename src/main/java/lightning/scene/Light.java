@@ -5,6 +5,7 @@ import java.util.Optional;
 import java.util.function.Predicate;
 import java.util.function.UnaryOperator;
 import lightning.base.math.Rgb;
+import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
 
 /**
@@ -71,9 +72,20 @@ public record Light(String name, LightType type, Rgb color, double intensity, Em
                 LightAttribute.SHADOWED_BY.initial(), Contribution.DEFAULT);
     }
 
-    /** Returns color times intensity: of an effective light ({@link LightRig#effectiveLight}), the factor of all its contributions. */
+    /**
+     * Returns color times intensity, and of a wide directional light times {@link #wideningFactor}: of an effective light
+     * ({@link LightRig#effectiveLight}), the factor of all its contributions.
+     */
     public Rgb weight() {
-        return color.times(intensity);
+        return color.times(intensity * wideningFactor());
+    }
+
+    /**
+     * Returns the factor of a wide directional light by which a surface that faces it is as bright as under a light without width: 2/(1 +
+     * cos spread), 1 for other lights. The mean cosine of directions that are uniform in a cone of this half-angle is (1 + cos spread)/2.
+     */
+    public double wideningFactor() {
+        return type == LightType.DIRECTIONAL && isArea() ? 2 / (1 + Transform.cosDegrees(area.spread())) : 1;
     }
 
     /** Returns the factor of all its diffuse contributions: color times intensity and gain, limited as the intensity. */
@@ -92,12 +104,12 @@ public record Light(String name, LightType type, Rgb color, double intensity, Em
     }
 
     private double limitedIntensity(double gain) {
-        return Math.min(intensity * gain, maxIntensity());
+        return Math.min(intensity * wideningFactor() * gain, maxIntensity());
     }
 
     /** Returns the gain of one of its {@link Contribution#gains}, limited so that no contribution is larger than one without a gain may be. */
     public double limitedGain(double gain) {
-        return Math.min(gain, maxIntensity() / Math.max(1, intensity * contribution.maxGain()));
+        return Math.min(gain, maxIntensity() / Math.max(1, intensity * wideningFactor() * contribution.maxGain()));
     }
 
     /** Returns the shapes that cast shadows in its light. */

@@ -8,7 +8,8 @@ import lightning.base.math.Vec3;
  * Median cut of an environment map into regions of about equal energy, each represented by a directional light at its center (Debevec, A
  * Median Cut Algorithm for Light Probe Sampling, 2005). Unlike Debevec's method, which cuts all regions per step, it cuts the brightest
  * one, so that any number of regions is possible. Cuts a region across its longer side, where both halves have the most similar energy:
- * luminance times solid angle. Large maps are first summed in cells of several pixels.
+ * luminance times solid angle. The first cut is the horizon: a region on both sides of it would light floors too much or not at all. Large
+ * maps are first summed in cells of several pixels.
  */
 final class MedianCut {
     private static final int MAX_COLUMNS = 256;
@@ -51,7 +52,15 @@ final class MedianCut {
 
     /** Returns at most {@code maxLights} lights, fewer if fewer cells are bright. */
     List<EnvironmentLight> lights(int maxLights) {
-        List<Region> regions = new ArrayList<>(List.of(region(0, 0, columns, rows)));
+        List<Region> regions = new ArrayList<>();
+        for (Region half : List.of(region(0, 0, columns, (rows + 1) / 2), region(0, (rows + 1) / 2, columns, rows))) {
+            if (half.luminance > 0) {
+                regions.add(half);
+            }
+        }
+        if (regions.isEmpty()) {
+            regions.add(region(0, 0, columns, rows));
+        }
         while (regions.size() < maxLights) {
             int brightest = -1;
             for (int i = 0; i < regions.size(); i++) {
@@ -113,9 +122,12 @@ final class MedianCut {
                 }
             }
         }
-        return new EnvironmentLight(direction(weightedDirection, middle),
-                total > 0 ? spread(weightedDirection.length() / total * (1 - cellSpread / total)) : 0, sum[0] / Math.PI,
-                sum[1] / Math.PI, sum[2] / Math.PI);
+        double meanLength = total > 0 ? weightedDirection.length() / total * (1 - cellSpread / total) : 0;
+        Vec3 direction = direction(weightedDirection, middle);
+        boolean isOnBothSides = 2 * p.top < rows && 2 * p.bottom > rows;
+        double elevation = Math.toDegrees(StrictMath.asin(Math.min(Math.abs(direction.y()), 1)));
+        return new EnvironmentLight(direction, meanLength, total > 0 ? spread(meanLength) : 0, isOnBothSides ? 180 : elevation,
+                sum[0] / Math.PI, sum[1] / Math.PI, sum[2] / Math.PI);
     }
 
     /**

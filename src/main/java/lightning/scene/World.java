@@ -134,8 +134,10 @@ public record World(double ambience, Rgb background, Optional<Environment> envir
                     .withColor(maxChannel > 0 ? new Rgb(source.red() / maxChannel, source.green() / maxChannel, source.blue() / maxChannel)
                             : Rgb.BLACK)
                     .withSolo(solo && lightIntensity() > 0)
-                    .withIntensity(Math.min(maxChannel * intensity * gain, SceneLimits.MAX_ENVIRONMENT_LIGHT_INTENSITY))
-                    .withArea(AreaShape.DEFAULT.withSpread(source.spread() * softness).withSamples(SAMPLES_PER_LIGHT)));
+                    .withIntensity(Math.min(maxChannel * source.meanLength() * intensity * gain,
+                            SceneLimits.MAX_ENVIRONMENT_LIGHT_INTENSITY))
+                    .withArea(AreaShape.DEFAULT.withSpread(Math.min(source.spread() * softness, source.maxSpread()))
+                            .withSamples(SAMPLES_PER_LIGHT)));
         }
         return lights;
     }

@@ -14,7 +14,8 @@ import org.junit.jupiter.params.provider.EnumSource;
 class EmissionTest {
     private static double paper(Light light, double meters, double distance) {
         Light effective = Emission.resolve(light, meters);
-        return effective.weight().max() / (light.type().hasPosition() ? distance * distance : 1);
+        double meanCosine = light.type().hasPosition() ? 1 : (1 + Math.cos(Math.toRadians(light.area().spread()))) / 2;
+        return effective.weight().max() * meanCosine / (light.type().hasPosition() ? distance * distance : 1);
     }
 
     private static Light light(LightType type, IntensityUnit unit, double intensity) {
@@ -50,6 +51,24 @@ class EmissionTest {
         Light sky = light(LightType.DIRECTIONAL, IntensityUnit.NIT, 7).withArea(AreaShape.DEFAULT.withSpread(90));
         assertThat(paper(sky, 1, 1)).as("paper is as bright as a uniform sky").isCloseTo(7, within(1e-12));
         assertThat(paper(light(LightType.POINT, IntensityUnit.NIT, 7), 1, 1)).as("without size").isZero();
+    }
+
+    @ParameterizedTest
+    @EnumSource(value = IntensityUnit.class, names = {"RELATIVE", "CANDELA", "LUMEN", "LUX"})
+    void width_keepsTheBrightnessOfADirectionalLight(IntensityUnit unit) {
+        Light sun = light(LightType.DIRECTIONAL, unit, 100);
+        for (double spread : new double[] {0.5, 10, 30, 60, 85, 90}) {
+            assertThat(paper(sun.withArea(AreaShape.DEFAULT.withSpread(spread)), 1, 1)).isCloseTo(paper(sun, 1, 1), within(1e-10));
+        }
+    }
+
+    @Test
+    void hardShadows_keepTheWeight() {
+        AreaShape wide = AreaShape.DEFAULT.withSpread(60);
+        Light sun = light(LightType.DIRECTIONAL, IntensityUnit.LUX, 100);
+        assertThat(sun.withArea(wide.withHardShadows(true)).weight()).isEqualTo(sun.weight());
+        assertThat(sun.withArea(wide).diffuseWeight().r()).isEqualTo(100 * 4 / 3.0, within(1e-12));
+        assertThat(sun.withArea(wide).specularWeight()).isEqualTo(sun.withArea(wide).diffuseWeight());
     }
 
     @Test

@@ -6,10 +6,10 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.List;
 import java.util.Optional;
 import java.util.Random;
-import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
+import net.jqwik.api.constraints.DoubleRange;
 import net.jqwik.api.constraints.IntRange;
 import org.junit.jupiter.api.Test;
 
@@ -151,16 +151,38 @@ class EnvironmentMapTest {
         }
     }
 
-    @Test
-    void whiteSurfaceUnderUniformSky_hasSkyRadiance() {
-        float[] rgb = new float[3 * 64 * 32];
+    /**
+     * The lights have the cosines of their regions, for a floor exactly: all regions are on one side of the horizon. A row of cells between
+     * the angles θ ± δ/2 counts with its middle, which is 1/cos(δ/2) too much, and less its own spread, at most sin(δ/2)/columns.
+     */
+    @Property
+    void floorUnderUniformSky_isAsBrightAsTheSky(@ForAll @IntRange(min = 2, max = 64) int halfHeight,
+            @ForAll @IntRange(min = 4, max = 64) int maxLights, @ForAll @DoubleRange(min = 0, max = 1) double softness) {
+        int width = 4 * halfHeight;
+        float[] rgb = new float[3 * width * 2 * halfHeight];
         java.util.Arrays.fill(rgb, 1);
+        Environment sky = new Environment("x.hdr", new EnvironmentMap(width, 2 * halfHeight, rgb));
+        World world = World.DEFAULT.withEnvironment(Optional.of(sky)).withLightCount(maxLights).withSoftness(softness);
+        double half = Math.PI / (2 * halfHeight) / 2;
+        assertThat(floorRadiance(world)).isCloseTo(1, within(1 / Math.cos(half) - 1 + Math.sin(half) / width + 1e-9));
+    }
+
+    /** Returns the radiance of a white floor: the mean of the cosines of a cap above the horizon is that of its center times its length. */
+    private static double floorRadiance(World world) {
         double sum = 0;
-        for (EnvironmentLight light : new EnvironmentMap(64, 32, rgb).lights(64)) {
-            sum += light.red() * Math.max(light.direction().y(), 0);
+        for (Light light : world.environmentLights(_ -> false)) {
+            double height = -light.direction().normalized().y();
+            double spread = Math.toRadians(light.area().spread());
+            assertThat(Math.abs(Math.asin(height))).isGreaterThanOrEqualTo(spread - 1e-9);
+            sum += light.diffuseWeight().r() * (1 + Math.cos(spread)) / 2 * Math.max(height, 0);
         }
-        // 64 lights of some 0.2 sr each represent their regions: the error of the mean cosine is less than their width, 0.25.
-        assertThat(sum).isEqualTo(1, within(0.25));
-        assertThat(Rgb.WHITE.r()).isEqualTo(1);
+        return sum;
+    }
+
+    @Test
+    void regionWithoutLight_getsNoLight() {
+        float[] rgb = new float[3 * 8 * 4];
+        java.util.Arrays.fill(rgb, 0, 3 * 8 * 2, 1);
+        assertThat(new EnvironmentMap(8, 4, rgb).lights(4)).hasSize(4).allMatch(light -> light.direction().y() > 0);
     }
 }

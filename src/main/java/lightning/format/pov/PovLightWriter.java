@@ -84,7 +84,7 @@ final class PovLightWriter {
     }
 
     private static String color(Light light, double gain) {
-        Rgb c = light.color().times(light.intensity() * gain);
+        Rgb c = light.color().times(light.intensity() * light.wideningFactor() * gain);
         return PovFormat.rgb(c);
     }
 
