@@ -9,9 +9,8 @@ import lightning.base.math.Vec3;
  * @param meanLength 0 … 1: length of the mean of the directions of the region's light. White paper that faces a region above its horizon has
  *                   the radiance times this length
  * @param spread     degrees, 0 … 90: half-angle of the uniform cap whose mean direction is as long
- * @param maxSpread  degrees, 0 … 180: half-angle up to which a cap stays on the region's side of the horizon; 180 for a region on both sides
  * @param red        radiance times solid angle over π
  * @param green      as {@code red}
  * @param blue       as {@code red}
  */
-public record EnvironmentLight(Vec3 direction, double meanLength, double spread, double maxSpread, double red, double green, double blue) {}
+public record EnvironmentLight(Vec3 direction, double meanLength, double spread, double red, double green, double blue) {}

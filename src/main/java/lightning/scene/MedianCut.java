@@ -9,11 +9,14 @@ import lightning.base.math.Vec3;
  * Median Cut Algorithm for Light Probe Sampling, 2005). Unlike Debevec's method, which cuts all regions per step, it cuts the brightest
  * one, so that any number of regions is possible. Cuts a region across its longer side, where both halves have the most similar energy:
  * luminance times solid angle. The first cut is the horizon: a region on both sides of it would light floors too much or not at all. Large
- * maps are first summed in cells of several pixels.
+ * maps are first summed in cells of several pixels; pixels of small maps are divided into several cells.
  */
 final class MedianCut {
     private static final int MAX_COLUMNS = 256;
     private static final int MAX_ROWS = 128;
+    private static final int MIN_COLUMNS = 32;
+    private static final int MIN_ROWS = 16;
+    private static final double ROUNDING = 1e-9;
 
     private final int columns;
     private final int rows;
@@ -29,16 +32,22 @@ final class MedianCut {
     }
 
     MedianCut(EnvironmentMap sky) {
-        columns = Math.min(sky.width(), MAX_COLUMNS);
-        rows = Math.min(sky.height(), MAX_ROWS);
+        columns = sky.width() > MAX_COLUMNS ? MAX_COLUMNS : sky.width() * Math.ceilDiv(MIN_COLUMNS, sky.width());
+        int parts = Math.ceilDiv(MIN_ROWS, sky.height());
+        // The horizon lies between two rows.
+        rows = sky.height() > MAX_ROWS ? MAX_ROWS : sky.height() * (sky.height() * parts % 2 == 0 ? parts : parts + 1);
         energy = new double[4][columns * rows];
-        for (int y = 0; y < sky.height(); y++) {
-            double angle = sky.solidAngle(y);
-            int line = (int) ((long) y * rows / sky.height()) * columns;
-            for (int x = 0; x < sky.width(); x++) {
-                int cell = line + (int) ((long) x * columns / sky.width());
+        // Each line is a part of one row and of one line of pixels; the same for columns.
+        int lines = Math.max(rows, sky.height());
+        int width = Math.max(columns, sky.width());
+        for (int line = 0; line < lines; line++) {
+            double angle = 2 * Math.PI / width * (StrictMath.cos(Math.PI * line / lines) - StrictMath.cos(Math.PI * (line + 1) / lines));
+            int y = (int) ((long) line * sky.height() / lines);
+            int row = (int) ((long) line * rows / lines) * columns;
+            for (int i = 0; i < width; i++) {
+                int cell = row + (int) ((long) i * columns / width);
                 for (int c = 0; c < 3; c++) {
-                    energy[c][cell] += sky.channel(x, y, c) * angle;
+                    energy[c][cell] += sky.channel((int) ((long) i * sky.width() / width), y, c) * angle;
                 }
             }
         }
@@ -53,8 +62,9 @@ final class MedianCut {
     /** Returns at most {@code maxLights} lights, fewer if fewer cells are bright. */
     List<EnvironmentLight> lights(int maxLights) {
         List<Region> regions = new ArrayList<>();
-        for (Region half : List.of(region(0, 0, columns, (rows + 1) / 2), region(0, (rows + 1) / 2, columns, rows))) {
-            if (half.luminance > 0) {
+        for (Region half : List.of(region(0, 0, columns, rows / 2), region(0, rows / 2, columns, rows))) {
+            // Differences of sums leave roundings where there is no light.
+            if (half.luminance > ROUNDING * sums[sums.length - 1]) {
                 regions.add(half);
             }
         }
@@ -124,10 +134,8 @@ final class MedianCut {
         }
         double meanLength = total > 0 ? weightedDirection.length() / total * (1 - cellSpread / total) : 0;
         Vec3 direction = direction(weightedDirection, middle);
-        boolean isOnBothSides = 2 * p.top < rows && 2 * p.bottom > rows;
-        double elevation = Math.toDegrees(StrictMath.asin(Math.min(Math.abs(direction.y()), 1)));
-        return new EnvironmentLight(direction, meanLength, total > 0 ? spread(meanLength) : 0, isOnBothSides ? 180 : elevation,
-                sum[0] / Math.PI, sum[1] / Math.PI, sum[2] / Math.PI);
+        return new EnvironmentLight(direction, meanLength, total > 0 ? spread(meanLength) : 0, sum[0] / Math.PI, sum[1] / Math.PI,
+                sum[2] / Math.PI);
     }
 
     /**

@@ -136,10 +136,16 @@ public record World(double ambience, Rgb background, Optional<Environment> envir
                     .withSolo(solo && lightIntensity() > 0)
                     .withIntensity(Math.min(maxChannel * source.meanLength() * intensity * gain,
                             SceneLimits.MAX_ENVIRONMENT_LIGHT_INTENSITY))
-                    .withArea(AreaShape.DEFAULT.withSpread(Math.min(source.spread() * softness, source.maxSpread()))
+                    .withArea(AreaShape.DEFAULT.withSpread(spread(source))
                             .withSamples(SAMPLES_PER_LIGHT)));
         }
         return lights;
+    }
+
+    /** Returns the half-angle of a light in degrees, at most its angle to the horizon: light from below would be lost to a floor. */
+    private double spread(EnvironmentLight source) {
+        double elevation = Math.toDegrees(StrictMath.asin(Math.min(Math.abs(source.direction().y()), 1)));
+        return Math.min(source.spread() * softness, elevation);
     }
 
     private boolean isAnyUsed(String name, Predicate<String> isUsed) {
