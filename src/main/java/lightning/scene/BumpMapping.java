@@ -38,6 +38,11 @@ public record BumpMapping(Optional<TextureMap> bump, double height, Optional<Tex
         return !hasBumpMap() && !hasNormalMap();
     }
 
+    /** Returns whether some normals may change: a bump map of one pixel has the same height everywhere. */
+    public boolean bendsNormals() {
+        return hasNormalMap() || hasBumpMap() && bump.get().image().width() * (long) bump.get().image().height() > 1;
+    }
+
     /** Returns whether both give every surface the same normals. */
     public boolean hasSameNormals(BumpMapping o) {
         return this == o || hasBumpMap() == o.hasBumpMap() && hasNormalMap() == o.hasNormalMap()

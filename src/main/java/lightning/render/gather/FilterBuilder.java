@@ -18,15 +18,18 @@ final class FilterBuilder {
     private final float[] radius;
     private final float[] reach;
     private final PointGroups groups;
+    private final Barriers barriers;
 
     /**
      * @param radius of each point
      * @param pointGroups groups of the points
+     * @param barriers    of the points
      * @param side   of the largest cell at each point
      */
-    FilterBuilder(SurfaceColumns points, float[] radius, PointGroups pointGroups, float[] harmonic, float[] side) {
+    FilterBuilder(SurfaceColumns points, float[] radius, PointGroups pointGroups, Barriers barriers, float[] harmonic, float[] side) {
         this.points = points;
         this.radius = radius;
+        this.barriers = barriers;
         reach = new float[points.count];
         for (int p = 0; p < points.count; p++) {
             reach[p] = Math.max(RADII * radius[p], Math.min(CELLS * side[p], SHARE * harmonic[p]));
@@ -56,7 +59,7 @@ final class FilterBuilder {
         for (int i = 0; i < candidates; i++) {
             int column = near.near[i];
             float w = weight(p, near.columns, column, near.point(column));
-            if (w > 0) {
+            if (w > 0 && !areSeparate(p, near.point(column))) {
                 point[linear.count()] = near.point(column);
                 linear.add(w, near.columns.px[column] - points.px[p], near.columns.py[column] - points.py[p],
                         near.columns.pz[column] - points.pz[p]);
@@ -75,6 +78,11 @@ final class FilterBuilder {
         for (int i = 0; i < linear.count(); i++) {
             weights[p][i] = linear.weight(i);
         }
+    }
+
+    private boolean areSeparate(int p, int q) {
+        return barriers.separate(points, p, points.px[q], points.py[q], points.pz[q])
+                || barriers.separate(points, q, points.px[p], points.py[p], points.pz[p]);
     }
 
     /** Returns the weight of a neighbor: a point near a contact takes nothing from afar. It stands for its share of the surface. */

@@ -104,7 +104,8 @@ public final class GatherBuilder {
                 worker -> new CandidateTracer(geometry, scene, tracers[worker], candidateStep(settings, scene.picture())));
         List<SurfaceColumns> candidates = traceCandidates(candidateTracers);
         PathMemory memory = new PathMemory(settings, memoryBytes);
-        PathCaster pointCaster = caster(new DirectionTable(settings.raysPerSide()), memory, true);
+        DirectionTable directions = new DirectionTable(settings.raysPerSide());
+        PathCaster pointCaster = caster(directions, memory, true);
         PointPlacer placer =
                 new PointPlacer(workers, new ProgressPart(progress, CANDIDATES_SHARE, POINTS_SHARE), keys, pointCaster, memory);
         placer.place(candidates);
@@ -113,12 +114,15 @@ public final class GatherBuilder {
                 surfelBytes(), glows);
         surfels.build(placer.sources, placer.links, pointCaster, settings.bounces());
         PointGroups groups = new PointGroups(placer.points, placer.radius);
-        PointFilter filter = new FilterBuilder(placer.points, placer.radius, groups, placer.harmonic, placer.side).build(workers, progress);
+        Barriers barriers =
+                Barriers.of(placer.sources, placer.radius, placer.links, surfels.surfels(), geometry, directions, workers, progress);
+        PointFilter filter =
+                new FilterBuilder(placer.points, placer.radius, groups, barriers, placer.harmonic, placer.side).build(workers, progress);
         long rays = Arrays.stream(candidateTracers).mapToLong(CandidateTracer::rayCount).sum() + pointCaster.rayCount()
                 + surfelCaster.rayCount() + Arrays.stream(surfels.blocks).mapToLong(block -> block.count).sum();
         placer.sources.packNormals();
         return new GatherStructure(
-                new GatherPoints(placer.sources, placer.inverseLengths, placer.radius, groups, filter),
+                new GatherPoints(placer.sources, placer.inverseLengths, placer.radius, groups, barriers, filter),
                 placer.links, surfels.links, new SurfelRows(surfels.blocks, surfels.numbers, surfels.near, surfels.count()),
                 surfels.packNormals(), new GlowPaths(glows, pointCaster.glowLinks(), surfelCaster.glowLinks(), surfels.glowing),
                 surfels.kept, settings.bounces(), rays);

@@ -11,9 +11,11 @@ import lightning.render.column.ColumnWriter;
  * @param inverseLengths sum of the {@link InverseLengths} of each point's rays
  * @param radius         distance from each point at which its weight is 0, scene units
  * @param groups         finds points within their radius
+ * @param barriers       separate points from places behind walls
  * @param filter         means over neighbors
  */
-record GatherPoints(RaySources sources, long[] inverseLengths, float[] radius, PointGroups groups, PointFilter filter) {
+record GatherPoints(RaySources sources, long[] inverseLengths, float[] radius, PointGroups groups, Barriers barriers,
+        PointFilter filter) {
     // Arrays in a record: written once by their creator, never after.
 
     /** Writes all but the groups, which are made again. */
@@ -21,6 +23,7 @@ record GatherPoints(RaySources sources, long[] inverseLengths, float[] radius, P
         sources.writeTo(out);
         out.writeArray(inverseLengths);
         out.writeArray(radius);
+        barriers.writeTo(out);
         filter.writeTo(out);
     }
 
@@ -28,7 +31,13 @@ record GatherPoints(RaySources sources, long[] inverseLengths, float[] radius, P
         RaySources sources = RaySources.readFrom(in, keys);
         long[] inverseLengths = in.readLongs();
         float[] radius = in.readFloats();
-        return new GatherPoints(sources, inverseLengths, radius, new PointGroups(sources.surface, radius), PointFilter.readFrom(in));
+        return new GatherPoints(sources, inverseLengths, radius, new PointGroups(sources.surface, radius), Barriers.readFrom(in),
+                PointFilter.readFrom(in));
+    }
+
+    /** Returns {@link PointWeight#distance} from a place, made much larger if a barrier separates the point from it. */
+    float distance(int p, float x, float y, float z, float nx, float ny, float nz) {
+        return PointWeight.distance(surface(), p, barriers, x, y, z, nx, ny, nz);
     }
 
     SurfaceColumns surface() {

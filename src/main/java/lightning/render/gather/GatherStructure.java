@@ -186,7 +186,7 @@ public final class GatherStructure {
 
     /** Returns the bytes of the gather points, their filter and their links. */
     public long pointBytes() {
-        return pointLinks.bytes() + points.filter().bytes() + points.groups().bytes() + 40L * points.count()
+        return pointLinks.bytes() + points.filter().bytes() + points.groups().bytes() + points.barriers().bytes() + 40L * points.count()
                 + points.sources().normalBytes() + glow.pointBytes();
     }
 

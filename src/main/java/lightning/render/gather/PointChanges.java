@@ -4,8 +4,8 @@ import java.util.Arrays;
 import lightning.render.trace.HitRows;
 
 /**
- * Difference between the gather points before and after an edit. Points with the same place, normal and radius are unchanged if they also
- * keep their order, which breaks ties between equal weights. Rows that no changed point reaches keep their weights. Thread-safe.
+ * Difference between the gather points before and after an edit. Points with the same place, normal, radius and barriers are unchanged if they
+ * also keep their order, which breaks ties between equal weights. Rows that no changed point reaches keep their weights. Thread-safe.
  */
 public final class PointChanges {
     private final GatherStructure before;
@@ -33,7 +33,7 @@ public final class PointChanges {
         int last = -1;
         for (int p = 0; p < now.count(); p++) {
             int o = known.find(now.sources(), p);
-            if (o > last && old.radius()[o] == now.radius()[p]) {
+            if (o > last && old.radius()[o] == now.radius()[p] && old.barriers().areSame(o, now.barriers(), p)) {
                 newNumber[o] = p;
                 isKept[p] = true;
                 last = o;
@@ -94,8 +94,7 @@ public final class PointChanges {
         for (int row = 0; row < rows.count; row++) {
             int only = onlyPoints[row];
             if (only >= 0 && (newNumber[only] < 0 || added.isAnyNearer(
-                    PointWeight.distance(before.points().surface(), only, rows.px[row], rows.py[row], rows.pz[row], rows.nx[row],
-                            rows.ny[row], rows.nz[row]),
+                    before.points().distance(only, rows.px[row], rows.py[row], rows.pz[row], rows.nx[row], rows.ny[row], rows.nz[row]),
                     rows.px[row], rows.py[row], rows.pz[row], rows.nx[row], rows.ny[row], rows.nz[row]))) {
                 return true;
             }

@@ -154,11 +154,12 @@ final class PointGroups {
     /**
      * Returns the point with the least {@link PointWeight#distance}, the first of equals.
      *
+     * @param barriers of the points
      * @param guess any point; the fewer points are nearer, the faster
      */
-    int nearest(float x, float y, float z, float nx, float ny, float nz, int guess) {
+    int nearest(Barriers barriers, float x, float y, float z, float nx, float ny, float nz, int guess) {
         int nearest = guess;
-        float least = PointWeight.distance(points, guess, x, y, z, nx, ny, nz);
+        float least = PointWeight.distance(points, guess, barriers, x, y, z, nx, ny, nz);
         for (int g = 0; g < count; g++) {
             // No point of a box is nearer than the box.
             if (g % SIZE == 0 && boxDistance(outerPointBoxes, g / SIZE, x, y, z) > least) {
@@ -166,7 +167,7 @@ final class PointGroups {
             } else if (!(boxDistance(pointBoxes, g, x, y, z) > least)) {
                 for (int i = g * SIZE; i < Math.min(points.count, g * SIZE + SIZE); i++) {
                     int p = order[i];
-                    float distance = PointWeight.distance(points, p, x, y, z, nx, ny, nz);
+                    float distance = PointWeight.distance(points, p, barriers, x, y, z, nx, ny, nz);
                     if (distance < least || distance == least && p < nearest) {
                         least = distance;
                         nearest = p;

@@ -16,6 +16,8 @@ public final class PointWeight {
     private static final float FLAT_PLANE = 0.1f;
     private static final float PLANE_PER_ANGLE = 0.3f;
     private static final float MAX_PLANE = 0.3f;
+    /** Factor of the distance to a point behind a barrier: it counts only if there are no others. */
+    private static final float BEHIND_BARRIER = 1e6f;
     /** Weight of an angle in the distance to the nearest point where none is valid. */
     private static final float ANGLE = 40;
 
@@ -50,6 +52,11 @@ public final class PointWeight {
         float validPlane = Math.min(MAX_PLANE, FLAT_PLANE + PLANE_PER_ANGLE * angle);
         float worst = Math.max(Math.max((float) Math.sqrt(square) / radius, angle), plane / (validPlane * radius));
         return worst < 1 ? 1 - worst : 0;
+    }
+
+    /** Returns {@link #distance} of a point, made much larger if a barrier separates it from the place. */
+    public static float distance(SurfaceColumns points, int p, Barriers barriers, float x, float y, float z, float nx, float ny, float nz) {
+        return distance(points, p, x, y, z, nx, ny, nz) * (barriers.separate(points, p, x, y, z) ? BEHIND_BARRIER : 1);
     }
 
     /** Returns a measure by which the nearest point is chosen where none is valid: the square of the distance, more for other normals. */

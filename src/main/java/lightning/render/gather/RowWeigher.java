@@ -14,6 +14,7 @@ public final class RowWeigher {
     private final SurfaceColumns points;
     private final float[] radius;
     private final PointGroups groups;
+    private final Barriers barriers;
     private final NearPoints near;
     /** Index of each point among those used by the present rows. */
     private final int[] indexOf;
@@ -35,6 +36,7 @@ public final class RowWeigher {
         points = structure.points().surface();
         radius = structure.points().radius();
         groups = structure.points().groups();
+        barriers = structure.points().barriers();
         near = new NearPoints(points, radius, groups);
         indexOf = new int[points.count];
         usedBy = new int[points.count];
@@ -78,7 +80,8 @@ public final class RowWeigher {
             int column = near.near[i];
             float w = PointWeight.at(near.columns, column, near.columnRadius[column], rows.px[row], rows.py[row], rows.pz[row],
                     rows.nx[row], rows.ny[row], rows.nz[row]);
-            if (w > bestWeight[BEST]) {
+            if (w > bestWeight[BEST]
+                    && !barriers.separate(points, near.point(column), rows.px[row], rows.py[row], rows.pz[row])) {
                 insert(near.point(column), w);
             }
         }
@@ -99,7 +102,8 @@ public final class RowWeigher {
     private void write(HitRows rows, int row, short[] index, byte[] weight) {
         int at = BEST * row;
         if (bestWeight[0] == 0) {
-            lastNearest = groups.nearest(rows.px[row], rows.py[row], rows.pz[row], rows.nx[row], rows.ny[row], rows.nz[row], lastNearest);
+            lastNearest = groups.nearest(barriers, rows.px[row], rows.py[row], rows.pz[row], rows.nx[row], rows.ny[row], rows.nz[row],
+                    lastNearest);
             index[at] = index(lastNearest);
             weight[at] = (byte) WeightedPoints.MAX_WEIGHT;
             return;

@@ -67,6 +67,11 @@ final class SurfelBuilder {
         return surfels.count;
     }
 
+    /** Returns the places of the surfels, by number. */
+    SurfaceColumns surfels() {
+        return surfels;
+    }
+
     /** Returns the normals of the surfaces of those surfels that cast rays and are shaded by another normal. */
     TiltedNormals packNormals() {
         return sources.packNormals();

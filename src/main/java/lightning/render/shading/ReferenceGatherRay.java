@@ -20,6 +20,7 @@ import lightning.scene.Transmission;
  * Ray by which a point gathers light, for {@link ReferenceTracer}.
  *
  * @param hit    first surface that is neither transparent nor the face of a light; null for none
+ * @param direction of length 1
  * @param length distance to it, in lengths of the direction
  * @param cell   cell of surfels that the ray hits; undefined for none
  * @param rank   order among the rays that hit the cell
@@ -28,7 +29,8 @@ import lightning.scene.Transmission;
  * @param glowTexel mean color of the glow map in the cell: red, green, blue; null for none
  * @param dark   whether the ray does not count the glow of what it hits, because other rays are aimed at it
  */
-record ReferenceGatherRay(SurfacePoint hit, double length, long cell, int rank, float[] tint, float[] texel, float[] glowTexel,
+record ReferenceGatherRay(SurfacePoint hit, Vec3 direction, double length, long cell, int rank, float[] tint, float[] texel,
+        float[] glowTexel,
         boolean dark) {
     // Arrays in a record: written once by their creator, never after.
 
@@ -51,7 +53,7 @@ record ReferenceGatherRay(SurfacePoint hit, double length, long cell, int rank, 
     }
 
     private ReferenceGatherRay darkened() {
-        return new ReferenceGatherRay(hit, length, cell, rank, tint, texel, glowTexel, true);
+        return new ReferenceGatherRay(hit, direction, length, cell, rank, tint, texel, glowTexel, true);
     }
 
     /** Returns the normal of the surface on which a point lies; null if the point is shaded by this normal. */
@@ -84,7 +86,7 @@ record ReferenceGatherRay(SurfacePoint hit, double length, long cell, int rank, 
         for (int surfaces = 0;; surfaces++) {
             int primitive = geometry.nearestBruteForce(ray);
             if (primitive < 0) {
-                return miss(rank, tint);
+                return miss(ray, rank, tint);
             }
             SurfacePoint hit = geometry.surfaceBruteForce(primitive, ray);
             double distance = geometry.distance(primitive, ray);
@@ -92,12 +94,12 @@ record ReferenceGatherRay(SurfacePoint hit, double length, long cell, int rank, 
             if (hit.backSide() == null && !isFace) {
                 double length = passed + distance;
                 double side = keys.surfelSide(hit.px(), hit.py(), hit.pz(), length);
-                return new ReferenceGatherRay(hit, length,
+                return new ReferenceGatherRay(hit, ray.direction(), length,
                         keys.surfelKey(hit.px(), hit.py(), hit.pz(), hit.nx(), hit.ny(), hit.nz(), primitive, length), rank, tint,
                         geometry.meanTexelBruteForce(primitive, ray, side), geometry.meanGlowTexelBruteForce(primitive, ray, side), false);
             }
             if (surfaces == RayBatch.MAX_SURFACES) {
-                return miss(rank, new float[3]);
+                return miss(ray, rank, new float[3]);
             }
             if (!isFace) {
                 multiply(tint, geometry.materials(), hit);
@@ -107,8 +109,8 @@ record ReferenceGatherRay(SurfacePoint hit, double length, long cell, int rank, 
         }
     }
 
-    private static ReferenceGatherRay miss(int rank, float[] tint) {
-        return new ReferenceGatherRay(null, Double.POSITIVE_INFINITY, 0, rank, tint, null, null, false);
+    private static ReferenceGatherRay miss(Ray ray, int rank, float[] tint) {
+        return new ReferenceGatherRay(null, ray.direction(), Double.POSITIVE_INFINITY, 0, rank, tint, null, null, false);
     }
 
     /** Multiplies a tint by what a transparent surface transmits, by the angle from outside. */

@@ -57,7 +57,13 @@ final class ReferenceIndirect {
         for (int bounce = 2; bounce <= settings.bounces(); bounce++) {
             castSurfelRays();
         }
-        light = new ReferencePointLight(points, gather(points));
+        light = new ReferencePointLight(points, points.stream().map(point -> point.rays().stream().map(this::target).toList()).toList(),
+                geometry, gather(points));
+    }
+
+    /** Returns the place of the surfel that a ray hits; null for none. */
+    private SurfacePoint target(ReferenceGatherRay ray) {
+        return ray.hit() == null ? null : surfels.get(surfelByCell.get(ray.cell())).at();
     }
 
     /** Returns the indirect light at a surface that the picture shows: red, green, blue. */

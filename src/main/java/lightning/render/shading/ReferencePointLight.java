@@ -4,9 +4,13 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.stream.IntStream;
+import lightning.base.math.Vec3;
+import lightning.render.gather.BarrierFinder;
+import lightning.render.gather.Barriers;
 import lightning.render.gather.LinearWeights;
 import lightning.render.gather.PointWeight;
 import lightning.render.gather.SurfaceColumns;
+import lightning.render.trace.Geometry;
 import lightning.render.trace.SurfacePoint;
 
 /** Spreads the light of gather points over the surfaces between them, for {@link ReferenceTracer}. */
@@ -26,17 +30,52 @@ final class ReferencePointLight {
 
     private record Weighted(int point, float weight) {}
 
-    /** @param gathered light at each point: red, green, blue */
-    ReferencePointLight(List<ReferenceGatherPoints.GatherPoint> points, float[][] gathered) {
+    /** Barriers of each point. */
+    private final List<Barriers> barriers = new ArrayList<>();
+
+    /**
+     * @param targets  surfel that each ray of each point hits; null for none
+     * @param gathered light at each point: red, green, blue
+     */
+    ReferencePointLight(List<ReferenceGatherPoints.GatherPoint> points, List<List<SurfacePoint>> targets, Geometry geometry,
+            float[][] gathered) {
         this.points = points;
         for (ReferenceGatherPoints.GatherPoint point : points) {
             SurfacePoint at = point.at();
             surfaces.add(at.px(), at.py(), at.pz(), at.nx(), at.ny(), at.nz(), at.primitive());
         }
+        for (int p = 0; p < points.size(); p++) {
+            barriers.add(barriers(p, targets.get(p), geometry));
+        }
         light = new float[points.size()][3];
         for (int p = 0; p < light.length; p++) {
             light[p] = mean(neighbors(p), gathered);
         }
+    }
+
+    private Barriers barriers(int p, List<SurfacePoint> targets, Geometry geometry) {
+        BarrierFinder finder = new BarrierFinder(targets.size());
+        for (int k = 0; k < targets.size(); k++) {
+            SurfacePoint target = targets.get(k);
+            finder.hit[k] = target != null && !geometry.hasBentNormals(target.primitive());
+            if (finder.hit[k]) {
+                Vec3 direction = points.get(p).rays().get(k).direction();
+                finder.dx[k] = direction.x();
+                finder.dy[k] = direction.y();
+                finder.dz[k] = direction.z();
+                finder.sx[k] = target.px();
+                finder.sy[k] = target.py();
+                finder.sz[k] = target.pz();
+                finder.snx[k] = target.nx();
+                finder.sny[k] = target.ny();
+                finder.snz[k] = target.nz();
+            }
+        }
+        return Barriers.ofPoint(finder, surfaces, p, points.get(p).radius());
+    }
+
+    private boolean isSeparate(int p, SurfacePoint place) {
+        return barriers.get(p).separate(surfaces, p, place.px(), place.py(), place.pz());
     }
 
     /** Returns the weighted mean of some points' values: red, green, blue. */
@@ -66,7 +105,7 @@ final class ReferencePointLight {
             float share = points.get(n).radius() / points.get(p).radius();
             float weight = PointWeight.flat(surfaces, n, Math.min(reach(p), reach(n)), at.px(), at.py(), at.pz(), at.nx(), at.ny(), at.nz())
                     * (share * share);
-            if (weight > 0) {
+            if (weight > 0 && !isSeparate(n, at) && !isSeparate(p, points.get(n).at())) {
                 found.add(new Weighted(n, weight));
             }
         }
@@ -107,7 +146,7 @@ final class ReferencePointLight {
         List<Weighted> found = new ArrayList<>();
         for (int p = 0; p < points.size(); p++) {
             float weight = weight(p, points.get(p).radius(), hit);
-            if (weight > 0) {
+            if (weight > 0 && !isSeparate(p, hit)) {
                 found.add(new Weighted(p, weight));
             }
         }
@@ -131,6 +170,6 @@ final class ReferencePointLight {
     }
 
     private float distance(int p, SurfacePoint hit) {
-        return PointWeight.distance(surfaces, p, hit.px(), hit.py(), hit.pz(), hit.nx(), hit.ny(), hit.nz());
+        return PointWeight.distance(surfaces, p, barriers.get(p), hit.px(), hit.py(), hit.pz(), hit.nx(), hit.ny(), hit.nz());
     }
 }

@@ -394,6 +394,11 @@ public final class Geometry {
         return shapes.size() > scene.stage().shapes().size();
     }
 
+    /** Returns whether a bump or normal map bends the normals of a primitive. */
+    public boolean hasBentNormals(int primitive) {
+        return material(primitive).bumpMapping().bendsNormals();
+    }
+
     /** Returns the material of a primitive. */
     public Material material(int primitive) {
         return materials.material(materialIndex(primitive));

@@ -22,6 +22,7 @@ import lightning.scene.Scene;
 import lightning.scene.World;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Laws of indirect light that follow from its equation, without another renderer. */
@@ -133,6 +134,45 @@ class IndirectLightTest {
         }
         // The camera is in the left room.
         assertThat(brightest).isZero();
+    }
+
+    /**
+     * The picture shows both rooms, seen along the wall. Cells of surfels are aligned with a wall at 0; those on both sides of the foot of
+     * another wall carry a little light: three times what was measured is allowed.
+     */
+    @ParameterizedTest
+    @CsvSource({"0, 0", "0.03, 0.09"})
+    void thinWallSeenAlongIt_keepsOtherRoomDark(double wall, double allowed) throws JenException {
+        Scene scene = JenReader.read("""
+                jen 1
+                picture { size 80 60  depth 0  indirect { bounces 2  rays 64  spacing 8 } }
+                camera { from 0.1 1.3 5.2  to 0.1 1.1 0  fov 50 }
+                world { ambience 0 }
+                material white { diffuse 0.7 0.7 0.7 }
+                plane floor { material white  at 0 0 0  scale 6 1 5 }
+                plane ceiling { material white  at 0 2.4 0  scale 6 1 5 }
+                plane back { material white  at 0 1.2 -2.5  rotate 90 0 0  scale 6 1 2.4 }
+                plane front { material white  at 0 1.2 2.5  rotate 90 0 0  scale 6 1 2.4  visible no }
+                plane left { material white  at -3 1.2 0  rotate 0 0 90  scale 2.4 1 5 }
+                plane right { material white  at 3 1.2 0  rotate 0 0 90  scale 2.4 1 5 }
+                light lamp point { at -1.5 1.9 0  intensity 3  falloff inverse_square }
+                """ + "plane wall { material white  at " + wall + " 1.2 0  rotate 0 0 90  scale 2.4 1 5 }\n", "rooms.jen", Path.of(""))
+                .scene();
+        float[] direct = trace(IndirectScenes.without(scene)).toScanlines();
+        float[] all = trace(scene).toScanlines();
+        double lit = 0;
+        double leaked = 0;
+        int litCount = 0;
+        for (int i = 0; i < all.length; i++) {
+            // The lamp lights every visible place of its own room.
+            if (direct[i] > 0) {
+                lit += all[i];
+                litCount++;
+            } else {
+                leaked = Math.max(leaked, all[i]);
+            }
+        }
+        assertThat(leaked / (lit / litCount)).isBetween(0.0, allowed);
     }
 
     /** A floor below a large roof, under a white background. */
