@@ -79,6 +79,7 @@ assert any("Copy: it was deleted" in m for m in messages) and any("Other: its ed
 # Edits of a material that Blender cannot hold survive, unless Blender's own value changes.
 edit(f"{material.name}.reflective=0.25 0.5 0.75", f"{material.name}.shadows=none")
 transfer.send(bpy.context, FILE, overwrite=True)
+kept = FILE.with_name("shot.edited.jen").read_text(encoding="utf-8")
 text = FILE.read_text(encoding="utf-8")
 assert "reflective 0.25 0.5 0.75" in text and "shadows none" in text, text
 edit(f"{material.name}.reflective=0 0 0")
@@ -90,7 +91,10 @@ transfer.get_lights(bpy.context, FILE)
 # Edits of objects are not in the next scene, so the file before is kept, and messages say what it has.
 edited = FILE.read_text(encoding="utf-8")
 messages = transfer.send(bpy.context, FILE)
-assert any(m.startswith("only in shot.edited.jen now: Copy: it was deleted") for m in messages), messages
-assert FILE.with_name("shot.edited.jen").read_text(encoding="utf-8") == edited
+assert any(m.startswith("only in shot.edited2.jen now: Copy: it was deleted") for m in messages), messages
+assert FILE.with_name("shot.edited2.jen").read_text(encoding="utf-8") == edited
+assert FILE.with_name("shot.edited.jen").read_text(encoding="utf-8") == kept, "the scene that was kept before stays"
+for name in ("shot.jen", "shot.edited.jen", "shot.edited2.jen"):
+    sample.run_program("check", str(FILE.with_name(name)))
 assert not any("only in" in m for m in transfer.send(bpy.context, FILE))
 print("all objects are equal")

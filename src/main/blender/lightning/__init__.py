@@ -60,14 +60,18 @@ class LIGHTNING_OT_get_lights(bpy.types.Operator, ImportHelper):
     filter_glob: StringProperty(default="*.jen", options={"HIDDEN"})
     remove: BoolProperty(name="Remove Deleted Lights", default=True,
                          description="Remove lights that were sent to Lightning and deleted there")
+    from_another: BoolProperty(name="From Another Scene", default=False,
+                               description="Add the lights of a file that was not sent from this scene; those of this scene stay")
 
     def execute(self, context):
         try:
-            messages = transfer.get_lights(context, Path(bpy.path.abspath(self.filepath)), self.remove)
+            source = Path(bpy.path.abspath(self.filepath))
+            messages = transfer.get_lights(context, source, self.remove, self.from_another)
         except (program.ProgramError, OSError, RuntimeError) as e:
             self.report({"ERROR"}, str(e))
             return {"CANCELLED"}
-        context.scene.lightning_file = self.filepath
+        if transfer.is_sent_to(context.scene, source):
+            context.scene.lightning_file = self.filepath
         _report(self, messages, "Lights received")
         return {"FINISHED"}
 

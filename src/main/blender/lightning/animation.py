@@ -8,7 +8,7 @@ edit of the light, and what Blender then has becomes keys.
 import hashlib
 import json
 
-from . import light_nodes, lights
+from . import light_nodes, lights, memory
 
 # Attributes that change the same properties in Blender, and these properties: of the object, of its light, or of its light's node.
 GROUPS = (
@@ -52,7 +52,7 @@ def receive(scene, obj, settings: dict, values: dict[str, list], first: int, gro
     Args:
         values: values of the animated attributes at all frames from `first` on
     """
-    before = lights.stored(obj).get("tracks", {})
+    before = memory.of_light(obj).get("tracks", {})
     after = digests(values)
     edited = {name for name in before.keys() | after.keys() if before.get(name) != after.get(name)}
     affected = [(names, paths) for names, paths in GROUPS if edited.intersection(names)]

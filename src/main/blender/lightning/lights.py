@@ -6,39 +6,29 @@ gains, units), so each light object remembers what it was in Lightning, and what
 in Blender since keeps its exact value.
 """
 
-import json
 import math
 
 import bpy
 
-from . import axes, light_nodes, linking, temperature
+from . import axes, light_nodes, linking, memory, temperature
 
-PROPERTY = "lightning"
 # Lightning's intensity for one watt, or for one watt per square meter of a sun: the brightness of a white surface at distance 1.
 PER_WATT = {"POINT": 1 / (4 * math.pi ** 2), "SPOT": 1 / (4 * math.pi ** 2), "AREA": 1 / math.pi ** 2, "SUN": 1 / math.pi}
 TYPES = {"point": "POINT", "spot": "SPOT", "directional": "SUN", "rect": "AREA", "disc": "AREA"}
 
 
-def stored(obj) -> dict:
-    """Returns what the object remembers of Lightning; empty if it was never sent or received."""
-    try:
-        return json.loads(obj.get(PROPERTY, "{}"))
-    except ValueError:
-        return {}
-
-
 def store(obj, name: str, settings: dict, groups: dict, tracks: dict | None = None) -> None:
     """Remembers a light as it is in Lightning, and as Blender shows it now; `tracks` has digests of its animation there."""
-    obj[PROPERTY] = json.dumps({"name": name, "settings": settings, "shown": describe(obj, groups, []),
-                                "group": groups.get(settings["bank"], {}), "tracks": tracks or {}})
+    memory.store(obj, {"name": name, "settings": settings, "shown": describe(obj, groups, []),
+                       "group": groups.get(settings["bank"], {}), "tracks": tracks or {}})
 
 
 def send(obj, groups: dict, messages: list[str]) -> dict:
     """Returns a light as Lightning's JSON."""
     shown = describe(obj, groups, messages)
-    memory = stored(obj)
-    settings = dict(memory.get("settings", {}))
-    before = memory.get("shown", {})
+    remembered = memory.of_light(obj)
+    settings = dict(remembered.get("settings", {}))
+    before = remembered.get("shown", {})
     if settings.get("type") != shown["type"]:
         settings, before = {}, {}
     settings.update({key: value for key, value in shown.items() if key not in settings or before.get(key, value) != value})
@@ -151,8 +141,8 @@ def _is_shown(obj, layer) -> bool:
 
 def receive(obj, settings: dict, groups: dict, messages: list[str]) -> None:
     """Changes a light object to what Lightning's light has become since it was sent."""
-    memory = stored(obj)
-    before = memory.get("settings", {})
+    remembered = memory.of_light(obj)
+    before = remembered.get("settings", {})
 
     def changed(*keys: str) -> bool:
         return any(settings.get(key) != before.get(key) for key in keys)
@@ -247,7 +237,7 @@ def _receive_strength(obj, light, settings: dict, before: dict, groups: dict, me
     neutral = {"color": [1, 1, 1], "intensity": 1}
     keys = ("color", "intensity", "exposure", "temperature", "bank", "falloff", "attenuation", "unit")
     group = groups.get(settings["bank"]) or neutral
-    old_group = stored(obj).get("group") or neutral
+    old_group = neutral | memory.of_light(obj).get("group", {})
     if before and all(settings.get(k) == before.get(k) for k in keys) and all(group[k] == old_group[k] for k in neutral):
         return
     kelvin = settings["temperature"]

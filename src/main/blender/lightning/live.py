@@ -13,7 +13,7 @@ from pathlib import Path
 
 import bpy
 
-from . import gltf, lights, picture, program, shot, transfer, words
+from . import gltf, lights, memory, picture, program, shot, transfer, words
 from .lightning_relight import Client, RequestError
 from .model import Model
 from .pictures import Pictures
@@ -157,9 +157,9 @@ class LiveView:
         model = Model(scene, root)
         transfer.complete(bpy.context, target, root, [])
         gltf.write_binary(target.with_suffix(".bin"), rest)
-        self._groups = transfer.memory(scene).get("banks", {})
+        self._groups = memory.of_scene(scene).get("banks", {})
         self._lights = self._describe(scene)
-        settings = root["extras"][transfer.PROPERTY]
+        settings = root["extras"][memory.PROPERTY]
         self._world = settings["world"]
         self._structure = self._describe_structure(scene)
         if self._choice != picture.indirect(scene):
@@ -189,7 +189,7 @@ class LiveView:
     def _copy_files(self, scene, folder: Path) -> None:
         """Copies files that lights got in Lightning, such as gobos and textures."""
         source = Path(bpy.path.abspath(scene.lightning_file)).parent if scene.lightning_file else None
-        settings = [lights.stored(obj).get("settings", {}) for obj in transfer.lamps(scene)] + [transfer.memory(scene).get("world", {})]
+        settings = [memory.of_light(obj).get("settings", {}) for obj in transfer.lamps(scene)] + [memory.of_scene(scene).get("world", {})]
         for name in [s[key] for s in settings for key in ("gobo", "profile", "texture", "environment") if s.get(key)]:
             if source and (source / name).is_file():
                 shutil.copyfile(source / name, folder / Path(name).name)
@@ -215,7 +215,7 @@ class LiveView:
     def _describe_structure(self, scene) -> tuple:
         """Returns what only sending can change, as far as it is quick to compare."""
         shown = [obj.name for obj in scene.objects if obj.type not in BARE_TYPES and lights.is_on(obj)]
-        groups = {name: group for name, group in transfer.memory(scene).get("banks", {}).items()
+        groups = {name: group for name, group in memory.of_scene(scene).get("banks", {}).items()
                   if any(group.get(key, neutral) != neutral for key, neutral in NEUTRAL.items())}
         return shot.size(scene), scene.lightning_indirect, shown, scene.camera and scene.camera.name, groups
 
@@ -270,7 +270,7 @@ class LiveView:
                 return
         self._write_files(scene)
         self._lights = after
-        settings = self._model.root["extras"][transfer.PROPERTY]
+        settings = self._model.root["extras"][memory.PROPERTY]
         groups = dict.fromkeys(obj.lightgroup for obj in transfer.lamps(scene) if obj.lightgroup)
         if scene.camera is not None:
             settings |= {"distance": shot.target_distance(scene.camera.data), "shift": shot.shift(scene)}

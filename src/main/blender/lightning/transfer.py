@@ -3,29 +3,20 @@
 
 import hashlib
 import json
-import shutil
 import tempfile
+import uuid
 from pathlib import Path
 
 import bpy
 
-from . import animation, axes, gltf, light_nodes, lights, materials, picture, program, shot, surfaces, views, world
+from . import animation, axes, gltf, light_nodes, lights, materials, memory, picture, program, shot, surfaces, views, world, written
 
-PROPERTY = "lightning"
 # Start of messages of the export of lights.
 LEFT_OUT = "not exported exactly: "
 # End of a message of the import that names an option of the command.
 OPTION = "; --indirect"
 # Parts of messages of the import that say nothing new: Lightning has no clipping planes.
 EXPECTED = ("written;", "znear of cameras", "zfar of cameras")
-
-
-def memory(scene) -> dict:
-    """Returns what a scene remembers of Lightning: light groups, world and the digest of the scene file."""
-    try:
-        return json.loads(scene.get(PROPERTY, "{}"))
-    except ValueError:
-        return {}
 
 
 def _digest(file: Path) -> str:
@@ -35,24 +26,45 @@ def _digest(file: Path) -> str:
 def send(context, target: Path, overwrite: bool = False) -> list[str]:
     """Writes a .jen file with everything that a render of the scene shows. Returns messages for the user."""
     scene = context.scene
-    remembered = memory(scene)
-    if target.is_file() and not overwrite and remembered.get("digest") != _digest(target):
-        raise program.ProgramError(f"{target.name} was not sent from here, or has changed since: get its lights first, or overwrite it")
-    messages: list[str] = []
-    _keep_edited(target, remembered.get("lost", []), messages)
-    lines = program.run(*prepare(context, target, messages))
-    model = target.with_suffix(".glb")
+    remembered = memory.of_scene(scene)
+    _check_unchanged(target, remembered, overwrite)
+    messages = memory.damage([scene, *lamps(scene)])
+    # Lightning's import moves the files to their places, all of them or none.
+    with tempfile.TemporaryDirectory(prefix="lightning-send-") as folder:
+        command = prepare(context, Path(folder) / target.name, messages, target)
+        # An export can take minutes.
+        _check_unchanged(target, remembered, overwrite)
+        copy = _keep_edited(target, remembered.get("lost", []), messages)
+        try:
+            lines = program.run(*command, "--keep-others")
+        except BaseException:
+            if copy is not None:
+                copy.unlink()
+            raise
+    model = command[1]
     messages += [line.removeprefix(f"{model}: ").split(OPTION)[0] for line in lines if not any(text in line for text in EXPECTED)]
     _remember(scene, target, lamps(scene), messages)
     return messages
 
 
-def _keep_edited(target: Path, lost: list[str], messages: list[str]) -> None:
-    """Keeps the scene file under another name if it has edits that Blender does not have, and that the new file lacks."""
-    if lost and target.is_file():
-        copy = target.with_suffix(".edited.jen")
-        shutil.copyfile(target, copy)
-        messages += [f"only in {copy.name} now: {edit}" for edit in lost]
+def _check_unchanged(target: Path, remembered: dict, overwrite: bool) -> None:
+    if target.is_file() and not overwrite and remembered.get("digest") != _digest(target):
+        raise program.ProgramError(f"{target.name} was not sent from here, or has changed since: get its lights first, or overwrite it")
+
+
+def _keep_edited(target: Path, lost: list[str], messages: list[str]) -> Path | None:
+    """Keeps the scene file under another name if it has edits that Blender does not have, and that the new file lacks. Returns the copy."""
+    if not lost or not target.is_file():
+        return None
+    copy = target.with_suffix(".edited.jen")
+    number = 2
+    while copy.exists() or copy.is_symlink():
+        copy = target.with_suffix(f".edited{number}.jen")
+        number += 1
+    with copy.open("xb") as file:
+        file.write(target.read_bytes())
+    messages += [f"only in {copy.name} now: {edit}" for edit in lost]
+    return copy
 
 
 def lamps(scene) -> list:
@@ -60,23 +72,28 @@ def lamps(scene) -> list:
     return [obj for obj in scene.objects if obj.type == "LIGHT"]
 
 
-def prepare(context, target: Path, messages: list[str]) -> list[str]:
-    """Writes the glTF file of a scene, and what it refers to. Returns the command that makes the .jen file of it."""
+def prepare(context, target: Path, messages: list[str], output: Path | None = None) -> list[str]:
+    """Writes the glTF file of a scene, and what it refers to. Returns the command that makes the .jen file of it.
+
+    Args:
+        target: file of a scene, next to which the files are written
+        output: the .jen file; `target` without it
+    """
     root, rest = export_model(context.scene, target)
     shown = complete(context, target, root, messages)
-    groups = memory(context.scene).get("banks", {})
+    groups = memory.of_scene(context.scene).get("banks", {})
     names = {obj: obj.name for obj in lamps(context.scene)}
-    root["extras"][PROPERTY]["shot"] = shot.record(context, shown, names, groups, messages)
+    root["extras"][memory.PROPERTY]["shot"] = shot.record(context, shown, names, groups, messages)
     model = target.with_suffix(".glb")
     gltf.write(model, root, rest)
-    return ["import", str(model), "-o", str(target), "--light-units", "candela", "--indirect", picture.indirect(context.scene)]
+    return ["import", str(model), "-o", str(output or target), "--light-units", "candela", "--indirect", picture.indirect(context.scene)]
 
 
 def complete(context, target: Path, root: dict, messages: list[str]) -> list:
     """Adds to an exported scene what glTF cannot say, except animation, and writes the files that it needs. Returns the objects that are shown."""
     shown = [obj for obj in context.view_layer.objects if obj.type != "LIGHT" and lights.is_on(obj)]
     materials.add_glass(root, shown, messages)
-    root.setdefault("extras", {})[PROPERTY] = _settings(context.scene, target, messages)
+    root.setdefault("extras", {})[memory.PROPERTY] = _settings(context.scene, target, messages)
     return shown
 
 
@@ -101,12 +118,13 @@ def _export(path: Path) -> None:
 
 
 def _settings(scene, target: Path, messages: list[str]) -> dict:
-    remembered = memory(scene)
+    remembered = memory.of_scene(scene)
     groups = remembered.get("banks", {})
     sent = lamps(scene)
     used = dict.fromkeys(obj.lightgroup for obj in sent if obj.lightgroup)
     settings = {
         "version": 1,
+        "id": _id(scene),
         "picture": picture.send(scene, remembered.get("picture", {}), messages),
         "world": world_settings(scene, target, messages),
         "banks": light_groups(groups, used),
@@ -122,6 +140,11 @@ def _settings(scene, target: Path, messages: list[str]) -> dict:
     return settings
 
 
+def _id(scene) -> str:
+    """Returns what marks the files that a scene was sent to."""
+    return memory.of_scene(scene).get("id") or uuid.uuid4().hex
+
+
 def light_groups(groups: dict, used) -> list[dict]:
     """Returns the light groups that lights use, with their settings in Lightning."""
     return [{"name": name, **groups.get(name, {})} for name in used]
@@ -129,7 +152,7 @@ def light_groups(groups: dict, used) -> list[dict]:
 
 def world_settings(scene, target: Path, messages: list[str]) -> dict:
     """Returns the world as Lightning's JSON, and writes its image next to the scene file."""
-    return memory(scene).get("world", {}) | world.send(scene.world, target.parent, target.stem, messages)
+    return memory.of_scene(scene).get("world", {}) | world.send(scene.world, target.parent, target.stem, messages)
 
 
 def write_files(obj, folder: Path, messages: list[str]) -> None:
@@ -148,9 +171,9 @@ def _store(scene, file: Path, exported: dict, groups: dict, kept: dict, lost: li
         kept: edits of materials that are sent again
         lost: messages about edits that only the file has
     """
-    scene[PROPERTY] = json.dumps({"banks": groups, "world": exported["world"], "picture": picture.store(scene, exported["picture"]),
-                                  "digest": _digest(file), "views": views.digests(exported), "surfaces": surfaces.store(exported, kept),
-                                  "lost": lost})
+    memory.store(scene, {"banks": groups, "world": exported["world"], "picture": picture.store(scene, exported["picture"]),
+                         "id": written.sender(file), "digest": _digest(file), "views": views.digests(exported),
+                         "surfaces": surfaces.store(exported, kept), "lost": lost})
 
 
 def _remember(scene, target: Path, sent: list, messages: list[str]) -> None:
@@ -162,7 +185,7 @@ def _remember(scene, target: Path, sent: list, messages: list[str]) -> None:
     for obj in sent:
         if obj.name in by_name:
             lights.store(obj, obj.name, by_name[obj.name], groups, animation.digests(animated.get(obj.name, {})))
-    kept = surfaces.check(exported, memory(scene).get("surfaces", {}).get("kept", {}), messages)
+    kept = surfaces.check(exported, memory.of_scene(scene).get("surfaces", {}).get("kept", {}), messages)
     _store(scene, target, exported, groups, kept, [])
 
 
@@ -172,21 +195,44 @@ def export(source: Path, messages: list[str]) -> dict:
         file = Path(folder) / "lights.json"
         lines = program.run("export-lights", str(source), "-o", str(file))
         messages += [f"stay in Lightning only: {line.split(LEFT_OUT, 1)[1]}" for line in lines if LEFT_OUT in line]
-        return json.loads(file.read_text(encoding="utf-8"))
+        exported = json.loads(file.read_text(encoding="utf-8"))
+    _use_own_names(exported, written.sources(source))
+    return exported
 
 
-def get_lights(context, source: Path, remove: bool = True) -> list[str]:
-    """Brings the lights of a .jen file back: edited, added and, with `remove`, deleted ones. Returns messages for the user."""
+def _use_own_names(exported: dict, sources: dict[str, str]) -> None:
+    """Replaces the names of files that the import wrote under another name: Blender knows them by their own."""
+    for settings in (*exported["lights"], exported["world"]):
+        for key in ("profile", "texture", "environment"):
+            if settings.get(key) in sources:
+                settings[key] = sources[settings[key]]
+
+
+def is_sent_to(scene, file: Path) -> bool:
+    """Returns whether a file was sent from a scene, or is a copy of one."""
+    sender = written.sender(file)
+    return bool(sender) and sender == memory.of_scene(scene).get("id")
+
+
+def get_lights(context, source: Path, remove: bool = True, from_another: bool = False) -> list[str]:
+    """Brings the lights of a .jen file back: edited, added and, with `remove`, deleted ones. Returns messages for the user.
+
+    Args:
+        from_another: also adds the lights of a file that this scene was not sent to; nothing else changes then
+    """
     scene = context.scene
-    remembered = memory(scene)
-    messages: list[str] = []
+    remembered = memory.of_scene(scene)
+    messages = memory.damage([scene, *lamps(scene)])
+    is_own = is_sent_to(scene, source)
+    if not is_own and not from_another and any(memory.of_light(obj) for obj in lamps(scene)):
+        raise program.ProgramError(f"{source.name} was not sent from this scene: choose From Another Scene to add its lights to those of this one")
     exported = export(source, messages)
     groups = {group.pop("name"): group for group in exported["banks"]}
     animated = animation.by_light(exported)
     known = {}
     for obj in scene.objects:
         if obj.type == "LIGHT":
-            known[lights.stored(obj).get("name", obj.name)] = obj
+            known[memory.of_light(obj).get("name", obj.name)] = obj
     received = []
     for settings in exported["lights"]:
         obj = known.pop(settings["name"], None) or _new_light(scene, settings)
@@ -197,12 +243,27 @@ def get_lights(context, source: Path, remove: bool = True) -> list[str]:
         animation.receive(scene, obj, settings, values, exported.get("shot", {}).get("frames", [0])[0], groups, messages)
         received.append((obj, settings, animation.digests(values)))
     for name, obj in known.items():
-        if remove and lights.stored(obj):
+        if is_own and remove and memory.of_light(obj):
             bpy.data.objects.remove(obj)
             messages.append(f"{name}: removed, because it was deleted in Lightning")
     context.view_layer.update()
     for obj, settings, tracks in received:
         lights.store(obj, settings["name"], settings, groups, tracks)
+    if is_own:
+        _get_rest(scene, source, exported, groups, messages)
+    else:
+        _add_groups(scene, groups)
+    if any(settings["solo"] for settings in exported["lights"]) or any(group["solo"] for group in groups.values()):
+        messages.append("solo lights: Blender shows the others too")
+    for name, group in groups.items():
+        if group["intensity"] != 1 or group["color"] != [1, 1, 1] or not group["on"]:
+            messages.append(f"{name}: the light group's settings are part of its lights in Blender")
+    return messages
+
+
+def _get_rest(scene, source: Path, exported: dict, groups: dict, messages: list[str]) -> None:
+    """Brings back all but the lights from a file that the scene was sent to, and remembers the file."""
+    remembered = memory.of_scene(scene)
     picture.receive(scene, exported["picture"], remembered.get("picture", {}), messages)
     lost: list[str] = []
     views.receive(scene, exported, remembered.get("views", {}), lost)
@@ -210,12 +271,12 @@ def get_lights(context, source: Path, remove: bool = True) -> list[str]:
     messages += lost
     world.receive(scene.world, exported["world"], remembered.get("world", {}), messages)
     _store(scene, source, exported, groups, kept, [*remembered.get("lost", []), *lost])
-    if any(settings["solo"] for settings in exported["lights"]) or any(group["solo"] for group in groups.values()):
-        messages.append("solo lights: Blender shows the others too")
-    for name, group in groups.items():
-        if group["intensity"] != 1 or group["color"] != [1, 1, 1] or not group["on"]:
-            messages.append(f"{name}: the light group's settings are part of its lights in Blender")
-    return messages
+
+
+def _add_groups(scene, groups: dict) -> None:
+    """Remembers light groups of another scene, whose factors the received lights have."""
+    remembered = memory.of_scene(scene)
+    memory.store(scene, remembered | {"banks": remembered.get("banks", {}) | groups})
 
 
 def _new_light(scene, settings: dict):

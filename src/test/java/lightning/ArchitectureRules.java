@@ -111,7 +111,7 @@ final class ArchitectureRules {
             row("shot",
                     "base.text base.work base.file scene scene.shot render.column render.image render.trace render.shading render.cache"
                             + " render.relight.plan render.relight.tile render.relight"),
-            row("shot.cluster.wire", "base.text"),
+            row("shot.cluster.wire", "base.text base.file"),
             row("shot.cluster",
                     "base.text base.work base.file scene.shot render.image render.relight format.mesh format.jen shot"
                             + " shot.cluster.wire"),

@@ -45,6 +45,9 @@ final class ImportCommand implements Callable<Integer> {
     @Option(names = "--replace", description = "Also replace meshes and images next to the scene that have other content, such as those "
             + "of an earlier import. The scene itself is always replaced.")
     private boolean replaces;
+    @Option(names = "--keep-others", description = "Replace meshes and images next to the scene only if an earlier import with this option "
+            + "wrote them for this scene, and they have not changed since. Others stay; the new ones get another name.")
+    private boolean keepsOthers;
     @Option(names = "--light-units", paramLabel = "UNITS",
             description = "Units of a glTF file's lights: candela (and lux, as the format defines), unitless (watts per steradian and "
                     + "per square meter) or watts, as chosen in its exporter (default: candela).")
@@ -88,7 +91,9 @@ final class ImportCommand implements Callable<Integer> {
         }
         boolean saysIndirect = imported.hasIndirect();
         imported = lighting.apply(indirect.apply(imported));
-        List<Path> replaced = imported.differentFiles();
+        imported = keepsOthers ? imported.keepingOthers((old, used) -> console
+                .warn("%s: stays, because it has other content; the scene uses %s", output.resolveSibling(old), Quote.of(used))) : imported;
+        List<Path> replaced = keepsOthers ? List.of() : imported.differentFiles();
         if (!replaced.isEmpty() && !replaces) {
             throw new BadInputException(Quote.path(replaced.getFirst()) + ": already exists with other content"
                     + (replaced.size() == 1 ? "; --replace replaces it" : Console.text(", and %d more; --replace replaces them",

@@ -71,6 +71,16 @@ class BlenderAddOnTest {
         assertThat(run("blender_picture.py")).contains("the picture is equal");
     }
 
+    @Test
+    void filesOfUser_stay() throws Exception {
+        assertThat(run("blender_files.py")).contains("no file of the user has changed");
+    }
+
+    @Test
+    void killedWhileSending_losesNothing() throws Exception {
+        assertThat(run("blender_kills.py", Integer.toString(Integer.getInteger("lightning.kills", 4)), "1")).contains("nothing is lost");
+    }
+
     @ParameterizedTest
     @ValueSource(strings = {"point", "ball", "spot", "sun", "profile", "profile180", "profile360", "lamp", "lamp90", "lamp270",
         "lamp360", "screen", "window", "rect", "disc", "warm", "world", "sky",

@@ -6,6 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import lightning.base.file.AtomicFile;
+import lightning.base.file.ContentHash;
 import lightning.base.file.RegularFile;
 
 /**
@@ -34,6 +35,11 @@ public record AssetCopy(Path target, Path source, byte[] bytes) {
     /** Returns a copy of the same content to another path. */
     AssetCopy to(Path newTarget) {
         return new AssetCopy(newTarget, source, bytes);
+    }
+
+    /** Returns the hash of the content. */
+    ContentHash hash() throws IOException {
+        return source == null ? ContentHash.of(bytes) : ContentHash.of(source);
     }
 
     /** Writes the content to the target, and its folders. */

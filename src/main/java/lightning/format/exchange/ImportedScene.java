@@ -5,12 +5,16 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.BiConsumer;
 import java.util.function.UnaryOperator;
+import java.util.stream.Stream;
 import lightning.base.file.AtomicFile;
 import lightning.base.text.Quote;
 import lightning.format.jen.CachingJenReader;
@@ -95,6 +99,29 @@ public record ImportedScene(Scene unscaledScene, Optional<Shot> shot, Set<String
                 subject, closingComments);
     }
 
+    /**
+     * Returns this scene with names of its files that leave the user's files next to it as they are: {@link FileNaming}.
+     *
+     * @param renamed receives each name that another file has, and the new name
+     * @throws IOException if a file that cannot have another name would replace one, or one cannot be read
+     */
+    public ImportedScene keepingOthers(BiConsumer<String, String> renamed) throws IOException {
+        Set<String> references = new HashSet<>();
+        new FileRenaming(name -> {
+            references.add(name);
+            return name;
+        }).applyTo(unscaledScene);
+        var naming = new FileNaming(sceneFile);
+        Path folder = sceneFile.toAbsolutePath().getParent();
+        for (AssetCopy copy : copies.stream().sorted(Comparator.comparing(AssetCopy::target)).toList()) {
+            naming.add(copy, references.contains(FileNaming.nameIn(folder, copy.target())));
+        }
+        List<String> newComments = Stream.concat(comments.stream(), naming.comments().stream()).toList();
+        naming.renamed().forEach(renamed);
+        return new ImportedScene(new FileRenaming(naming::newName).applyTo(unscaledScene), shot, restored, units, newComments, sceneFile,
+                naming.copies(), notes, subject, closingComments);
+    }
+
     /** Returns this scene with smooth edges. */
     public ImportedScene withSmoothEdges() {
         PictureSettings picture = unscaledScene.picture();
@@ -176,10 +203,10 @@ public record ImportedScene(Scene unscaledScene, Optional<Shot> shot, Set<String
 
     void writeReplacing(SceneReplacement.Observer observer) throws IOException, JenException {
         requireNoReplacedSource();
-        if (differentFiles().isEmpty()) {
-            writeCopies();
+        if (hasAllFiles()) {
             JenReader.read(text(), sceneFile.toString(), sceneFile.toAbsolutePath().getParent());
             AtomicFile.of(sceneFile).write(text().getBytes(StandardCharsets.UTF_8));
+            StagingFolder.removeStale(sceneFile);
         } else {
             new SceneReplacement(sceneFile, copies, observer).run(this::text);
         }
@@ -222,6 +249,15 @@ public record ImportedScene(Scene unscaledScene, Optional<Shot> shot, Set<String
                 throw new IOException(Quote.path(copy.target()) + ": is a file of the imported scene; import into another folder");
             }
         }
+    }
+
+    private boolean hasAllFiles() throws IOException {
+        for (AssetCopy copy : copies) {
+            if (!copy.isWritten()) {
+                return false;
+            }
+        }
+        return true;
     }
 
     private void writeCopies() throws IOException {

@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
+import java.util.regex.Pattern;
 import lightning.format.mesh.ConversionNotes;
 import lightning.scene.LensShift;
 import lightning.scene.Light;
@@ -27,6 +28,8 @@ final class SceneExtras {
     /** Note about a lens shift that no camera can have. */
     static final String INVALID_SHIFT =
             "lens shifts beyond " + SceneLimits.format(SceneLimits.MAX_SHIFT) + " pictures, imported without shift";
+
+    private static final Pattern SENDER = Pattern.compile("[0-9a-f]{32}");
 
     private final JsonNode json;
 
@@ -59,7 +62,7 @@ final class SceneExtras {
     }
 
     /**
-     * Sets the scene's picture, world, edits of materials, light groups, lights and animation. Lights count only if the file has none of its own, so that
+     * Sets the scene's picture, world, edits of materials, light groups, lights and animation, and a comment with the scene that it was sent from. Lights count only if the file has none of its own, so that
      * lights that were exported into it later win.
      *
      * @param nodeNames names in the scene of the file's nodes
@@ -78,6 +81,10 @@ final class SceneExtras {
             for (JsonNode light : json.path("lights")) {
                 readLight(assembler, light, nodeNames, groups);
             }
+        }
+        String sender = json.path("id").asString("");
+        if (SENDER.matcher(sender).matches()) {
+            assembler.addComment("sent from: " + sender);
         }
         if (json.path("shot").isObject()) {
             assembler.shot = new ShotExtras(json.path("shot"), nodeNames, assembler.notes).read();

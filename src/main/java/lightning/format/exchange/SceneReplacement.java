@@ -3,12 +3,12 @@ package lightning.format.exchange;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
-import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Set;
 import java.util.function.UnaryOperator;
+import java.util.stream.Collectors;
 import lightning.base.file.AtomicFile;
-import lightning.base.file.TemporaryFolder;
 import lightning.format.jen.JenException;
 import lightning.format.jen.JenReader;
 import lightning.scene.Scene;
@@ -27,13 +27,9 @@ import lightning.scene.Scene;
  *
  * <p>Links need no space, so a full disk stops the replacement in the first two steps, and the folder is deleted. On file systems without
  * links, later steps copy. A failure there leaves the folder, which the scene file shows then; so does a killed process.
+ * The next replacement of the scene deletes it.
  */
 final class SceneReplacement {
-    private static final String FOLDER_ENDING = ".import";
-
-    /** Leaves most of a file name's 200 characters to the files in the folder. */
-    private static final int MAX_STEM_LENGTH = 24;
-
     private final Path sceneFile;
     private final Path folder;
     private final List<AssetCopy> copies;
@@ -66,19 +62,26 @@ final class SceneReplacement {
                 AtomicFile.of(copy.target()).check();
             }
         }
-        Path staging = unusedFolder();
+        try (var staging = StagingFolder.createNextTo(sceneFile)) {
+            replaceBy(staging, text);
+        }
+        StagingFolder.removeStale(sceneFile);
+    }
+
+    private void replaceBy(StagingFolder stagingFolder, Text text) throws IOException, JenException {
+        Path staging = stagingFolder.path();
         Path finalScene = staging.resolve(sceneFile.getFileName());
         try {
             for (AssetCopy copy : copies) {
                 stage(copy, staged(staging, copy));
                 observer.afterStep();
             }
-            String stagedText = text.of(new FilePrefix(staging.getFileName() + "/")::applyTo);
+            String stagedText = text.of(FileRenaming.into(staging.getFileName().toString(), names())::applyTo);
             JenReader.read(stagedText, sceneFile.toString(), folder);
             write(finalScene, text.of(UnaryOperator.identity()));
             write(sceneFile, stagedText);
         } catch (IOException | JenException | RuntimeException e) {
-            TemporaryFolder.delete(staging);
+            stagingFolder.delete();
             throw e;
         }
         observer.afterStep();
@@ -90,7 +93,7 @@ final class SceneReplacement {
         }
         replace(sceneFile, finalScene);
         observer.afterStep();
-        TemporaryFolder.delete(staging);
+        stagingFolder.delete();
     }
 
     /** Calls between the changes of files. */
@@ -110,15 +113,8 @@ final class SceneReplacement {
         String of(UnaryOperator<Scene> change);
     }
 
-    private Path unusedFolder() throws IOException {
-        String name = SceneAssembler.sanitize(sceneFile.getFileName().toString().replaceFirst("\\.[^.]*$", ""));
-        String start = name.substring(0, name.offsetByCodePoints(0, Math.min(MAX_STEM_LENGTH, name.codePointCount(0, name.length()))));
-        for (int i = 1;; i++) {
-            Path candidate = folder.resolve(start + FOLDER_ENDING + (i == 1 ? "" : i));
-            if (!Files.exists(candidate, LinkOption.NOFOLLOW_LINKS)) {
-                return Files.createDirectory(candidate);
-            }
-        }
+    private Set<String> names() {
+        return copies.stream().map(copy -> FileNaming.nameIn(folder, copy.target())).collect(Collectors.toSet());
     }
 
     private Path staged(Path staging, AssetCopy copy) {
@@ -136,6 +132,7 @@ final class SceneReplacement {
 
     /** Replaces a file by a link to a staged one, or by a copy. */
     private void replace(Path file, Path staged) throws IOException {
+        Files.createDirectories(file.getParent());
         try {
             AtomicFile.of(file).writeToPath(temporary -> {
                 Files.delete(temporary);

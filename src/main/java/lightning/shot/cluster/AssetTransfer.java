@@ -15,7 +15,7 @@ import java.util.TreeMap;
 import lightning.format.jen.JenDocument;
 import lightning.format.jen.ReferencedFiles;
 import lightning.shot.ShotRevision;
-import lightning.shot.cluster.wire.ContentHash;
+import lightning.base.file.ContentHash;
 import lightning.shot.cluster.wire.SceneManifest;
 
 /** Content served by a coordinator to its nodes: the manifests of its newest revisions, their scene texts and the scene's files. */

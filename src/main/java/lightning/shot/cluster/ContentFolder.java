@@ -18,7 +18,7 @@ import lightning.base.file.PrivateFolder;
 import lightning.base.text.Quote;
 import lightning.format.jen.ReferencedFiles;
 import lightning.format.mesh.MeshLimits;
-import lightning.shot.cluster.wire.ContentHash;
+import lightning.base.file.ContentHash;
 import lightning.shot.cluster.wire.SceneManifest;
 
 /**

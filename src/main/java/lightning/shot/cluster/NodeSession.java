@@ -25,7 +25,7 @@ import lightning.shot.FrameRejectedException;
 import lightning.shot.FrameUpdate;
 import lightning.shot.HostLostException;
 import lightning.shot.ShotRevision;
-import lightning.shot.cluster.wire.ContentHash;
+import lightning.base.file.ContentHash;
 import lightning.shot.cluster.wire.Message;
 import lightning.shot.cluster.wire.WireException;
 

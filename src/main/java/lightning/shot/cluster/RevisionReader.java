@@ -10,7 +10,7 @@ import lightning.format.jen.JenException;
 import lightning.format.jen.JenLimits;
 import lightning.scene.shot.Shot;
 import lightning.shot.ShotRevision;
-import lightning.shot.cluster.wire.ContentHash;
+import lightning.base.file.ContentHash;
 import lightning.shot.cluster.wire.SceneManifest;
 import lightning.shot.cluster.wire.WireException;
 

@@ -175,6 +175,32 @@ class SceneReplacementTest {
     }
 
     @Test
+    void folderOfKilledImport_isRemovedByNextOne() throws Exception {
+        writeModel("wide square", 2);
+        List<Path> states = new ArrayList<>();
+        imported().writeReplacing(afterStep(() -> {
+            states.add(folder.resolve("killed" + states.size()));
+            copyFolder(target, states.getLast());
+        }));
+        for (Path state : states) {
+            assertThat(state.resolve("a.import")).exists();
+            scene = state.resolve("a.jen");
+            imported().writeReplacing();
+            assertThat(files(state)).containsExactly("a.bin", "a.gltf", "a.jen");
+        }
+    }
+
+    @Test
+    void folderOfUserOrOfAnotherScene_stays() throws Exception {
+        Files.writeString(Files.createDirectory(target.resolve("a.import")).resolve("mine.txt"), "mine");
+        Files.writeString(Files.createDirectory(target.resolve("a.import2")).resolve("in-use"), "");
+        Files.writeString(target.resolve("look.jen"), "mesh \"a.import2/a.gltf\"");
+        writeModel("wide square", 2);
+        imported().writeReplacing();
+        assertThat(files(target)).containsExactly("a.bin", "a.gltf", "a.import/mine.txt", "a.import2/in-use", "a.jen", "look.jen");
+    }
+
+    @Test
     void readOnlyFile_changesNothing() throws Exception {
         writeModel("wide square", 2);
         assertThat(target.resolve("a.gltf").toFile().setWritable(false)).isTrue();

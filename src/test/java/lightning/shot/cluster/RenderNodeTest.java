@@ -30,7 +30,7 @@ import lightning.shot.FrameUpdate;
 import lightning.shot.HostLostException;
 import lightning.shot.LocalFrameHost;
 import lightning.shot.ShotRevision;
-import lightning.shot.cluster.wire.ContentHash;
+import lightning.base.file.ContentHash;
 import lightning.shot.cluster.wire.Message;
 import lightning.shot.cluster.wire.MessageCodec;
 import lightning.shot.cluster.wire.SceneManifest;

@@ -27,7 +27,7 @@ import lightning.shot.LocalFrameHost;
 import lightning.shot.ShotListener;
 import lightning.shot.ShotRelighter;
 import lightning.shot.ShotRevision;
-import lightning.shot.cluster.wire.ContentHash;
+import lightning.base.file.ContentHash;
 import lightning.shot.cluster.wire.Message;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;

@@ -1,5 +1,6 @@
 package lightning.shot.cluster.wire;
 
+import lightning.base.file.ContentHash;
 import java.util.UUID;
 
 /**

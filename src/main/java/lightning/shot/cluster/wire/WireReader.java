@@ -1,5 +1,6 @@
 package lightning.shot.cluster.wire;
 
+import lightning.base.file.ContentHash;
 import java.nio.ByteBuffer;
 import java.nio.charset.CharacterCodingException;
 import java.nio.charset.CodingErrorAction;

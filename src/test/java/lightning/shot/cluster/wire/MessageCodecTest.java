@@ -1,5 +1,6 @@
 package lightning.shot.cluster.wire;
 
+import lightning.base.file.ContentHash;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 

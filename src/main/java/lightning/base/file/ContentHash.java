@@ -1,4 +1,4 @@
-package lightning.shot.cluster.wire;
+package lightning.base.file;
 
 import java.io.IOException;
 import java.io.InputStream;
@@ -24,12 +24,13 @@ public record ContentHash(String hex) {
         }
     }
 
-    /** @param bytes {@value #BYTES} bytes */
-    static ContentHash ofBytes(byte[] bytes) {
+    /** Returns a hash of {@value #BYTES} bytes. */
+    public static ContentHash ofBytes(byte[] bytes) {
         return new ContentHash(HexFormat.of().formatHex(bytes));
     }
 
-    byte[] bytes() {
+    /** Returns its {@value #BYTES} bytes. */
+    public byte[] bytes() {
         return HexFormat.of().parseHex(hex);
     }
 

@@ -2,6 +2,8 @@ package lightning.format.exchange;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
+import java.util.function.UnaryOperator;
 import lightning.scene.Environment;
 import lightning.scene.Gobo;
 import lightning.scene.IesProfile;
@@ -17,12 +19,17 @@ import lightning.scene.TextureMap;
 import lightning.scene.World;
 
 /**
- * Scene whose files are in a subfolder.
+ * Scene that references its files by other names.
  *
- * @param prefix start of each file name, such as {@code house/}
+ * @param newName returns the new name of a file, or the old one
  */
-record FilePrefix(String prefix) {
-    /** Returns a scene that references its files with the prefix. */
+record FileRenaming(UnaryOperator<String> newName) {
+    /** Moves some files of a scene into a subfolder. */
+    static FileRenaming into(String folder, Set<String> files) {
+        return new FileRenaming(name -> files.contains(name) ? folder + "/" + name : name);
+    }
+
+    /** Returns a scene that references its files by the new names. */
     Scene applyTo(Scene scene) {
         return scene.withNodes(nodes(scene.nodes())).withMaterials(scene.materials().stream().map(this::material).toList())
                 .withLights(scene.lights().stream().map(this::light).toList()).withWorld(world(scene.world()));
@@ -32,7 +39,7 @@ record FilePrefix(String prefix) {
         return nodes.stream().<SceneNode>map(node -> switch (node) {
             case NodeGroup group -> group.withChildren(nodes(group.children()));
             case Shape shape -> shape.solid() instanceof Solid.TriangleMesh t
-                    ? shape.withSolid(new Solid.TriangleMesh(prefix + t.file(), t.part(), t.showsColors(), t.mesh()))
+                    ? shape.withSolid(new Solid.TriangleMesh(newName.apply(t.file()), t.part(), t.showsColors(), t.mesh()))
                     : shape;
         }).toList();
     }
@@ -43,16 +50,16 @@ record FilePrefix(String prefix) {
     }
 
     private Optional<TextureMap> map(Optional<TextureMap> map) {
-        return map.map(m -> new TextureMap(prefix + m.file(), m.repeatU(), m.repeatV(), m.image()));
+        return map.map(m -> new TextureMap(newName.apply(m.file()), m.repeatU(), m.repeatV(), m.image(), m.isClamped()));
     }
 
     private Light light(Light light) {
-        return light.withGobo(light.gobo().map(g -> new Gobo(prefix + g.file(), g.image())))
-                .withProfile(light.profile().map(p -> new IesProfile(prefix + p.file(), p.photometry())))
-                .withTexture(light.texture().map(t -> new LightTexture(prefix + t.file(), t.image())));
+        return light.withGobo(light.gobo().map(g -> new Gobo(newName.apply(g.file()), g.image())))
+                .withProfile(light.profile().map(p -> new IesProfile(newName.apply(p.file()), p.photometry())))
+                .withTexture(light.texture().map(t -> new LightTexture(newName.apply(t.file()), t.image())));
     }
 
     private World world(World world) {
-        return world.withEnvironment(world.environment().map(e -> new Environment(prefix + e.file(), e.map())));
+        return world.withEnvironment(world.environment().map(e -> new Environment(newName.apply(e.file()), e.map())));
     }
 }
