@@ -196,9 +196,12 @@ class Scene:
         """
         return self._request("explain", pixel=[x, y])
 
-    def save(self, file: _File) -> None:
-        """Writes the edited scene to a .jen file. Comments and text that was not edited stay."""
-        self._request("save", file=os.path.abspath(file))
+    def save(self, file: _File, overwrite: bool = False) -> None:
+        """Writes the edited scene to a .jen file. Comments and text that was not edited stay.
+
+        Refuses to replace a file that another program changed since the scene was opened from it or saved to it, unless ``overwrite``.
+        """
+        self._request("save", file=os.path.abspath(file), **({"overwrite": True} if overwrite else {}))
 
     def close(self) -> None:
         """Closes the scene, and its server if ``open`` started it."""

@@ -1,5 +1,6 @@
 package lightning.cli;
 
+import lightning.format.jen.InputFiles;
 import java.nio.file.Path;
 import java.util.concurrent.Callable;
 import lightning.cli.report.CompareReport;
@@ -50,7 +51,7 @@ final class CompareCommand implements Callable<Integer> {
         if (output != null) {
             // Reject an unsupported extension before the images are read.
             ImageFormat.of(output);
-            PictureOutput.checkFile(output);
+            PictureOutput.checkFile(output, InputFiles.of(first, second));
         }
         Film a = read(first);
         Film b = read(second);

@@ -43,6 +43,7 @@ final class ExportCommand implements Callable<Integer> {
         }
         PictureOutput.checkFile(output);
         Scene scene = picture.apply(input.read().scene());
+        input.inputs(scene).check(output);
         PovScene pov = PovScene.of(scene, name.substring(0, name.length() - ".pov".length()));
         pov.write(output);
         pov.losses().forEach(loss -> console.warn("%s", loss));

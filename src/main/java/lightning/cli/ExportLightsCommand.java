@@ -66,6 +66,7 @@ final class ExportLightsCommand implements Callable<Integer> {
         PictureOutput.checkFile(output);
         JenDocument document = input.read();
         Scene scene = document.scene();
+        input.inputs(scene).check(output);
         LightUnits chosen = units != null ? units : LightUnits.findIn(document.text()).orElse(LightUnits.CANDELA);
         LightExport lights = isLayer ? LightExport.toUsd(document.text(), document.animatedScene(), input.path(), output)
                 : template == null ? LightExport.toJson(document.animatedScene())

@@ -128,6 +128,7 @@ final class ImportCommand implements Callable<Integer> {
             for (var picture : LightUnitPreviews.render(imported, PICTURE_SIZE, workers, bar).entrySet()) {
                 Path file =
                         output.resolveSibling(stem + "." + picture.getKey().name().toLowerCase(Locale.ROOT) + ImageFormat.PNG.extension());
+                imported.inputs(this.file).check(file);
                 ImageFile.write(file, picture.getValue(), ViewTransform.DEFAULT);
                 console.print("%s: written; light units taken as %s", file, picture.getKey().description());
             }

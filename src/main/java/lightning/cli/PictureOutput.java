@@ -1,5 +1,6 @@
 package lightning.cli;
 
+import lightning.format.jen.InputFiles;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Optional;
@@ -74,6 +75,17 @@ abstract sealed class PictureOutput permits SinglePictureOutput, StepPictureOutp
 
     static void checkFile(Path file) throws IOException {
         AtomicFile.of(file).check();
+    }
+
+    /** Checks that a file can be written, and is not one that the command reads. */
+    static void checkFile(Path file, InputFiles inputs) throws IOException {
+        inputs.check(file);
+        checkFile(file);
+    }
+
+    /** Adds the lookup table of the view to the files that the command reads. */
+    InputFiles withViewFile(InputFiles inputs) {
+        return view == null || view.lut().isEmpty() ? inputs : inputs.with(view.lut().get().file());
     }
 
     /** Returns the memory in bytes available for rendering, after subtracting what writing the image needs. */

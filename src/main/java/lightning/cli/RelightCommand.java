@@ -1,5 +1,7 @@
 package lightning.cli;
 
+import java.util.stream.Stream;
+import lightning.format.jen.InputFiles;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -118,9 +120,13 @@ final class RelightCommand implements Callable<Integer> {
         JenDocument document = input.read();
         List<Scene> edited = editedScenes(document.scene());
         int last = edited.size();
-        pictures.check(last);
+        InputFiles inputs = output.withViewFile(InputFiles.of(input.path(), Stream.concat(Stream.of(document.scene()), edited.stream()).toList()));
+        pictures.check(last, inputs);
         if (mattes.isPresent()) {
-            mattes.get().check(last);
+            mattes.get().check(last, inputs);
+        }
+        if (saveFile != null) {
+            InputFiles.referencedBy(edited.getLast(), input.path().toAbsolutePath().getParent()).check(saveFile);
         }
         Scene before = picture.apply(document.scene());
         RenderOptions options =

@@ -1,5 +1,6 @@
 package lightning.cli;
 
+import lightning.format.jen.InputFiles;
 import java.io.IOException;
 import java.util.Optional;
 import java.util.concurrent.Callable;
@@ -68,6 +69,11 @@ final class RenderCommand implements Callable<Integer> {
                     + (layers.usedOption().get().equals("--layers") ? "layers" : "mattes"));
         }
         Scene scene = picture.apply(input.read().scene());
+        InputFiles inputs = output.withViewFile(input.inputs(scene));
+        inputs.check(output.file());
+        if (layers.mattes().isPresent()) {
+            inputs.check(layers.mattes().get());
+        }
         console.printWarnings(input.path(), scene);
         LongRenderRestart.restartIfLong(scene, command.root().commandLine().getParseResult().originalArgs());
         if (traditional) {

@@ -1,5 +1,8 @@
 package lightning.cli;
 
+import lightning.scene.Scene;
+import java.util.List;
+import lightning.format.jen.InputFiles;
 import java.io.IOException;
 import java.nio.file.Path;
 import lightning.base.file.ShippedFile;
@@ -15,6 +18,11 @@ final class SceneFile {
 
     Path path() {
         return ShippedFile.resolve(path);
+    }
+
+    /** Returns the scene file and the files that a scene of it references. */
+    InputFiles inputs(Scene... scenes) {
+        return InputFiles.of(path(), List.of(scenes));
     }
 
     JenDocument read() throws IOException, JenException {

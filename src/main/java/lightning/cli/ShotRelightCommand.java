@@ -1,5 +1,7 @@
 package lightning.cli;
 
+import java.util.stream.Stream;
+import lightning.format.jen.InputFiles;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -112,9 +114,11 @@ final class ShotRelightCommand implements Callable<Integer> {
         // Local caching needs disk space before an output folder is created; nodes check their own.
         Optional<FrameBudget> room = config.isPresent() ? Optional.empty() : Optional.of(frameBudget(original, shot.range(), files));
         List<FrameFiles> groups = groups(files, revisions.size());
+        InputFiles inputs = output.withViewFile(InputFiles.of(input.path(),
+                Stream.concat(Stream.of(document.scene()), revisions.stream().map(ShotRevision::scene)).toList()));
         for (FrameFiles group : groups) {
             for (int frame = shot.range().first(); frame <= shot.range().last(); frame++) {
-                PictureOutput.checkFile(group.file(frame));
+                PictureOutput.checkFile(group.file(frame), inputs);
             }
         }
         if (config.isPresent()) {

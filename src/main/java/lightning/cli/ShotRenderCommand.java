@@ -1,5 +1,6 @@
 package lightning.cli;
 
+import lightning.format.jen.InputFiles;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -94,7 +95,9 @@ final class ShotRenderCommand implements Callable<Integer> {
         FrameRange range = shot.range();
         Scene scene = picture.apply(document.scene());
         shot.check(scene);
+        InputFiles inputs = output.withViewFile(input.inputs(scene));
         if (movie.isPresent()) {
+            PictureOutput.checkFile(output.file(), inputs);
             writeMovie(shot, scene, range, movie.get());
             report(shot, output.file().toString(), 0);
             return ExitCode.OK;
@@ -107,7 +110,7 @@ final class ShotRenderCommand implements Callable<Integer> {
             mattes.map(matte -> matte.file(frame)).ifPresent(written::add);
             if (!resume || !written.stream().allMatch(Files::isRegularFile)) {
                 for (Path file : written) {
-                    PictureOutput.checkFile(file);
+                    PictureOutput.checkFile(file, inputs);
                 }
                 missing.add(frame);
             }
@@ -144,7 +147,6 @@ final class ShotRenderCommand implements Callable<Integer> {
     /** Renders all frames to a video, which appears only when complete. */
     private void writeMovie(ShotFrames shot, Scene scene, FrameRange range, MovieFormat kind) throws Exception {
         Ffmpeg ffmpeg = Ffmpeg.require();
-        PictureOutput.checkFile(output.file());
         List<Integer> frames = IntStream.rangeClosed(range.first(), range.last()).boxed().toList();
         AtomicFile.of(output.file()).writeToPath(temporary -> {
             try (var movie = new MovieWriter(ffmpeg, kind, shot.shot().rate(), output.view(scene), temporary)) {

@@ -1,5 +1,6 @@
 package lightning.cli;
 
+import lightning.format.jen.InputFiles;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -46,15 +47,15 @@ record StepFiles(Path pattern, String stem) {
         return isNumbered() || step == last ? Optional.of(file(step)) : Optional.empty();
     }
 
-    /** Checks that the files of all steps can be written, before a long computation. Creates the folder. */
-    void check(int last) throws IOException {
+    /** Checks that the files of all steps can be written, and are not read, before a long computation. Creates the folder. */
+    void check(int last, InputFiles inputs) throws IOException {
         if (isFolder()) {
             new FrameFiles(pattern, stem, ".png").createFolder();
         }
         for (int step = 1; step <= last; step++) {
             Optional<Path> file = written(step, last);
             if (file.isPresent()) {
-                PictureOutput.checkFile(file.get());
+                PictureOutput.checkFile(file.get(), inputs);
             }
         }
     }

@@ -25,13 +25,13 @@ record FloatRows(Film film, PictureRegion region) {
     /** Writes the rows, little-endian, in parallel strips. */
     void write(SharedMemoryFile file, WorkerPool workers) throws IOException {
         var strips = new ByteBuffer[workers.count()];
-        try {
+        try (SharedMemoryFile.Writer out = file.openWriter()) {
             workers.run(Math.ceilDiv(region.height(), STRIP_ROWS), (worker, strip) -> {
                 if (strips[worker] == null) {
                     strips[worker] =
                             ByteBuffer.allocateDirect(STRIP_ROWS * region.width() * BYTES_PER_PIXEL).order(ByteOrder.LITTLE_ENDIAN);
                 }
-                writeStrip(file, strip * STRIP_ROWS, strips[worker].clear());
+                writeStrip(out, strip * STRIP_ROWS, strips[worker].clear());
             }, Progress.NONE);
         } catch (UncheckedIOException e) {
             throw e.getCause();
@@ -44,7 +44,7 @@ record FloatRows(Film film, PictureRegion region) {
         node.putArray("shape").add(region.height()).add(region.width()).add(3);
     }
 
-    private void writeStrip(SharedMemoryFile file, int first, ByteBuffer bytes) {
+    private void writeStrip(SharedMemoryFile.Writer file, int first, ByteBuffer bytes) {
         int count = Math.min(STRIP_ROWS, region.height() - first);
         float[] row = new float[region.width() * 3];
         FloatBuffer floats = bytes.asFloatBuffer();

@@ -21,7 +21,7 @@ enum Method {
     REDO("scene", "steps"),
     RENDER("scene", "region", "light", "file", "bits", "layers", "memory", "coarse", "progress"),
     EXPLAIN("scene", "pixel", "progress"),
-    SAVE("scene", "file"),
+    SAVE("scene", "file", "overwrite"),
     CLOSE("scene"),
     LIST(),
     CANCEL("request"),

@@ -1,5 +1,7 @@
 package lightning.serve;
 
+import java.util.List;
+import lightning.format.jen.InputFiles;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Optional;
@@ -63,6 +65,7 @@ final class PictureRequest {
         if (hasLayers && !format.canHaveLayers()) {
             throw Fields.bad("layers", "layers are written to .exr");
         }
+        InputFiles.of(session.document().file(), List.of(scene)).check(picture);
         AtomicFile.of(picture).check();
         return depth;
     }

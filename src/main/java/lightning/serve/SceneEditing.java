@@ -1,5 +1,11 @@
 package lightning.serve;
 
+import java.nio.file.Files;
+import java.util.HashMap;
+import java.util.Map;
+import lightning.base.file.ChangedFileException;
+import lightning.base.file.FileState;
+import lightning.format.jen.InputFiles;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
@@ -33,6 +39,8 @@ final class SceneEditing {
 
     private final SceneSource source = new SceneSource();
     private OpenDocument document;
+    /** Files as this scene was opened from them, or saved to them. */
+    private final Map<Path, FileState> known = new HashMap<>();
     private String gestureName = "";
     private Object gesture;
 
@@ -43,6 +51,10 @@ final class SceneEditing {
     /** Opens a file or a text, in place of the open one if there is one; returns what the scene has. */
     ObjectNode open(Fields fields) throws IOException, JenException {
         document = source.open(fields);
+        if (!fields.has("text")) {
+            Path file = document.file();
+            known.put(key(file), document.isUntitled() ? FileState.of(file) : document.knownState());
+        }
         gesture = null;
         Scene scene = document.scene();
         ObjectNode content = JsonLines.JSON.createObjectNode();
@@ -169,8 +181,24 @@ final class SceneEditing {
         if (ShippedFile.isShipped(file)) {
             throw new RequestException(ErrorCode.FILE, "file", Quote.path(file) + ": scenes of the program are not overwritten");
         }
-        AtomicFile.of(file).write(text.getBytes(StandardCharsets.UTF_8));
+        InputFiles.referencedBy(document.scene(), document.file().toAbsolutePath().getParent()).check(file);
+        AtomicFile writer = AtomicFile.of(file);
+        FileState state = known.get(key(file));
+        if (state != null && !fields.flag("overwrite")) {
+            writer = writer.ifUnchanged(state);
+        }
+        try {
+            known.put(key(file), writer.write(text.getBytes(StandardCharsets.UTF_8)));
+        } catch (ChangedFileException e) {
+            throw new RequestException(ErrorCode.FILE, "file", e.getMessage() + "; \"overwrite\": true replaces it");
+        }
         return JsonLines.JSON.createObjectNode().put("file", file.toAbsolutePath().toString());
+    }
+
+    /** Returns the path that all spellings of a file's name lead to. */
+    private static Path key(Path file) throws IOException {
+        Path absolute = file.toAbsolutePath().normalize();
+        return Files.exists(absolute) ? absolute.toRealPath() : absolute;
     }
 
     private static void addAll(ArrayNode array, List<String> texts) {

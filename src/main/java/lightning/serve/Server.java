@@ -153,10 +153,23 @@ public final class Server implements AutoCloseable {
 
     /** Returns an unused path for a picture that a client maps into its memory; the folder is removed at the end. */
     synchronized Path newSharedPath() throws IOException {
+        return sharedFiles().file("picture-" + ++lastPicture + ".rgb");
+    }
+
+    /** Creates a file at a path that a client names. If this server is killed, the next one removes it. */
+    synchronized SharedMemoryFile createShared(Path path, long bytes) throws IOException {
+        ScratchFolder folder = sharedFiles();
+        ScratchFolder.removeStaleIn(SharedMemoryFile.folder());
+        SharedMemoryFile file = SharedMemoryFile.create(path, bytes);
+        folder.addOutside(path);
+        return file;
+    }
+
+    private ScratchFolder sharedFiles() throws IOException {
         if (sharedFiles == null) {
             sharedFiles = ScratchFolder.createIn(SharedMemoryFile.folder());
         }
-        return sharedFiles.file("picture-" + ++lastPicture + ".rgb");
+        return sharedFiles;
     }
 
     /** Cancels all requests, closes all scenes and removes all files that clients map. */

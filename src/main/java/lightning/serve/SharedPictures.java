@@ -50,7 +50,8 @@ final class SharedPictures {
             files.remove(key);
             known.close();
         }
-        SharedMemoryFile created = SharedMemoryFile.create(named.isPresent() ? named.get() : server.newSharedPath(), bytes);
+        SharedMemoryFile created = named.isPresent() ? server.createShared(named.get(), bytes)
+                : SharedMemoryFile.create(server.newSharedPath(), bytes);
         files.put(key, created);
         return created;
     }

@@ -1,5 +1,6 @@
 package lightning.base.file;
 
+import java.nio.file.attribute.BasicFileAttributes;
 import java.io.IOException;
 import java.nio.channels.FileChannel;
 import java.nio.channels.FileLock;
@@ -27,6 +28,8 @@ import lightning.base.text.Quote;
 public final class ScratchFolder implements AutoCloseable {
     private static final Pattern NAME_PATTERN = Pattern.compile("lightning-scratch-[0-9a-f]{8}(-[0-9a-f]{4}){3}-[0-9a-f]{12}");
     private static final String LOCK_FILE = "in-use";
+    /** Start of the names of records of files outside. */
+    private static final String OUTSIDE = "outside-";
     /** A folder without a lock is either being created or was left incomplete. */
     private static final Duration CREATION_GRACE = Duration.ofHours(1);
 
@@ -93,6 +96,34 @@ public final class ScratchFolder implements AutoCloseable {
         }
     }
 
+    /**
+     * Records a file outside that belongs to the process: if it is killed, the file is removed with the folder, unless another file has
+     * replaced it.
+     */
+    public void addOutside(Path file) throws IOException {
+        Path record = folder.resolve(OUTSIDE + UUID.randomUUID());
+        FilePermissions.OWNER_ONLY.create(record);
+        Files.writeString(record, identity(file) + "\n" + file.toAbsolutePath());
+    }
+
+    /** Identifies a file whose content may change. */
+    private static String identity(Path file) throws IOException {
+        var attributes = Files.readAttributes(file, BasicFileAttributes.class, LinkOption.NOFOLLOW_LINKS);
+        return attributes.fileKey() + " " + attributes.creationTime().toMillis() + " " + attributes.size();
+    }
+
+    private static void removeOutside(Path record) {
+        try {
+            String[] lines = Files.readString(record).split("\n", 2);
+            Path file = Path.of(lines[1]);
+            if (identity(file).equals(lines[0])) {
+                Files.delete(file);
+            }
+        } catch (IOException | RuntimeException e) {
+            // It is gone, or another file is there.
+        }
+    }
+
     /** Removes the folder with its content. */
     @Override
     public void close() {
@@ -105,15 +136,23 @@ public final class ScratchFolder implements AutoCloseable {
         OPEN_FOLDERS.remove(folder.getFileName());
     }
 
-    private static void removeStaleIn(Path parent) {
+    /** Removes folders that ended processes left. */
+    public static void removeStaleIn(Path parent) {
         try (DirectoryStream<Path> folders = Files.newDirectoryStream(parent, ScratchFolder::isScratchFolder)) {
             for (Path folder : folders) {
                 if (isStale(folder)) {
+                    removeFilesOutside(folder);
                     remove(folder);
                 }
             }
         } catch (IOException | DirectoryIteratorException e) {
             // A folder that cannot be listed may still be writable.
+        }
+    }
+
+    private static void removeFilesOutside(Path folder) throws IOException {
+        try (DirectoryStream<Path> records = Files.newDirectoryStream(folder, OUTSIDE + "*")) {
+            records.forEach(ScratchFolder::removeOutside);
         }
     }
 

@@ -15,20 +15,10 @@ import lightning.base.text.Quote;
  * that mappings show the new content. All its bytes are allocated when it is created: a full memory is then an error, and not a crash of
  * a process that maps it. Threads may write different parts at the same time.
  */
-public final class SharedMemoryFile implements AutoCloseable {
+public record SharedMemoryFile(Path path, long bytes) implements AutoCloseable {
     /** Folder of memory that processes share, on Linux. */
     private static final Path SHARED_MEMORY = Path.of("/dev/shm");
     private static final int CHUNK = 1 << 20;
-
-    private final Path path;
-    private final long bytes;
-    private final FileChannel channel;
-
-    private SharedMemoryFile(Path path, long bytes, FileChannel channel) {
-        this.path = path;
-        this.bytes = bytes;
-        this.channel = channel;
-    }
 
     /** Returns the folder for such files: shared memory if the system has it, else the folder for temporary files. */
     public static Path folder() {
@@ -48,15 +38,14 @@ public final class SharedMemoryFile implements AutoCloseable {
             throw new IOException(Quote.path(path) + ": exists already; only files that the server made are overwritten", e);
         }
         boolean complete = false;
-        try {
-            FileChannel channel = FileChannel.open(path, StandardOpenOption.WRITE, LinkOption.NOFOLLOW_LINKS);
+        try (FileChannel channel = open(path)) {
             ByteBuffer zeros = ByteBuffer.allocateDirect((int) Math.min(CHUNK, bytes));
             for (long at = 0; at < bytes; at += CHUNK) {
                 zeros.clear().limit((int) Math.min(CHUNK, bytes - at));
                 writeFully(channel, zeros, at);
             }
             complete = true;
-            return new SharedMemoryFile(path, bytes, channel);
+            return new SharedMemoryFile(path, bytes);
         } finally {
             if (!complete) {
                 Files.deleteIfExists(path);
@@ -70,27 +59,35 @@ public final class SharedMemoryFile implements AutoCloseable {
         }
     }
 
-    public Path path() {
-        return path;
+    private static FileChannel open(Path path) throws IOException {
+        return FileChannel.open(path, StandardOpenOption.WRITE, LinkOption.NOFOLLOW_LINKS);
     }
 
-    public long bytes() {
-        return bytes;
+    /** Opens the file to overwrite it. Between pictures it is closed, because a client may name many files. */
+    public Writer openWriter() throws IOException {
+        return new Writer(open(path));
     }
 
-    /**
-     * Overwrites a part.
-     *
-     * @param position first byte of the part, which must be inside the file
-     */
-    public void write(ByteBuffer content, long position) throws IOException {
-        writeFully(channel, content, position);
+    /** Overwrites parts of the file. */
+    public record Writer(FileChannel channel) implements AutoCloseable {
+        /**
+         * Overwrites a part.
+         *
+         * @param position first byte of the part, which must be inside the file
+         */
+        public void write(ByteBuffer content, long position) throws IOException {
+            writeFully(channel, content, position);
+        }
+
+        @Override
+        public void close() throws IOException {
+            channel.close();
+        }
     }
 
     /** Removes the file. Mappings of other processes stay valid. */
     @Override
     public void close() throws IOException {
-        channel.close();
         Files.deleteIfExists(path);
     }
 }

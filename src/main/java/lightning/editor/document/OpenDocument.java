@@ -1,5 +1,7 @@
 package lightning.editor.document;
 
+import java.util.List;
+import lightning.format.jen.InputFiles;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Optional;
@@ -205,6 +207,11 @@ public final class OpenDocument {
     /** Returns the text of a current or earlier content, with the comments and order of the file. Callable on any thread. */
     public String text(AnimatedScene content) {
         return saved.document().withAnimatedScene(content).text();
+    }
+
+    /** Returns the file and those that the current scene references, none of which an export may replace. */
+    public InputFiles inputs() {
+        return InputFiles.of(file(), List.of(savedScene(), content().base()));
     }
 
     /** Returns the scene of the file, without keyframes applied. */

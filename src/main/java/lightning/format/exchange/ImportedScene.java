@@ -1,5 +1,6 @@
 package lightning.format.exchange;
 
+import lightning.format.jen.InputFiles;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -223,6 +224,16 @@ public record ImportedScene(Scene unscaledScene, Optional<Shot> shot, Set<String
         requireNoDifferentFiles();
         writeCopies();
         return reader.read(text(), sceneFile.toString(), unscaledScene.stage());
+    }
+
+    /** Returns the imported file, the files that it references and those that the scene references. */
+    public InputFiles inputs(Path file) {
+        Set<Path> files = new HashSet<>(Set.of(file));
+        copies.forEach(copy -> {
+            files.add(copy.target());
+            Optional.ofNullable(copy.source()).ifPresent(files::add);
+        });
+        return new InputFiles(files);
     }
 
     /** Returns existing files of other content in the place of assets, in the order of their names. */

@@ -2,6 +2,7 @@ package lightning.format.jen;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.Collection;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
@@ -21,7 +22,6 @@ import lightning.scene.Solid;
 /** Files that a scene references, for copying them elsewhere. */
 public final class ReferencedFiles {
     private final SortedMap<String, Path> files = new TreeMap<>();
-    private final Set<String> visitedMeshes = new HashSet<>();
     private final AssetSearchPath textures;
     private final AssetSearchPath meshes;
 
@@ -41,8 +41,37 @@ public final class ReferencedFiles {
         for (String name : texturesAndProfiles(scene).distinct().toList()) {
             referenced.put(name, referenced.textures);
         }
-        referenced.putMeshes(scene.nodes());
+        for (String name : meshFiles(scene.nodes()).distinct().toList()) {
+            referenced.put(name, referenced.meshes);
+        }
         return referenced.files;
+    }
+
+    /** Returns the files that some scenes of a folder reference, as far as they exist. */
+    static Set<Path> existing(Collection<Scene> scenes, Path folder) {
+        var textures = new AssetSearchPath(folder, "file", TextureFolder.NAME);
+        var meshes = new AssetSearchPath(folder, "mesh file", MeshFolder.NAME);
+        Set<Path> existing = new HashSet<>();
+        for (Scene scene : scenes) {
+            texturesAndProfiles(scene).distinct().forEach(name -> find(textures, name).ifPresent(existing::add));
+            meshFiles(scene.nodes()).distinct().forEach(name -> find(meshes, name).ifPresent(existing::add));
+        }
+        return existing;
+    }
+
+    private static Optional<Path> find(AssetSearchPath folders, String name) {
+        try {
+            return Optional.of(folders.find(name));
+        } catch (IOException | UnusableFileException | IllegalArgumentException e) {
+            return Optional.empty();
+        }
+    }
+
+    private static Stream<String> meshFiles(List<SceneNode> nodes) {
+        return nodes.stream().flatMap(node -> switch (node) {
+            case NodeGroup g -> meshFiles(g.children());
+            case Shape s -> s.solid() instanceof Solid.TriangleMesh t ? Stream.of(t.file()) : Stream.empty();
+        });
     }
 
     /** Returns true if a scene may contain the name: a relative path of plain names that stays inside the folders. */
@@ -65,24 +94,7 @@ public final class ReferencedFiles {
                 .map(map -> map.file());
     }
 
-    private void putMeshes(List<SceneNode> nodes) throws IOException {
-        for (SceneNode node : nodes) {
-            switch (node) {
-                case NodeGroup g -> putMeshes(g.children());
-                case Shape s -> {
-                    if (s.solid() instanceof Solid.TriangleMesh t) {
-                        put(t.file(), meshes);
-                    }
-                }
-            }
-        }
-    }
-
     private void put(String name, AssetSearchPath folders) throws IOException {
-        // Many shapes share one mesh.
-        if (folders == meshes && !visitedMeshes.add(name)) {
-            return;
-        }
         try {
             Path path = folders.find(name);
             Path other = files.putIfAbsent(name, path);

@@ -64,6 +64,28 @@ class ScratchFolderTest {
     }
 
     @Test
+    void filesOutsideOfKilledProcess_areRemoved_unlessReplaced(@TempDir Path outside) throws Exception {
+        Path own = outside.resolve("own");
+        Path replaced = outside.resolve("replaced");
+        Process other = new ProcessBuilder(Path.of(System.getProperty("java.home"), "bin", "java").toString(), "-cp",
+                System.getProperty("java.class.path"), ScratchHolder.class.getName(), place.toString(), own.toString(), replaced.toString())
+                        .start();
+        try {
+            assertThat(other.inputReader().readLine()).isEqualTo("made");
+            ScratchFolder.createIn(place).close();
+            assertThat(own).exists();
+            other.destroyForcibly().waitFor();
+            Files.delete(replaced);
+            Files.write(replaced, new byte[100]);
+            ScratchFolder.createIn(place).close();
+            assertThat(own).doesNotExist();
+            assertThat(replaced).exists();
+        } finally {
+            other.destroyForcibly();
+        }
+    }
+
+    @Test
     void folderOfRunningProcess_isNotRemoved() throws Exception {
         Process other = new ProcessBuilder(Path.of(System.getProperty("java.home"), "bin", "java").toString(), "-cp",
                 System.getProperty("java.class.path"), ScratchHolder.class.getName(), place.toString()).start();

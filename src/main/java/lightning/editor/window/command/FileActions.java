@@ -253,7 +253,9 @@ public final class FileActions {
         ViewTransform view = model.picture().outputView();
         boolean isDisplayed = ImageFormat.find(file).filter(ImageFormat::isDisplayReferred).isPresent();
         message.show(Messages.tr("Saving {0} …", Quote.path(file.getFileName())));
+        OpenDocument document = editor.document();
         model.files().runInOrder(() -> {
+            document.inputs().check(file);
             ImageFile.write(file, frame.film(), view);
             return file;
         }, _ -> message.show(

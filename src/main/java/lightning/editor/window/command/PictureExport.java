@@ -1,5 +1,6 @@
 package lightning.editor.window.command;
 
+import lightning.editor.document.OpenDocument;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Arrays;
@@ -63,7 +64,9 @@ final class PictureExport {
         ViewTransform view = model.picture().outputView();
         String name = Quote.path(file.getFileName());
         model.fileActivity().beginWriting(file);
+        OpenDocument document = model.editor().document();
         model.files().runConcurrently(() -> {
+            document.inputs().check(file);
             write(kind, file, cache, frame, view);
             return file;
         }, _ -> end(file, Messages.tr("Exported {0}", name)), failure -> {

@@ -1,5 +1,6 @@
 package lightning.editor.window.timeline;
 
+import lightning.format.jen.InputFiles;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
@@ -25,8 +26,10 @@ import lightning.shot.movie.MovieWriter;
  *
  * @param target folder of numbered images, or a video file
  * @param name prefix of the numbered images' file names
+ * @param inputs files of the scene, which are not replaced
  */
-record ShotExport(AnimatedScene scene, int first, int last, ShotFormat format, ViewTransform view, Path target, String name) {
+record ShotExport(AnimatedScene scene, int first, int last, ShotFormat format, ViewTransform view, Path target, String name,
+        InputFiles inputs) {
     /** Receives the number of frames written. */
     interface Listener {
         void framesWritten(int frames);
@@ -46,11 +49,15 @@ record ShotExport(AnimatedScene scene, int first, int last, ShotFormat format, V
         }
         if (format.movie().isEmpty()) {
             var files = new FrameFiles(target, name, format.extension());
+            for (int frame = first; frame <= last; frame++) {
+                inputs.check(files.file(frame));
+            }
             renderFrames(progress, listener, ImageFormat.of(files.file(first)).bytesToWrite(picture().width(), picture().height()),
                     (frame, cache, _) -> ImageFile.write(files.file(frame), cache.film(), view, format.bits()));
         } else {
             MovieFormat movie = format.movie().get();
             Ffmpeg ffmpeg = Ffmpeg.require();
+            inputs.check(target);
             AtomicFile.of(target).writeToPath(temporary -> {
                 try (var writer = new MovieWriter(ffmpeg, movie, scene.shot().orElseThrow().rate(), view, temporary)) {
                     renderFrames(progress, listener, MovieWriter.requiredBytes(picture()), (_, cache, _) -> writer.add(cache.film()));

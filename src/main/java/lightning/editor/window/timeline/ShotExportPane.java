@@ -170,7 +170,7 @@ final class ShotExportPane extends VBox {
 
     private void startExport(Path target, String name) {
         task = new ShotExportTask(new ShotExport(editor.document().content(), firstFrame, lastFrame, format.getValue(),
-                viewProperty.getValue().forOutput(), target, name));
+                viewProperty.getValue().forOutput(), target, name, editor.document().inputs()));
         bar.progressProperty().bind(task.progressProperty());
         bar.setVisible(true);
         cancel.setDisable(false);
