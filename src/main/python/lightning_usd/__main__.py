@@ -1,47 +1,82 @@
-"""Describes a USD stage for Lightning: `python lightning_usd shot.usda folder`.
+"""Describes a USD stage for Lightning: `python lightning_usd shot.usda folder [memory triangles]`.
 
 Writes `stage.json` and `arrays.bin` into the folder, or `error.txt` with one sentence. Needs the package usd-core.
+
+This process only watches another one that reads the stage, because code of usd-core cannot be interrupted. It ends it if the standard input
+ends, as it does when Lightning ends in any way, and if it needs too much memory.
 """
 
 from __future__ import annotations
 
-import re
+import os
+import shutil
+import subprocess
 import sys
+import threading
 from pathlib import Path
 
-NO_USD = 3
+POLL_SECONDS = 0.02
 FAILED = 2
+SCRATCH = "lightning-scratch-"
 
 
-def main(source: str, folder: str) -> int:
-    """Returns the exit code: 0, FAILED, or NO_USD without usd-core."""
+def main(arguments: list[str]) -> int:
+    """Returns the exit code of the reader, or FAILED if it was ended."""
+    folder = Path(arguments[1])
+    memory = int(arguments[2]) if len(arguments) > 2 else 0
+    reader = subprocess.Popen([sys.executable, "-B", str(Path(__file__).with_name("reader.py")), str(os.getpid()), *arguments],
+                              stdin=subprocess.DEVNULL, start_new_session=True)
+    has_ended = threading.Event()
+    if memory:
+        threading.Thread(target=await_end, args=(has_ended,), daemon=True).start()
+    while True:
+        try:
+            return reader.wait(POLL_SECONDS)
+        except subprocess.TimeoutExpired:
+            pass
+        if has_ended.is_set():
+            end(reader)
+            remove(folder)
+            return FAILED
+        if memory and used_bytes(reader.pid) > memory:
+            end(reader)
+            text = f"needs more than {memory >> 20} MiB of memory in usd-core; give Java more memory with JAVA_TOOL_OPTIONS=-Xmx8g"
+            (folder / "error.txt").write_text(text, encoding="utf-8")
+            return FAILED
+
+
+def await_end(has_ended: threading.Event) -> None:
+    """Waits until the other end of the standard input is closed."""
     try:
-        from pxr import Usd  # noqa: F401
-    except ImportError:
-        return NO_USD
-    from output import StageError
-    from stage import describe
+        while os.read(0, 1):
+            pass
+    except OSError:
+        pass
+    has_ended.set()
 
+
+def end(reader: subprocess.Popen) -> None:
+    """Ends the reader, and what it started."""
     try:
-        describe(source, Path(folder))
+        os.killpg(reader.pid, 9)
+    except (AttributeError, OSError):
+        reader.kill()
+    reader.wait()
+
+
+def remove(folder: Path) -> None:
+    """Removes what was written: Lightning, which would do it, has ended."""
+    shutil.rmtree(folder.parent if folder.parent.name.startswith(SCRATCH) else folder, ignore_errors=True)
+
+
+def used_bytes(pid: int) -> int:
+    """Returns the bytes of memory that a process uses; 0 if the system does not say."""
+    try:
+        with open(f"/proc/{pid}/statm", encoding="ascii") as file:
+            return int(file.read().split()[1]) * os.sysconf("SC_PAGE_SIZE")
+    except (OSError, ValueError, IndexError):
         return 0
-    except StageError as error:
-        message = str(error)
-    except (MemoryError, RecursionError):
-        message = "is too large for the memory of the converter"
-    except Exception as error:  # usd-core raises its own kinds for damaged content
-        message = "cannot be read by usd-core: " + reason(error)
-    (Path(folder) / "error.txt").write_text(message, encoding="utf-8")
-    return FAILED
-
-
-def reason(error: Exception) -> str:
-    """Returns the last sentence of an error, without the place in usd-core's own sources."""
-    last = str(error).split("Error in '")[-1]
-    quoted = re.search(r" : '(.*)'\s*$", last, re.DOTALL)
-    lines = (quoted.group(1) if quoted else last).strip().splitlines()
-    return lines[0] if lines else type(error).__name__
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1], sys.argv[2]))
+    sys.exit(main(sys.argv[1:]))

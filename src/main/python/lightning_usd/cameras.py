@@ -20,13 +20,18 @@ def camera(prim: Usd.Prim, time: Usd.TimeCode, out: Output) -> dict[str, Any]:
     view = UsdGeom.Camera(prim)
     if view.GetFStopAttr().Get(time):
         out.note("depth of field of cameras")
+
+    def number(attribute: Usd.Attribute, fallback: float) -> float:
+        found = attribute.Get(time)
+        return fallback if found is None else out.number(prim, attribute.GetName(), found, fallback)
+
     return {
         "matrix": numbers(UsdGeom.XformCache(time).GetLocalToWorldTransform(prim)),
         "orthographic": view.GetProjectionAttr().Get(time) == UsdGeom.Tokens.orthographic,
-        "focal": view.GetFocalLengthAttr().Get(time),
-        "width": view.GetHorizontalApertureAttr().Get(time),
-        "height": view.GetVerticalApertureAttr().Get(time),
-        "offset_x": view.GetHorizontalApertureOffsetAttr().Get(time),
-        "offset_y": view.GetVerticalApertureOffsetAttr().Get(time),
-        "focus": view.GetFocusDistanceAttr().Get(time),
+        "focal": number(view.GetFocalLengthAttr(), 50.0),
+        "width": number(view.GetHorizontalApertureAttr(), 20.955),
+        "height": number(view.GetVerticalApertureAttr(), 15.2908),
+        "offset_x": number(view.GetHorizontalApertureOffsetAttr(), 0.0),
+        "offset_y": number(view.GetVerticalApertureOffsetAttr(), 0.0),
+        "focus": number(view.GetFocusDistanceAttr(), 0.0),
     }

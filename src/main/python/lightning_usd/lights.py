@@ -29,22 +29,28 @@ def value(prim: Usd.Prim, name: str, time: Usd.TimeCode, fallback: Any) -> Any:
     return fallback if found is None else found
 
 
+def number(prim: Usd.Prim, name: str, time: Usd.TimeCode, fallback: float, out: Output) -> float:
+    """Returns the number of an attribute."""
+    return out.number(prim, name, value(prim, name, time, fallback), fallback)
+
+
 def light(prim: Usd.Prim, time: Usd.TimeCode, out: Output) -> dict[str, Any]:
     """Returns a light at a time."""
     kind = prim.GetTypeName()
     result: dict[str, Any] = {"type": str(kind), "matrix": numbers(UsdGeom.XformCache(time).GetLocalToWorldTransform(prim))}
     for name, fallback in INPUTS.items():
-        result[name] = type(fallback)(value(prim, "inputs:" + name, time, fallback))
-    result["color"] = numbers(value(prim, "inputs:color", time, (1, 1, 1)))
+        found = value(prim, "inputs:" + name, time, fallback)
+        result[name] = bool(found) if isinstance(fallback, bool) else out.number(prim, "inputs:" + name, found, fallback)
+    result["color"] = out.vector(prim, "inputs:color", value(prim, "inputs:color", time, (1, 1, 1)), [1.0] * 3)
     if value(prim, "inputs:enableColorTemperature", time, False):
-        result["temperature"] = float(value(prim, "inputs:colorTemperature", time, 6500.0))
+        result["temperature"] = number(prim, "inputs:colorTemperature", time, 6500.0, out)
     result["treatAsPoint"] = bool(value(prim, "treatAsPoint", time, False))
     result["treatAsLine"] = bool(value(prim, "treatAsLine", time, False))
     result["hidden"] = UsdGeom.Imageable(prim).ComputeVisibility(time) == UsdGeom.Tokens.invisible
     result["shadows"] = bool(value(prim, "inputs:shadow:enable", time, True))
     result["pole"] = str(value(prim, "poleAxis", time, "scene")) if kind == "DomeLight_1" else "Y"
     texture = value(prim, "inputs:texture:file", time, None)
-    if texture and texture.path:
+    if texture and getattr(texture, "path", ""):
         result["texture"] = out.file(texture)
         result["format"] = str(value(prim, "inputs:texture:format", time, "automatic"))
     if prim.HasAPI(UsdLux.ShapingAPI) or prim.GetAttribute("inputs:shaping:cone:angle").HasAuthoredValue():
@@ -57,18 +63,18 @@ def light(prim: Usd.Prim, time: Usd.TimeCode, out: Output) -> dict[str, Any]:
 def shaping(prim: Usd.Prim, time: Usd.TimeCode, out: Output) -> dict[str, Any]:
     """Returns the cone and the profile of a light."""
     result: dict[str, Any] = {
-        "angle": float(value(prim, "inputs:shaping:cone:angle", time, 90.0)),
-        "softness": float(value(prim, "inputs:shaping:cone:softness", time, 0.0)),
-        "focus": float(value(prim, "inputs:shaping:focus", time, 0.0)),
+        "angle": number(prim, "inputs:shaping:cone:angle", time, 90.0, out),
+        "softness": number(prim, "inputs:shaping:cone:softness", time, 0.0, out),
+        "focus": number(prim, "inputs:shaping:focus", time, 0.0, out),
     }
     # Over time, a soft cone would need a profile for each frame.
     result["moves"] = any(attribute.ValueMightBeTimeVarying() for name in ("angle", "softness")
                           if (attribute := prim.GetAttribute("inputs:shaping:cone:" + name)))
     profile = value(prim, "inputs:shaping:ies:file", time, None)
-    if profile and profile.path:
+    if profile and getattr(profile, "path", ""):
         result["profile"] = out.file(profile)
-        result["angleScale"] = float(value(prim, "inputs:shaping:ies:angleScale", time, 0.0))
-    if any(value(prim, "inputs:shaping:focusTint", time, (0, 0, 0))):
+        result["angleScale"] = number(prim, "inputs:shaping:ies:angleScale", time, 0.0, out)
+    if any(out.vector(prim, "inputs:shaping:focusTint", value(prim, "inputs:shaping:focusTint", time, (0, 0, 0)), [0.0] * 3)):
         out.note("focus tints of lights")
     return result
 

@@ -6,7 +6,7 @@ from typing import Any
 
 from materialx import CHANNELS, SURFACES, as_preview, is_image, multiply
 from meshes import identity
-from output import Output, numbers
+from output import Output, StageError, numbers
 from pxr import Sdf, Usd, UsdGeom, UsdShade
 
 PREVIEW = {"diffuseColor": [0.18] * 3, "emissiveColor": [0.0] * 3, "useSpecularWorkflow": 0, "specularColor": [0.0] * 3, "metallic": 0.0,
@@ -65,7 +65,13 @@ class Materials:
             return -1
         key = identity(material.GetPrim())
         if key not in self.known:
-            self.known[key] = self.add(material)
+            try:
+                self.known[key] = self.add(material)
+            except (StageError, MemoryError, OSError):
+                raise
+            except Exception:  # usd-core raises its own kinds for damaged content
+                self.out.note_prim(material.GetPrim(), "has values of another type, imported as gray or in the display color of its objects")
+                self.known[key] = -1
         return self.known[key]
 
     def add(self, material: UsdShade.Material) -> int:

@@ -10,18 +10,21 @@ from pxr import Sdf, Usd, UsdGeom, Vt
 SOLIDS = {"Sphere", "Cylinder", "Cylinder_1", "Cone", "Capsule", "Capsule_1", "Plane"}
 
 
+SIZES = {"size": 2.0, "radius": 1.0, "height": 2.0, "width": 2.0, "length": 2.0, "radiusTop": 0.5, "radiusBottom": 0.5}
+
+
 def identity(prim: Usd.Prim) -> Sdf.Path:
     """Returns the same path for all instances of a prim."""
     return prim.GetPrimInPrototype().GetPath() if prim.IsInstanceProxy() else prim.GetPath()
 
 
-def solid(prim: Usd.Prim, time: Usd.TimeCode) -> dict[str, Any]:
+def solid(prim: Usd.Prim, time: Usd.TimeCode, out: Output) -> dict[str, Any]:
     """Returns a simple solid, with sizes in its own space."""
     result: dict[str, Any] = {"type": str(prim.GetTypeName()).removesuffix("_1")}
-    for name in ("size", "radius", "height", "width", "length", "radiusTop", "radiusBottom"):
+    for name, fallback in SIZES.items():
         attribute = prim.GetAttribute(name)
         if attribute:
-            result[name] = float(attribute.Get(time))
+            result[name] = out.number(prim, name, attribute.Get(time), fallback)
     if prim.GetAttribute("axis"):
         result["axis"] = str(prim.GetAttribute("axis").Get())
     return result
@@ -52,7 +55,7 @@ class Meshes:
 
     def cube(self, prim: Usd.Prim) -> int:
         """Returns the index of a cube."""
-        half = float(prim.GetAttribute("size").Get(self.time)) / 2
+        half = self.out.number(prim, "size", prim.GetAttribute("size").Get(self.time), 2.0) / 2
         key = ("cube", half)
         if key not in self.known:
             corners = [(x, y, z) for x in (-half, half) for y in (-half, half) for z in (-half, half)]
@@ -68,7 +71,11 @@ class Meshes:
         prim, out = mesh.GetPrim(), self.out
         points = mesh.GetPointsAttr().Get(self.time)
         counts = mesh.GetFaceVertexCountsAttr().Get(self.time)
+        out.check_triangles(len(counts or ()))
         indices = mesh.GetFaceVertexIndicesAttr().Get(self.time)
+        triangles = max(len(indices or ()) - 2 * len(counts or ()), 0)
+        out.check_triangles(triangles)
+        out.triangles += triangles
         if not points or not counts or not indices:
             out.note("meshes without faces")
             return -1

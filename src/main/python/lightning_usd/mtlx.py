@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import os
 from typing import Any
 from xml.etree import ElementTree
 
-from output import Output
+from output import Output, shown
 from pxr import Ar, Sdf, Tf, Usd, UsdShade
 
 MAX_BYTES = 64 << 20
@@ -41,6 +42,8 @@ def replace_references(stage: Usd.Stage, out: Output) -> list[Sdf.Layer]:
 def read(file: str, out: Output) -> Sdf.Layer | None:
     """Returns a layer with the materials of a file; None if it is missing or damaged."""
     place = Ar.GetResolver().Resolve(file)
+    if place and not Ar.IsPackageRelativePath(str(place)) and not (os.path.isfile(str(place)) and out.is_inside(str(place))):
+        return None
     data = Ar.GetResolver().OpenAsset(place) if place else None
     if not data or data.GetSize() > MAX_BYTES:
         return None
@@ -49,7 +52,7 @@ def read(file: str, out: Output) -> Sdf.Layer | None:
         # Programs write comments before the declaration, and inclusions without their namespace.
         text = text[max(text.find(b"<?xml"), 0):].replace(b"<xi:", b"<").replace(b"</xi:", b"</")
         document = ElementTree.fromstring(text)
-        return File(document, place).layer()
+        return File(document, place, out).layer()
     except (ElementTree.ParseError, ValueError, Tf.ErrorException):
         out.note("MaterialX files that are damaged")
         return None
@@ -58,7 +61,8 @@ def read(file: str, out: Output) -> Sdf.Layer | None:
 class File:
     """One MaterialX document."""
 
-    def __init__(self, document: ElementTree.Element, place: Ar.ResolvedPath) -> None:
+    def __init__(self, document: ElementTree.Element, place: Ar.ResolvedPath, out: Output) -> None:
+        self.out = out
         self.document = document
         self.place = place
         self.root = Sdf.Layer.CreateAnonymous(".usda")
@@ -113,7 +117,11 @@ class File:
                     continue
             text = element.get("value")
             if text is not None:
-                made.Set(self.value(text, element))
+                try:
+                    made.Set(self.value(text, element))
+                except (ValueError, IndexError, TypeError, Tf.ErrorException):
+                    kind = element.get("type")
+                    self.out.note(f"{node.get('name')}.{element.get('name')} of a MaterialX file: expected a value of type {kind}, found {shown(text)}")
                 continue
             output = self.source(element, nodes, self.document, scope, kind)
             if output:

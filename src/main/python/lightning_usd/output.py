@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+import os
 from pathlib import Path
 from typing import Any
 
@@ -19,8 +20,17 @@ class StageError(Exception):
 class Output:
     """Collects the description; `ref` values are [byte offset, number of bytes] in arrays.bin."""
 
-    def __init__(self, folder: Path) -> None:
+    def __init__(self, folder: Path, roots: list[str], max_triangles: int) -> None:
+        """Creates an empty description.
+
+        Args:
+            roots: folders of files that may be read
+            max_triangles: triangles of all meshes, 0 for any number
+        """
         self.folder = folder
+        self.roots = [os.path.realpath(root) for root in roots]
+        self.max_triangles = max_triangles
+        self.triangles = 0
         self.arrays = open(folder / "arrays.bin", "wb")
         self.size = 0
         self.notes: dict[str, int] = {}
@@ -30,6 +40,43 @@ class Output:
         """Counts features that are left out or approximated."""
         if count:
             self.notes[kind] = self.notes.get(kind, 0) + count
+
+    def note_prim(self, prim: Any, text: str) -> None:
+        """Says what is left out or approximated of one prim."""
+        self.note(f"{prim.GetPath()}: {text}")
+
+    def number(self, prim: Any, name: str, value: Any, fallback: float) -> float:
+        """Returns a finite number; the fallback, with a note, in place of a value of another type."""
+        try:
+            number = float(value)
+        except (TypeError, ValueError):
+            self.note_prim(prim, f"{name}: expected a number, found {shown(value)}")
+            return fallback
+        if math.isnan(number):
+            self.note_prim(prim, f"{name}: expected a number, found none")
+            return fallback
+        return number
+
+    def vector(self, prim: Any, name: str, value: Any, fallback: list[float]) -> list[float]:
+        """Returns the numbers of a vector; the fallback, with a note, in place of a value of another type."""
+        try:
+            found = numbers(value)
+        except (TypeError, ValueError):
+            found = []
+        if len(found) != len(fallback) or any(math.isnan(number) for number in found):
+            self.note_prim(prim, f"{name}: expected {len(fallback)} numbers, found {shown(value)}")
+            return fallback
+        return found
+
+    def is_inside(self, place: str) -> bool:
+        """Returns whether a file may be read: also a link must lead into one of the folders."""
+        real = os.path.realpath(place)
+        return any(real == root or real.startswith(os.path.join(root, "")) for root in self.roots)
+
+    def check_triangles(self, more: int) -> None:
+        """Fails if there are too many triangles with more of them."""
+        if self.max_triangles and self.triangles + more > self.max_triangles:
+            raise StageError(f"has more than {self.max_triangles} triangles, too many for Java's memory; give it more with JAVA_TOOL_OPTIONS=-Xmx8g")
 
     def array(self, values: Any) -> list[int]:
         """Writes an array of usd-core as bytes of the machine, and returns its ref."""
@@ -49,6 +96,8 @@ class Output:
         known = self.files.get(place)
         if known is not None and place:
             return known
+        if place and not Ar.IsPackageRelativePath(place) and not (os.path.isfile(place) and self.is_inside(place)):
+            place = ""
         name = (asset.path.rstrip("]").split("[")[-1] or "file").replace("\\", "/").split("/")[-1]
         result = {"name": name}
         if place and not Ar.IsPackageRelativePath(place):
@@ -68,6 +117,12 @@ class Output:
         document["notes"] = self.notes
         with open(self.folder / "stage.json", "w", encoding="utf-8") as out:
             json.dump(finite(document), out, allow_nan=False, separators=(",", ":"))
+
+
+def shown(value: Any) -> str:
+    """Returns a value for a message."""
+    text = repr(value) if isinstance(value, (str, int, float)) else str(value)
+    return text if len(text) <= 40 else text[:39] + "…"
 
 
 def finite(value: Any) -> Any:

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import math
-from pathlib import Path
 from typing import Any
 
 import mtlx
+from layers import open_layers
 from cameras import camera, chosen_camera
 from lights import is_light, light, linked_nodes
 from materials import Materials
@@ -29,8 +29,9 @@ def outermost_instance(prim: Usd.Prim) -> Usd.Prim | None:
     return found
 
 
-def describe(source: str, folder: Path) -> None:
+def describe(source: str, out: Output) -> None:
     """Writes the description of a stage."""
+    kept_layers = open_layers(source, out)  # noqa: F841  layers without an owner vanish
     layer = Sdf.Layer.FindOrOpen(source)
     if layer and layer.timeCodesPerSecond == 0:
         # usd-core would never end.
@@ -38,7 +39,7 @@ def describe(source: str, folder: Path) -> None:
     stage = Usd.Stage.Open(source)
     if not stage:
         raise StageError("cannot be read by usd-core")
-    Walk(stage, Output(folder)).run()
+    Walk(stage, out).run()
 
 
 class Walk:
@@ -68,15 +69,15 @@ class Walk:
         frames = self.frames(cameras)
         first_shift = frames[2] if frames else 0
         for node, prim in self.moving if frames else []:
-            self.sample_node(node, prim, frames)
+            self.attempt(prim, lambda: self.sample_node(node, prim, frames))
         document = {
             "version": 1,
             "up": str(UsdGeom.GetStageUpAxis(self.stage)),
             "meters": float(UsdGeom.GetStageMetersPerUnit(self.stage)),
-            "frames": None if not frames else [frames[0] - first_shift, frames[1] - first_shift, float(self.stage.GetTimeCodesPerSecond())],
+            "frames": None if not frames else [frames[0] - first_shift, frames[1] - first_shift, self.rate()],
             "shift": first_shift,
-            "cameras": [self.over_time(prim, camera, frames) for prim in cameras],
-            "lights": [self.describe_light(prim, frames) for prim in self.lights],
+            "cameras": self.described(cameras, lambda prim: self.over_time(prim, camera, frames)),
+            "lights": self.described(self.lights, lambda prim: self.describe_light(prim, frames)),
             "nodes": self.nodes,
             "meshes": self.meshes.all,
             "materials": self.materials.all,
@@ -159,7 +160,11 @@ class Walk:
         self.nodes.append(node)
         xform = UsdGeom.Xformable(prim)
         if xform and not is_prototype:
-            node["matrix"] = numbers(xform.GetLocalTransformation(self.time))
+            matrix = numbers(xform.GetLocalTransformation(self.time))
+            if all(map(math.isfinite, matrix)):
+                node["matrix"] = matrix
+            else:
+                self.out.note_prim(prim, "its transform has infinite or missing numbers, imported without it")
             if xform.GetResetXformStack():
                 node["parent"] = -1
             if xform.TransformMightBeTimeVarying():
@@ -179,12 +184,22 @@ class Walk:
         elif prim.IsA(UsdGeom.Camera):
             self.cameras.append(prim)
         elif prim.IsA(UsdGeom.PointInstancer):
-            self.add_instances(node, prim)
+            self.attempt(prim, lambda: self.add_instances(node, prim))
         elif prim.IsA(UsdGeom.Gprim):
-            self.add_geometry(node, prim)
+            self.attempt(prim, lambda: self.add_geometry(node, prim))
         if prim.HasAPI(UsdLux.MeshLightAPI):
             self.out.note("meshes that are lights")
         return index
+
+    def attempt(self, prim: Usd.Prim, function: Any) -> Any:
+        """Returns what a function says of a prim; None, with a note, if it has values that nobody expects."""
+        try:
+            return function()
+        except (StageError, MemoryError, OSError):
+            raise
+        except Exception:  # usd-core raises its own kinds for damaged content
+            self.out.note_prim(prim, "has values of another type, left out")
+            return None
 
     def add_geometry(self, node: dict[str, Any], prim: Usd.Prim) -> None:
         """Adds a mesh or a simple solid."""
@@ -204,7 +219,7 @@ class Walk:
             material = self.materials.of(prim)
             node["material"] = material if material >= 0 else self.materials.display(prim)
         elif kind in SOLIDS:
-            node["solid"] = solid(prim, self.time)
+            node["solid"] = solid(prim, self.time, self.out)
             material = self.materials.of(prim)
             node["material"] = material if material >= 0 else self.materials.display(prim)
         else:
@@ -273,15 +288,27 @@ class Walk:
         self.times.update(samples)
         return len(samples) > 1
 
+    def rate(self) -> float:
+        """Returns the frames per second."""
+        return self.out.number(self.stage.GetPseudoRoot(), "timeCodesPerSecond", self.stage.GetTimeCodesPerSecond(), 24.0)
+
     def sample_node(self, node: dict[str, Any], prim: Usd.Prim, frames: tuple[int, int, int]) -> None:
         """Adds the transforms and the visibility at all frames."""
         xform = UsdGeom.Xformable(prim)
         times = range(frames[0], frames[1] + 1)
         if xform and xform.TransformMightBeTimeVarying():
-            node["matrices"] = self.out.array(Vt.Matrix4dArray([xform.GetLocalTransformation(float(time)) for time in times]))
+            matrices = [xform.GetLocalTransformation(float(time)) for time in times]
+            if all(math.isfinite(number) for matrix in matrices for number in numbers(matrix)):
+                node["matrices"] = self.out.array(Vt.Matrix4dArray(matrices))
+            else:
+                self.out.note_prim(prim, "its animation has infinite or missing numbers, imported without it")
         visibility = UsdGeom.Imageable(prim).GetVisibilityAttr()
         if visibility.ValueMightBeTimeVarying():
             node["hiddenAt"] = [visibility.Get(float(time)) == UsdGeom.Tokens.invisible for time in times]
+
+    def described(self, prims: list[Usd.Prim], function: Any) -> list[dict[str, Any]]:
+        """Returns what a function says of each prim that it can describe."""
+        return [found for prim in prims if (found := self.attempt(prim, lambda: function(prim))) is not None]
 
     def describe_light(self, prim: Usd.Prim, frames: tuple[int, int, int] | None) -> dict[str, Any]:
         """Returns a light with its links."""
@@ -297,6 +324,6 @@ class Walk:
         result["proxy"] = prim.IsInstanceProxy()
         if frames and self.is_moving(prim):
             silent = Output.__new__(Output)
-            silent.notes, silent.files, silent.folder = {}, self.out.files, self.out.folder
+            silent.notes, silent.files, silent.folder, silent.roots = {}, self.out.files, self.out.folder, self.out.roots
             result["frames"] = [function(prim, Usd.TimeCode(time), silent) for time in range(frames[0], frames[1] + 1)]
         return result

@@ -1,5 +1,6 @@
 package lightning.serve;
 
+import lightning.base.work.Progress;
 import java.nio.file.Files;
 import java.util.HashMap;
 import java.util.Map;
@@ -49,8 +50,8 @@ final class SceneEditing {
     }
 
     /** Opens a file or a text, in place of the open one if there is one; returns what the scene has. */
-    ObjectNode open(Fields fields) throws IOException, JenException {
-        document = source.open(fields);
+    ObjectNode open(Fields fields, Progress progress) throws IOException, JenException {
+        document = source.open(fields, progress);
         if (!fields.has("text")) {
             Path file = document.file();
             known.put(key(file), document.isUntitled() ? FileState.of(file) : document.knownState());

@@ -1,5 +1,6 @@
 package lightning.serve;
 
+import lightning.base.work.Progress;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
@@ -87,7 +88,7 @@ final class SceneSession {
     }
 
     private ObjectNode open(Request request) throws Exception {
-        ObjectNode content = editing.open(request.fields());
+        ObjectNode content = editing.open(request.fields(), Progress.cancellation(request::isCanceled));
         publish();
         usedBytes = UNKNOWN;
         ObjectNode result = JsonLines.JSON.createObjectNode().put(Method.SCENE, number);

@@ -1,5 +1,6 @@
 package lightning.serve;
 
+import java.util.concurrent.CancellationException;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Arrays;
@@ -31,7 +32,7 @@ final class SceneSource {
     }
 
     /** Opens a file or a text. */
-    OpenDocument open(Fields fields) throws IOException, JenException {
+    OpenDocument open(Fields fields, Progress progress) throws IOException, JenException {
         Optional<String> file = fields.optionalString("file");
         Optional<String> text = fields.optionalString("text");
         Optional<String> folder = fields.optionalString("folder");
@@ -42,7 +43,7 @@ final class SceneSource {
             throw Fields.bad("folder", "only a text has a folder; a file's own folder counts");
         }
         if (file.isPresent() && SceneImporter.isImportName(file.get())) {
-            return read(Path.of(file.get()), output(fields), indirect(fields));
+            return read(Path.of(file.get()), output(fields), indirect(fields), progress);
         }
         for (String field : List.of("output", "indirect")) {
             if (fields.has(field)) {
@@ -70,11 +71,14 @@ final class SceneSource {
     }
 
     /** Imports a file as {@code lightning import} does, without writing the scene file. */
-    private OpenDocument read(Path file, Path output, IndirectChoice indirect) throws IOException, JenException {
+    private OpenDocument read(Path file, Path output, IndirectChoice indirect, Progress progress) throws IOException, JenException {
         try {
-            ImportedScene imported = indirect.apply(SceneImporter.read(file, output, LightUnits.CANDELA, Progress.NONE));
+            ImportedScene imported = indirect.apply(SceneImporter.read(file, output, LightUnits.CANDELA, progress));
             if (importReader == null || !importReader.folder().equals(output.getParent())) {
                 importReader = new CachingJenReader(output.getParent());
+            }
+            if (progress.isCanceled()) {
+                throw new CancellationException("canceled after the import");
             }
             OpenDocument document = OpenDocument.openContent(output, imported.document(importReader));
             notes = imported.notes().keySet().stream().sorted().toList();

@@ -181,7 +181,9 @@ public final class ScratchFolder implements AutoCloseable {
     private static void remove(Path folder) {
         try (DirectoryStream<Path> files = Files.newDirectoryStream(folder)) {
             for (Path file : files) {
-                if (!file.getFileName().toString().equals(LOCK_FILE)) {
+                if (Files.isDirectory(file, LinkOption.NOFOLLOW_LINKS)) {
+                    TemporaryFolder.delete(file);
+                } else if (!file.getFileName().toString().equals(LOCK_FILE)) {
                     Files.deleteIfExists(file);
                 }
             }

@@ -132,7 +132,7 @@ final class SceneReplacement {
 
     /** Replaces a file by a link to a staged one, or by a copy. */
     private void replace(Path file, Path staged) throws IOException {
-        Files.createDirectories(file.getParent());
+        Files.createDirectories(file.toAbsolutePath().getParent());
         try {
             AtomicFile.of(file).writeToPath(temporary -> {
                 Files.delete(temporary);

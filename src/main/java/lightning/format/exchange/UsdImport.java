@@ -34,9 +34,11 @@ final class UsdImport {
     private final List<Track> tracks = new ArrayList<>();
     private final int firstFrame;
     private final int levels;
+    private final Progress progress;
     private UsdNodes nodes;
 
-    private UsdImport(UsdStage stage, Path source, Path sceneFile, int levels) throws MeshException {
+    private UsdImport(UsdStage stage, Path source, Path sceneFile, int levels, Progress progress) throws MeshException {
+        this.progress = progress;
         this.stage = stage;
         this.levels = levels;
         root = stage.root();
@@ -50,7 +52,7 @@ final class UsdImport {
 
     /** @param levels refinements of subdivision surfaces */
     static ImportedScene read(Path source, Path sceneFile, int levels, Progress progress) throws IOException, MeshException {
-        return UsdStage.read(source, progress, stage -> new UsdImport(stage, source, sceneFile, levels).assemble());
+        return UsdStage.read(source, progress, stage -> new UsdImport(stage, source, sceneFile, levels, progress).assemble());
     }
 
     private boolean hasShot() throws MeshException {
@@ -61,7 +63,7 @@ final class UsdImport {
         root.get("notes").node().properties().forEach(e -> assembler.notes.add(e.getKey(), Math.max(0, e.getValue().asInt(0))));
         UsdPaths.addAxis(assembler, hasZUp);
         UsdPaths.addShift(assembler, root.get("shift").integer(-Shot.MAX_FRAME, 0, 0));
-        nodes = new UsdNodes(assembler, stage, upright, firstFrame, levels);
+        nodes = new UsdNodes(assembler, stage, upright, firstFrame, levels, progress);
         nodes.build();
         tracks.addAll(nodes.tracks());
         importLights();

@@ -1,5 +1,7 @@
 package lightning.format.exchange;
 
+import java.util.concurrent.CancellationException;
+import lightning.base.work.Progress;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -36,16 +38,19 @@ final class UsdNodes {
     private final Map<Integer, String> names = new HashMap<>();
     private final List<Track> tracks = new ArrayList<>();
     private final UsdParts parts;
+    private final Progress progress;
     private boolean[] shows;
     private long visits;
 
-    UsdNodes(SceneAssembler assembler, UsdStage stage, Transform upright, int firstFrame, int levels) throws MeshException {
+    UsdNodes(SceneAssembler assembler, UsdStage stage, Transform upright, int firstFrame, int levels, Progress progress)
+            throws MeshException {
         this.assembler = assembler;
         this.stage = stage;
         this.upright = upright;
         this.firstFrame = firstFrame;
         nodes = stage.root().get("nodes");
-        parts = new UsdParts(assembler, stage, levels);
+        this.progress = progress;
+        parts = new UsdParts(assembler, stage, levels, progress);
     }
 
     /** Adds all nodes to the scene. */
@@ -100,6 +105,9 @@ final class UsdNodes {
         }
         if (!shows[index]) {
             return List.of();
+        }
+        if (progress.isCanceled()) {
+            throw new CancellationException("canceled while the stage was imported");
         }
         if (depth > MAX_DEPTH) {
             assembler.notes.add("objects nested more than " + MAX_DEPTH + " deep");

@@ -1,5 +1,7 @@
 package lightning.format.exchange;
 
+import java.util.concurrent.CancellationException;
+import lightning.base.work.Progress;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -29,11 +31,13 @@ final class UsdParts {
     /** Parts by mesh and subsets: a mesh has the same in all instances, but each may have its materials. */
     private final Map<String, List<NamedMesh>> meshes = new HashMap<>();
     private final int requestedLevels;
+    private final Progress progress;
     private int[] levels = {};
     private String meshFile = "";
 
     /** @param levels refinements of subdivision surfaces */
-    UsdParts(SceneAssembler assembler, UsdStage stage, int levels) {
+    UsdParts(SceneAssembler assembler, UsdStage stage, int levels, Progress progress) {
+        this.progress = progress;
         this.assembler = assembler;
         this.stage = stage;
         requestedLevels = levels;
@@ -60,6 +64,9 @@ final class UsdParts {
         long triangles = 0;
         for (int i = 0; i < nodes.size(); i++) {
             JsonValue node = nodes.element(i);
+            if (progress.isCanceled()) {
+                throw new CancellationException("canceled while the meshes of the stage were read");
+            }
             if (node.get("mesh").isPresent() && !meshes.containsKey(key(node))) {
                 List<NamedMesh> parts = parts(node, names);
                 meshes.put(key(node), parts);

@@ -27,11 +27,17 @@ import lightning.format.mesh.MeshException;
  * @param python interpreter
  * @param script folder of the converter
  * @param limit  time after which it is ended
+ * @param memory bytes after which it is ended
+ * @param triangles number of triangles after which it is ended
  */
-record UsdConverter(Path python, Path script, Duration limit) {
+record UsdConverter(Path python, Path script, Duration limit, long memory, long triangles) {
     private static final String NAME = "lightning_usd";
     private static final Path SOURCES = Path.of("src", "main", "python", NAME);
     private static final Duration TIME_LIMIT = Duration.ofMinutes(10);
+    /** usd-core needs a tenth of it for an empty stage. */
+    private static final long MIN_MEMORY = 1L << 30;
+    /** Memory that an import needs: a stage of three million triangles fails with 700 MB. */
+    private static final long BYTES_PER_TRIANGLE = 300;
     private static final int NO_USD = 3;
     private static final int MAX_MESSAGE = 300;
     private static final int MAX_MESSAGE_BYTES = 1 << 24;
@@ -51,7 +57,7 @@ record UsdConverter(Path python, Path script, Duration limit) {
             throw new IOException(Messages.tr("{0}: the converter of USD files is missing; install Lightning again", shipped));
         }
         return new UsdConverter(PythonInterpreter.find(System.getenv(PythonInterpreter.VARIABLE), SearchPath.ofSystem()), script,
-                TIME_LIMIT);
+                TIME_LIMIT, Math.max(MIN_MEMORY, Runtime.getRuntime().maxMemory()), Runtime.getRuntime().maxMemory() / BYTES_PER_TRIANGLE);
     }
 
     /** What is done with the written folder. */
@@ -80,7 +86,8 @@ record UsdConverter(Path python, Path script, Duration limit) {
     }
 
     private void run(Path source, Path folder, Path messages, Progress progress) throws IOException, MeshException {
-        var builder = new ProcessBuilder(python.toString(), "-B", script.toString(), source.toAbsolutePath().toString(), folder.toString());
+        var builder = new ProcessBuilder(python.toString(), "-B", script.toString(), source.toAbsolutePath().toString(), folder.toString(),
+                Long.toString(memory), Long.toString(triangles));
         builder.environment().put("PYTHONIOENCODING", "utf-8");
         Process process;
         try {
@@ -89,7 +96,7 @@ record UsdConverter(Path python, Path script, Duration limit) {
             throw new IOException(Messages.tr("{0}: cannot run as Python", Quote.path(python)), e);
         }
         try {
-            process.getOutputStream().close();
+            // Its input stays open: when this process ends in any way, the system closes it, and the converter ends.
             await(process, source, progress);
             if (process.exitValue() == NO_USD) {
                 throw new IOException(Messages.tr("USD files need the Python package usd-core; run: {0} -m pip install usd-core", python));
@@ -108,9 +115,10 @@ record UsdConverter(Path python, Path script, Duration limit) {
     }
 
     /** Ends a process and those it started; waits until they no longer write into the folder, which is removed next. */
-    private static void end(Process process) {
+    private static void end(Process process) throws IOException {
         List<ProcessHandle> all = Stream.concat(process.descendants(), Stream.of(process.toHandle())).toList();
         all.forEach(ProcessHandle::destroyForcibly);
+        process.getOutputStream().close();
         for (ProcessHandle handle : all) {
             try {
                 handle.onExit().get(END_SECONDS, TimeUnit.SECONDS);
