@@ -67,7 +67,8 @@ class Layers:
             return None
         absolute = layer.ComputeAbsolutePath(Sdf.Layer.SplitIdentifier(path)[0])
         if "<UDIM>" in absolute:
-            return None if self.out.is_inside(os.path.dirname(absolute)) else OUTSIDE
+            folder = os.path.dirname(os.path.join(os.path.dirname(layer.realPath), absolute))
+            return None if Ar.IsPackageRelativePath(absolute) or self.out.is_inside(folder) else OUTSIDE
         place = str(Ar.GetResolver().Resolve(absolute))
         if Ar.IsPackageRelativePath(place):
             place = Ar.SplitPackageRelativePathOuter(place)[0]

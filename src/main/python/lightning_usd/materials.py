@@ -6,7 +6,7 @@ from typing import Any
 
 from materialx import CHANNELS, SURFACES, as_preview, is_image, multiply
 from meshes import identity
-from output import Output, StageError, numbers
+from output import Output, StageError, numbers, shown
 from pxr import Sdf, Usd, UsdGeom, UsdShade
 
 PREVIEW = {"diffuseColor": [0.18] * 3, "emissiveColor": [0.0] * 3, "useSpecularWorkflow": 0, "specularColor": [0.0] * 3, "metallic": 0.0,
@@ -128,7 +128,7 @@ class Materials:
             try:
                 result[target] = numbers(value) if isinstance(fallback, list) else float(value)
             except (TypeError, ValueError):
-                self.out.note("inputs of materials of another type")
+                self.out.note_prim(shader.GetPrim(), f"inputs:{name}: expected {'numbers' if isinstance(fallback, list) else 'a number'}, found {shown(value)}")
         if attribute.ValueMightBeTimeVarying():
             self.out.note("animated inputs of materials, at the first frame")
 

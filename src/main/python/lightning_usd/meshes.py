@@ -82,7 +82,7 @@ class Meshes:
         try:
             points = floats(points, Vt.Vec3fArray)
         except (TypeError, ValueError):
-            out.note("meshes whose points are of another type")
+            out.note_prim(prim, "points of another type, left out")
             return -1
         scheme = str(mesh.GetSubdivisionSchemeAttr().Get())
         result: dict[str, Any] = {
@@ -143,7 +143,7 @@ class Meshes:
         try:
             entry = {"values": self.out.array(floats(values, kind)), "interpolation": interpolation}
         except (TypeError, ValueError, RuntimeError):
-            self.out.note(f"{name} of meshes that are of another type")
+            self.out.note(f"{result['path']}: {name} of another type, left out")
             return
         if indices:
             entry["indices"] = self.out.array(indices)
