@@ -1,12 +1,12 @@
 package lightning.cli;
 
-import lightning.format.jen.InputFiles;
 import java.nio.file.Path;
 import java.util.concurrent.Callable;
 import lightning.cli.report.CompareReport;
 import lightning.format.hdr.HdrReader;
 import lightning.format.image.ImageFile;
 import lightning.format.image.ImageFormat;
+import lightning.format.jen.InputFiles;
 import lightning.render.image.Difference;
 import lightning.render.image.DifferenceImage;
 import lightning.render.image.Film;

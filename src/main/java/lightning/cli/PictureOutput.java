@@ -1,6 +1,5 @@
 package lightning.cli;
 
-import lightning.format.jen.InputFiles;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Optional;
@@ -9,6 +8,7 @@ import lightning.base.work.HeapBudget;
 import lightning.base.work.WorkerPool;
 import lightning.format.image.ImageFile;
 import lightning.format.image.ImageFormat;
+import lightning.format.jen.InputFiles;
 import lightning.format.layer.FrameTime;
 import lightning.format.layer.SceneMetadata;
 import lightning.render.image.Clipping;

@@ -1,19 +1,19 @@
 package lightning.cli;
 
-import java.util.stream.Stream;
-import lightning.format.jen.InputFiles;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
+import java.util.stream.Stream;
 import lightning.base.work.WorkerPool;
 import lightning.bench.accuracy.AccuracyGuarantee;
 import lightning.bench.accuracy.Verification;
 import lightning.bench.accuracy.WarmSaving;
 import lightning.cli.report.RaysReport;
 import lightning.cli.report.RelightReport;
+import lightning.format.jen.InputFiles;
 import lightning.format.jen.JenDocument;
 import lightning.format.jen.JenFile;
 import lightning.render.cache.PixelCache;
@@ -120,7 +120,8 @@ final class RelightCommand implements Callable<Integer> {
         JenDocument document = input.read();
         List<Scene> edited = editedScenes(document.scene());
         int last = edited.size();
-        InputFiles inputs = output.withViewFile(InputFiles.of(input.path(), Stream.concat(Stream.of(document.scene()), edited.stream()).toList()));
+        InputFiles inputs =
+                output.withViewFile(InputFiles.of(input.path(), Stream.concat(Stream.of(document.scene()), edited.stream()).toList()));
         pictures.check(last, inputs);
         if (mattes.isPresent()) {
             mattes.get().check(last, inputs);

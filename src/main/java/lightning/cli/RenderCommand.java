@@ -1,12 +1,12 @@
 package lightning.cli;
 
-import lightning.format.jen.InputFiles;
 import java.io.IOException;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import lightning.base.work.WorkerPool;
 import lightning.cli.report.RaysReport;
 import lightning.cli.report.RenderReport;
+import lightning.format.jen.InputFiles;
 import lightning.render.engine.choice.Engines;
 import lightning.render.fulltrace.TraditionalTracer;
 import lightning.render.image.Clipping;

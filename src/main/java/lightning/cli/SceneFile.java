@@ -1,14 +1,14 @@
 package lightning.cli;
 
-import lightning.scene.Scene;
-import java.util.List;
-import lightning.format.jen.InputFiles;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.List;
 import lightning.base.file.ShippedFile;
+import lightning.format.jen.InputFiles;
 import lightning.format.jen.JenDocument;
 import lightning.format.jen.JenException;
 import lightning.format.jen.JenReader;
+import lightning.scene.Scene;
 import picocli.CommandLine.Parameters;
 
 /** Argument {@code scene.jen}. */

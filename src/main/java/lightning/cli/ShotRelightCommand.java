@@ -1,7 +1,5 @@
 package lightning.cli;
 
-import java.util.stream.Stream;
-import lightning.format.jen.InputFiles;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -10,10 +8,12 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CancellationException;
+import java.util.stream.Stream;
 import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
 import lightning.bench.accuracy.WarmSaving;
 import lightning.cli.report.ShotRelightReport;
+import lightning.format.jen.InputFiles;
 import lightning.format.jen.JenDocument;
 import lightning.format.jen.JenFile;
 import lightning.format.layer.FrameTime;

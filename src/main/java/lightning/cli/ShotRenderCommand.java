@@ -1,6 +1,5 @@
 package lightning.cli;
 
-import lightning.format.jen.InputFiles;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -14,6 +13,7 @@ import lightning.base.text.DecimalNumber;
 import lightning.base.work.HeapBudget;
 import lightning.base.work.WorkerPool;
 import lightning.cli.report.ShotRenderReport;
+import lightning.format.jen.InputFiles;
 import lightning.format.jen.JenDocument;
 import lightning.format.jen.JenFile;
 import lightning.format.layer.FrameTime;

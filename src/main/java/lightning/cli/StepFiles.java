@@ -1,6 +1,5 @@
 package lightning.cli;
 
-import lightning.format.jen.InputFiles;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -8,6 +7,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import lightning.format.jen.InputFiles;
 import lightning.shot.movie.FrameFiles;
 
 /**

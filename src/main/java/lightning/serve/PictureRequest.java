@@ -1,9 +1,8 @@
 package lightning.serve;
 
-import java.util.List;
-import lightning.format.jen.InputFiles;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 import lightning.base.file.AtomicFile;
 import lightning.base.file.SharedMemoryFile;
@@ -11,6 +10,7 @@ import lightning.base.work.Progress;
 import lightning.format.exr.ExrType;
 import lightning.format.image.ImageFile;
 import lightning.format.image.ImageFormat;
+import lightning.format.jen.InputFiles;
 import lightning.format.layer.LayeredExrWriter;
 import lightning.render.image.Film;
 import lightning.render.relight.Renderer;

@@ -1,6 +1,5 @@
 package lightning.serve;
 
-import lightning.base.work.Progress;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
@@ -8,6 +7,7 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.TimeUnit;
 import lightning.base.work.DedicatedThread;
+import lightning.base.work.Progress;
 import lightning.editor.document.OpenDocument;
 import lightning.editor.loop.CoarsePicture;
 import lightning.render.relight.Renderer;

@@ -1,12 +1,12 @@
 package lightning.serve;
 
-import java.util.concurrent.CancellationException;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.concurrent.CancellationException;
 import lightning.base.file.ShippedFile;
 import lightning.base.text.Quote;
 import lightning.base.work.Progress;

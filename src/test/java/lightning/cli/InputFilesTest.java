@@ -52,8 +52,9 @@ class InputFilesTest {
     /** Runs a command that must change nothing; words that end in a file of the folder are paths. */
     private void assertRefused(String command) throws Exception {
         var before = contents();
-        Object[] words = Stream.of(command.split(" ")).map(word -> word.startsWith("@") ? folder.resolve(word.substring(1)).toString() : word)
-                .toArray();
+        Object[] words =
+                Stream.of(command.split(" ")).map(word -> word.startsWith("@") ? folder.resolve(word.substring(1)).toString() : word)
+                        .toArray();
         CliResult.run(words).assertRejected(MESSAGE);
         assertThat(contents()).isEqualTo(before);
     }

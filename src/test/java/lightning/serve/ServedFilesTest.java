@@ -96,7 +96,8 @@ class ServedFilesTest {
         client.request("render", "'scene':1,'memory':true");
         long before = handles();
         for (int i = 0; i < 50; i++) {
-            assertThat(client.answer(client.send("render", "'scene':1,'memory':'" + folder.resolve("m" + i) + "'")).toString()).contains("result");
+            assertThat(client.answer(client.send("render", "'scene':1,'memory':'" + folder.resolve("m" + i) + "'")).toString())
+                    .contains("result");
         }
         assertThat(handles()).isLessThan(before + 25);
     }

@@ -1,6 +1,8 @@
 package lightning.cli.report;
 
 import java.util.Map;
+import java.util.SortedMap;
+import java.util.TreeMap;
 
 /**
  * A converted file, of {@code import}, {@code export} and {@code export-lights}.
@@ -12,4 +14,9 @@ import java.util.Map;
  * @param losses   what is left out or approximated, with the number of times
  */
 public record ConversionReport(String output, Integer objects, Integer materials, int lights, String units, Boolean indirect,
-        Map<String, Integer> losses) {}
+        SortedMap<String, Integer> losses) {
+    public ConversionReport(String output, Integer objects, Integer materials, int lights, String units, Boolean indirect,
+            Map<String, Integer> losses) {
+        this(output, objects, materials, lights, units, indirect, new TreeMap<>(losses));
+    }
+}

@@ -1,9 +1,8 @@
 package lightning.editor.document;
 
-import java.util.List;
-import lightning.format.jen.InputFiles;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Supplier;
@@ -11,6 +10,7 @@ import lightning.base.file.FileState;
 import lightning.base.file.ShippedFile;
 import lightning.base.text.Messages;
 import lightning.base.text.Quote;
+import lightning.format.jen.InputFiles;
 import lightning.format.jen.JenDocument;
 import lightning.format.jen.JenException;
 import lightning.format.jen.JenReader;

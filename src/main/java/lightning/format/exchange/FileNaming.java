@@ -12,7 +12,6 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.function.Supplier;
-import lightning.base.file.ContentHash;
 import lightning.base.text.Quote;
 
 /**

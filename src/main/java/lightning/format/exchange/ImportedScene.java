@@ -1,6 +1,5 @@
 package lightning.format.exchange;
 
-import lightning.format.jen.InputFiles;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -19,6 +18,7 @@ import java.util.stream.Stream;
 import lightning.base.file.AtomicFile;
 import lightning.base.text.Quote;
 import lightning.format.jen.CachingJenReader;
+import lightning.format.jen.InputFiles;
 import lightning.format.jen.JenDocument;
 import lightning.format.jen.JenException;
 import lightning.format.jen.JenReader;

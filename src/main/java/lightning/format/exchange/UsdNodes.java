@@ -1,14 +1,14 @@
 package lightning.format.exchange;
 
-import java.util.concurrent.CancellationException;
-import lightning.base.work.Progress;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.CancellationException;
 import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
+import lightning.base.work.Progress;
 import lightning.format.gltf.JsonValue;
 import lightning.format.mesh.MeshException;
 import lightning.format.usd.UsdStage;

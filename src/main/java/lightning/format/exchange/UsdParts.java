@@ -1,13 +1,13 @@
 package lightning.format.exchange;
 
-import java.util.concurrent.CancellationException;
-import lightning.base.work.Progress;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.CancellationException;
 import lightning.base.math.Transform;
+import lightning.base.work.Progress;
 import lightning.format.gltf.JsonValue;
 import lightning.format.mesh.MeshException;
 import lightning.format.mesh.MeshLimits;

@@ -8,6 +8,7 @@ import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.TreeMap;
 import java.util.stream.Stream;
 
 /**
@@ -90,7 +91,8 @@ public record ExrHeader(int width, int height, List<ExrChannel> channels, Map<St
         if (!attributes.containsKey(SCREEN_WINDOW_WIDTH)) {
             writeAttribute(out, SCREEN_WINDOW_WIDTH, "float", encodeInts(Float.floatToIntBits(1)));
         }
-        attributes.forEach((name, value) -> writeAttribute(out, name, value.type(), value.encode()));
+        // Sorted, so that equal images have equal bytes: some sources have maps of no order.
+        new TreeMap<>(attributes).forEach((name, value) -> writeAttribute(out, name, value.type(), value.encode()));
         out.write(0);
         return out.toByteArray();
     }

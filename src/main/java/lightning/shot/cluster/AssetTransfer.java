@@ -12,10 +12,10 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import lightning.base.file.ContentHash;
 import lightning.format.jen.JenDocument;
 import lightning.format.jen.ReferencedFiles;
 import lightning.shot.ShotRevision;
-import lightning.base.file.ContentHash;
 import lightning.shot.cluster.wire.SceneManifest;
 
 /** Content served by a coordinator to its nodes: the manifests of its newest revisions, their scene texts and the scene's files. */

@@ -12,13 +12,13 @@ import java.nio.file.attribute.BasicFileAttributes;
 import java.util.Map;
 import java.util.Optional;
 import lightning.base.file.AtomicFile;
+import lightning.base.file.ContentHash;
 import lightning.base.file.FileErrorMessage;
 import lightning.base.file.FolderLock;
 import lightning.base.file.PrivateFolder;
 import lightning.base.text.Quote;
 import lightning.format.jen.ReferencedFiles;
 import lightning.format.mesh.MeshLimits;
-import lightning.base.file.ContentHash;
 import lightning.shot.cluster.wire.SceneManifest;
 
 /**

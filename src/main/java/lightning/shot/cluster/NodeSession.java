@@ -13,6 +13,7 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Consumer;
+import lightning.base.file.ContentHash;
 import lightning.base.work.DedicatedThread;
 import lightning.base.work.Progress;
 import lightning.format.jen.JenException;
@@ -25,7 +26,6 @@ import lightning.shot.FrameRejectedException;
 import lightning.shot.FrameUpdate;
 import lightning.shot.HostLostException;
 import lightning.shot.ShotRevision;
-import lightning.base.file.ContentHash;
 import lightning.shot.cluster.wire.Message;
 import lightning.shot.cluster.wire.WireException;
 

@@ -4,13 +4,13 @@ import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import lightning.base.file.ContentHash;
 import lightning.format.jen.CachingJenReader;
 import lightning.format.jen.JenDocument;
 import lightning.format.jen.JenException;
 import lightning.format.jen.JenLimits;
 import lightning.scene.shot.Shot;
 import lightning.shot.ShotRevision;
-import lightning.base.file.ContentHash;
 import lightning.shot.cluster.wire.SceneManifest;
 import lightning.shot.cluster.wire.WireException;
 

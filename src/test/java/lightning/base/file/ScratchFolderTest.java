@@ -69,7 +69,7 @@ class ScratchFolderTest {
         Path replaced = outside.resolve("replaced");
         Process other = new ProcessBuilder(Path.of(System.getProperty("java.home"), "bin", "java").toString(), "-cp",
                 System.getProperty("java.class.path"), ScratchHolder.class.getName(), place.toString(), own.toString(), replaced.toString())
-                        .start();
+                .start();
         try {
             assertThat(other.inputReader().readLine()).isEqualTo("made");
             ScratchFolder.createIn(place).close();

@@ -84,7 +84,8 @@ class OutsideFilesTest {
                 }
             }
         }
-        assertThat(Files.readString(output.resolve("scene.jen"))).doesNotContain("hidden").doesNotContain("texture").doesNotContain("profile ");
+        assertThat(Files.readString(output.resolve("scene.jen"))).doesNotContain("hidden").doesNotContain("texture")
+                .doesNotContain("profile ");
         return scene;
     }
 
@@ -164,12 +165,14 @@ class OutsideFilesTest {
     void gltf_rejectsFilesOutside(String list) {
         for (String path : outsidePaths("a.png").toList()) {
             String entry = list.equals("buffers") ? "\"buffers\":[{\"byteLength\":36,\"uri\":\"" + path + "\"}]"
-                    : "\"buffers\":[{\"byteLength\":36,\"uri\":\"data:application/octet-stream;base64," + "AAAA".repeat(12) + "\"}],\"images\":[{\"uri\":\""
+                    : "\"buffers\":[{\"byteLength\":36,\"uri\":\"data:application/octet-stream;base64," + "AAAA".repeat(12)
+                            + "\"}],\"images\":[{\"uri\":\""
                             + path + "\"}]";
-            String text = "{\"asset\":{\"version\":\"2.0\"},\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}],\"meshes\":[{\"primitives\":[{"
-                    + "\"attributes\":{\"POSITION\":0},\"material\":0}]}],\"materials\":[{\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":0}}}],"
-                    + "\"textures\":[{\"source\":0}],\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"}],"
-                    + "\"bufferViews\":[{\"buffer\":0,\"byteLength\":36}]," + entry + "}";
+            String text =
+                    "{\"asset\":{\"version\":\"2.0\"},\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}],\"meshes\":[{\"primitives\":[{"
+                            + "\"attributes\":{\"POSITION\":0},\"material\":0}]}],\"materials\":[{\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":0}}}],"
+                            + "\"textures\":[{\"source\":0}],\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"}],"
+                            + "\"bufferViews\":[{\"buffer\":0,\"byteLength\":36}]," + entry + "}";
             assertThatExceptionOfType(MeshException.class).isThrownBy(() -> imported("a.gltf", text))
                     .withMessageContaining("must be data or a file in the folder of this one");
         }

@@ -1,6 +1,5 @@
 package lightning.editor.window.command;
 
-import lightning.editor.document.OpenDocument;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Arrays;
@@ -13,6 +12,7 @@ import lightning.base.text.Quote;
 import lightning.base.work.HeapBudget;
 import lightning.base.work.WorkerPool;
 import lightning.editor.document.Command;
+import lightning.editor.document.OpenDocument;
 import lightning.editor.loop.Frame;
 import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.model.StatusMessage;

@@ -1,6 +1,5 @@
 package lightning.editor.window.timeline;
 
-import lightning.format.jen.InputFiles;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
@@ -10,6 +9,7 @@ import lightning.base.work.HeapBudget;
 import lightning.base.work.Progress;
 import lightning.format.image.ImageFile;
 import lightning.format.image.ImageFormat;
+import lightning.format.jen.InputFiles;
 import lightning.render.image.ViewTransform;
 import lightning.render.relight.plan.ReflectionMode;
 import lightning.render.relight.tile.RenderOptions;

@@ -1,7 +1,7 @@
 package lightning.shot.cluster.wire;
 
-import lightning.base.file.ContentHash;
 import java.util.UUID;
+import lightning.base.file.ContentHash;
 
 /**
  * Message between members of a cluster. A coordinator requests, a node answers. Any message may arrive twice or be repeated; a lost message

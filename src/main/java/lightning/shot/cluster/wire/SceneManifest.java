@@ -1,9 +1,9 @@
 package lightning.shot.cluster.wire;
 
-import lightning.base.file.ContentHash;
 import java.util.Map;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import lightning.base.file.ContentHash;
 
 /**
  * Manifest of a revision: its scene text and the files that this names.

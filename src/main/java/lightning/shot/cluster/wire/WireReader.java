@@ -1,11 +1,11 @@
 package lightning.shot.cluster.wire;
 
-import lightning.base.file.ContentHash;
 import java.nio.ByteBuffer;
 import java.nio.charset.CharacterCodingException;
 import java.nio.charset.CodingErrorAction;
 import java.nio.charset.StandardCharsets;
 import java.util.UUID;
+import lightning.base.file.ContentHash;
 
 /** Reader of a message's bytes, with bounds checks. */
 final class WireReader {

@@ -1,12 +1,12 @@
 package lightning.shot.cluster.wire;
 
-import lightning.base.file.ContentHash;
 import java.io.ByteArrayOutputStream;
 import java.io.DataOutputStream;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.util.UUID;
+import lightning.base.file.ContentHash;
 
 /** Big-endian writer of a message's bytes. */
 final class WireWriter {

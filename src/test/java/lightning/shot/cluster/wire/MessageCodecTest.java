@@ -1,11 +1,11 @@
 package lightning.shot.cluster.wire;
 
-import lightning.base.file.ContentHash;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.Arrays;
 import java.util.UUID;
+import lightning.base.file.ContentHash;
 import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.Combinators;
