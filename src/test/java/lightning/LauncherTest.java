@@ -11,6 +11,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 import lightning.base.work.Await;
 import lightning.sample.Slow;
@@ -100,18 +101,25 @@ class LauncherTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"render, -XX:+UseSerialGC", "bench, -XX:+UseG1GC"})
-    void render_usesSerialCollector(String command, String collector) throws Exception {
+    @ValueSource(strings = {"render", "bench"})
+    void commands_useG1(String command) throws Exception {
         Path java = java("25", "printf '[%s]' \"$@\"");
         String out = run(Map.of("JAVA_HOME", java), "", launcher, command).out();
-        assertThat(out).contains("[" + collector + "]").containsOnlyOnce("GC]");
+        assertThat(out).contains("[-XX:+UseG1GC]").containsOnlyOnce("GC]");
     }
 
-    @Test
-    void userCollector_appliesToRender() throws Exception {
-        Path java = java("25", "printf '[%s]' \"$@\"");
-        String out = run(Map.of("JAVA_HOME", java, "JAVA_TOOL_OPTIONS", Path.of("-XX:+UseParallelGC")), "", launcher, "render").out();
-        assertThat(out).doesNotContain("[-XX:+UseSerialGC]");
+    /** With the serial or parallel collector, the program of this test does not end. */
+    @ParameterizedTest
+    @ValueSource(strings = {"java.options", "picture.options"})
+    void damagedJpegs_doNotLockJava(String options) throws Exception {
+        Process java = new ProcessBuilder(realJava().resolve("bin/java").toString(), "@src/main/launcher/" + options, "-Xmx64m", "-Xmn2m",
+                "-cp", System.getProperty("java.class.path"), DamagedJpegs.class.getName()).inheritIO().start();
+        try {
+            assertThat(java.waitFor(3, TimeUnit.MINUTES)).isTrue();
+            assertThat(java.exitValue()).isZero();
+        } finally {
+            java.destroyForcibly();
+        }
     }
 
     @Test

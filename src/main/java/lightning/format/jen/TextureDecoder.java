@@ -76,10 +76,11 @@ public final class TextureDecoder {
      * Decodes an image. One of too many pixels loses rows and columns until it has at most {@link JenLimits#TEXTURE_PIXELS}.
      *
      * @param name name of the file in messages
-     * @throws UnusableFileException if it is not a PNG or JPEG, or damaged
+     * @throws UnusableFileException if it is not a PNG or JPEG, too large or damaged
      */
     public static Texture decodeReduced(String name, byte[] file, TextureUsage samples) throws UnusableFileException {
         return read(name, file, reader -> {
+            checkSides(name, reader.getWidth(0), reader.getHeight(0));
             ImageReadParam reduction = reader.getDefaultReadParam();
             int step = 1;
             while ((long) Math.ceilDiv(reader.getWidth(0), step) * Math.ceilDiv(reader.getHeight(0), step) > JenLimits.TEXTURE_PIXELS) {
@@ -109,15 +110,23 @@ public final class TextureDecoder {
 
     /** Reads a value from an image file. */
     @FunctionalInterface
-    private interface Reading<T> {
+    public interface Reading<T> {
+        /** Returns the value of an opened file. */
         T from(ImageReader reader) throws IOException, UnusableFileException;
     }
 
-    private static <T> T read(String name, byte[] file, Reading<T> reading) throws UnusableFileException {
+    /**
+     * Opens an image that a decoder reads in bounded time per pixel, and reads a value from it.
+     *
+     * @param name name of the file in messages
+     * @throws UnusableFileException if it is not a PNG or JPEG, damaged, or has too many scans
+     */
+    public static <T> T read(String name, byte[] file, Reading<T> reading) throws UnusableFileException {
         try (ImageInputStream in = new MemoryCacheImageInputStream(new ByteArrayInputStream(file))) {
             ImageReader reader = reader(name, in);
             try {
                 reader.setInput(in, true, true);
+                checkScans(name, file, reader);
                 return reading.from(reader);
             } catch (IOException | RuntimeException e) {
                 // The decoders throw arbitrary runtime exceptions for some damaged files.
@@ -143,12 +152,27 @@ public final class TextureDecoder {
         throw unusable(name, "must be a PNG or JPEG file, found an unsupported format");
     }
 
-    private static void checkSize(String name, int width, int height, long pixelsLeft)
-            throws UnusableFileException {
+    private static void checkScans(String name, byte[] file, ImageReader reader) throws IOException, UnusableFileException {
+        int scans = JpegScans.count(file);
+        if (scans > 1) {
+            long limit = JpegScans.limit((long) reader.getWidth(0) * reader.getHeight(0));
+            if (scans > limit) {
+                throw unusable(name, "must have at most " + limit + " scans at " + reader.getWidth(0) + "×" + reader.getHeight(0)
+                        + " pixels, has " + scans);
+            }
+        }
+    }
+
+    private static void checkSides(String name, int width, int height) throws UnusableFileException {
         if (width < 1 || height < 1 || width > JenLimits.TEXTURE_SIDE || height > JenLimits.TEXTURE_SIDE) {
             throw unusable(name, "must have from 1 to " + JenLimits.TEXTURE_SIDE + " pixels along each side, has "
                     + width + "×" + height);
         }
+    }
+
+    private static void checkSize(String name, int width, int height, long pixelsLeft)
+            throws UnusableFileException {
+        checkSides(name, width, height);
         long pixels = (long) width * height;
         if (pixels > JenLimits.TEXTURE_PIXELS) {
             throw unusable(name, "must have at most " + JenLimits.TEXTURE_PIXELS + " pixels, has " + width + "×" + height);

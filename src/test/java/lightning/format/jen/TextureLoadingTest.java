@@ -1,6 +1,7 @@
 package lightning.format.jen;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import java.awt.image.BufferedImage;
@@ -17,6 +18,7 @@ import java.util.zip.CRC32;
 import javax.imageio.ImageIO;
 import lightning.scene.Material;
 import lightning.scene.Texture;
+import lightning.scene.TextureUsage;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -172,6 +174,37 @@ class TextureLoadingTest {
         assertThat(problem("a.png")).contains("from 1 to 16384 pixels along each side, has 30000×30000");
         Files.write(scenes.resolve("a.png"), header(16_384, 16_384));
         assertThat(problem("a.png")).contains("must have at most 16777216 pixels, has 16384×16384");
+    }
+
+    @Test
+    void jpegWithManyScans_isRejectedBeforeDecoding() throws Exception {
+        Files.write(scenes.resolve("a.jpg"), ManyScans.jpeg(16, 16, 100));
+        assertThat(load("a.jpg").width()).isEqualTo(16);
+        Files.write(scenes.resolve("a.jpg"), ManyScans.jpeg(16, 16, 300));
+        assertThat(problem("a.jpg")).contains("texture 'a.jpg' must have at most 200 scans at 16×16 pixels, has 3");
+        Files.write(scenes.resolve("a.jpg"), ManyScans.jpeg(4096, 4096, 70));
+        assertThat(problem("a.jpg")).contains("must have at most 64 scans at 4096×4096 pixels, has 8");
+    }
+
+    @Test
+    void hugeSize_isRejectedBeforeReduction() {
+        assertThatThrownBy(() -> TextureDecoder.decodeReduced("a.png", header(30_000, 30_000), TextureUsage.COLOR))
+                .hasMessageContaining("from 1 to 16384 pixels along each side, has 30000×30000");
+    }
+
+    @Test
+    void scansInMetadata_areNotCounted() throws Exception {
+        byte[] file = ManyScans.jpeg(16, 16, 0);
+        byte[] metadata = new byte[2 + 60_000];
+        metadata[0] = (byte) 0xFF;
+        metadata[1] = (byte) 0xEB;
+        metadata[2] = (byte) (60_000 >> 8);
+        metadata[3] = (byte) 60_000;
+        for (int i = 4; i < metadata.length; i++) {
+            metadata[i] = (byte) (i % 2 == 0 ? 0xFF : 0xDA);
+        }
+        Files.write(scenes.resolve("a.jpg"), ManyScans.concat(Arrays.copyOf(file, 2), metadata, Arrays.copyOfRange(file, 2, file.length)));
+        assertThat(load("a.jpg").width()).isEqualTo(16);
     }
 
     @Test

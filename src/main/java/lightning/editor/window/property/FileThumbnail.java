@@ -4,16 +4,15 @@ import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Iterator;
 import java.util.Optional;
-import java.util.stream.Stream;
 import javafx.scene.image.ImageView;
-import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
-import javax.imageio.stream.ImageInputStream;
+import lightning.base.file.RegularFile;
 import lightning.editor.window.widget.PixelImage;
 import lightning.format.jen.FileKind;
+import lightning.format.jen.JenLimits;
 import lightning.format.jen.LightTextureReader;
+import lightning.format.jen.TextureDecoder;
 import lightning.format.jen.UnusableFileException;
 import lightning.scene.Texture;
 
@@ -36,7 +35,8 @@ record FileThumbnail(int width, int height, int[] pixels) {
     static Optional<FileThumbnail> of(FileKind kind, Path folder, String name) {
         try {
             Optional<Path> file = kind.find(folder, name);
-            return file.isEmpty() ? Optional.empty() : LightTextureReader.isLinear(name) ? readLinear(name, file.get()) : read(file.get());
+            return file.isEmpty() ? Optional.empty() : LightTextureReader.isLinear(name) ? readLinear(name, file.get())
+                    : read(name, file.get());
         } catch (IOException | UnusableFileException | RuntimeException e) {
             // An unreadable image is listed by name only.
             return Optional.empty();
@@ -59,20 +59,10 @@ record FileThumbnail(int width, int height, int[] pixels) {
         return Optional.of(new FileThumbnail(width, height, AutoExposure.toPixels(rgb)));
     }
 
-    private static Optional<FileThumbnail> read(Path path) throws IOException {
-        try (ImageInputStream in = ImageIO.createImageInputStream(path.toFile())) {
-            Iterator<ImageReader> readers = in == null ? Stream.<ImageReader>empty().iterator() : ImageIO.getImageReaders(in);
-            if (!readers.hasNext()) {
-                return Optional.empty();
-            }
-            ImageReader reader = readers.next();
-            try {
-                reader.setInput(in, true, true);
-                return (long) reader.getWidth(0) * reader.getHeight(0) > MAX_PIXELS ? Optional.empty() : Optional.of(subsample(reader));
-            } finally {
-                reader.dispose();
-            }
-        }
+    private static Optional<FileThumbnail> read(String name, Path path) throws IOException, UnusableFileException {
+        byte[] file = RegularFile.readBytes(path, "a PNG or JPEG file", JenLimits.TEXTURE_BYTES);
+        return TextureDecoder.read(name, file, reader -> (long) reader.getWidth(0) * reader.getHeight(0) > MAX_PIXELS ? Optional.empty()
+                : Optional.of(subsample(reader)));
     }
 
     private static FileThumbnail subsample(ImageReader reader) throws IOException {

@@ -11,6 +11,7 @@ import java.nio.file.Path;
 import java.util.List;
 import javax.imageio.ImageIO;
 import lightning.format.jen.FileKind;
+import lightning.format.jen.ManyScans;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -70,6 +71,14 @@ class FileThumbnailTest {
         Files.createSymbolicLink(scene.resolve("link.png"), secret);
         assertThat(FileThumbnail.of(FileKind.TEXTURE, scene, "link.png")).isEmpty();
         assertThat(FileThumbnail.of(FileKind.TEXTURE, scene, "../secret.png")).isEmpty();
+    }
+
+    @Test
+    void jpegWithManyScans_hasNoThumbnail() throws IOException {
+        Files.write(folder.resolve("few.jpg"), ManyScans.jpeg(16, 16, 0));
+        Files.write(folder.resolve("many.jpg"), ManyScans.jpeg(16, 16, 300));
+        assertThat(FileThumbnail.of(FileKind.TEXTURE, folder, "few.jpg")).isPresent();
+        assertThat(FileThumbnail.of(FileKind.TEXTURE, folder, "many.jpg")).isEmpty();
     }
 
     @Test
