@@ -57,10 +57,17 @@ public final class Autosave implements AutoCloseable {
         savedFiles.clear();
     }
 
-    /** Adopts recovery data of a crashed process; see {@link RecoveryFolder#adopt}. */
-    public synchronized void adopt(RecoveryFolder.RecoverableScene recoverable) {
+    /**
+     * Adopts recovery data of a crashed process; see {@link RecoveryFolder#adopt}.
+     *
+     * @param onAdopted called on the autosave thread
+     */
+    public synchronized void adopt(RecoveryFolder.RecoverableScene recoverable, Runnable onAdopted) {
         savedFiles.add(recoverable.file());
-        thread.execute(() -> runOrReport(() -> recovery.adopt(recoverable)));
+        thread.execute(() -> runOrReport(() -> {
+            recovery.adopt(recoverable);
+            onAdopted.run();
+        }));
     }
 
     private void write() {

@@ -25,6 +25,8 @@ public final class OpenDocument {
     private SavedScene saved;
     private DiskStatus diskStatus;
     private boolean untitled;
+    /** True if looks were saved for a document without a file; they move next to its file with the next save. */
+    private boolean hasUnsavedLooks;
     private boolean ignoresDiskChange;
     private Selection selection = Selection.NONE;
     private int frame;
@@ -227,7 +229,12 @@ public final class OpenDocument {
     /** Tests if there are unsaved edits. */
     public boolean isDirty() {
         boolean differsFromDisk = knownState().equals(FileState.MISSING) || diskStatus.isDeleted() || ignoresDiskChange;
-        return differsFromDisk && !untitled || !content().equals(savedDocument().animatedScene());
+        return differsFromDisk && !untitled || hasUnsavedLooks || !content().equals(savedDocument().animatedScene());
+    }
+
+    /** Marks a document without a file as having looks, which are lost unless it is saved. */
+    void setUnsavedLooks() {
+        hasUnsavedLooks = untitled;
     }
 
     /** Returns the file's content state when this editor last read or wrote it. */
@@ -341,6 +348,7 @@ public final class OpenDocument {
     void onSaved(SavedScene newSaved) {
         setSaved(newSaved);
         untitled = false;
+        hasUnsavedLooks = false;
     }
 
     /** Returns a task that reads the saved content, on any thread. An untitled document has only what it was opened with. */

@@ -14,6 +14,7 @@ import java.util.stream.Stream;
 import lightning.base.file.AtomicFile;
 import lightning.base.file.PrivateFolder;
 import lightning.base.file.ProcessIdentity;
+import lightning.base.file.TemporaryFolder;
 import lightning.base.text.Messages;
 import lightning.base.text.Quote;
 import lightning.format.jen.JenLimits;
@@ -52,9 +53,15 @@ public final class RecoveryFolder {
      * @param text         unsaved content of the scene file
      */
     public record RecoverableScene(Path recoveryFile, Path file, String text) {
-        /** Deletes the recovery file. */
+        /** Deletes the recovery file and the looks. */
         public void delete() throws IOException {
             Files.deleteIfExists(recoveryFile);
+            deleteIfExists(looksFolder());
+        }
+
+        /** Returns the folder with the looks of a scene without a file; it may not exist. */
+        Path looksFolder() {
+            return looksFolderOf(recoveryFile);
         }
     }
 
@@ -77,15 +84,36 @@ public final class RecoveryFolder {
         });
     }
 
-    /** Deletes this process's recovery file of a scene that was saved or closed on purpose. */
+    /** Deletes this process's recovery file of a scene that was saved or closed on purpose, and its looks. */
     public void delete(Path file) throws IOException {
         Files.deleteIfExists(recoveryFile(file));
+        deleteIfExists(looksFolder(file));
     }
 
-    /** Adopts the recovery file of a crashed process. The file exists at every moment and no other process finds it. */
+    /** Adopts the recovery file of a crashed process, and its looks. The file exists at every moment and no other process finds it. */
     public void adopt(RecoverableScene recoverable) throws IOException {
         store(recoverable.file(), recoverable.text());
+        if (Files.exists(recoverable.looksFolder())) {
+            deleteIfExists(looksFolder(recoverable.file()));
+            Files.move(recoverable.looksFolder(), looksFolder(recoverable.file()));
+        }
         recoverable.delete();
+    }
+
+    private static void deleteIfExists(Path looks) throws IOException {
+        if (Files.exists(looks)) {
+            TemporaryFolder.delete(looks);
+        }
+    }
+
+    /** Returns this process's folder for the looks of a scene without a file; it may not exist. */
+    public Path looksFolder(Path file) {
+        return looksFolderOf(recoveryFile(file));
+    }
+
+    private static Path looksFolderOf(Path recoveryFile) {
+        String name = recoveryFile.getFileName().toString();
+        return recoveryFile.resolveSibling(name.substring(0, name.length() - EXTENSION.length()) + ".looks");
     }
 
     /** Returns the scenes of crashed processes, newest first. Skips unreadable files. */

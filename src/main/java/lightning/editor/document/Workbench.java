@@ -36,6 +36,7 @@ public final class Workbench implements AutoCloseable {
     private final FileThread files;
     private final ArrayDeque<Runnable> pendingSaves = new ArrayDeque<>();
     private final Autosave autosave;
+    private final RecoveryFolder recovery;
     private OpenDocument document;
     private final RenderFeed feed;
     private final Runnable progressListener;
@@ -66,6 +67,7 @@ public final class Workbench implements AutoCloseable {
         this.changeListener = changeListener;
         this.progressListener = progressListener;
         this.files = files;
+        this.recovery = recovery;
         autosave = new Autosave(recovery, Autosave.DEFAULT_DELAY, failureListener);
         feed = new RenderFeed(files.windowExecutor(), canvas, this::renderStateChanged);
         renderOptions = options;
@@ -157,8 +159,10 @@ public final class Workbench implements AutoCloseable {
     /**
      * Opens the unsaved scene of a crashed process: see {@link OpenDocument#recover}. It stays recoverable until it is saved. If the same
      * file is open already, its picture is updated as by an edit.
+     *
+     * @param onLooks called when the looks of a scene without a file are recovered, too
      */
-    public void recover(RecoveryFolder.RecoverableScene recoverable, OpenDocument recovered) {
+    public void recover(RecoveryFolder.RecoverableScene recoverable, OpenDocument recovered, Runnable onLooks) {
         if (recovered.file().equals(document.file()) && recovered.scene().hasSameView(document.scene())) {
             autosave.discard();
             document = recovered;
@@ -169,7 +173,18 @@ public final class Workbench implements AutoCloseable {
         } else {
             open(recovered);
         }
-        autosave.adopt(recoverable);
+        autosave.adopt(recoverable, () -> files.windowExecutor().execute(onLooks));
+    }
+
+    /** Returns the folder for the looks of the open document if it has no file of its own; empty if it has one. */
+    public Optional<Path> untitledLooks() {
+        return document.isUntitled() ? Optional.of(recovery.looksFolder(document.file())) : Optional.empty();
+    }
+
+    /** Keeps the looks of a document without a file recoverable, and asks to save it before it is closed. */
+    public void looksChanged() {
+        document.setUnsavedLooks();
+        contentChanged();
     }
 
     /** Applies an edit unless it was refused; returns the reason if it was. Renders it immediately in live mode. */
@@ -295,7 +310,15 @@ public final class Workbench implements AutoCloseable {
 
     private void write(OpenDocument savedDocument, Path file, Set<OverwriteConfirmation> allowed,
             Consumer<Optional<Throwable>> completion) {
-        files.runInOrder(savedDocument.prepareSave(file, allowed)::write, newSaved -> {
+        SaveRequest request = savedDocument.prepareSave(file, allowed);
+        Path looks = recovery.looksFolder(savedDocument.file());
+        files.runInOrder(() -> {
+            SavedScene newSaved = request.write();
+            if (request.untitled()) {
+                LooksFolder.move(looks, file);
+            }
+            return newSaved;
+        }, newSaved -> {
             savedDocument.onSaved(newSaved);
             contentChanged();
             saveNext();

@@ -35,7 +35,8 @@ final class EditorLayout extends BorderPane {
     static final double CANVAS_SHARE = 0.74;
     private static final double LIST_SHARE = 0.36;
     /** Initial sizes of the docks, pixels. */
-    static final double LOWER_DOCK_HEIGHT = 290;
+    private static final double MIN_LOWER_DOCK_HEIGHT = 290;
+    private static final double LOWER_DOCK_SHARE = 0.43;
     static final double LEFT_DOCK_WIDTH = 300;
     /** Approximate height of menu bar and tool bar, pixels. Reserves their space, so that little moves when they are added. */
     static final double BARS_HEIGHT = 72;
@@ -151,7 +152,16 @@ final class EditorLayout extends BorderPane {
     private DockSlot dockSlot(WindowLayout arrangement, PanelPlace place, Region dock) {
         boolean isLeft = place == PanelPlace.LEFT;
         return new DockSlot(isLeft ? upperArea : workArea, dock, isLeft ? 0 : 1, arrangement.dockSizeProperty(place),
-                isLeft ? LEFT_DOCK_WIDTH : LOWER_DOCK_HEIGHT);
+                isLeft ? _ -> LEFT_DOCK_WIDTH : EditorLayout::lowerDockHeight);
+    }
+
+    /**
+     * Returns the default height of the dock below the pictures, pixels. In a high window the mixer has room for its thumbnails.
+     *
+     * @param total height of pictures and dock, pixels
+     */
+    static double lowerDockHeight(double total) {
+        return Math.max(MIN_LOWER_DOCK_HEIGHT, LOWER_DOCK_SHARE * total);
     }
 
     PictureView picture() {

@@ -97,6 +97,21 @@ class RecoveryFolderTest {
     }
 
     @Test
+    void looksOfCrashedProcess_areAdopted_andDeletedWithTheFile() throws IOException {
+        Path file = folder.resolve("untitled.jen").toAbsolutePath();
+        var crashed = new RecoveryFolder(recoveryFile(), CRASHED);
+        crashed.store(file, DeskScene.TEXT);
+        Files.createDirectories(crashed.looksFolder(file));
+        Files.writeString(crashed.looksFolder(file).resolve("day.jen"), "jen 1");
+        var recovery = new RecoveryFolder(recoveryFile());
+        recovery.adopt(recovery.list().getFirst());
+        assertThat(recovery.looksFolder(file).resolve("day.jen")).hasContent("jen 1");
+        assertThat(crashed.looksFolder(file)).doesNotExist();
+        recovery.delete(file);
+        assertThat(recovery.looksFolder(file)).doesNotExist();
+    }
+
+    @Test
     void fileOfRunningProcess_isNotListed() throws IOException {
         new RecoveryFolder(recoveryFile()).store(folder.resolve("a.jen"), DeskScene.TEXT);
         assertThat(new RecoveryFolder(recoveryFile()).list()).isEmpty();

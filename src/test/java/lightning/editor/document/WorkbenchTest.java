@@ -280,7 +280,7 @@ class WorkbenchTest {
         crashed.store(file, DeskScene.TEXT.replace("intensity 0.3", "intensity 0.9"));
         RecoveryFolder own = new RecoveryFolder(folder.resolve("kept"));
         RecoveryFolder.RecoverableScene found = own.list().getFirst();
-        workbench.recover(found, OpenDocument.recover(found));
+        workbench.recover(found, OpenDocument.recover(found), () -> {});
         assertThat(DeskScene.light(workbench.document().scene(), "sun").intensity()).isEqualTo(0.9);
         Await.until(() -> own.list().isEmpty());
         assertThat(fileCount()).isEqualTo(1);
@@ -297,7 +297,7 @@ class WorkbenchTest {
         crashed.store(workbench.document().file(), DeskScene.TEXT.replace("intensity 0.3", "intensity 0.9"));
         RecoveryFolder.RecoverableScene found = new RecoveryFolder(folder.resolve("kept")).list().getFirst();
         OpenDocument recovered = OpenDocument.recover(found);
-        workbench.recover(found, recovered);
+        workbench.recover(found, recovered, () -> {});
         assertThat(workbench.frame()).as("the picture stays").isPresent();
         awaitIdle();
         assertThat(DeskScene.light(shownScene(), "sun").intensity()).isEqualTo(0.9);

@@ -40,6 +40,18 @@ class CommandPaletteTest extends EditorFixture {
     }
 
     @Test
+    void enterWithoutLetters_runsNothing() {
+        var before = model().editor().document();
+        find("");
+        robot.push(KeyCode.ENTER);
+        assertThat(isOpen()).isTrue();
+        robot.push(KeyCode.DOWN);
+        assertThat(robot.lookup("#palette-about").<Label>query().getText()).isNotEmpty();
+        robot.push(KeyCode.ESCAPE);
+        assertThat(model().editor().document()).isSameAs(before);
+    }
+
+    @Test
     void commandValue_isFoundByItsMenu() {
         find("accuracy approximate");
         robot.push(KeyCode.ENTER);

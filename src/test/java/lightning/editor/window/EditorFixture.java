@@ -67,6 +67,8 @@ public abstract class EditorFixture {
     public Editor editor;
     /** File that the file dialogs return; null cancels them. */
     public volatile Path answer;
+    /** Folder that the last dialog for a scene to open started in; null before the first. */
+    public volatile Path openedFolder;
 
     /** Returns the text of the scene that the editor opens. */
     protected String sceneText() {
@@ -102,6 +104,7 @@ public abstract class EditorFixture {
     private final class PromptAnswers implements FilePrompt {
         @Override
         public Optional<Path> sceneToOpen(Path from) {
+            openedFolder = from;
             return Optional.ofNullable(answer);
         }
 

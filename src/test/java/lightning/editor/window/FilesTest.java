@@ -67,6 +67,29 @@ class FilesTest extends EditorFixture {
     }
 
     @Test
+    void openingAnotherScene_clearsTheMessage() throws IOException {
+        Path other = Files.copy(folder.resolve("desk.jen"), folder.resolve("other.jen"));
+        robot.interact(() -> model().editor().message().show("Recovered: Rename lamp"));
+        Platform.runLater(() -> editor.files().load(other));
+        waitFor("the other scene is open", () -> model().editor().document().name().equals("other.jen"));
+        assertThat(text("message")).isEmpty();
+    }
+
+    @Test
+    void openDialog_startsInTheFolderOfTheLastScene() throws Exception {
+        answer = null;
+        startCommand(Command.LOAD_FILE);
+        waitFor("the dialog opens", () -> folder.equals(openedFolder));
+        Path shipped = Files.createDirectories(folder.resolve("program"));
+        OpenDocument copy = OpenDocument.openCopy(Files.copy(folder.resolve("desk.jen"), shipped.resolve("stage.jen")));
+        robot.interact(() -> model().open(copy));
+        openedFolder = null;
+        startCommand(Command.LOAD_FILE);
+        waitFor("the dialog opens", () -> openedFolder != null);
+        assertThat(openedFolder).isEqualTo(folder);
+    }
+
+    @Test
     void saveSceneAs_changesDocumentFile() {
         answer = folder.resolve("other");
         startCommand(Command.SAVE_SCENE_AS);

@@ -13,6 +13,7 @@ import java.util.stream.Stream;
 import lightning.base.file.RegularFile;
 import lightning.base.text.Messages;
 import lightning.base.text.Quote;
+import lightning.editor.document.LooksFolder;
 import lightning.format.image.ImageFile;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
@@ -29,18 +30,31 @@ public final class CueFolder {
     private static final int MAX_NAME_LENGTH = 60;
     /** Characters with a special meaning in file names on some system. */
     private static final String FORBIDDEN_CHARACTERS = "/\\:*?\"<>|";
-    private static final String LIGHTS_EXTENSION = ".jen";
-    private static final String PICTURE_EXTENSION = ".png";
+    private static final String LIGHTS_EXTENSION = LooksFolder.LIGHTS_EXTENSION;
+    private static final String PICTURE_EXTENSION = LooksFolder.PICTURE_EXTENSION;
 
-    private final Path scene;
+    /** Folder of the scene, in which files of lights are searched. */
+    private final Path sceneFolder;
     private final Path folder;
+
+    private CueFolder(Path sceneFolder, Path folder) {
+        this.sceneFolder = sceneFolder;
+        this.folder = folder;
+    }
 
     /** @param scene scene file */
     public CueFolder(Path scene) {
-        this.scene = scene.toAbsolutePath();
-        String name = scene.getFileName().toString();
-        String stem = name.endsWith(LIGHTS_EXTENSION) ? name.substring(0, name.length() - LIGHTS_EXTENSION.length()) : name;
-        folder = this.scene.resolveSibling(stem + ".cues");
+        this(scene.toAbsolutePath().getParent(), LooksFolder.of(scene));
+    }
+
+    /**
+     * Creates the folder of a scene that has no file of its own.
+     *
+     * @param scene file that the scene is a copy of, or its proposed file
+     * @param folder private folder, which may not exist
+     */
+    public static CueFolder ofUntitled(Path scene, Path folder) {
+        return new CueFolder(scene.toAbsolutePath().getParent(), folder.toAbsolutePath());
     }
 
     /** Returns the folder, which may not exist. */
@@ -95,7 +109,7 @@ public final class CueFolder {
         String problem = "";
         try {
             checkInsideSceneFolder(file);
-            lighting = Optional.of(Lighting.read(file, scene.getParent(), stage));
+            lighting = Optional.of(Lighting.read(file, sceneFolder, stage));
         } catch (IOException e) {
             problem = e.getMessage() == null ? Messages.tr("{0} cannot be read", Quote.path(file)) : e.getMessage();
         }
@@ -117,7 +131,7 @@ public final class CueFolder {
 
     /** Checks that no link leads out of the scene's folder. */
     private void checkInsideSceneFolder(Path file) throws IOException {
-        if (!file.toRealPath().startsWith(scene.getParent().toRealPath())) {
+        if (!file.toRealPath().startsWith(folder.getParent().toRealPath())) {
             throw new IOException(Messages.tr("{0}: expected a file in the scene's folder", Quote.path(file)));
         }
     }
@@ -137,9 +151,7 @@ public final class CueFolder {
         if (problem.isPresent()) {
             throw new IOException(problem.get());
         }
-        if (!Files.exists(folder)) {
-            Files.createDirectory(folder);
-        }
+        Files.createDirectories(folder);
         checkInsideSceneFolder(folder);
         ImageFile.write(file(name, PICTURE_EXTENSION), film, view);
         lighting.write(file(name, LIGHTS_EXTENSION));

@@ -41,7 +41,7 @@ public final class ColorTableActions {
         if (view.lut().isPresent()) {
             setTable(Optional.empty());
         } else {
-            prompt.tableToOpen(model.fileImporter().folder()).ifPresent(file -> model.files()
+            prompt.tableToOpen(model.editor().document().proposedFile("lut").toAbsolutePath().getParent()).ifPresent(file -> model.files()
                     .runConcurrently(() -> CubeLutReader.read(file), table -> {
                         setTable(Optional.of(table));
                         model.editor().message()

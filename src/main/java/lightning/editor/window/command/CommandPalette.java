@@ -83,7 +83,12 @@ public final class CommandPalette extends Stage {
 
     private void search(String letters) {
         matches.getItems().setAll(PaletteEntry.matching(entries, letters));
-        matches.getSelectionModel().selectFirst();
+        if (letters.isBlank()) {
+            // Enter before any letter must not run a command that the user has not read yet.
+            matches.getSelectionModel().clearSelection();
+        } else {
+            matches.getSelectionModel().selectFirst();
+        }
         matches.scrollTo(0);
     }
 

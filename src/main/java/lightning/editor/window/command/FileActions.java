@@ -62,7 +62,7 @@ public final class FileActions {
         saver = new SceneSaver(model, prompt, notices, this::afterSave);
         model.commands().setAction(Command.NEW_SCENE, this::newScene);
         model.commands().setAction(Command.LOAD_FILE,
-                () -> prompt.sceneToOpen(model.fileImporter().folder()).ifPresent(this::load));
+                () -> prompt.sceneToOpen(folderToOpen()).ifPresent(this::load));
         model.commands().setAction(Command.RELOAD, this::reload);
         model.commands().setAction(Command.SAVE_SCENE, () -> saver.save(() -> {}));
         model.commands().setAction(Command.SAVE_SCENE_AS, () -> saver.saveAs(() -> {}));
@@ -76,6 +76,13 @@ public final class FileActions {
     /** Opens or imports a scene file. Asks about unsaved edits first; the open scene stays until the file is read, and if that fails. */
     public void load(Path file) {
         confirmClose(() -> openOrImport(file));
+    }
+
+    /** Returns the folder of the open scene; of the last one, or the user's, if the open scene has no file of its own. */
+    private Path folderToOpen() {
+        return !editor.document().isUntitled() ? model.fileImporter().folder()
+                : preferences.recent().stream().map(Path::getParent).filter(Files::isDirectory).findFirst()
+                        .orElseGet(() -> editor.document().proposedFile("").toAbsolutePath());
     }
 
     /** Opens a new scene without a file, at the size of its pane. */
@@ -161,6 +168,8 @@ public final class FileActions {
     }
 
     private <T> void readInBackground(Path file, FileThread.FileTask<T> task, Consumer<T> onRead) {
+        // The message belongs to the open scene.
+        message.clear();
         model.fileActivity().beginReading(file);
         model.files().runConcurrently(task, read -> runIfActive(file, () -> onRead.accept(read)),
                 failure -> runIfActive(file, () -> {

@@ -40,8 +40,13 @@ final class RigActions {
         return editor.document().file().toAbsolutePath().getParent();
     }
 
+    /** Returns the folder to propose, which is not the program's for a copy of a shipped scene. */
+    private Path proposedFolder() {
+        return editor.document().proposedFile("rig").toAbsolutePath().getParent();
+    }
+
     private void load(BiFunction<Lighting, Scene, EditOutcome> edit) {
-        Optional<Path> chosen = prompt.rigToOpen(folder());
+        Optional<Path> chosen = prompt.rigToOpen(proposedFolder());
         if (chosen.isEmpty()) {
             return;
         }
@@ -61,7 +66,7 @@ final class RigActions {
 
     private void save() {
         String name = JenFile.stem(editor.document().name()) + "-lights" + JenFile.EXTENSION;
-        prompt.rigToWrite(folder().resolve(name))
+        prompt.rigToWrite(proposedFolder().resolve(name))
                 .ifPresent(chosen -> notices.withExtension(files, chosen, JenFile.EXTENSION, this::write));
     }
 

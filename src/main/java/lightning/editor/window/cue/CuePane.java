@@ -1,5 +1,6 @@
 package lightning.editor.window.cue;
 
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -131,18 +132,20 @@ public final class CuePane extends VBox {
     /** Lists the looks and starts to observe the editor. */
     private Subscription subscribe() {
         return Subscription.combine(editor.documentProperty().subscribe(_ -> loadCues()),
+                editor.looksVersionProperty().subscribe(_ -> loadCues()),
+                editor.editorStateProperty().map(EditorState::untitled).subscribe(_ -> loadCues()),
                 editor.editorStateProperty().subscribe(state -> saveReason.set(saveDisabledReason(state))),
                 ForcedLiveUpdate.renderWhileFocused(this, editor, files.windowExecutor()));
     }
 
     private static Optional<String> saveDisabledReason(EditorState state) {
         return state.animating() ? Optional.of(Messages.tr("close the open animation first"))
-                : state.untitled() ? Optional.of(Messages.tr("save the scene first"))
                 : state.frame().isEmpty() ? Optional.of(Messages.tr("nothing is rendered yet")) : state.pendingMessage();
     }
 
     private CueFolder folder() {
-        return new CueFolder(editor.document().file());
+        Path scene = editor.document().file();
+        return editor.untitledLooks().map(folder -> CueFolder.ofUntitled(scene, folder)).orElseGet(() -> new CueFolder(scene));
     }
 
     private <T> void runFileTask(FileThread.FileTask<T> work, Consumer<T> onDone) {
@@ -178,7 +181,7 @@ public final class CuePane extends VBox {
         gallery.getChildren().setAll(cards.values());
         if (cues.isEmpty()) {
             var empty = new Label(editor.document().isUntitled()
-                    ? Messages.tr("No looks yet. Save the scene first: looks are stored next to it.")
+                    ? Messages.tr("No looks yet. Saved looks appear here and are stored with the scene when you save it.")
                     : Messages.tr("No looks yet. Saved looks appear here and are stored in {0}.", folder().path().getFileName()));
             empty.getStyleClass().add("pane-note");
             gallery.getChildren().add(empty);
@@ -227,6 +230,7 @@ public final class CuePane extends VBox {
         }, savedName -> {
             showMessage(Messages.tr("Saved {0}", Quote.of(savedName)));
             editor.savedLooksProperty().set(editor.savedLooksProperty().get() + 1);
+            editor.looksChanged();
             name.clear();
             loadCues();
         });

@@ -1,5 +1,6 @@
 package lightning.editor.window.dock;
 
+import java.util.function.DoubleUnaryOperator;
 import javafx.application.Platform;
 import javafx.beans.property.DoubleProperty;
 import javafx.beans.value.ObservableDoubleValue;
@@ -24,7 +25,7 @@ public final class DockSlot {
     private final Region dock;
     private final int index;
     private final DoubleProperty size;
-    private final double defaultSize;
+    private final DoubleUnaryOperator defaultSize;
     /** Size to which the dock was last set, pixels. */
     private double placedSize;
 
@@ -34,9 +35,9 @@ public final class DockSlot {
      * @param split contains the pictures
      * @param index 0 for a dock before the pictures, 1 after them
      * @param size size chosen by the user, pixels; 0 for the default
-     * @param defaultSize pixels
+     * @param defaultSize pixels, of the split pane's size
      */
-    public DockSlot(SplitPane split, Region dock, int index, DoubleProperty size, double defaultSize) {
+    public DockSlot(SplitPane split, Region dock, int index, DoubleProperty size, DoubleUnaryOperator defaultSize) {
         this.split = split;
         this.dock = dock;
         this.index = index;
@@ -103,7 +104,7 @@ public final class DockSlot {
     private void place() {
         double total = extent(split).get();
         if (total > 0 && isShown()) {
-            placedSize = size(total, size.get(), defaultSize);
+            placedSize = size(total, size.get(), defaultSize.applyAsDouble(total));
             double share = (placedSize + DIVIDER_WIDTH / 2) / total;
             split.setDividerPositions(index == 0 ? share : 1 - share);
         }

@@ -12,7 +12,7 @@ enum StripDetail {
     FADER_ONLY;
 
     /** Minimum height of a mixer with thumbnails, pixels. */
-    private static final double FULL_HEIGHT = 400;
+    private static final double FULL_HEIGHT = 316;
     /** Minimum height of a mixer with both numbers, pixels. */
     private static final double NUMBERS_HEIGHT = 248;
     /** Minimum height of a mixer with stops, pixels. */

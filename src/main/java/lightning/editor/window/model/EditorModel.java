@@ -119,7 +119,7 @@ public final class EditorModel implements AutoCloseable {
     public void recover(RecoveryFolder.RecoverableScene recoverable, OpenDocument recovered) {
         editor.dropAnimation();
         startFile(recovered);
-        workbench.recover(recoverable, recovered);
+        workbench.recover(recoverable, recovered, editor::reloadLooks);
         picture.repaint();
         documentOpened();
         updates.clear();

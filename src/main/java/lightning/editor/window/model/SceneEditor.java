@@ -1,10 +1,12 @@
 package lightning.editor.window.model;
 
+import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.Function;
 import java.util.function.UnaryOperator;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.IntegerProperty;
+import javafx.beans.property.ReadOnlyIntegerProperty;
 import javafx.beans.property.ObjectProperty;
 import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.ReadOnlyObjectWrapper;
@@ -28,6 +30,7 @@ public final class SceneEditor {
     private final BooleanProperty live = new SimpleBooleanProperty();
     private final BooleanProperty materialShown = new SimpleBooleanProperty();
     private final IntegerProperty savedLooks = new SimpleIntegerProperty();
+    private final IntegerProperty looksVersion = new SimpleIntegerProperty();
     private final StatusMessage message = new StatusMessage();
     private final SceneSelection selection;
     private final Workbench workbench;
@@ -80,6 +83,27 @@ public final class SceneEditor {
     /** Number of looks saved in this session. */
     public IntegerProperty savedLooksProperty() {
         return savedLooks;
+    }
+
+    /** Lists the looks again, for which files have appeared. */
+    void reloadLooks() {
+        workbench.looksChanged();
+        looksVersion.set(looksVersion.get() + 1);
+    }
+
+    /** Returns a number that changes with the files of the looks. */
+    public ReadOnlyIntegerProperty looksVersionProperty() {
+        return looksVersion;
+    }
+
+    /** Returns the folder for the looks of the open scene if it has no file of its own; empty if it has one. */
+    public Optional<Path> untitledLooks() {
+        return workbench.untitledLooks();
+    }
+
+    /** Reports a saved or deleted look. */
+    public void looksChanged() {
+        workbench.looksChanged();
     }
 
     public SceneSelection selection() {

@@ -16,6 +16,10 @@ import javafx.scene.input.MouseEvent;
 import javafx.scene.input.ScrollEvent;
 import javafx.scene.layout.Region;
 import javafx.util.Duration;
+import lightning.scene.VisibleState;
+import lightning.editor.loop.RenderState;
+import lightning.editor.loop.Frame;
+import lightning.render.image.Film;
 import lightning.base.text.Messages;
 import lightning.editor.document.EditorState;
 import lightning.editor.document.GroupBounds;
@@ -80,6 +84,7 @@ public final class PreviewCanvas extends Region implements AutoCloseable {
         editor.selection().lightProperty().subscribe(_ -> requestLayout());
         editor.editorStateProperty().map(EditorState::selectedNode).subscribe(_ -> requestLayout());
         model.picture().viewProperty().subscribe(_ -> requestLayout());
+        model.picture().renderStateProperty().map(RenderState::frame).subscribe(_ -> requestLayout());
         settings.shadowsProperty().subscribe(_ -> requestLayout());
         settings.glowingTexturesProperty().subscribe(_ -> requestLayout());
         settings.gizmosHiddenProperty().subscribe(_ -> requestLayout());
@@ -192,7 +197,14 @@ public final class PreviewCanvas extends Region implements AutoCloseable {
         loop.draw(new PreviewLoop.Request(request.scene(), camera.get(), frame.width(), frame.height(),
                 model.picture().viewProperty().get().forOutput(),
                 request.effects(), isCameraMoving,
-                model.picture().frame() == null ? null : model.picture().frame().geometry()));
+                model.picture().frame() == null ? null : model.picture().frame().geometry(), comparableFilm(scene)));
+    }
+
+    /** Returns the traced picture if it shows the same scene through the same camera; otherwise null. */
+    private Film comparableFilm(Scene scene) {
+        Frame frame = model.picture().frame();
+        return frame != null && VisibleState.isSame(frame.scene(), scene)
+                && camera.get().camera().equals(PreviewCamera.of(scene).camera()) ? frame.film() : null;
     }
 
     private boolean showsShadows() {

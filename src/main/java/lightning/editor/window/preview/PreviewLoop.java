@@ -36,9 +36,10 @@ final class PreviewLoop implements AutoCloseable {
      * @param effects visible effects
      * @param isMoving true if another request will follow soon
      * @param knownGeometry geometry of the scene from another renderer; null if there is none
+     * @param tracedFilm traced picture of the same scene and camera, whose brightness the preview takes; null to keep the last brightness
      */
     record Request(Scene scene, PreviewCamera camera, int width, int height, ViewTransform view, ViewEffects effects, boolean isMoving,
-            Geometry knownGeometry) {
+            Geometry knownGeometry, Film tracedFilm) {
         private Vec3 eye() {
             return camera.camera().from();
         }
@@ -62,6 +63,7 @@ final class PreviewLoop implements AutoCloseable {
     private final Renderer sharp = new Renderer(OPTIONS);
     private final Renderer coarse = new Renderer(OPTIONS);
     private int coarseness = 2;
+    private double brightnessStops;
     /** Geometry of the last picture; null before the first. */
     private Geometry lastGeometry;
     private Request latest;
@@ -147,7 +149,11 @@ final class PreviewLoop implements AutoCloseable {
         double milliseconds = renderer.render(planned, progress).milliseconds();
         Film film = renderer.film();
         lastGeometry = renderer.cache().geometry();
-        onPicture.accept(new Picture(request, film.width(), film.height(), request.view().toPixels(film), milliseconds));
+        if (request.tracedFilm() != null) {
+            brightnessStops = BrightnessMatch.stops(film, request.tracedFilm(), request.view().gain());
+        }
+        onPicture.accept(new Picture(request, film.width(), film.height(),
+                BrightnessMatch.exposed(request.view(), brightnessStops).toPixels(film), milliseconds));
         return milliseconds;
     }
 

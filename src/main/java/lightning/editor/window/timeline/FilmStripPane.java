@@ -57,6 +57,10 @@ final class FilmStripPane extends StackPane implements AutoCloseable {
     private final RemoteFramePreview remotePreview;
     private MachinesWindow machinesWindow;
     private FilmStrip strip;
+    /** Scene whose thumbnail was measured last, or is being measured; null before the first. */
+    private Scene measuredScene;
+    /** Bytes of one frame; 0 while unknown. */
+    private long frameBytes;
 
     /** Thumbnail at its position. */
     private static final class Slot extends StackPane {
@@ -127,7 +131,7 @@ final class FilmStripPane extends StackPane implements AutoCloseable {
     private void useLocalFrames() {
         closeStrip();
         EditorState state = editor.editorStateProperty().get();
-        state.shotFrame().filter(m -> fitsInMemory(m.shot())).ifPresent(m -> {
+        state.shotFrame().ifPresent(m -> {
             var status = new FilmStripStatus();
             openStrip(LocalFrames.of(m.shot(), editor.document().content().base(), status), status);
         });
@@ -227,16 +231,38 @@ final class FilmStripPane extends StackPane implements AutoCloseable {
         draw();
     }
 
-    private boolean fitsInMemory(Shot shot) {
-        return LocalFrames.maxBytes(editor.document().content().base(), shot) <= LocalFrames.budget();
+    /** Shows the memory of the frames, as soon as that of one is measured. */
+    private void showCost(Shot shot) {
+        Scene base = editor.document().content().base();
+        if (measuredScene == null || !needsSameMemory(base, measuredScene)) {
+            measuredScene = base;
+            frameBytes = 0;
+            model.files().runConcurrently(() -> LocalFrames.measureBytes(base), bytes -> showCost(base, bytes),
+                    _ -> showCost(base, LocalFrames.budget() + 1));
+        }
+        long frames = (long) shot.last() - shot.first() + 1;
+        String text = Messages.tr("Caches {0} thumbnails and relights them after each edit", frames);
+        // Other frames of the shot need a little more or less, and frames that do not fit are traced again.
+        boolean fits = frameBytes <= LocalFrames.budget();
+        cost.setText(frameBytes == 0 ? text + "."
+                : fits ? text + " " + Messages.tr("(about {0} MB).", Math.max(1, Math.round(frames * frameBytes / MEGABYTE)))
+                : text + ". " + Messages.tr("Not enough memory."));
+        startButton.setDisable(!fits);
     }
 
-    private void showCost(Shot shot) {
-        long bytes = LocalFrames.maxBytes(editor.document().content().base(), shot);
-        cost.setText(Messages.tr("Caches {0} thumbnails and relights them after each edit (up to {1} MB).",
-                (long) shot.last() - shot.first() + 1, Math.max(1, Math.round(bytes / MEGABYTE)))
-                + (fitsInMemory(shot) ? "" : " " + Messages.tr("Not enough memory.")));
-        startButton.setDisable(!fitsInMemory(shot));
+    /** Returns whether the frames of two scenes need about the same memory. */
+    private static boolean needsSameMemory(Scene a, Scene b) {
+        return a.picture().equals(b.picture()) && a.stage() == b.stage()
+                && a.rig().effectiveLights().size() == b.rig().effectiveLights().size();
+    }
+
+    private void showCost(Scene measured, long bytes) {
+        if (measured == measuredScene) {
+            frameBytes = bytes;
+            if (strip == null) {
+                editor.editorStateProperty().get().shotFrame().ifPresent(frame -> showCost(frame.shot()));
+            }
+        }
     }
 
     private void draw() {

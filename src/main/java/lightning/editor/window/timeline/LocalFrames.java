@@ -3,8 +3,10 @@ package lightning.editor.window.timeline;
 import java.util.OptionalInt;
 import java.util.concurrent.atomic.AtomicBoolean;
 import lightning.base.work.HeapBudget;
+import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
 import lightning.render.relight.MemoryEstimate;
+import lightning.render.relight.Renderer;
 import lightning.render.relight.plan.ReflectionMode;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.PictureSettings;
@@ -22,7 +24,7 @@ import lightning.shot.ShotRelighter;
 record LocalFrames(ShotRelighter shot, AtomicBoolean pictureBusy) implements FilmStripFrames {
     static LocalFrames of(Shot shot, Scene scene, ShotListener listener) {
         int threads = Math.max(1, WorkerPool.processorCount() - 1);
-        var host = new LocalFrameHost(options().withThreads(threads), maxBytes(scene, shot));
+        var host = new LocalFrameHost(options().withThreads(threads), budget());
         var pictureBusy = new AtomicBoolean();
         return new LocalFrames(ShotRelighter.of(shot.first(), shot.last(), new PausingFrameHost(host, pictureBusy::get), listener),
                 pictureBusy);
@@ -38,15 +40,16 @@ record LocalFrames(ShotRelighter shot, AtomicBoolean pictureBusy) implements Fil
     }
 
     /**
-     * Returns the maximum memory of a shot's thumbnails and their relighting caches, bytes. With indirect light it is at most the budget:
-     * the bound of its paths is hundreds of times what they take, and frames that do not fit are traced again.
+     * Measures the memory of a thumbnail and its relighting cache, bytes. Renders the thumbnail; do not call this on a window's thread. The
+     * upper bound of the estimate is several times as much, because few pixels have all samples.
      */
-    static long maxBytes(Scene scene, Shot shot) {
+    static long measureBytes(Scene scene) {
         Scene small = FilmStrip.thumbnailScene(scene);
         PictureSettings picture = small.picture();
-        long bytesPerFrame = MemoryEstimate.upperBound(small, options()) + 4L * picture.width() * picture.height();
-        long bytes = bytesPerFrame * ((long) shot.last() - shot.first() + 1);
-        return picture.indirect().isPresent() ? Math.min(bytes, budget()) : bytes;
+        try (Renderer renderer = new Renderer(options().withThreads(1))) {
+            renderer.render(small, Progress.NONE);
+            return MemoryEstimate.usedBytes(renderer.cache()) + 4L * picture.width() * picture.height();
+        }
     }
 
     @Override

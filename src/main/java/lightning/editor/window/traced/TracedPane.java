@@ -55,6 +55,9 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
     /** Width of the inset as a share of the pane's. */
     private static final double INSET_SHARE = 0.3;
 
+    /** Gap between the progress and the card above it, pixels. */
+    private static final double CARD_GAP = 4;
+
     private final StackPane stage = new StackPane();
     /** Pane in the corner of the picture; null if there is none. */
     private Region inset;
@@ -143,8 +146,12 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         lookBadge.setMaxHeight(Region.USE_PREF_SIZE);
         StackPane.setAlignment(lookBadge, Pos.TOP_RIGHT);
         StackPane.setMargin(lookBadge, BADGE_INSETS);
-        Node progress = new ProgressOverlay(commands, traced, model.fileActivity());
+        var progress = new ProgressOverlay(commands, traced, model.fileActivity());
         StackPane.setAlignment(progress, Pos.BOTTOM_CENTER);
+        // Above the progress, which would cover the card's last lines in a narrow pane.
+        lightsCard.translateYProperty().bind(Bindings.createDoubleBinding(() -> !progress.isVisible() ? 0
+                : Math.min(0, progress.getLayoutY() - CARD_GAP - lightsCard.getLayoutY() - lightsCard.getHeight()),
+                progress.visibleProperty(), progress.layoutYProperty(), lightsCard.layoutYProperty(), lightsCard.heightProperty()));
         lightsCard.setId("pixel-lights");
         lightsCard.getStyleClass().add("pixel-card");
         lightsCard.setMouseTransparent(true);

@@ -75,13 +75,34 @@ class CuePaneTest extends EditorFixture {
     }
 
     @Test
-    void untitledScene_asksToBeSavedBeforeItsLooks() throws Exception {
+    void untitledScene_keepsLooksUntilItIsSaved() throws Exception {
+        OpenDocument copy = OpenDocument.openCopy(folder.resolve("desk.jen"));
+        robot.interact(() -> model().open(copy));
+        waitForPicture();
+        floatPanels();
+        robot.push(KeyCode.SHIFT, KeyCode.F4);
+        saveCue("day");
+        assertThat(folder.resolve("desk.cues")).doesNotExist();
+        assertThat(model().editor().document().isDirty()).isTrue();
+        answer = folder.resolve("mine.jen");
+        Files.createDirectory(folder.resolve("mine.cues"));
+        Files.writeString(folder.resolve("mine.cues/day.jen"), "of another scene");
+        robot.interact(() -> model().commands().run(Command.SAVE_SCENE));
+        waitFor("the scene is saved", () -> !model().editor().document().isDirty());
+        assertThat(folder.resolve("mine.cues/day.jen")).hasContent("of another scene");
+        assertThat(Lighting.read(folder.resolve("mine.cues/day 2.jen"), folder, model().editor().scene().stage()))
+                .isEqualTo(Lighting.of(model().editor().scene()));
+        assertThat(folder.resolve("mine.cues/day 2.png")).exists();
+    }
+
+    @Test
+    void untitledScene_saysWhenItsLooksAreStored() throws Exception {
         OpenDocument copy = OpenDocument.openCopy(folder.resolve("desk.jen"));
         robot.interact(() -> model().open(copy));
         robot.push(KeyCode.SHIFT, KeyCode.F4);
         waitFor("the empty list says what to do", () -> robot.lookup(".cue-gallery .pane-note").tryQuery().isPresent());
         assertThat(robot.lookup(".cue-gallery .pane-note").<Label>query().getText())
-                .isEqualTo("No looks yet. Save the scene first: looks are stored next to it.");
+                .isEqualTo("No looks yet. Saved looks appear here and are stored with the scene when you save it.");
     }
 
     @Test

@@ -15,6 +15,7 @@ import lightning.editor.document.DeskScene;
 import lightning.editor.document.PreviewCamera;
 import lightning.format.jen.JenException;
 import lightning.format.jen.JenReader;
+import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.tile.RenderOptions;
@@ -25,6 +26,7 @@ import lightning.scene.Scene;
 import lightning.scene.Texture;
 import lightning.scene.TextureMap;
 import lightning.scene.effects.ViewEffects;
+import org.assertj.core.data.Offset;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
@@ -64,7 +66,7 @@ class PreviewLoopTest {
     }
 
     private static PreviewLoop.Request request(Scene scene, PreviewCamera camera, ViewEffects effects, boolean moving) {
-        return new PreviewLoop.Request(scene, camera, WIDTH, HEIGHT, ViewTransform.DEFAULT, effects, moving, null);
+        return new PreviewLoop.Request(scene, camera, WIDTH, HEIGHT, ViewTransform.DEFAULT, effects, moving, null, null);
     }
 
     private PreviewLoop.Picture next() throws InterruptedException {
@@ -103,6 +105,34 @@ class PreviewLoopTest {
         Scene edited = DeskScene.parameter("angle").set(SCENE, "key", 40).sceneOr(SCENE);
         loop.draw(request(edited, camera, false));
         assertThat(next().pixels()).isEqualTo(expected(edited, camera));
+    }
+
+    @Test
+    void preview_hasTheMeanBrightnessOfTheTracedPicture() throws InterruptedException {
+        Scene bright = DeskScene.parameter("intensity").set(SCENE, "key", 0.9).sceneOr(SCENE);
+        Scene dark = DeskScene.parameter("intensity").set(SCENE, "key", 0.3).sceneOr(SCENE);
+        PreviewCamera camera = PreviewCamera.of(SCENE);
+        Film traced = film(dark, camera, ViewEffects.ALL);
+        loop.draw(new PreviewLoop.Request(bright, camera, WIDTH, HEIGHT, ViewTransform.DEFAULT, ViewEffects.PREVIEW, false, null, traced));
+        double target = mean(ViewTransform.DEFAULT.toPixels(traced));
+        assertThat(mean(next().pixels())).isCloseTo(target, Offset.offset(0.03 * target));
+        assertThat(mean(expected(bright, camera))).isGreaterThan(1.3 * target);
+        // Until the next traced picture, an edit changes the preview from there.
+        loop.draw(request(dark, camera, false));
+        assertThat(mean(next().pixels())).isLessThan(0.8 * target);
+    }
+
+    private static Film film(Scene scene, PreviewCamera camera, ViewEffects effects) {
+        Scene seen = scene.withCamera(camera.camera()).withPicture(scene.picture().withSize(WIDTH, HEIGHT));
+        try (Renderer renderer = new Renderer(RenderOptions.DEFAULT.withView(effects).withThreads(1))) {
+            renderer.render(seen, Progress.NONE);
+            return renderer.film().copy();
+        }
+    }
+
+    /** Returns the mean linear green of display pixels. */
+    private static double mean(int[] pixels) {
+        return Arrays.stream(pixels).mapToDouble(pixel -> ViewTransform.linear(pixel >> 8 & 0xFF)).average().orElseThrow();
     }
 
     @Test

@@ -16,8 +16,10 @@ import lightning.editor.document.NumericParameter;
 import lightning.editor.document.OpenDocument;
 import lightning.editor.window.EditorFixture;
 import lightning.render.shading.ReferenceTracer;
+import lightning.scene.AntialiasMode;
 import lightning.scene.IndirectSettings;
 import lightning.scene.LightAttribute;
+import lightning.scene.SamplingSettings;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.testfx.util.WaitForAsyncUtils;
@@ -77,12 +79,22 @@ class FilmStripPaneTest extends EditorFixture {
 
     @Test
     void strip_beforeStart_showsMemoryAndCachesNothing() {
-        assertThat(text("strip-cost")).contains("Caches 4 thumbnails", "up to", "MB");
+        waitFor("the memory is measured", () -> text("strip-cost").matches("Caches 4 thumbnails .*\\(about \\d+ MB\\)\\."));
         assertThat(robot.lookup("#strip-1").tryQuery()).isEmpty();
         startStrip();
         assertThat(robot.lookup("#strip-cost").query().getParent().isVisible()).isFalse();
         robot.interact(() -> model().commands().run(Command.FILM_STRIP));
         assertThat(robot.lookup("#strip").tryQuery()).isEmpty();
+    }
+
+    /** The bound of the estimate is 50 MB for a thumbnail with 8 × 8 samples at edges, although few pixels have them. */
+    @Test
+    void cost_isThatOfARenderedThumbnail() {
+        robot.interact(() -> model().editor().edit(scene -> new EditOutcome.Applied(scene.withPicture(scene.picture().withSize(300, 200)
+                .withSampling(new SamplingSettings(AntialiasMode.EDGES, 8))))));
+        waitFor("the memory is measured", () -> text("strip-cost").contains("about"));
+        long megabytes = Long.parseLong(text("strip-cost").replaceAll(".*about (\\d+) MB.*", "$1"));
+        assertThat(megabytes).isBetween(1L, 60L);
     }
 
     /** The bound of the memory of paths is far above what a thumbnail takes. */

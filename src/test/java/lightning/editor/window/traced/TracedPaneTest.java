@@ -8,6 +8,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Optional;
+import org.testfx.util.WaitForAsyncUtils;
+import javafx.scene.Node;
 import javafx.geometry.Bounds;
 import javafx.geometry.Point2D;
 import javafx.scene.control.CheckMenuItem;
@@ -54,6 +56,20 @@ class TracedPaneTest extends EditorFixture {
         Bounds all = picture.getChildrenUnmodifiable().getFirst().localToScreen(
                 picture.getChildrenUnmodifiable().getFirst().getBoundsInLocal());
         return new Point2D(all.getMinX() + (x + 0.5) * all.getWidth() / 64, all.getMinY() + (y + 0.5) * all.getHeight() / 48);
+    }
+
+    @Test
+    void progress_doesNotCoverThePixelReport() {
+        robot.interact(() -> {
+            robot.lookup("#pixel-lights").<Label>query().setText("a light with a very long name, which reaches the middle of the pane\n".repeat(3));
+            Node progress = robot.lookup("#progress").query();
+            progress.setVisible(true);
+        });
+        WaitForAsyncUtils.waitForFxEvents();
+        Node card = robot.lookup("#pixel-lights").query();
+        Node progress = robot.lookup("#progress").query();
+        // Both are in the stack of the picture. The bounds of the progress have a shadow, too.
+        assertThat(card.getLayoutY() + card.getTranslateY() + card.getLayoutBounds().getHeight()).isLessThan(progress.getLayoutY());
     }
 
     @Test
