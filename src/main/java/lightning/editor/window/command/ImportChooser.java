@@ -37,7 +37,7 @@ final class ImportChooser extends VBox {
         super(GAP);
         boolean hasUnits = pictures.keySet().stream().anyMatch(choice -> choice.units().isPresent());
         var explanation = new Label(hasUnits
-                ? Messages.tr("The file does not state the unit of its light intensities. These previews leave out textures.")
+                ? Messages.tr("The file does not state the unit of its light intensities, which Blender chooses by the Lighting Mode of its export. These previews leave out textures.")
                 : Messages.tr("These previews leave out textures."));
         explanation.setWrapText(true);
         var cards = new HBox(GAP);
@@ -89,9 +89,9 @@ final class ImportChooser extends VBox {
 
     private static String unitTitle(LightUnits units) {
         return switch (units) {
-            case CANDELA -> Messages.tr("Candela and lux (per the format)");
-            case UNITLESS -> Messages.tr("Watts per steradian (unitless)");
-            case WATTS -> Messages.tr("Watts");
+            case CANDELA -> Messages.tr("as the glTF standard says (Blender: Standard)");
+            case UNITLESS -> Messages.tr("without a unit (Blender: Unitless)");
+            case WATTS -> Messages.tr("Blender's watts (Blender: Raw)");
         };
     }
 

@@ -1,6 +1,8 @@
 package lightning.editor.window.model;
 
 import java.util.Set;
+import javafx.scene.input.KeyCode;
+import javafx.scene.input.KeyCodeCombination;
 import javafx.scene.input.KeyCombination;
 import javafx.scene.input.KeyEvent;
 import lightning.base.text.Messages;
@@ -30,7 +32,12 @@ public final class KeyLabel extends KeyCombination {
             rest = rest.substring(plus + 1);
             plus = rest.indexOf('+');
         }
-        return text.append(NAMED_KEYS.contains(rest) ? Messages.tr(rest) : rest).toString();
+        // The toolkit's name of the key is not the one printed on it.
+        return text.append(isEscape(key) ? Messages.tr("Esc") : NAMED_KEYS.contains(rest) ? Messages.tr(rest) : rest).toString();
+    }
+
+    private static boolean isEscape(KeyCombination key) {
+        return key instanceof KeyCodeCombination combination && combination.getCode() == KeyCode.ESCAPE;
     }
 
     @Override

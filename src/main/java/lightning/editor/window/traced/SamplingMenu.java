@@ -60,7 +60,10 @@ public final class SamplingMenu {
     /** Returns the suffix for the picture's size, such as {@code , edges 4 × 4}; empty without anti-aliasing. */
     public static String text(Scene scene) {
         SamplingSettings sampling = sampling(scene);
-        return sampling.isSupersampled()
-                ? ", " + title(sampling.antialias()).toLowerCase(Locale.ROOT) + " " + sampling.grid() + " × " + sampling.grid() : "";
+        return !sampling.isSupersampled() ? "" : switch (sampling.antialias()) {
+            case OFF -> "";
+            case EDGES -> Messages.tr(", edges {0} × {0}", sampling.grid());
+            case EVERY -> Messages.tr(", every pixel {0} × {0}", sampling.grid());
+        };
     }
 }

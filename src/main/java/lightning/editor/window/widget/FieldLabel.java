@@ -4,11 +4,12 @@ import javafx.scene.Cursor;
 import javafx.scene.control.Label;
 import javafx.scene.control.Tooltip;
 import lightning.base.text.Messages;
+import lightning.base.text.NumberUnit;
 
 /** Label of a number field, with the unit. Dragging it sideways changes the number; a click focuses the field. */
 final class FieldLabel extends Label {
     FieldLabel(String text, NumberSetting setting, NumberField field) {
-        super(setting.measure().sign().isEmpty() ? text : text + " " + setting.measure().sign());
+        super(withUnit(text, setting.measure()));
         setLabelFor(field);
         setCursor(Cursor.H_RESIZE);
         getStyleClass().add("field-label");
@@ -18,5 +19,13 @@ final class FieldLabel extends Label {
             field.requestFocus();
             field.selectAll();
         });
+    }
+
+    private static String withUnit(String text, NumberUnit unit) {
+        return switch (unit) {
+            case FACTOR -> text;
+            case STOPS -> Messages.tr("{0} (stops)", text);
+            case DEGREES, KELVIN -> text + " " + unit.sign();
+        };
     }
 }

@@ -46,4 +46,9 @@ class KeyLabelTest {
     private static KeyEvent event(KeyCode code, boolean control) {
         return new KeyEvent(KeyEvent.KEY_PRESSED, "", "", code, false, control, false, false);
     }
+
+    @Test
+    void escape_isNamedAsOnTheKey() {
+        assertThat(KeyLabel.text(KeyCombination.valueOf("Esc"))).isEqualTo("Esc");
+    }
 }

@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import javafx.scene.control.Menu;
 import javafx.scene.control.MenuButton;
 import javafx.scene.control.MenuItem;
+import lightning.base.text.Language;
+import lightning.base.text.Messages;
 import lightning.editor.document.Command;
 import lightning.editor.window.EditorFixture;
 import lightning.render.shading.ReferenceTracer;
@@ -54,6 +56,18 @@ class SamplingMenuTest extends EditorFixture {
         waitForPicture();
         assertThat(model().picture().frame().scene().picture().sampling()).isEqualTo(new SamplingSettings(AntialiasMode.EVERY, 2));
         assertFilmIs(new ReferenceTracer(model().editor().scene()).trace());
+    }
+
+    /** The German noun was in lower case. */
+    @Test
+    void choice_isATextOfItsOwnInEachLanguage() {
+        Messages.setLanguage(Language.GERMAN);
+        try {
+            assertThat(SamplingMenu.text(model().editor().scene().withPicture(
+                    model().editor().scene().picture().withSampling(new SamplingSettings(AntialiasMode.EDGES, 4))))).isEqualTo(", Kanten 4 × 4");
+        } finally {
+            Messages.setLanguage(Language.ENGLISH);
+        }
     }
 
     @Test
