@@ -7,18 +7,21 @@ import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 import lightning.cli.Lightning;
 import lightning.editor.window.LightningApp;
+import lightning.format.jen.JenFile;
 
 /** Starts the program. */
 public final class Main {
     /** Seconds that Ctrl-C waits for a command to clean up its output files. */
     private static final int CANCEL_TIMEOUT_SECONDS = 5;
     private static final int BAD_INPUT = 2;
+    /** System property that asks for the tour if no window can be opened. */
+    private static final String TOUR_PROPERTY = "lightning.tour";
 
     private Main() {}
 
     /**
      * Opens the editor if there are no arguments or one file that it can open, with or without the word {@code edit}; otherwise runs the
-     * named command. Exits with its code. If no window can be opened, runs the tour of the same scene instead.
+     * named command. Exits with its code. If no window can be opened, says which commands need none.
      */
     public static void main(String[] args) {
         if (!opensEditor(args)) {
@@ -29,12 +32,35 @@ public final class Main {
         if (reason.isEmpty()) {
             System.exit(0);
         }
-        if (file.stream().allMatch(name -> name.endsWith(".jen"))) {
+        if (Boolean.getBoolean(TOUR_PROPERTY) && file.stream().allMatch(Main::isScene)) {
             System.err.println("lightning: " + reason.get() + "; running 'lightning tour' instead.");
             runCommand(Stream.concat(Stream.of("tour"), file.stream()).toArray(String[]::new));
         }
-        System.err.println("lightning: " + reason.get() + "; 'lightning import' converts the file without a window.");
+        System.err.println(withoutWindow(reason.get(), file));
         System.exit(BAD_INPUT);
+    }
+
+    private static boolean isScene(String name) {
+        return name.endsWith(JenFile.EXTENSION);
+    }
+
+    /**
+     * Returns the message for a machine without a display.
+     *
+     * @param reason why no window can be opened, a clause
+     * @param file   the file to open, or nothing
+     */
+    static String withoutWindow(String reason, List<String> file) {
+        String start = "lightning: " + reason + "\n";
+        if (!file.stream().allMatch(Main::isScene)) {
+            return start + "'lightning import' converts the file without a window.";
+        }
+        String name = file.isEmpty() ? "scenes/bird.jen" : file.getFirst();
+        return start + """
+                Lightning lights ray-traced scenes, in a window or by commands such as:
+                  lightning render %s -o picture.png   render an image
+                  lightning tour %s   make every kind of edit, with images and times, for some minutes
+                  lightning --help   list all commands""".formatted(name, name);
     }
 
     static boolean opensEditor(String... args) {

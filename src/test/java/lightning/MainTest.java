@@ -2,6 +2,7 @@ package lightning;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.List;
 import org.junit.jupiter.api.Test;
 
 class MainTest {
@@ -21,6 +22,14 @@ class MainTest {
         assertThat(Main.opensEditor("edit", "--help")).isFalse();
         assertThat(Main.opensEditor("edit", "a.png")).isFalse();
         assertThat(Main.opensEditor("edit", "a.jen", "b.jen")).isFalse();
+    }
+
+    @Test
+    void withoutDisplay_messageNamesTheCommands() {
+        assertThat(Main.withoutWindow("no display", List.of())).startsWith("lightning: no display\n")
+                .contains("lightning render scenes/bird.jen", "lightning tour scenes/bird.jen", "lightning --help").hasLineCount(5);
+        assertThat(Main.withoutWindow("no display", List.of("my.jen"))).contains("lightning tour my.jen");
+        assertThat(Main.withoutWindow("no display", List.of("my.glb"))).contains("lightning import").hasLineCount(2);
     }
 
     @Test
