@@ -3,13 +3,13 @@ package lightning.cli;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.TreeMap;
 import java.util.concurrent.Callable;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import lightning.cli.report.CheckReport;
 import lightning.format.jen.InertProperties;
+import lightning.format.jen.ReferencedFiles;
 import lightning.scene.Gobo;
 import lightning.scene.Light;
 import lightning.scene.Scene;
@@ -39,9 +39,7 @@ final class CheckCommand implements Callable<Integer> {
         Scene scene = input.read().scene();
         Map<String, Long> objects = count(scene.placedShapes().stream().map(s -> s.shape().solid().typeName()));
         Map<String, Long> lights = count(scene.lights().stream().map(CheckCommand::typeName));
-        long textures = Stream.concat(
-                scene.materials().stream().flatMap(m -> Stream.of(m.texture(), m.glowMap())).flatMap(Optional::stream).map(t -> t.file()),
-                scene.lights().stream().flatMap(l -> l.texture().stream()).map(t -> t.file())).distinct().count();
+        long textures = ReferencedFiles.textures(scene).distinct().count();
         List<String> parts = new ArrayList<>();
         parts.add(describeCounts("object", objects));
         parts.add(describeCounts("light", lights));

@@ -42,6 +42,22 @@ class OtherCommandsTest {
     }
 
     @Test
+    void check_countsImagesOfAllKinds() throws Exception {
+        for (String name : List.of("color", "glow", "bump", "normal", "cutout", "screen")) {
+            ImageFile.write(folder.resolve(name + ".png"), Film.black(4, 3), ViewTransform.DEFAULT);
+        }
+        Files.writeString(scene, """
+                jen 1
+                material m { texture "color.png"  glow 1 1 1  glow_map "glow.png"  bump "bump.png" }
+                material n { texture "color.png"  normal_map "normal.png"  cutout "cutout.png" }
+                sphere a { material m }
+                sphere b { material n }
+                light screen rect { texture "screen.png" }
+                """);
+        assertThat(CliResult.run("check", scene).assertSuccess().out()).contains("2 materials, 6 textures");
+    }
+
+    @Test
     void check_ambienceAndIndirectLight_areReported() throws Exception {
         Files.writeString(scene, "jen 1\npicture { indirect {} }\nmaterial m { ambient 1 1 1 }\nsphere a { material m }\n");
         CliResult checked = CliResult.run("check", scene).assertSuccess();

@@ -79,14 +79,20 @@ public final class ReferencedFiles {
         return FileName.isAllowed(name);
     }
 
+    /** Returns the names of the images of materials and on the faces of lights, without gobos and environments; names may repeat. */
+    public static Stream<String> textures(Scene scene) {
+        return Stream.concat(scene.materials().stream().flatMap(ReferencedFiles::textures),
+                scene.lights().stream().flatMap(l -> l.texture().stream()).map(FileAsset::file));
+    }
+
     private static Stream<String> texturesAndProfiles(Scene scene) {
-        Stream<String> materials = scene.materials().stream().flatMap(ReferencedFiles::texturesAndProfiles);
+        Stream<String> materials = scene.materials().stream().flatMap(ReferencedFiles::textures);
         Stream<FileAsset> lights = scene.lights().stream()
                 .flatMap(l -> Stream.<Optional<? extends FileAsset>>of(l.gobo(), l.profile(), l.texture()).flatMap(Optional::stream));
         return Stream.concat(materials, Stream.concat(lights, scene.world().environment().stream()).map(FileAsset::file));
     }
 
-    private static Stream<String> texturesAndProfiles(Material material) {
+    private static Stream<String> textures(Material material) {
         return Stream
                 .of(material.texture(), material.glowMap(), material.bumpMapping().bump(), material.bumpMapping().normalMap(),
                         material.cutout().map())

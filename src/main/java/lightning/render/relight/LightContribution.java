@@ -1,5 +1,6 @@
 package lightning.render.relight;
 
+import lightning.base.math.Rgb;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
 
@@ -20,10 +21,17 @@ public record LightContribution(String light, boolean shines, double imageShare,
      * @param changedValues number of linear values that differ in any bit
      * @param maxDifference largest difference of a linear value
      * @param changedPixels number of pixels with another display color
+     * @param noticedShare  share of pixels whose display color changes noticeably: by at least {@link #NOTICED_LEVELS} of 255 levels
+     * @param noticedStops  change of luminance, in stops, at the noticed pixel where it is largest; 0 if there is none
      */
-    public record FilmChange(long changedValues, double maxDifference, long changedPixels) {
+    public record FilmChange(long changedValues, double maxDifference, long changedPixels, double noticedShare, double noticedStops) {
         /** No difference. */
-        public static final FilmChange NONE = new FilmChange(0, 0, 0);
+        public static final FilmChange NONE = new FilmChange(0, 0, 0, 0, 0);
+
+        /** Levels of a color channel that an observer notices between two pictures shown in turns. */
+        public static final int NOTICED_LEVELS = 4;
+        /** Luminance that is added to both pictures, relative to white, so that black has a limit of stops. */
+        private static final double BLACK = 1.0 / 1024;
 
         /**
          * Compares two pictures.
@@ -50,10 +58,32 @@ public record LightContribution(String light, boolean shines, double imageShare,
             int[] pixelsBefore = view.toPixels(before);
             int[] pixelsAfter = view.toPixels(after);
             long shown = 0;
+            long noticed = 0;
+            double stops = 0;
             for (int i = 0; i < pixelsBefore.length; i++) {
                 shown += pixelsBefore[i] == pixelsAfter[i] ? 0 : 1;
+                if (levels(pixelsBefore[i], pixelsAfter[i]) >= NOTICED_LEVELS) {
+                    noticed++;
+                    double change = stops(luminance(a, i) * view.gain(), luminance(b, i) * view.gain());
+                    stops = Math.abs(change) > Math.abs(stops) ? change : stops;
+                }
             }
-            return new FilmChange(values, largest, shown);
+            return new FilmChange(values, largest, shown, (double) noticed / pixelsBefore.length, stops);
+        }
+
+        /** Returns the largest difference of a channel of two display colors. */
+        private static int levels(int a, int b) {
+            int red = Math.abs((a >> 16 & 0xFF) - (b >> 16 & 0xFF));
+            int green = Math.abs((a >> 8 & 0xFF) - (b >> 8 & 0xFF));
+            return Math.max(Math.max(red, green), Math.abs((a & 0xFF) - (b & 0xFF)));
+        }
+
+        private static double luminance(float[] rgb, int pixel) {
+            return new Rgb(rgb[3 * pixel], rgb[3 * pixel + 1], rgb[3 * pixel + 2]).luminance();
+        }
+
+        private static double stops(double before, double after) {
+            return Math.log((Math.max(after, 0) + BLACK) / (Math.max(before, 0) + BLACK)) / Math.log(2);
         }
 
         /** Returns whether every value has the same bits. */

@@ -2,6 +2,7 @@ package lightning.scene.effects;
 
 import java.util.List;
 import java.util.function.Predicate;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import lightning.scene.IndirectSettings;
 import lightning.scene.Light;
@@ -9,6 +10,7 @@ import lightning.scene.Material;
 import lightning.scene.PlacedShape;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
+import lightning.scene.ShapeGains;
 import lightning.scene.Solid;
 
 /**
@@ -33,6 +35,22 @@ record EffectUsers(Scene scene, List<PlacedShape> shapes, List<Light> lights) {
     /** Returns the names of matching lights. */
     Stream<String> lights(Predicate<Light> filter) {
         return lights.stream().filter(filter).map(Light::name);
+    }
+
+    /** Returns the names of lights with a gain other than 1 that applies to a shape which they illuminate. */
+    Stream<String> gainedLights() {
+        return lights(light -> light.contribution().diffuse() != 1 || light.contribution().specular() != 1 || gainsShape(light));
+    }
+
+    private boolean gainsShape(Light light) {
+        ShapeGains gains = light.contribution().gains();
+        if (gains.isNone()) {
+            return false;
+        }
+        short[] entries = scene.stage().gainEntries(gains.names());
+        boolean[] lit = scene.stage().linkMask(light.illuminates());
+        return IntStream.range(0, entries.length)
+                .anyMatch(i -> entries[i] > 0 && gains.entries().get(entries[i] - 1).gain() != 1 && lit[i]);
     }
 
     /** Returns the names of light groups that change any light. */

@@ -96,7 +96,7 @@ public final class RenderEffect {
                             l -> l.withShadowedBy(ShapeLinks.ALL).withContribution(l.contribution().withCastsShadows(true))),
                     UnaryOperator.identity(), false);
     public static final RenderEffect LIGHT_GAINS =
-            register("light-gains", "light gains", uses -> uses.lights(l -> l.contribution().isGained()),
+            register("light-gains", "light gains", EffectUsers::gainedLights,
                     scene -> EffectRemoval.mapLights(scene, l -> l.withContribution(
                             Contribution.DEFAULT.withCastsShadows(l.contribution().castsShadows()))),
                     UnaryOperator.identity(), false);

@@ -33,6 +33,7 @@ import net.jqwik.api.EdgeCasesMode;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
+import org.assertj.core.data.Offset;
 import org.junit.jupiter.api.Test;
 
 /** Tests light contributions against the reference. */
@@ -71,6 +72,17 @@ class LightContributionsTest {
             assertThat(found.changeWhenIdleOff().isInvisible()).isTrue();
             assertThat(renderer.film().hasSameBits(picture)).as("the picture stays").isTrue();
         }
+    }
+
+    @Test
+    void change_isCountedWhereItIsNoticed() {
+        Film before = Film.ofScanlines(4, 1, new float[] {0.5f, 0.5f, 0.5f, 0.2f, 0.2f, 0.2f, 0.1f, 0.1f, 0.1f, 0, 0, 0});
+        Film after = Film.ofScanlines(4, 1, new float[] {0.25f, 0.25f, 0.25f, 0.2001f, 0.2f, 0.2f, 0.1f, 0.1f, 0.1f, 1e-7f, 0, 0});
+        LightContribution.FilmChange change = LightContribution.FilmChange.between(before, after, ViewTransform.DEFAULT);
+        assertThat(change.changedValues()).isEqualTo(5);
+        assertThat(change.noticedShare()).isEqualTo(0.25);
+        assertThat(change.noticedStops()).isCloseTo(-1, Offset.offset(0.01));
+        assertThat(LightContribution.FilmChange.between(after, before, ViewTransform.DEFAULT).noticedStops()).isCloseTo(1, Offset.offset(0.01));
     }
 
     /** The only light of a black world adds all of the picture, indirect light included. */

@@ -51,6 +51,17 @@ class SceneEffectsTest {
     }
 
     @Test
+    void gain_countsWhereItChangesLight() throws Exception {
+        String cone = "cone other { material gray }\n";
+        assertThat(of(PLAIN, cone, "light a point { gains \"ball\" 1 }").unused()).contains(RenderEffect.LIGHT_GAINS);
+        assertThat(of(PLAIN, cone, "light a point { illuminates only \"ball\"  gains \"other\" 0.5 }").unused())
+                .contains(RenderEffect.LIGHT_GAINS);
+        assertThat(of(PLAIN, cone, "light a point { illuminates only \"ball\"  gains \"ball\" 0.5 }").users(RenderEffect.LIGHT_GAINS))
+                .containsExactly("a");
+        assertThat(of(PLAIN, "light a point { specular 0.5 }").users(RenderEffect.LIGHT_GAINS)).containsExactly("a");
+    }
+
+    @Test
     void inactiveAttributes_useNoEffects() throws Exception {
         SceneEffects effects = of(PLAIN, "light a directional { attenuation 1 1 1  angle 20  dropoff 5 }",
                 "light b point { angle 20  dropoff 5  doors 1 2 3 4 }",

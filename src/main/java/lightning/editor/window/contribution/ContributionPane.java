@@ -132,11 +132,15 @@ public final class ContributionPane extends VBox {
                 column(Messages.tr("Region"), LightContribution::regionShare, PercentText::format, 80),
                 column(Messages.tr("Cursor"), c -> sharesAtPointer.getOrDefault(c.light(), Double.NaN),
                         p -> p.isNaN() ? "–" : PercentText.format(p), 80),
-                column(Messages.tr("Impact If Removed"), c -> c.shines() ? c.changeWhenOff().changedPixels() : -1L, Object::toString,
-                        240)));
-        ((TableColumn<LightContribution, Long>) table.getColumns().get(4)).setCellFactory(_ -> new TableCell<>() {
+                column(Messages.tr("Impact If Removed"), c -> c.shines() ? impact(c.changeWhenOff()) : -1.0, Object::toString, 240)));
+        ((TableColumn<LightContribution, Double>) table.getColumns().get(4)).setCellFactory(_ -> new TableCell<>() {
+            {
+                setTooltip(new Tooltip(Messages.tr(
+                        "Share of the displayed pixels that change noticeably (by 4 of 255 levels or more), and the largest change there")));
+            }
+
             @Override
-            protected void updateItem(Long item, boolean empty) {
+            protected void updateItem(Double item, boolean empty) {
                 super.updateItem(item, empty);
                 LightContribution contribution = getTableRow() == null ? null : getTableRow().getItem();
                 setText(empty || contribution == null ? null : changeText(contribution));
@@ -175,7 +179,14 @@ public final class ContributionPane extends VBox {
         return !contribution.shines() ? Messages.tr("off or black") : change.isNone() ? Messages.tr("bit-identical")
                 : change.isInvisible()
                         ? String.format(Messages.locale(), Messages.tr("not visible (difference at most %.1e)"), change.maxDifference())
-                : String.format(Messages.locale(), Messages.tr("%,d pixels change"), change.changedPixels());
+                : change.noticedShare() == 0 ? Messages.tr("not noticeable")
+                : String.format(Messages.locale(), Messages.tr("%s of the pixels, up to %+.1f stops"),
+                        PercentText.format(change.noticedShare()), change.noticedStops());
+    }
+
+    /** Returns the order of changes: first by what is noticed, then by what differs at all. */
+    private static double impact(LightContribution.FilmChange change) {
+        return change.noticedShare() > 0 ? 1 + change.noticedShare() : change.isInvisible() ? 0 : 0.5;
     }
 
     /** Starts to observe the picture. */

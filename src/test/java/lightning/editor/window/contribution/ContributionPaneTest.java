@@ -43,6 +43,7 @@ class ContributionPaneTest extends EditorFixture {
         assertThat(text("contribution-summary")).isEqualTo("1 light changes no displayed pixel: below");
         assertThat(rows()).extracting(LightContribution::light).containsExactly("lamp", "sun", "stage", "below");
         assertThat(ContributionPane.changeText(rows().getLast())).isEqualTo("bit-identical");
+        assertThat(ContributionPane.changeText(rows().getFirst())).matches("\\d.* % of the pixels, up to [+-]\\d+\\.\\d stops");
         click("switch-off-idle");
         waitFor("the proof is shown", () -> text("contribution-proof").contains("bit-identical to the old one"));
         assertThat(light("below").on()).isFalse();
