@@ -82,7 +82,8 @@ class LightContributionsTest {
         assertThat(change.changedValues()).isEqualTo(5);
         assertThat(change.noticedShare()).isEqualTo(0.25);
         assertThat(change.noticedStops()).isCloseTo(-1, Offset.offset(0.01));
-        assertThat(LightContribution.FilmChange.between(after, before, ViewTransform.DEFAULT).noticedStops()).isCloseTo(1, Offset.offset(0.01));
+        assertThat(LightContribution.FilmChange.between(after, before, ViewTransform.DEFAULT).noticedStops()).isCloseTo(1,
+                Offset.offset(0.01));
     }
 
     /** The only light of a black world adds all of the picture, indirect light included. */

@@ -37,7 +37,8 @@ final class ImportChooser extends VBox {
         super(GAP);
         boolean hasUnits = pictures.keySet().stream().anyMatch(choice -> choice.units().isPresent());
         var explanation = new Label(hasUnits
-                ? Messages.tr("The file does not state the unit of its light intensities, which Blender chooses by the Lighting Mode of its export. These previews leave out textures.")
+                ? Messages.tr(
+                        "The file does not state the unit of its light intensities, which Blender chooses by the Lighting Mode of its export. These previews leave out textures.")
                 : Messages.tr("These previews leave out textures."));
         explanation.setWrapText(true);
         var cards = new HBox(GAP);

@@ -64,7 +64,8 @@ class SamplingMenuTest extends EditorFixture {
         Messages.setLanguage(Language.GERMAN);
         try {
             assertThat(SamplingMenu.text(model().editor().scene().withPicture(
-                    model().editor().scene().picture().withSampling(new SamplingSettings(AntialiasMode.EDGES, 4))))).isEqualTo(", Kanten 4 × 4");
+                    model().editor().scene().picture().withSampling(new SamplingSettings(AntialiasMode.EDGES, 4)))))
+                    .isEqualTo(", Kanten 4 × 4");
         } finally {
             Messages.setLanguage(Language.ENGLISH);
         }

@@ -8,10 +8,9 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Optional;
-import org.testfx.util.WaitForAsyncUtils;
-import javafx.scene.Node;
 import javafx.geometry.Bounds;
 import javafx.geometry.Point2D;
+import javafx.scene.Node;
 import javafx.scene.control.CheckMenuItem;
 import javafx.scene.control.Label;
 import javafx.scene.control.MenuButton;
@@ -47,6 +46,7 @@ import lightning.scene.ViewSettings;
 import lightning.scene.effects.RenderEffect;
 import lightning.scene.effects.ViewEffects;
 import org.junit.jupiter.api.Test;
+import org.testfx.util.WaitForAsyncUtils;
 
 class TracedPaneTest extends EditorFixture {
 
@@ -61,7 +61,8 @@ class TracedPaneTest extends EditorFixture {
     @Test
     void progress_doesNotCoverThePixelReport() {
         robot.interact(() -> {
-            robot.lookup("#pixel-lights").<Label>query().setText("a light with a very long name, which reaches the middle of the pane\n".repeat(3));
+            robot.lookup("#pixel-lights").<Label>query()
+                    .setText("a light with a very long name, which reaches the middle of the pane\n".repeat(3));
             Node progress = robot.lookup("#progress").query();
             progress.setVisible(true);
         });
