@@ -60,7 +60,7 @@ public final class Main {
                 Lightning lights ray-traced scenes, in a window or by commands such as:
                   lightning render %s -o picture.png   render an image
                   lightning tour %s   make every kind of edit, with images and times, for some minutes
-                  lightning --help   list all commands""".formatted(name, name);
+                  lightning --help   list all commands""".replace("%s", name);
     }
 
     static boolean opensEditor(String... args) {
