@@ -2,6 +2,7 @@ package lightning.cli;
 
 import java.util.Optional;
 import lightning.scene.AntialiasMode;
+import lightning.scene.IndirectSettings;
 import lightning.scene.PictureSettings;
 import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
@@ -48,8 +49,20 @@ final class PictureOptions {
         samples = value;
     }
 
-    @Option(names = "--no-indirect", description = "Leave out the scene's indirect light.")
-    private boolean noIndirect;
+    /** Choice of indirect light. */
+    enum Indirect {
+        ON, OFF
+    }
+
+    @Option(names = "--indirect", paramLabel = "on|off", description = "Indirect light: on or off (default: the scene's).")
+    private Indirect indirect;
+
+    @Option(names = "--no-indirect", description = "Same as --indirect=off.")
+    private void setNoIndirect(boolean off) {
+        if (off) {
+            indirect = Indirect.OFF;
+        }
+    }
 
     /** Returns the scene with these options applied. */
     Scene apply(Scene scene) {
@@ -57,8 +70,10 @@ final class PictureOptions {
         if (size != null) {
             picture = picture.withSize(size.width(), size.height());
         }
-        if (noIndirect) {
+        if (indirect == Indirect.OFF) {
             picture = picture.withIndirect(Optional.empty());
+        } else if (indirect == Indirect.ON && picture.indirect().isEmpty()) {
+            picture = picture.withIndirect(Optional.of(IndirectSettings.DEFAULT));
         }
         SamplingSettings sceneSampling = picture.sampling();
         SamplingSettings sampling = new SamplingSettings(antialias == null ? sceneSampling.antialias() : antialias,

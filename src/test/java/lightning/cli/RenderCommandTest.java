@@ -91,6 +91,23 @@ class RenderCommandTest {
     }
 
     @Test
+    void indirect_isSwitchedOnAndOff() throws Exception {
+        String text = "material m { diffuse 0.8 0.8 0.8 }\nsphere a { material m }\nplane b { material m  at 0 -1 0  scale 9 1 9 }\n"
+                + "camera { from 0 2 4  to 0 0 0 }\nlight l point { at 0 3 1 }\n";
+        Path lit = Files.writeString(folder.resolve("lit.jen"), "jen 1\npicture { size 24 16  indirect {} }\n" + text);
+        Path plain = Files.writeString(folder.resolve("plain.jen"), "jen 1\npicture { size 24 16 }\n" + text);
+        Path[] pictures = new Path[4];
+        for (int i = 0; i < 4; i++) {
+            pictures[i] = folder.resolve(i + ".pfm");
+            CliResult.run("render", i < 2 ? lit : plain, "-o", pictures[i], "--indirect", i % 2 == 0 ? "on" : "off").assertSuccess();
+        }
+        assertThat(pictures[2]).hasSameBinaryContentAs(pictures[0]);
+        assertThat(pictures[3]).hasSameBinaryContentAs(pictures[1]);
+        assertThat(Files.mismatch(pictures[0], pictures[1])).isNotEqualTo(-1);
+        CliResult.run("render", lit, "-o", pictures[0], "--indirect", "perhaps").assertRejected("--indirect");
+    }
+
+    @Test
     void layers_areWrittenWithSamePicture() throws Exception {
         Path layers = folder.resolve("a.exr");
         Path picture = folder.resolve("a.pfm");
