@@ -8,7 +8,6 @@ module lightning {
     requires info.picocli;
     requires io.github.javadiffutils;
     requires org.jfree.jfreechart;
-    requires VectorGraphics2D;
     requires tools.jackson.databind;
     requires tools.jackson.dataformat.csv;
     requires javafx.controls;
