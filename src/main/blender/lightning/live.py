@@ -191,7 +191,7 @@ class LiveView:
         source = Path(bpy.path.abspath(scene.lightning_file)).parent if scene.lightning_file else None
         settings = [memory.of_light(obj).get("settings", {}) for obj in transfer.lamps(scene)] + [memory.of_scene(scene).get("world", {})]
         for name in [s[key] for s in settings for key in ("gobo", "profile", "texture", "environment") if s.get(key)]:
-            if source and (source / name).is_file():
+            if source and (source / name).is_file() and (source / name).resolve().is_relative_to(source.resolve()):
                 shutil.copyfile(source / name, folder / Path(name).name)
 
     def _receive_opened(self) -> None:

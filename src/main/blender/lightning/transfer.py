@@ -35,12 +35,16 @@ def send(context, target: Path, overwrite: bool = False) -> list[str]:
         # An export can take minutes.
         _check_unchanged(target, remembered, overwrite)
         copy = _keep_edited(target, remembered.get("lost", []), messages)
+        is_sent = False
         try:
             lines = program.run(*command, "--keep-others")
-        except BaseException:
-            if copy is not None:
+            is_sent = True
+        except program.ProgramError as e:
+            # The user does not know the temporary folder.
+            raise program.ProgramError(str(e).replace(f"{folder}/", "")) from e
+        finally:
+            if copy is not None and not is_sent:
                 copy.unlink()
-            raise
     model = command[1]
     messages += [line.removeprefix(f"{model}: ").split(OPTION)[0] for line in lines if not any(text in line for text in EXPECTED)]
     _remember(scene, target, lamps(scene), messages)

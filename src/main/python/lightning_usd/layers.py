@@ -8,8 +8,8 @@ from typing import Any
 from output import MAX_NODES, Output, StageError
 from pxr import Ar, Sdf, Tf, UsdUtils
 
-# Prims that are counted; a file that small has all of them counted.
-MAX_COUNTED = 200_000
+# Prims that are counted, in about half a second. Larger stages are limited by memory and time only.
+MAX_COUNTED = 20_000
 # Prims of the composed stage, by a count that takes a prim of several layers several times.
 MAX_COMPOSED = 10 * MAX_NODES
 OUTSIDE = "files outside the stage's folder and the folders of LIGHTNING_USD_FOLDERS, not read, such as "

@@ -11,6 +11,7 @@ from typing import Any
 MAX_BYTES = 2**31 - 65536
 MAX_NODES = 1_000_000
 MAX_FRAMES = 10_000
+MAX_NOTES = 1000
 
 
 class StageError(Exception):
@@ -39,6 +40,8 @@ class Output:
     def note(self, kind: str, count: int = 1) -> None:
         """Counts features that are left out or approximated."""
         if count:
+            if kind not in self.notes and len(self.notes) >= MAX_NOTES:
+                kind = "others"
             self.notes[kind] = self.notes.get(kind, 0) + count
 
     def note_prim(self, prim: Any, text: str) -> None:

@@ -38,7 +38,8 @@ final class ImportCommand implements Callable<Integer> {
 
     @Parameters(index = "0", paramLabel = "FILE",
             description = "A .glb, .gltf, .obj, .ply, .nff, .usd, .usda, .usdc or .usdz file. USD files "
-                    + "need Python with the package usd-core; LIGHTNING_PYTHON names its interpreter.")
+                    + "need Python with the package usd-core; LIGHTNING_PYTHON names its interpreter, LIGHTNING_USD_FOLDERS "
+                    + "folders besides the file's own that it may refer to.")
     private Path file;
     @Option(names = {"-o", "--output"}, paramLabel = "scene.jen", required = true, description = "Output scene.")
     private Path output;

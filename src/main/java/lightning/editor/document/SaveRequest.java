@@ -12,6 +12,7 @@ import lightning.base.file.ShippedFile;
 import lightning.base.text.Messages;
 import lightning.base.text.Quote;
 import lightning.format.jen.AssetCopies;
+import lightning.format.jen.InputFiles;
 import lightning.format.jen.JenDocument;
 import lightning.format.jen.JenException;
 import lightning.format.jen.JenReader;
@@ -43,6 +44,7 @@ record SaveRequest(SavedScene source, AnimatedScene content, Path target, boolea
             throw new IOException(Messages.tr("{0} comes with Lightning and stays as it is; choose another file",
                     Quote.path(target.getFileName())));
         }
+        InputFiles.referencedBy(content.base(), source.file().toAbsolutePath().getParent()).check(target);
         boolean isOwnFile = isSource && !untitled;
         Path file = isOwnFile ? source.file() : target;
         if (untitled) {

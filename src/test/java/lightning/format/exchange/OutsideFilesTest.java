@@ -97,13 +97,14 @@ class OutsideFilesTest {
     void usd_namesFilesOutside_inANote() throws Exception {
         PythonPrograms.require("pxr");
         Files.createSymbolicLink(input.resolve("link.png"), secret.resolve("a.png"));
-        List<String> stages = Stream.of(outsidePaths("a.png").map(MATERIAL::formatted), Stream.of(MATERIAL.formatted("link.png")),
-                outsidePaths("a.usda").flatMap(path -> Stream.of("def Xform \"x\" ( references = @" + path + "@</hidden> ) {}\n",
-                        "def Xform \"x\" ( payload = @" + path + "@</hidden> ) {}\n")),
-                outsidePaths("a.mtlx").map(path -> "def Scope \"x\" ( references = @" + path + "@</MaterialX/Materials> ) {}\n"),
-                outsidePaths("a.hdr").map(path -> "def DomeLight \"x\" {\n asset inputs:texture:file = @" + path + "@\n}\n"),
-                outsidePaths("a.ies").map(path -> "def SphereLight \"x\" ( prepend apiSchemas = [\"ShapingAPI\"] ) {\n"
-                        + " asset inputs:shaping:ies:file = @" + path + "@\n}\n"))
+        List<String> stages = Stream
+                .of(outsidePaths("a.png").map(path -> MATERIAL.replace("%s", path)), Stream.of(MATERIAL.replace("%s", "link.png")),
+                        outsidePaths("a.usda").flatMap(path -> Stream.of("def Xform \"x\" ( references = @" + path + "@</hidden> ) {}\n",
+                                "def Xform \"x\" ( payload = @" + path + "@</hidden> ) {}\n")),
+                        outsidePaths("a.mtlx").map(path -> "def Scope \"x\" ( references = @" + path + "@</MaterialX/Materials> ) {}\n"),
+                        outsidePaths("a.hdr").map(path -> "def DomeLight \"x\" {\n asset inputs:texture:file = @" + path + "@\n}\n"),
+                        outsidePaths("a.ies").map(path -> "def SphereLight \"x\" ( prepend apiSchemas = [\"ShapingAPI\"] ) {\n"
+                                + " asset inputs:shaping:ies:file = @" + path + "@\n}\n"))
                 .flatMap(s -> s).map(text -> "#usda 1.0\ndef Sphere \"shown\" {}\n" + text).toList();
         for (String stage : stages) {
             ImportedScene scene = assertNothingIsRead("a.usda", stage);
@@ -120,7 +121,7 @@ class OutsideFilesTest {
     void usd_readsFilesOfNamedFolders() throws Exception {
         String python = PythonPrograms.require("pxr");
         Path file = Files.writeString(input.resolve("a.usda"), "#usda 1.0\ndef \"x\" ( references = @../secret/a.usda@</hidden> ) {}\n"
-                + MATERIAL.formatted(secret.resolve("a.png")));
+                + MATERIAL.replace("%s", secret.resolve("a.png").toString()));
         Path described = Files.createDirectory(folder.resolve("described"));
         var builder = new ProcessBuilder(python, "-B", "src/main/python/lightning_usd", file.toString(), described.toString());
         builder.environment().put("LIGHTNING_USD_FOLDERS", "/nowhere" + System.getProperty("path.separator") + secret);
@@ -138,7 +139,7 @@ class OutsideFilesTest {
         }
         for (String text : List.of("(\n subLayers = [@p.usda@]\n)\n", "def Xform \"x\" ( references = @p.usda@</a> ) {}\n",
                 "def Xform \"x\" ( payload = @./p.usda@</a> ) {}\n", "def Xform \"x\" ( references = @p.mtlx@</MaterialX> ) {}\n",
-                MATERIAL.formatted("p.png"))) {
+                MATERIAL.replace("%s", "p.png"))) {
             ImportedScene scene = imported("a.usda", "#usda 1.0\n" + text + "def Sphere \"shown\" {}\n");
             assertThat(scene.notes().keySet()).as(text).anyMatch(note -> note.startsWith("pipes, devices and folders in place of files"));
             assertThat(scene.scene().placedShapes()).isNotEmpty();
@@ -184,7 +185,8 @@ class OutsideFilesTest {
     void scene_rejectsFilesOutside(String text) {
         for (String path : outsidePaths("a.png").toList()) {
             assertThatExceptionOfType(JenException.class)
-                    .isThrownBy(() -> JenReader.read(Files.writeString(input.resolve("a.jen"), "jen 1\n" + text.formatted(path) + "\n")));
+                    .isThrownBy(
+                            () -> JenReader.read(Files.writeString(input.resolve("a.jen"), "jen 1\n" + text.replace("%s", path) + "\n")));
         }
     }
 }

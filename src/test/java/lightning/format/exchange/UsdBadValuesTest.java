@@ -48,10 +48,10 @@ class UsdBadValuesTest {
     void numbersThatAreNone_areNoted() throws Exception {
         String matrix = "((%s,0,0,0),(0,1,0,0),(0,0,1,0),(0,0,0,1))";
         String order = " uniform token[] xformOpOrder = [\"xformOp:transform\"]\n";
-        assertNoted("def Sphere \"s\" {\n matrix4d xformOp:transform = " + matrix.formatted("nan") + "\n" + order + "}\n",
+        assertNoted("def Sphere \"s\" {\n matrix4d xformOp:transform = " + matrix.replace("%s", "nan") + "\n" + order + "}\n",
                 "/s: its transform has infinite or missing numbers, imported without it");
-        assertNoted("def Sphere \"s\" {\n matrix4d xformOp:transform.timeSamples = {\n 1: " + matrix.formatted("1") + ",\n 3: "
-                + matrix.formatted("inf") + ",\n}\n" + order + "}\n",
+        assertNoted("def Sphere \"s\" {\n matrix4d xformOp:transform.timeSamples = {\n 1: " + matrix.replace("%s", "1") + ",\n 3: "
+                + matrix.replace("%s", "inf") + ",\n}\n" + order + "}\n",
                 "/s: its animation has infinite or missing numbers, imported without it");
         assertNoted("def SphereLight \"l\" {\n float inputs:intensity = nan\n color3f inputs:color = (nan, 1, 1)\n}\n",
                 "/l: inputs:intensity: expected a number, found none", "/l: inputs:color: expected 3 numbers, found (nan, 1, 1)");
