@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from output import Output, numbers
+from output import Output, world_matrix
 from pxr import Usd, UsdGeom, UsdRender
 
 
@@ -26,7 +26,7 @@ def camera(prim: Usd.Prim, time: Usd.TimeCode, out: Output) -> dict[str, Any]:
         return fallback if found is None else out.number(prim, attribute.GetName(), found, fallback)
 
     return {
-        "matrix": numbers(UsdGeom.XformCache(time).GetLocalToWorldTransform(prim)),
+        "matrix": world_matrix(UsdGeom.XformCache(time).GetLocalToWorldTransform(prim)),
         "orthographic": view.GetProjectionAttr().Get(time) == UsdGeom.Tokens.orthographic,
         "focal": number(view.GetFocalLengthAttr(), 50.0),
         "width": number(view.GetHorizontalApertureAttr(), 20.955),

@@ -12,6 +12,8 @@ from pxr import Ar, Sdf, Tf, UsdUtils
 MAX_COUNTED = 20_000
 # Prims of the composed stage, by a count that takes a prim of several layers several times.
 MAX_COMPOSED = 10 * MAX_NODES
+# References one after another: usd-core needs memory for each pair of them.
+MAX_DEPTH = 500
 OUTSIDE = "files outside the stage's folder and the folders of LIGHTNING_USD_FOLDERS, not read, such as "
 IRREGULAR = "pipes, devices and folders in place of files, not read, such as "
 
@@ -92,10 +94,15 @@ class PrimCount:
     def __init__(self, layers: dict[str, Sdf.Layer]) -> None:
         self.layers = layers
         self.known: dict[tuple[str, Sdf.Path], int] = {}
+        # References one after another, from a prim on.
+        self.depths: dict[tuple[str, Sdf.Path], int] = {}
 
     def check(self, root: Sdf.Layer) -> None:
         """Fails if nested references make more prims than a scene can have."""
-        count = self.of((root.identifier, Sdf.Path.absoluteRootPath))
+        start = (root.identifier, Sdf.Path.absoluteRootPath)
+        count = self.of(start)
+        if self.depths.get(start, 0) > MAX_DEPTH:
+            raise StageError(f"has references to references, more than {MAX_DEPTH} one after another")
         if count > MAX_COMPOSED:
             raise StageError(f"has more than {MAX_NODES} prims, because references multiply them to about {count:.0e}")
 
@@ -115,6 +122,7 @@ class PrimCount:
             else:
                 # A cycle counts nothing: usd-core ends it.
                 self.known[key] = 1 + sum(self.known.get(part, 0) for part in parts[key])
+                self.depths[key] = max((self.depths.get(part, 0) + (part[1].GetParentPath() != key[1]) for part in parts[key]), default=0)
                 stack.pop()
         return self.known[start]
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from output import Output, numbers
+from output import Output, world_matrix
 from pxr import Usd, UsdGeom, UsdLux
 
 KINDS = {"DistantLight", "SphereLight", "DiskLight", "RectLight", "CylinderLight", "DomeLight", "DomeLight_1"}
@@ -37,7 +37,7 @@ def number(prim: Usd.Prim, name: str, time: Usd.TimeCode, fallback: float, out: 
 def light(prim: Usd.Prim, time: Usd.TimeCode, out: Output) -> dict[str, Any]:
     """Returns a light at a time."""
     kind = prim.GetTypeName()
-    result: dict[str, Any] = {"type": str(kind), "matrix": numbers(UsdGeom.XformCache(time).GetLocalToWorldTransform(prim))}
+    result: dict[str, Any] = {"type": str(kind), "matrix": world_matrix(UsdGeom.XformCache(time).GetLocalToWorldTransform(prim))}
     for name, fallback in INPUTS.items():
         found = value(prim, "inputs:" + name, time, fallback)
         result[name] = bool(found) if isinstance(fallback, bool) else out.number(prim, "inputs:" + name, found, fallback)

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 from materialx import CHANNELS, SURFACES, as_preview, is_image, multiply
 from meshes import identity
-from output import Output, StageError, numbers, shown
+from output import Output, StageError, numbers
 from pxr import Sdf, Usd, UsdGeom, UsdShade
 
 PREVIEW = {"diffuseColor": [0.18] * 3, "emissiveColor": [0.0] * 3, "useSpecularWorkflow": 0, "specularColor": [0.0] * 3, "metallic": 0.0,
@@ -51,12 +52,14 @@ class Materials:
         if len(rgb) != 3:
             self.out.note("display colors of another type")
             return -1
+        rgb = self.out.vector(prim, "displayColor", rgb, [1.0] * 3)
         opacity = api.FindPrimvarWithInheritance("displayOpacity")
         alphas = opacity.Get(self.time) if opacity and opacity.HasValue() else None
-        key = ("display", *rgb, alphas[0] if alphas else 1.0)
+        alpha = self.out.number(prim, "displayOpacity", alphas[0], 1.0) if alphas else 1.0
+        key = ("display", *rgb, alpha)
         if key not in self.known:
             self.known[key] = len(self.all)
-            self.all.append({"name": "display color", "display": rgb, "opacity": float(alphas[0]) if alphas else 1.0})
+            self.all.append({"name": "display color", "display": rgb, "opacity": alpha})
         return self.known[key]
 
     def index(self, material: UsdShade.Material) -> int:
@@ -69,6 +72,9 @@ class Materials:
                 self.known[key] = self.add(material)
             except (StageError, MemoryError, OSError):
                 raise
+            except RecursionError:
+                self.out.note_prim(material.GetPrim(), "has too many nodes one after another, imported as gray or in the display color of its objects")
+                self.known[key] = -1
             except Exception:  # usd-core raises its own kinds for damaged content
                 self.out.note_prim(material.GetPrim(), "has values of another type, imported as gray or in the display color of its objects")
                 self.known[key] = -1
@@ -125,10 +131,8 @@ class Materials:
             return
         value = attribute.Get(self.time)
         if value is not None and fallback is not None:
-            try:
-                result[target] = numbers(value) if isinstance(fallback, list) else float(value)
-            except (TypeError, ValueError):
-                self.out.note_prim(shader.GetPrim(), f"inputs:{name}: expected {'numbers' if isinstance(fallback, list) else 'a number'}, found {shown(value)}")
+            check = self.out.vector if isinstance(fallback, list) else self.out.number
+            result[target] = check(shader.GetPrim(), f"inputs:{name}", value, fallback)
         if attribute.ValueMightBeTimeVarying():
             self.out.note("animated inputs of materials, at the first frame")
 
@@ -188,7 +192,7 @@ class Materials:
         for name in ("scale", "bias"):
             value = self.value(shader, name, None)
             if value is not None:
-                texture[name] = numbers(value)
+                texture[name] = self.out.vector(shader.GetPrim(), f"inputs:{name}", value, [1.0 if name == "scale" else 0.0] * 4)
         if any(self.value(shader, "wrap" + axis, "repeat") not in ("repeat", "useMetadata") for axis in "ST"):
             self.out.note("textures that do not repeat, imported as repeating")
         self.placement(shader, texture, result)
@@ -205,7 +209,7 @@ class Materials:
         """Adds how often a texture repeats, and the name of its coordinates."""
         tiling = self.value(shader, "uvtiling", None)
         if tiling is not None:
-            texture["repeat"] = numbers(tiling)
+            texture["repeat"] = self.out.vector(shader.GetPrim(), "inputs:uvtiling", tiling, [1.0, 1.0])
         for _ in range(4):
             source = shader.GetInput("st") or shader.GetInput("in") or shader.GetInput("texcoord")
             attributes = UsdShade.Utils.GetValueProducingAttributes(source) if source else []
@@ -217,11 +221,11 @@ class Materials:
             kind = str(shader.GetIdAttr().Get() or "")
             if kind == "UsdTransform2d":
                 scale = self.value(shader, "scale", (1, 1))
-                texture["repeat"] = numbers(scale)
+                texture["repeat"] = self.out.vector(shader.GetPrim(), "inputs:scale", scale, [1.0, 1.0])
                 if self.value(shader, "rotation", 0.0) or any(self.value(shader, "translation", (0, 0))):
                     self.out.note("rotations and translations of textures")
             elif kind.startswith("ND_place2d"):
-                texture["repeat"] = [1 / v if v else 1.0 for v in numbers(self.value(shader, "scale", (1, 1)))]
+                texture["repeat"] = [1 / v if v else 1.0 for v in self.out.vector(shader.GetPrim(), "inputs:scale", self.value(shader, "scale", (1, 1)), [1.0, 1.0])]
                 if self.value(shader, "rotate", 0.0) or any(self.value(shader, "offset", (0, 0))):
                     self.out.note("rotations and translations of textures")
             elif kind.startswith(("UsdPrimvarReader", "ND_UsdPrimvarReader", "ND_geompropvalue")):
@@ -242,8 +246,9 @@ def is_output(attribute: Usd.Attribute) -> bool:
 
 
 def amounts(value: Any) -> list[float]:
-    """Returns the numbers of a value; 1 for one of another type."""
+    """Returns the numbers of a value; 1 for one of another type or without end."""
     try:
-        return numbers(value) if hasattr(value, "__len__") else [float(value)]
+        found = numbers(value) if hasattr(value, "__len__") else [float(value)]
+        return [number if math.isfinite(number) else 1.0 for number in found]
     except (TypeError, ValueError):
         return [1.0]

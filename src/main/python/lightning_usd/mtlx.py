@@ -56,6 +56,9 @@ def read(file: str, out: Output) -> Sdf.Layer | None:
     except (ElementTree.ParseError, ValueError, Tf.ErrorException):
         out.note("MaterialX files that are damaged")
         return None
+    except RecursionError:
+        out.note(f"MaterialX file {os.path.basename(file)}: its nodes refer to too many others one after another, left out")
+        return None
 
 
 class File:

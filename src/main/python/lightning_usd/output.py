@@ -18,6 +18,10 @@ class StageError(Exception):
     """One sentence that says why a stage cannot be described."""
 
 
+class PrimError(Exception):
+    """One sentence that says why a prim is left out."""
+
+
 class Output:
     """Collects the description; `ref` values are [byte offset, number of bytes] in arrays.bin."""
 
@@ -55,19 +59,19 @@ class Output:
         except (TypeError, ValueError):
             self.note_prim(prim, f"{name}: expected a number, found {shown(value)}")
             return fallback
-        if math.isnan(number):
-            self.note_prim(prim, f"{name}: expected a number, found none")
+        if not math.isfinite(number):
+            self.note_prim(prim, f"{name}: expected a finite number, found {shown(value)}")
             return fallback
         return number
 
     def vector(self, prim: Any, name: str, value: Any, fallback: list[float]) -> list[float]:
         """Returns the numbers of a vector; the fallback, with a note, in place of a value of another type."""
         try:
-            found = numbers(value)
+            found = numbers(value)[:len(fallback)]
         except (TypeError, ValueError):
             found = []
-        if len(found) != len(fallback) or any(math.isnan(number) for number in found):
-            self.note_prim(prim, f"{name}: expected {len(fallback)} numbers, found {shown(value)}")
+        if len(found) != len(fallback) or not all(map(math.isfinite, found)):
+            self.note_prim(prim, f"{name}: expected {len(fallback)} finite numbers, found {shown(value)}")
             return fallback
         return found
 
@@ -137,6 +141,14 @@ def finite(value: Any) -> Any:
     if isinstance(value, float) and not math.isfinite(value):
         return None
     return value
+
+
+def world_matrix(value: Any) -> list[float]:
+    """Returns the numbers of a transform; fails if not all are finite."""
+    found = numbers(value)
+    if not all(map(math.isfinite, found)):
+        raise PrimError("its transform has infinite or missing numbers, left out")
+    return found
 
 
 def numbers(value: Any) -> list[float]:

@@ -11,7 +11,7 @@ from cameras import camera, chosen_camera
 from lights import is_light, light, linked_nodes
 from materials import Materials
 from meshes import Meshes, SOLIDS, solid
-from output import MAX_FRAMES, MAX_NODES, Output, StageError, numbers
+from output import MAX_FRAMES, MAX_NODES, Output, PrimError, StageError, numbers
 from pxr import Gf, Sdf, Usd, UsdGeom, UsdLux, UsdShade, UsdSkel, Vt
 
 LEFT_OUT = {"BasisCurves": "curves", "NurbsCurves": "curves", "HermiteCurves": "curves", "NurbsPatch": "NURBS patches",
@@ -197,6 +197,12 @@ class Walk:
             return function()
         except (StageError, MemoryError, OSError):
             raise
+        except PrimError as error:
+            self.out.note_prim(prim, str(error))
+            return None
+        except RecursionError:
+            self.out.note_prim(prim, "has too many others inside each other, left out")
+            return None
         except Exception:  # usd-core raises its own kinds for damaged content
             self.out.note_prim(prim, "has values of another type, left out")
             return None

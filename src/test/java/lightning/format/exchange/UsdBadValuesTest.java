@@ -1,11 +1,13 @@
 package lightning.format.exchange;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import lightning.base.work.Progress;
+import lightning.format.mesh.MeshException;
 import lightning.sample.PythonPrograms;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -36,7 +38,7 @@ class UsdBadValuesTest {
     @Test
     void valuesOfAnotherType_areNoted() throws Exception {
         assertNoted("def SphereLight \"l\" {\n string inputs:intensity = \"abc\"\n string inputs:color = \"red\"\n}\n",
-                "/l: inputs:intensity: expected a number, found 'abc'", "/l: inputs:color: expected 3 numbers, found 'red'");
+                "/l: inputs:intensity: expected a number, found 'abc'", "/l: inputs:color: expected 3 finite numbers, found 'red'");
         assertNoted("def Camera \"c\" {\n string focalLength = \"x\"\n}\n", "/c: focalLength: expected a number, found 'x'");
         assertNoted("def Sphere \"s\" {\n string radius = \"a\"\n}\n", "/s: radius: expected a number, found 'a'");
         assertNoted("def Mesh \"m\" {\n string faceVertexCounts = \"a\"\n string points = \"b\"\n string faceVertexIndices = \"c\"\n}\n");
@@ -54,8 +56,31 @@ class UsdBadValuesTest {
                 + matrix.replace("%s", "inf") + ",\n}\n" + order + "}\n",
                 "/s: its animation has infinite or missing numbers, imported without it");
         assertNoted("def SphereLight \"l\" {\n float inputs:intensity = nan\n color3f inputs:color = (nan, 1, 1)\n}\n",
-                "/l: inputs:intensity: expected a number, found none", "/l: inputs:color: expected 3 numbers, found (nan, 1, 1)");
-        assertNoted("def Cube \"c\" {\n double size = nan\n}\n", "/c: size: expected a number, found none");
+                "/l: inputs:intensity: expected a finite number, found nan",
+                "/l: inputs:color: expected 3 finite numbers, found (nan, 1, 1)");
+        assertNoted("def Xform \"x\" {\n matrix4d xformOp:transform = " + matrix.replace("%s", "nan") + "\n" + order
+                + " def SphereLight \"l\" {}\n def Camera \"c\" {}\n}\n", "/x/l: its transform has infinite or missing numbers, left out",
+                "/x/c: its transform has infinite or missing numbers, left out");
+        for (String number : List.of("nan", "inf", "-inf", "1e39")) {
+            assertNoted("""
+                    def Material "m" {
+                      token outputs:surface.connect = </m/s.outputs:surface>
+                      def Shader "s" {
+                        uniform token info:id = "UsdPreviewSurface"
+                        color3f inputs:diffuseColor = (X, 1, 1)
+                        float inputs:roughness = X
+                        float inputs:ior = X
+                        float inputs:opacity = X
+                        token outputs:surface
+                      }
+                    }
+                    def Sphere "b" ( prepend apiSchemas = ["MaterialBindingAPI"] ) {
+                      rel material:binding = </m>
+                    }
+                    """.replace("X", number),
+                    "/m/s: inputs:ior: expected a finite number, found " + (number.equals("1e39") ? "inf" : number));
+        }
+        assertNoted("def Cube \"c\" {\n double size = nan\n}\n", "/c: size: expected a finite number, found nan");
     }
 
     @Test
@@ -75,6 +100,44 @@ class UsdBadValuesTest {
         ImportedScene scene = imported("def Xform \"n\" {\n".repeat(3000) + "def Sphere \"deep\" {}\n" + "}\n".repeat(3000));
         assertThat(scene.notes().keySet()).contains("objects nested more than 500 deep");
         assertThat(scene.scene().stage().hasNode("rest")).isTrue();
+    }
+
+    @Test
+    void longChainOfMaterialX_isNoted() throws Exception {
+        var nodes = new StringBuilder();
+        for (int i = 0; i < 3000; i++) {
+            nodes.append("<multiply name=\"n").append(i).append("\" type=\"color3\"><input name=\"in1\" type=\"color3\" nodename=\"n")
+                    .append(i + 1).append("\"/></multiply>");
+        }
+        Files.writeString(folder.resolve("e.mtlx"), "<materialx version=\"1.38\">" + nodes
+                + "<standard_surface name=\"S\" type=\"surfaceshader\">"
+                + "<input name=\"base_color\" type=\"color3\" nodename=\"n0\"/></standard_surface>"
+                + "<surfacematerial name=\"M\" type=\"material\"><input name=\"surfaceshader\" type=\"surfaceshader\" nodename=\"S\"/></surfacematerial>"
+                + "</materialx>");
+        assertNoted("def Scope \"mx\" ( references = @e.mtlx@</MaterialX> ) {}\n",
+                "MaterialX file e.mtlx: its nodes refer to too many others one after another, left out");
+    }
+
+    @Test
+    void longChainOfInstancers_isNoted() throws Exception {
+        var chain = new StringBuilder();
+        for (int i = 0; i < 3000; i++) {
+            chain.append("def PointInstancer \"p").append(i).append("\" {\n rel prototypes = </p").append(i + 1)
+                    .append(">\n int[] protoIndices = [0]\n point3f[] positions = [(0, 0, 0)]\n}\n");
+        }
+        ImportedScene scene = imported(chain.append("def Sphere \"p3000\" {}\n").toString());
+        assertThat(scene.notes().keySet()).anyMatch(note -> note.endsWith(": has too many others inside each other, left out"));
+        assertThat(scene.scene().stage().hasNode("rest")).isTrue();
+    }
+
+    @Test
+    void longChainOfReferences_isOneSentence() {
+        var chain = new StringBuilder();
+        for (int i = 0; i < 3000; i++) {
+            chain.append("def Xform \"p").append(i).append("\" ( references = </p").append(i + 1).append("> ) {}\n");
+        }
+        assertThatExceptionOfType(MeshException.class).isThrownBy(() -> imported(chain.append("def Xform \"p3000\" {}\n").toString()))
+                .withMessageEndingWith("has references to references, more than 500 one after another");
     }
 
     @Test
