@@ -10,8 +10,9 @@ import lightning.format.jen.NameSuggestion;
 
 /** Methods of the protocol with the fields that each allows. */
 enum Method {
-    OPEN("file", "text", "folder", "output", "indirect", "keep"),
-    REPLACE("scene", "file", "text", "folder", "output", "indirect"),
+    OPEN("file", "text", "folder", "output", "indirect", "light_units", "lighting", "subdivision", "keep"),
+    REPLACE("scene", "file", "text", "folder", "output", "indirect", "light_units", "lighting", "subdivision"),
+    DESCRIBE("scene"),
     SET("scene", "edits", "gesture"),
     ADD("scene", "light"),
     DELETE("scene", "light"),

@@ -11,6 +11,7 @@ import lightning.format.exr.ExrType;
 import lightning.format.image.ImageFile;
 import lightning.format.image.ImageFormat;
 import lightning.format.jen.InputFiles;
+import lightning.format.layer.LayerPlanes;
 import lightning.format.layer.LayeredExrWriter;
 import lightning.render.image.Film;
 import lightning.render.relight.Renderer;
@@ -18,6 +19,7 @@ import lightning.render.relight.SceneView;
 import lightning.render.relight.UpdateResult;
 import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
+import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.ObjectNode;
 
 /** Request {@code render}: updates the picture and writes it, a region of it, or one light's part of it. */
@@ -53,8 +55,8 @@ final class PictureRequest {
             throw Fields.bad("layers", "layers are those of the whole picture");
         }
         bits = file.isPresent() ? checkFile(fields, file.get()) : 0;
-        if (file.isEmpty() && (hasLayers || fields.has("bits"))) {
-            throw Fields.bad("file", "missing; layers and bits belong to a file");
+        if (file.isEmpty() && (hasLayers && !hasMemory || fields.has("bits"))) {
+            throw Fields.bad("file", "missing; bits belong to a file, layers to a file or to memory");
         }
     }
 
@@ -82,7 +84,9 @@ final class PictureRequest {
         Progress canceled = Progress.cancellation(request::isCanceled);
         Film film = light.isPresent() ? renderer.lightImage(light.get(), canceled) : renderer.film();
         var rows = new FloatRows(film, region);
-        if (hasMemory) {
+        if (hasMemory && hasLayers && file.isEmpty()) {
+            writePlanes(renderer, canceled, result.putObject("memory"));
+        } else if (hasMemory) {
             SharedMemoryFile memory = session.sharedPictures().file(request.client(), memoryPath, rows.bytes());
             // A picture that is half overwritten would be neither the old one nor the new one.
             rows.write(memory, session.server().writers());
@@ -98,5 +102,16 @@ final class PictureRequest {
             result.put("file", file.get().toAbsolutePath().toString());
         }
         return result.put("writing_milliseconds", (System.nanoTime() - start) / 1e6);
+    }
+
+    private void writePlanes(Renderer renderer, Progress canceled, ObjectNode node) throws IOException {
+        var planes = new LayerPlanes(renderer.cache(), renderer.options().engines());
+        SharedMemoryFile memory = session.sharedPictures().layersFile(request.client(), memoryPath, planes.bytes());
+        planes.write(memory, renderer.options().memory() - renderer.bytes(), session.server().writers(), canceled);
+        node.put("path", memory.path().toString()).put("bytes", memory.bytes()).put("type", "float32").put("order", "little");
+        node.putArray("shape").add(planes.channels().size()).add(scene.picture().height()).add(scene.picture().width());
+        ArrayNode channels = node.putArray("channels");
+        planes.channels().forEach(channels::add);
+        planes.descriptions().forEach((name, json) -> node.set(name.substring(name.indexOf('/') + 1), JsonLines.JSON.readTree(json)));
     }
 }

@@ -57,6 +57,13 @@ final class SceneEditing {
             known.put(key(file), document.isUntitled() ? FileState.of(file) : document.knownState());
         }
         gesture = null;
+        ObjectNode content = describe();
+        addAll(content.putArray("notes"), Stream.concat(source.notes().stream(), SceneWarnings.of(document.scene()).stream()).toList());
+        return content;
+    }
+
+    /** Returns what the scene has now. */
+    private ObjectNode describe() {
         Scene scene = document.scene();
         ObjectNode content = JsonLines.JSON.createObjectNode();
         content.putArray("size").add(scene.picture().width()).add(scene.picture().height());
@@ -64,7 +71,6 @@ final class SceneEditing {
         addAll(content.putArray("materials"), scene.materials().stream().map(Material::name).toList());
         content.put("indirect", scene.picture().indirect().isPresent());
         document.content().shot().ifPresent(shot -> content.putArray("frames").add(shot.first()).add(shot.last()));
-        addAll(content.putArray("notes"), Stream.concat(source.notes().stream(), SceneWarnings.of(scene).stream()).toList());
         return content;
     }
 
@@ -75,6 +81,7 @@ final class SceneEditing {
             case ADD -> change(apply("light", fields.string("light"), document.scene(), PropertyEdit::add), null);
             case DELETE -> change(apply("light", fields.string("light"), document.scene(), PropertyEdit::delete), null);
             case GET -> get(fields);
+            case DESCRIBE -> describe().setAll(describeHistory());
             case FRAME -> showFrame(fields);
             case UNDO -> step(fields, EditHistory::undo);
             case REDO -> step(fields, EditHistory::redo);

@@ -2,15 +2,16 @@ package lightning.serve;
 
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
+import java.util.stream.Collectors;
 import lightning.base.file.ShippedFile;
 import lightning.base.text.Quote;
 import lightning.base.work.Progress;
 import lightning.editor.document.OpenDocument;
+import lightning.format.exchange.ImportLighting;
 import lightning.format.exchange.ImportedScene;
 import lightning.format.exchange.IndirectChoice;
 import lightning.format.exchange.LightUnits;
@@ -43,9 +44,9 @@ final class SceneSource {
             throw Fields.bad("folder", "only a text has a folder; a file's own folder counts");
         }
         if (file.isPresent() && SceneImporter.isImportName(file.get())) {
-            return read(Path.of(file.get()), output(fields), indirect(fields), progress);
+            return read(Path.of(file.get()), output(fields), fields, progress);
         }
-        for (String field : List.of("output", "indirect")) {
+        for (String field : List.of("output", "indirect", "light_units", "lighting", "subdivision")) {
             if (fields.has(field)) {
                 throw Fields.bad(field, "only files that are imported have this field");
             }
@@ -64,16 +65,24 @@ final class SceneSource {
         return Path.of(name).toAbsolutePath();
     }
 
-    private static IndirectChoice indirect(Fields fields) {
-        String word = fields.optionalString("indirect").orElse("auto");
-        return Arrays.stream(IndirectChoice.values()).filter(choice -> choice.name().toLowerCase(Locale.ROOT).equals(word)).findFirst()
-                .orElseThrow(() -> Fields.bad("indirect", "expected on, off or auto, found " + Quote.of(word)));
+    /** Reads the name of a constant in lower case. */
+    private static <E extends Enum<E>> E choice(Fields fields, String field, E fallback) {
+        String word = fields.optionalString(field).orElse(fallback.name().toLowerCase(Locale.ROOT));
+        List<E> choices = List.of(fallback.getDeclaringClass().getEnumConstants());
+        return choices.stream().filter(choice -> choice.name().toLowerCase(Locale.ROOT).equals(word)).findFirst()
+                .orElseThrow(() -> Fields.bad(field, "expected one of "
+                        + choices.stream().map(choice -> choice.name().toLowerCase(Locale.ROOT)).collect(Collectors.joining(", "))
+                        + ", found " + Quote.of(word)));
     }
 
     /** Imports a file as {@code lightning import} does, without writing the scene file. */
-    private OpenDocument read(Path file, Path output, IndirectChoice indirect, Progress progress) throws IOException, JenException {
+    private OpenDocument read(Path file, Path output, Fields fields, Progress progress) throws IOException, JenException {
+        IndirectChoice indirect = choice(fields, "indirect", IndirectChoice.AUTO);
+        ImportLighting lighting = choice(fields, "lighting", ImportLighting.FILE);
+        LightUnits units = choice(fields, "light_units", LightUnits.CANDELA);
+        int levels = fields.integer("subdivision", 0, SceneImporter.MAX_LEVELS, SceneImporter.DEFAULT_LEVELS);
         try {
-            ImportedScene imported = indirect.apply(SceneImporter.read(file, output, LightUnits.CANDELA, progress));
+            ImportedScene imported = lighting.apply(indirect.apply(SceneImporter.read(file, output, units, levels, progress)));
             if (importReader == null || !importReader.folder().equals(output.getParent())) {
                 importReader = new CachingJenReader(output.getParent());
             }

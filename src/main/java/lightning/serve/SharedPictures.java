@@ -18,6 +18,9 @@ final class SharedPictures {
     /** Coarse pictures of a client. Their size changes, so they would take the file of exact pictures away. */
     private record CoarseOf(Client client) {}
 
+    /** Layers of a client, which are larger than pictures. */
+    private record LayersOf(Client client) {}
+
     /** Files by client, coarse pictures of a client, or path. */
     private final Map<Object, SharedMemoryFile> files = new HashMap<>();
 
@@ -39,6 +42,11 @@ final class SharedPictures {
         return file(new CoarseOf(client), path, bytes);
     }
 
+    /** Returns the file for a picture with its layers, as {@link #file(Client, Optional, long)}. */
+    SharedMemoryFile layersFile(Client client, Optional<Path> path, long bytes) throws IOException {
+        return file(new LayersOf(client), path, bytes);
+    }
+
     private SharedMemoryFile file(Object unnamed, Optional<Path> path, long bytes) throws IOException {
         Optional<Path> named = path.map(p -> p.toAbsolutePath().normalize());
         Object key = named.isPresent() ? named.get() : unnamed;
@@ -58,7 +66,7 @@ final class SharedPictures {
 
     /** Removes the files of a client. */
     void close(Client client) {
-        Stream.of(client, new CoarseOf(client)).map(files::remove).filter(Objects::nonNull).forEach(SharedPictures::close);
+        Stream.of(client, new CoarseOf(client), new LayersOf(client)).map(files::remove).filter(Objects::nonNull).forEach(SharedPictures::close);
     }
 
     /** Removes all files. */

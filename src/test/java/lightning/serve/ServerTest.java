@@ -6,9 +6,11 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.util.Arrays;
 import java.util.concurrent.TimeUnit;
+import lightning.format.exr.ExrReader;
 import lightning.base.work.Await;
 import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
@@ -155,6 +157,47 @@ class ServerTest {
         assertThat(path).doesNotExist();
         client.request("close", "'scene':1");
         assertThat(Path.of(smaller.get("path").asString())).doesNotExist();
+    }
+
+    /** All channels have the values of a layered file, and the layers add up to the picture. */
+    @Test
+    void memoryWithLayers_hasThePlanesOfALayeredFile() throws Exception {
+        client.open(SCENE);
+        JsonNode result = client.request("render", "'scene':1,'memory':true,'layers':true");
+        JsonNode memory = result.get("memory");
+        float[] planes = TestClient.floats(result);
+        List<String> channels = memory.get("channels").valueStream().map(JsonNode::asString).toList();
+        assertThat(memory.get("shape").toString()).isEqualTo("[" + channels.size() + ",50,70]");
+        assertThat(channels).contains("R", "key_diffuse.R", "fill_specular.B", "N.X", "P.Z", "Z", "shape.id");
+        assertThat(memory.get("lights").get("key_diffuse").asString()).isEqualTo("key");
+        assertThat(memory.get("shapes").toString()).isEqualTo("[\"ground\",\"ball\"]");
+        Path file = folder.resolve("layers.exr");
+        client.request("render", "'scene':1,'layers':true,'bits':32,'file':'" + file + "'");
+        try (ExrReader reader = new ExrReader(file)) {
+            reader.read(channels, (x, y, values) -> {
+                for (int c = 0; c < values.length; c++) {
+                    assertThat(planes[(c * 50 + y) * 70 + x]).isEqualTo(values[c]);
+                }
+            });
+        }
+        for (String color : List.of("R", "G", "B")) {
+            float[] sum = new float[70 * 50];
+            memory.get("sum").valueStream().forEach(layer -> {
+                int plane = channels.indexOf(layer.asString() + "." + color) * sum.length;
+                Arrays.setAll(sum, i -> sum[i] + planes[plane + i]);
+            });
+            int plane = channels.indexOf(color) * sum.length;
+            assertThat(sum).isEqualTo(Arrays.copyOfRange(planes, plane, plane + sum.length));
+        }
+    }
+
+    @Test
+    void describe_followsTheEdits() throws Exception {
+        client.open(SCENE);
+        client.request("add", "'scene':1,'light':'rim point at=0 3 2'");
+        JsonNode described = client.request("describe", "'scene':1");
+        assertThat(described.get("lights").toString()).isEqualTo("[\"key\",\"fill\",\"rim\"]");
+        assertThat(described.get("steps").asInt()).isEqualTo(1);
     }
 
     @Test

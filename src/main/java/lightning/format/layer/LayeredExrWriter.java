@@ -140,7 +140,9 @@ public final class LayeredExrWriter {
             SamplePositions centers = SamplePositions.centers(column * Film.TILE_SIZE, row * Film.TILE_SIZE);
             List<ChannelSource.TileWriter> tileWriters = writers.forTile(tile);
             for (int i = 0; i < tileWriters.size(); i++) {
-                tileWriters.get(i).write(tile, centers, new TileSink(header, centers, indices.get(i), chunks));
+                tileWriters.get(i).write(tile, centers, new TileSink(header.width(), header.height(), centers, indices.get(i),
+                        (channel, x, y, value) -> chunks[y % Film.TILE_SIZE / ExrHeader.LINES_PER_CHUNK].put(channel, x,
+                                y % ExrHeader.LINES_PER_CHUNK, value)));
             }
         }
         try {

@@ -1,19 +1,26 @@
 package lightning.format.layer;
 
-import lightning.format.exr.ExrChunk;
-import lightning.format.exr.ExrHeader;
 import lightning.render.image.Film;
 import lightning.render.trace.SamplePositions;
 
 /**
- * Receiver for the values of a tile in a file.
+ * Receiver for the values of a tile.
  *
+ * @param width   width of the image, pixels
+ * @param height  height of the image, pixels
  * @param centers positions of the tile's pixels
- * @param indices index in the file of each of a source's channels
- * @param chunks the chunks of the tile's row of tiles
+ * @param indices index in {@code values} of each of a source's channels
+ * @param values  receives them
  */
-record TileSink(ExrHeader header, SamplePositions centers, int[] indices, ExrChunk[] chunks) {
+record TileSink(int width, int height, SamplePositions centers, int[] indices, Values values) {
     // Arrays in a record: shared with their creator.
+
+    /** Receiver for the values of a row of tiles. */
+    @FunctionalInterface
+    interface Values {
+        /** Sets a value; {@code x} and {@code y} are those of the image. */
+        void put(int channel, int x, int y, float value);
+    }
 
     /** Visitor of pixels. */
     @FunctionalInterface
@@ -24,8 +31,8 @@ record TileSink(ExrHeader header, SamplePositions centers, int[] indices, ExrChu
 
     /** Visits the tile's pixels inside the image. */
     void forEachPixel(PixelVisitor visitor) {
-        int right = Math.min(centers.x0() + Film.TILE_SIZE, header.width());
-        int bottom = Math.min(centers.y0() + Film.TILE_SIZE, header.height());
+        int right = Math.min(centers.x0() + Film.TILE_SIZE, width);
+        int bottom = Math.min(centers.y0() + Film.TILE_SIZE, height);
         for (int y = centers.y0(); y < bottom; y++) {
             for (int x = centers.x0(); x < right; x++) {
                 visitor.visit(x, y, Film.pixelInTile(x, y));
@@ -35,7 +42,7 @@ record TileSink(ExrHeader header, SamplePositions centers, int[] indices, ExrChu
 
     /** Sets a value. */
     void put(int channel, int x, int y, float value) {
-        chunks[y % Film.TILE_SIZE / ExrHeader.LINES_PER_CHUNK].put(indices[channel], x, y % ExrHeader.LINES_PER_CHUNK, value);
+        values.put(indices[channel], x, y, value);
     }
 
     /** Sets the values of a color's three channels, the first of which is {@code firstChannel}. */
