@@ -66,7 +66,8 @@ final class SharedPictures {
 
     /** Removes the files of a client. */
     void close(Client client) {
-        Stream.of(client, new CoarseOf(client), new LayersOf(client)).map(files::remove).filter(Objects::nonNull).forEach(SharedPictures::close);
+        Stream.of(client, new CoarseOf(client), new LayersOf(client)).map(files::remove).filter(Objects::nonNull)
+                .forEach(SharedPictures::close);
     }
 
     /** Removes all files. */

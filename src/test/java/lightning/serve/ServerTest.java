@@ -6,14 +6,14 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.List;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.util.Arrays;
+import java.util.List;
 import java.util.concurrent.TimeUnit;
-import lightning.format.exr.ExrReader;
 import lightning.base.work.Await;
 import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
+import lightning.format.exr.ExrReader;
 import lightning.format.image.ImageFile;
 import lightning.format.jen.JenReader;
 import lightning.format.jen.PropertyEdit;
@@ -184,7 +184,9 @@ class ServerTest {
             float[] sum = new float[70 * 50];
             memory.get("sum").valueStream().forEach(layer -> {
                 int plane = channels.indexOf(layer.asString() + "." + color) * sum.length;
-                Arrays.setAll(sum, i -> sum[i] + planes[plane + i]);
+                for (int i = 0; i < sum.length; i++) {
+                    sum[i] += planes[plane + i];
+                }
             });
             int plane = channels.indexOf(color) * sum.length;
             assertThat(sum).isEqualTo(Arrays.copyOfRange(planes, plane, plane + sum.length));

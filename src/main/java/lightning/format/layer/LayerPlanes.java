@@ -78,8 +78,9 @@ public final class LayerPlanes {
      */
     public void write(SharedMemoryFile file, long memory, WorkerPool workers, Progress progress) throws IOException {
         if (stripBytes() * workers.count() > memory || stripBytes() > Integer.MAX_VALUE) {
-            throw new IOException(String.format(Locale.ROOT, "%d channels of %d x %d pixels need %.1f GB of memory, at most %.1f GB allowed",
-                    channels.size(), film.width(), film.height(), stripBytes() * workers.count() / 1e9, Math.max(memory, 0) / 1e9));
+            throw new IOException(
+                    String.format(Locale.ROOT, "%d channels of %d x %d pixels need %.1f GB of memory, at most %.1f GB allowed",
+                            channels.size(), film.width(), film.height(), stripBytes() * workers.count() / 1e9, Math.max(memory, 0) / 1e9));
         }
         List<EngineWorkers<List<ChannelSource.TileWriter>>> writers = EngineWorkers.perThread(workers.count(), engines,
                 engine -> sources.stream().map(source -> source.writer(engine)).toList());
@@ -112,7 +113,8 @@ public final class LayerPlanes {
         int stripBytes = lines * film.width() * Float.BYTES;
         try {
             for (int channel = 0; channel < channels.size(); channel++) {
-                file.write(strips.slice(channel * stripBytes, stripBytes), channel * planeBytes() + (long) top * film.width() * Float.BYTES);
+                file.write(strips.slice(channel * stripBytes, stripBytes),
+                        channel * planeBytes() + (long) top * film.width() * Float.BYTES);
             }
         } catch (IOException e) {
             throw new UncheckedIOException(e);
