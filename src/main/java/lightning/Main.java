@@ -1,6 +1,7 @@
 package lightning;
 
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
@@ -56,11 +57,11 @@ public final class Main {
             return start + "'lightning import' converts the file without a window.";
         }
         String name = file.isEmpty() ? "scenes/bird.jen" : file.getFirst();
-        return start + """
+        return start + String.format(Locale.ROOT, """
                 Lightning lights ray-traced scenes, in a window or by commands such as:
                   lightning render %s -o picture.png   render an image
                   lightning tour %s   make every kind of edit, with images and times, for some minutes
-                  lightning --help   list all commands""".replace("%s", name);
+                  lightning --help   list all commands""", name, name);
     }
 
     static boolean opensEditor(String... args) {

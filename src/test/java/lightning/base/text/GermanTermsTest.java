@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Locale;
 import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
@@ -27,13 +28,13 @@ class GermanTermsTest {
     @Test
     void rimLight_hasOneName() throws IOException {
         assertThat(entries()).noneMatch(entry -> entry.group(2).matches(".*(Lichtsaum|Streiflicht).*"));
-        assertThat(entries()).filteredOn(entry -> entry.group(1).toLowerCase().contains("rim light"))
+        assertThat(entries()).filteredOn(entry -> entry.group(1).toLowerCase(Locale.ROOT).contains("rim light"))
                 .allMatch(entry -> entry.group(2).contains("antenlicht"));
     }
 
     @Test
     void master_isNoSum() throws IOException {
-        assertThat(entries()).filteredOn(entry -> entry.group(1).toLowerCase().contains("master"))
+        assertThat(entries()).filteredOn(entry -> entry.group(1).toLowerCase(Locale.ROOT).contains("master"))
                 .allMatch(entry -> entry.group(2).contains("Master"));
     }
 }
