@@ -7,19 +7,21 @@ package lightning.render.gather;
  */
 public final class BarrierFinder {
     /** Largest number of barriers of a point: a corner has two. */
-    static final int MAX = 2;
+    static final int MAX = 3;
+    /** Planes among which those with the most hits are chosen: a wall beside a ball, whose hits lie on many planes. */
+    private static final int MAX_PLANES = 8;
     /** Values of a barrier: its normal, the point's distance from it, and the ends of its width. */
     static final int VALUES = 6;
-    /** Length of the rays that find barriers, in radii: the filter reaches 2.7 radii. */
-    private static final double REACH = 3;
+    /** Length of the rays that find barriers, in radii: the filter reaches 4 radii. */
+    private static final double REACH = 5;
     /** Smallest cosine between the normals of one barrier: 18°. */
     private static final double SAME_NORMAL = 0.95;
     /** Largest distance between planes of one barrier, in radii. */
     private static final double SAME_PLANE = 0.1;
     /** Smallest sine between a barrier and the surface of its point: a ceiling separates no points of a floor. */
     private static final double MIN_SINE = 0.3;
-    /** Distance by which a barrier is wider than its hits, in radii. */
-    private static final double MARGIN = 0.25;
+    /** Distance by which a barrier is wider than a single hit, in radii; less for more hits, which find its ends. */
+    private static final double MARGIN = 1;
     private static final double MIN_COSINE = 1e-3;
 
     /** Directions of the rays, of length 1. */
@@ -38,6 +40,10 @@ public final class BarrierFinder {
     /** Length of each ray and distance of the point from the plane that it hits; the distance is 0 if the ray finds no barrier. */
     private final double[] length;
     private final double[] distance;
+    /** A ray that hits each plane, and the number of rays that do. */
+    private final int[] planeRay = new int[MAX_PLANES];
+    private final int[] planeHits = new int[MAX_PLANES];
+    private int planes;
     /** Values of the barriers found last. */
     final float[] found = new float[MAX * VALUES];
 
@@ -77,33 +83,48 @@ public final class BarrierFinder {
                 }
             }
         }
-        int first = any ? nearest(-1, nx, ny, nz) : -1;
-        if (first < 0) {
-            return 0;
-        }
-        write(0, first, nx, ny, nz, radius);
-        int second = nearest(first, nx, ny, nz);
-        if (second < 0) {
-            return 1;
-        }
-        write(1, second, nx, ny, nz, radius);
-        return 2;
-    }
-
-    /**
-     * Returns the ray that hits the plane nearest to the point; −1 for none.
-     *
-     * @param other ray whose plane does not count, nor others of similar normals; −1 for none
-     */
-    private int nearest(int other, float nx, float ny, float nz) {
-        int nearest = -1;
-        for (int k = 0; k < hit.length; k++) {
-            if (distance[k] > 0 && (nearest < 0 || distance[k] < distance[nearest]) && (other < 0 || !hasSameNormal(k, other))
-                    && sineSquare(k, nx, ny, nz) > MIN_SINE * MIN_SINE) {
-                nearest = k;
+        planes = 0;
+        for (int k = 0; any && k < hit.length; k++) {
+            if (distance[k] > 0) {
+                addToPlane(k, nx, ny, nz, radius);
             }
         }
-        return nearest;
+        int count = 0;
+        for (int plane = mostHits(); plane >= 0 && count < MAX; plane = mostHits()) {
+            write(count++, planeRay[plane], nx, ny, nz, radius);
+            planeHits[plane] = 0;
+        }
+        return count;
+    }
+
+    /** Counts a hit for its plane, or for a new one if there are not too many. */
+    private void addToPlane(int k, float nx, float ny, float nz, float radius) {
+        for (int plane = 0; plane < planes; plane++) {
+            if (isOnPlane(k, planeRay[plane], radius)) {
+                planeHits[plane]++;
+                return;
+            }
+        }
+        if (planes < MAX_PLANES && sineSquare(k, nx, ny, nz) > MIN_SINE * MIN_SINE) {
+            planeRay[planes] = k;
+            planeHits[planes++] = 1;
+        }
+    }
+
+    /** Returns the plane with the most hits, the first of equals; −1 if none has any. */
+    private int mostHits() {
+        int most = -1;
+        for (int plane = 0; plane < planes; plane++) {
+            if (planeHits[plane] > (most < 0 ? 0 : planeHits[most])) {
+                most = plane;
+            }
+        }
+        return most;
+    }
+
+    private boolean isOnPlane(int k, int ray, float radius) {
+        double apart = snx[ray] * ((double) sx[k] - sx[ray]) + sny[ray] * ((double) sy[k] - sy[ray]) + snz[ray] * ((double) sz[k] - sz[ray]);
+        return hasSameNormal(k, ray) && Math.abs(apart) < SAME_PLANE * radius;
     }
 
     private boolean hasSameNormal(int k, int other) {
@@ -128,16 +149,16 @@ public final class BarrierFinder {
         double z = alongX(snx[ray], sny[ray], nx, ny);
         double least = Double.POSITIVE_INFINITY;
         double greatest = Double.NEGATIVE_INFINITY;
+        int hits = 0;
         for (int k = 0; k < hit.length; k++) {
-            double apart = snx[ray] * ((double) sx[k] - sx[ray]) + sny[ray] * ((double) sy[k] - sy[ray])
-                    + snz[ray] * ((double) sz[k] - sz[ray]);
-            if (distance[k] > 0 && hasSameNormal(k, ray) && Math.abs(apart) < SAME_PLANE * radius) {
+            if (distance[k] > 0 && isOnPlane(k, ray, radius)) {
                 double at = length[k] * (dx[k] * x + dy[k] * y + dz[k] * z);
                 least = Math.min(least, at);
                 greatest = Math.max(greatest, at);
+                hits++;
             }
         }
-        double margin = MARGIN * radius * Math.sqrt(x * x + y * y + z * z);
+        double margin = MARGIN * radius * Math.sqrt((x * x + y * y + z * z) / hits);
         int to = barrier * VALUES;
         found[to] = snx[ray];
         found[to + 1] = sny[ray];

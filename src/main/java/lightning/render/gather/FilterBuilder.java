@@ -13,9 +13,13 @@ final class FilterBuilder {
     private static final float SHARE = 0.25f;
     /** Least reach of the filter in radii of points: the few rays of points in corners are too noisy alone. */
     private static final float RADII = 2;
+    /** The same among points of one plane, where noise is visible and edges are those of other planes. */
+    private static final float FLAT_RADII = 4;
 
     private final SurfaceColumns points;
     private final float[] radius;
+    /** Reach among points of one plane, and among others. */
+    private final float[] flatReach;
     private final float[] reach;
     private final PointGroups groups;
     private final Barriers barriers;
@@ -31,10 +35,13 @@ final class FilterBuilder {
         this.radius = radius;
         this.barriers = barriers;
         reach = new float[points.count];
+        flatReach = new float[points.count];
         for (int p = 0; p < points.count; p++) {
-            reach[p] = Math.max(RADII * radius[p], Math.min(CELLS * side[p], SHARE * harmonic[p]));
+            float open = Math.min(CELLS * side[p], SHARE * harmonic[p]);
+            reach[p] = Math.max(RADII * radius[p], open);
+            flatReach[p] = Math.max(FLAT_RADII * radius[p], open);
         }
-        groups = pointGroups.withRadius(reach);
+        groups = pointGroups.withRadius(flatReach);
     }
 
     PointFilter build(WorkerPool workers, Progress progress) {
@@ -45,7 +52,7 @@ final class FilterBuilder {
         NearPoints[] near = new NearPoints[workers.count()];
         LinearWeights[] linear = new LinearWeights[workers.count()];
         workers.run(jobs, (worker, job) -> {
-            near[worker] = near[worker] == null ? new NearPoints(points, reach, groups) : near[worker];
+            near[worker] = near[worker] == null ? new NearPoints(points, flatReach, groups) : near[worker];
             linear[worker] = linear[worker] == null ? new LinearWeights() : linear[worker];
             near[worker].find(points.px, points.py, points.pz, order, job * BATCH, Math.min(points.count, job * BATCH + BATCH),
                     (p, candidates) -> link(p, near[worker], candidates, linear[worker], neighbors, weights));
@@ -55,7 +62,7 @@ final class FilterBuilder {
 
     private void link(int p, NearPoints near, int candidates, LinearWeights linear, int[][] neighbors, float[][] weights) {
         int[] point = new int[candidates];
-        linear.start(points.nx[p], points.ny[p], points.nz[p], reach[p]);
+        linear.start(points.nx[p], points.ny[p], points.nz[p], flatReach[p]);
         for (int i = 0; i < candidates; i++) {
             int column = near.near[i];
             float w = weight(p, near.columns, column, near.point(column));
@@ -88,8 +95,8 @@ final class FilterBuilder {
     /** Returns the weight of a neighbor: a point near a contact takes nothing from afar. It stands for its share of the surface. */
     private float weight(int p, SurfaceColumns columns, int column, int neighbor) {
         float share = radius[neighbor] / radius[p];
-        return PointWeight.flat(columns, column, Math.min(reach[p], reach[neighbor]), points.px[p], points.py[p], points.pz[p],
-                points.nx[p],
-                points.ny[p], points.nz[p]) * (share * share);
+        float[] reaches = PointWeight.areOnOnePlane(points, p, neighbor, radius[p]) ? flatReach : reach;
+        return PointWeight.flat(columns, column, Math.min(reaches[p], reaches[neighbor]), points.px[p], points.py[p], points.pz[p],
+                points.nx[p], points.ny[p], points.nz[p]) * (share * share);
     }
 }

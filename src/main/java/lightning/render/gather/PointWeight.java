@@ -18,6 +18,9 @@ public final class PointWeight {
     private static final float MAX_PLANE = 0.3f;
     /** Factor of the distance to a point behind a barrier: it counts only if there are no others. */
     private static final float BEHIND_BARRIER = 1e6f;
+    /** Smallest cosine between normals, and largest distance from the plane in radii, of points on one plane. */
+    private static final float SAME_NORMAL = 0.9999f;
+    private static final float SAME_PLANE = 0.01f;
     /** Weight of an angle in the distance to the nearest point where none is valid. */
     private static final float ANGLE = 40;
 
@@ -52,6 +55,18 @@ public final class PointWeight {
         float validPlane = Math.min(MAX_PLANE, FLAT_PLANE + PLANE_PER_ANGLE * angle);
         float worst = Math.max(Math.max((float) Math.sqrt(square) / radius, angle), plane / (validPlane * radius));
         return worst < 1 ? 1 - worst : 0;
+    }
+
+    /**
+     * Returns whether two points lie on one plane.
+     *
+     * @param radius of the first, scene units
+     */
+    public static boolean areOnOnePlane(SurfaceColumns points, int p, int q, float radius) {
+        float cosine = points.nx[p] * points.nx[q] + points.ny[p] * points.ny[q] + points.nz[p] * points.nz[q];
+        float height = (points.px[q] - points.px[p]) * points.nx[p] + (points.py[q] - points.py[p]) * points.ny[p]
+                + (points.pz[q] - points.pz[p]) * points.nz[p];
+        return cosine > SAME_NORMAL && Math.abs(height) < SAME_PLANE * radius;
     }
 
     /** Returns {@link #distance} of a point, made much larger if a barrier separates it from the place. */

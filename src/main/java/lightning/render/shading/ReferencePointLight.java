@@ -18,6 +18,7 @@ final class ReferencePointLight {
     private static final float FILTER_CELLS = 4;
     private static final float FILTER_SHARE = 0.25f;
     private static final float FILTER_RADII = 2;
+    private static final float FLAT_FILTER_RADII = 4;
     private static final int BEST = 8;
     private static final int MAX_WEIGHT = 255;
     private static final int MIN_WEIGHT = 4;
@@ -92,9 +93,9 @@ final class ReferencePointLight {
         return new float[] {sum[0] * share, sum[1] * share, sum[2] * share};
     }
 
-    private float reach(int p) {
+    private float reach(int p, float radii) {
         ReferenceGatherPoints.GatherPoint point = points.get(p);
-        return Math.max(FILTER_RADII * point.radius(), Math.min(FILTER_CELLS * point.side(), FILTER_SHARE * point.harmonic()));
+        return Math.max(radii * point.radius(), Math.min(FILTER_CELLS * point.side(), FILTER_SHARE * point.harmonic()));
     }
 
     /** Returns the points whose mean is a point's light, with whole weights up to 255. */
@@ -103,13 +104,14 @@ final class ReferencePointLight {
         List<Weighted> found = new ArrayList<>();
         for (int n = 0; n < points.size(); n++) {
             float share = points.get(n).radius() / points.get(p).radius();
-            float weight = PointWeight.flat(surfaces, n, Math.min(reach(p), reach(n)), at.px(), at.py(), at.pz(), at.nx(), at.ny(), at.nz())
+            float radii = PointWeight.areOnOnePlane(surfaces, p, n, points.get(p).radius()) ? FLAT_FILTER_RADII : FILTER_RADII;
+            float weight = PointWeight.flat(surfaces, n, Math.min(reach(p, radii), reach(n, radii)), at.px(), at.py(), at.pz(), at.nx(), at.ny(), at.nz())
                     * (share * share);
             if (weight > 0 && !isSeparate(n, at) && !isSeparate(p, points.get(n).at())) {
                 found.add(new Weighted(n, weight));
             }
         }
-        List<Weighted> adjusted = adjusted(found, at, reach(p));
+        List<Weighted> adjusted = adjusted(found, at, reach(p, FLAT_FILTER_RADII));
         boolean isValid = adjusted.stream().anyMatch(w -> w.weight > 0) && adjusted.stream().allMatch(w -> Float.isFinite(w.weight));
         return isValid ? whole(adjusted) : List.of(new Weighted(p, MAX_WEIGHT));
     }
