@@ -84,15 +84,15 @@ public final class LayerPlanes {
         }
         List<EngineWorkers<List<ChannelSource.TileWriter>>> writers = EngineWorkers.perThread(workers.count(), engines,
                 engine -> sources.stream().map(source -> source.writer(engine)).toList());
-        try {
-            workers.run(film.tilesY(), (worker, row) -> writeRow(writers.get(worker), row, file), progress);
+        try (SharedMemoryFile.Writer out = file.openWriter()) {
+            workers.run(film.tilesY(), (worker, row) -> writeRow(writers.get(worker), row, out), progress);
         } catch (UncheckedIOException e) {
             throw e.getCause();
         }
     }
 
     /** Writes a row of tiles: a strip of each plane. */
-    private void writeRow(EngineWorkers<List<ChannelSource.TileWriter>> writers, int row, SharedMemoryFile file) {
+    private void writeRow(EngineWorkers<List<ChannelSource.TileWriter>> writers, int row, SharedMemoryFile.Writer file) {
         int top = row * Film.TILE_SIZE;
         int lines = Math.min(Film.TILE_SIZE, film.height() - top);
         ByteBuffer strips = ByteBuffer.allocate(channels.size() * lines * film.width() * Float.BYTES).order(ByteOrder.LITTLE_ENDIAN);
