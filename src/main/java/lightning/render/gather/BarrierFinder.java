@@ -123,7 +123,8 @@ public final class BarrierFinder {
     }
 
     private boolean isOnPlane(int k, int ray, float radius) {
-        double apart = snx[ray] * ((double) sx[k] - sx[ray]) + sny[ray] * ((double) sy[k] - sy[ray]) + snz[ray] * ((double) sz[k] - sz[ray]);
+        double apart =
+                snx[ray] * ((double) sx[k] - sx[ray]) + sny[ray] * ((double) sy[k] - sy[ray]) + snz[ray] * ((double) sz[k] - sz[ray]);
         return hasSameNormal(k, ray) && Math.abs(apart) < SAME_PLANE * radius;
     }
 

@@ -13,7 +13,7 @@ final class FilterBuilder {
     private static final float SHARE = 0.25f;
     /** Least reach of the filter in radii of points: the few rays of points in corners are too noisy alone. */
     private static final float RADII = 2;
-    /** The same among points of one plane, where noise is visible and edges are those of other planes. */
+    /** The same among points of one plane, where noise is visible; not beyond the reach far from contacts. */
     private static final float FLAT_RADII = 4;
 
     private final SurfaceColumns points;
@@ -39,7 +39,7 @@ final class FilterBuilder {
         for (int p = 0; p < points.count; p++) {
             float open = Math.min(CELLS * side[p], SHARE * harmonic[p]);
             reach[p] = Math.max(RADII * radius[p], open);
-            flatReach[p] = Math.max(FLAT_RADII * radius[p], open);
+            flatReach[p] = Math.max(reach[p], Math.min(FLAT_RADII * radius[p], CELLS * side[p]));
         }
         groups = pointGroups.withRadius(flatReach);
     }

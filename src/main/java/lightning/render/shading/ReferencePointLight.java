@@ -93,9 +93,11 @@ final class ReferencePointLight {
         return new float[] {sum[0] * share, sum[1] * share, sum[2] * share};
     }
 
-    private float reach(int p, float radii) {
+    private float reach(int p, boolean isFlat) {
         ReferenceGatherPoints.GatherPoint point = points.get(p);
-        return Math.max(radii * point.radius(), Math.min(FILTER_CELLS * point.side(), FILTER_SHARE * point.harmonic()));
+        float open = FILTER_CELLS * point.side();
+        float reach = Math.max(FILTER_RADII * point.radius(), Math.min(open, FILTER_SHARE * point.harmonic()));
+        return isFlat ? Math.max(reach, Math.min(FLAT_FILTER_RADII * point.radius(), open)) : reach;
     }
 
     /** Returns the points whose mean is a point's light, with whole weights up to 255. */
@@ -104,14 +106,15 @@ final class ReferencePointLight {
         List<Weighted> found = new ArrayList<>();
         for (int n = 0; n < points.size(); n++) {
             float share = points.get(n).radius() / points.get(p).radius();
-            float radii = PointWeight.areOnOnePlane(surfaces, p, n, points.get(p).radius()) ? FLAT_FILTER_RADII : FILTER_RADII;
-            float weight = PointWeight.flat(surfaces, n, Math.min(reach(p, radii), reach(n, radii)), at.px(), at.py(), at.pz(), at.nx(), at.ny(), at.nz())
+            boolean isFlat = PointWeight.areOnOnePlane(surfaces, p, n, points.get(p).radius());
+            float weight = PointWeight.flat(surfaces, n, Math.min(reach(p, isFlat), reach(n, isFlat)), at.px(), at.py(), at.pz(), at.nx(),
+                    at.ny(), at.nz())
                     * (share * share);
             if (weight > 0 && !isSeparate(n, at) && !isSeparate(p, points.get(n).at())) {
                 found.add(new Weighted(n, weight));
             }
         }
-        List<Weighted> adjusted = adjusted(found, at, reach(p, FLAT_FILTER_RADII));
+        List<Weighted> adjusted = adjusted(found, at, reach(p, true));
         boolean isValid = adjusted.stream().anyMatch(w -> w.weight > 0) && adjusted.stream().allMatch(w -> Float.isFinite(w.weight));
         return isValid ? whole(adjusted) : List.of(new Weighted(p, MAX_WEIGHT));
     }
