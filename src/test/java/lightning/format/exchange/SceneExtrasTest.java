@@ -56,6 +56,15 @@ class SceneExtrasTest {
     }
 
     @Test
+    void senderOfScene_isComment_unlessItIsNone() throws Exception {
+        String id = "0123456789abcdef".repeat(2);
+        assertThat(written(imported("{'id': '" + id + "'}")).text()).contains("\n# sent from: " + id + "\n");
+        for (String other : List.of("'x'", "5", "'" + id + "\\nlight a point {}'", "null")) {
+            assertThat(imported("{'id': " + other + "}").text()).doesNotContain("sent from");
+        }
+    }
+
+    @Test
     void editOfMaterial_countsIfFileHasValueBefore() throws Exception {
         Material plain = imported("{}").scene().materials().getLast();
         String edits = "{'f0': [" + plain.f0() + ", 0.1], 'reflective': [[0, 0, 0.0], [0.2, 0.3, 0.4]], 'roughness': [0.875, 0.25],"
