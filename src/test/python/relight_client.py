@@ -147,7 +147,7 @@ with Client(program=json.loads(command)) as client:
             model.write_text("ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
                              "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")
             with lightning_relight.open(model, output=Path(out, "model.jen"), lighting="studio", indirect="on", client=client) as imported:
-                assert len(imported.lights) == 3, imported.lights
+                assert imported.lights == ["key", "fill", "rim", "sky"], imported.lights
                 assert client.request("describe", scene=imported.number)["indirect"]
             try:
                 lightning_relight.open(model, output=Path(out, "model.jen"), lighting="moon", client=client)

@@ -63,6 +63,9 @@ final class SvgGraphics extends ShapeGraphics {
     @Override
     public void drawString(String text, float x, float y) {
         AffineTransform transform = getTransform();
+        if (!Float.isFinite(x) || !Float.isFinite(y)) {
+            return;
+        }
         boolean isMoved = (transform.getType() & ~AffineTransform.TYPE_TRANSLATION) == 0;
         String place = isMoved
                 ? "x=\"" + number(x + transform.getTranslateX()) + "\" y=\"" + number(y + transform.getTranslateY()) + "\""
@@ -72,8 +75,12 @@ final class SvgGraphics extends ShapeGraphics {
                 number(getFont().getSize2D()), place, ChartSvg.widthOf(text), HtmlWriter.escape(text)).replace("\r", ""));
     }
 
+    /** Adds a shape, unless a coordinate is infinite or not a number. */
     private void add(Shape shape, String style) {
         AffineTransform transform = getTransform();
+        if (!isFinite(transform.createTransformedShape(shape))) {
+            return;
+        }
         boolean isMoved = (transform.getType() & ~AffineTransform.TYPE_TRANSLATION) == 0;
         double dx = transform.getTranslateX();
         double dy = transform.getTranslateY();
@@ -85,6 +92,17 @@ final class SvgGraphics extends ShapeGraphics {
             default -> "<path d=\"" + path(shape.getPathIterator(transform)) + "\"";
         };
         elements.append(geometry).append(" style=\"").append(style).append("\"/>\n");
+    }
+
+    private static boolean isFinite(Shape shape) {
+        double[] points = new double[6];
+        for (PathIterator outline = shape.getPathIterator(null); !outline.isDone(); outline.next()) {
+            int count = 2 * POINTS[outline.currentSegment(points)];
+            if (!Arrays.stream(points, 0, count).allMatch(Double::isFinite)) {
+                return false;
+            }
+        }
+        return true;
     }
 
     private static String path(PathIterator outline) {

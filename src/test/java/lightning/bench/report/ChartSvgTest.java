@@ -6,6 +6,7 @@ import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Graphics2D;
 import java.awt.geom.Ellipse2D;
+import java.awt.geom.Line2D;
 import java.util.List;
 import lightning.bench.report.ShareChart.Bar;
 import org.junit.jupiter.api.Test;
@@ -57,6 +58,15 @@ class ChartSvgTest {
                 line -> assertThat(line).contains("x=\"1\" y=\"2\" transform=\"matrix(0,1,-1,0,10,20)\"", ">a &lt; b</text>"),
                 line -> assertThat(line)
                         .isEqualTo("<path d=\"M10,20 L14,20 L14,24 Z\" style=\"fill:none;stroke:var(--red);\"/>"));
+    }
+
+    @Test
+    void shapesWithoutAnEnd_areLeftOut() {
+        var graphics = new SvgGraphics();
+        graphics.draw(new Line2D.Double(0, 0, Double.POSITIVE_INFINITY, 1));
+        graphics.fill(new Ellipse2D.Double(0, Double.NaN, 1, 1));
+        graphics.drawString("far", 0, Float.NEGATIVE_INFINITY);
+        assertThat(graphics.elements()).isEmpty();
     }
 
     @Test

@@ -95,8 +95,15 @@ public final class MixerPane extends VBox {
         return owner == null || owner == this || owner.getParent() != null && hasFocus(owner.getParent());
     }
 
+    /** Says what thumbnails and shares lack, if any are shown. */
+    private void updateLightNote() {
+        boolean isShown = images != null && !images.hasAllLight() && detail.includes(StripDetail.NO_THUMBNAIL);
+        lightNote.setText(isShown ? Messages.tr("Direct light only") : "");
+    }
+
     private void setDetail(StripDetail newDetail) {
         detail = newDetail;
+        updateLightNote();
         master.setDetail(detail);
         strips.values().forEach(strip -> strip.setDetail(detail));
     }
@@ -218,7 +225,7 @@ public final class MixerPane extends VBox {
         images = newImages;
         showPictures();
         master.show(newImages);
-        lightNote.setText(newImages.hasAllLight() ? "" : Messages.tr("Thumbnails show direct light only"));
+        updateLightNote();
     }
 
     /** Returns the shares in the current scene; empty while they are unknown. */
