@@ -1,7 +1,7 @@
 package lightning.render.gather;
 
 /**
- * Finds the barriers of gather points: surfaces close to a point that separate it from what lies behind them, as a thin wall does. A
+ * Finds the barriers of gather points: surfaces close to a point that separate it from places behind them, as a thin wall does. A
  * barrier is a plane that at least one of the point's rays hits within a few radii, as wide as these hits. Holds scratch memory: use one
  * instance per thread.
  */
@@ -35,7 +35,7 @@ public final class BarrierFinder {
     public final float[] snx;
     public final float[] sny;
     public final float[] snz;
-    /** Whether a ray hits a flat surface. */
+    /** Rays that hit a flat surface. */
     public final boolean[] hit;
     /** Length of each ray and distance of the point from the plane that it hits; the distance is 0 if the ray finds no barrier. */
     private final double[] length;

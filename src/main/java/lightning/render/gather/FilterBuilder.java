@@ -13,7 +13,7 @@ final class FilterBuilder {
     private static final float SHARE = 0.25f;
     /** Least reach of the filter in radii of points: the few rays of points in corners are too noisy alone. */
     private static final float RADII = 2;
-    /** The same among points of one plane, where noise is visible; not beyond the reach far from contacts. */
+    /** Least reach among points of one plane, where noise is visible, in radii; at most {@link #CELLS}. */
     private static final float FLAT_RADII = 4;
 
     private final SurfaceColumns points;

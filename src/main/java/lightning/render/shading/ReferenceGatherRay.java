@@ -113,7 +113,7 @@ record ReferenceGatherRay(SurfacePoint hit, Vec3 direction, double length, long 
         return new ReferenceGatherRay(null, ray.direction(), Double.POSITIVE_INFINITY, 0, rank, tint, null, null, false);
     }
 
-    /** Multiplies a tint by what a transparent surface transmits, by the angle from outside. */
+    /** Multiplies a tint by the transmittance of a surface, by the angle from outside. */
     private static void multiply(float[] tint, MaterialTable materials, SurfacePoint hit) {
         Transmission transmission = hit.backSide().transmission();
         float reflectance =

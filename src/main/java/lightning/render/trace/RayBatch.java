@@ -153,7 +153,7 @@ public final class RayBatch {
         startZ[ray] = surface.backZ;
     }
 
-    /** Multiplies the tint of a ray by what the surface computed last transmits. */
+    /** Multiplies the tint of a ray by the transmittance of the surface computed last. */
     private void multiplyTransmittance(int ray, int material) {
         allocateTints();
         Transmission transmission = materials.transmission(material);
