@@ -6,6 +6,8 @@ import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
+import java.time.Duration;
+import java.time.Instant;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
@@ -18,6 +20,7 @@ final class StagingFolder implements AutoCloseable {
     private static final String ENDING = ".import";
     /** Leaves most of a file name's 200 characters to the files in the folder. */
     private static final int MAX_STEM_LENGTH = 24;
+    private static final Duration CREATION_GRACE = Duration.ofMinutes(1);
     /** Folders of this process: closing any channel of a lock file releases the process's lock. */
     private static final Set<Path> OPEN = ConcurrentHashMap.newKeySet();
 
@@ -57,14 +60,25 @@ final class StagingFolder implements AutoCloseable {
     }
 
     private static boolean isStale(Path folder) throws IOException {
-        if (OPEN.contains(folder) || !FolderLock.hasLockFile(folder)) {
+        if (OPEN.contains(folder)) {
             return false;
+        }
+        if (!FolderLock.hasLockFile(folder)) {
+            // Left empty between two steps of its creation or deletion. A new one gets its lock at once.
+            return Files.isDirectory(folder, LinkOption.NOFOLLOW_LINKS) && isEmpty(folder)
+                    && Files.getLastModifiedTime(folder).toInstant().plus(CREATION_GRACE).isBefore(Instant.now());
         }
         Optional<FolderLock> lock = FolderLock.tryLock(folder);
         if (lock.isPresent()) {
             lock.get().close();
         }
         return lock.isPresent();
+    }
+
+    private static boolean isEmpty(Path folder) throws IOException {
+        try (DirectoryStream<Path> files = Files.newDirectoryStream(folder)) {
+            return !files.iterator().hasNext();
+        }
     }
 
     private static String start(Path sceneFile) {

@@ -11,6 +11,8 @@ import java.nio.ByteOrder;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.attribute.FileTime;
+import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
@@ -194,10 +196,13 @@ class SceneReplacementTest {
     void folderOfUserOrOfAnotherScene_stays() throws Exception {
         Files.writeString(Files.createDirectory(target.resolve("a.import")).resolve("mine.txt"), "mine");
         Files.writeString(Files.createDirectory(target.resolve("a.import2")).resolve("in-use"), "");
+        Path empty = Files.createDirectory(target.resolve("a.import3"));
+        Files.setLastModifiedTime(empty, FileTime.from(Instant.now().minusSeconds(120)));
         Files.writeString(target.resolve("look.jen"), "mesh \"a.import2/a.gltf\"");
         writeModel("wide square", 2);
         imported().writeReplacing();
         assertThat(files(target)).containsExactly("a.bin", "a.gltf", "a.import/mine.txt", "a.import2/in-use", "a.jen", "look.jen");
+        assertThat(empty).as("left between two steps").doesNotExist();
     }
 
     @Test
