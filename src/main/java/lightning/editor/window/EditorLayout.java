@@ -16,6 +16,7 @@ import javafx.scene.layout.Region;
 import javafx.scene.layout.StackPane;
 import javafx.scene.layout.VBox;
 import lightning.base.text.Messages;
+import lightning.editor.document.Command;
 import lightning.editor.window.dock.DockSlot;
 import lightning.editor.window.dock.TabDrag;
 import lightning.editor.window.model.PanelPlace;
@@ -152,7 +153,7 @@ final class EditorLayout extends BorderPane {
     private DockSlot dockSlot(WindowLayout arrangement, PanelPlace place, Region dock) {
         boolean isLeft = place == PanelPlace.LEFT;
         return new DockSlot(isLeft ? upperArea : workArea, dock, isLeft ? 0 : 1, arrangement.dockSizeProperty(place),
-                isLeft ? _ -> LEFT_DOCK_WIDTH : EditorLayout::lowerDockHeight);
+                isLeft ? _ -> LEFT_DOCK_WIDTH : total -> lowerDockHeight(arrangement, total));
     }
 
     /**
@@ -160,8 +161,9 @@ final class EditorLayout extends BorderPane {
      *
      * @param total height of pictures and dock, pixels
      */
-    static double lowerDockHeight(double total) {
-        return Math.max(MIN_LOWER_DOCK_HEIGHT, LOWER_DOCK_SHARE * total);
+    static double lowerDockHeight(WindowLayout arrangement, double total) {
+        boolean hasMixer = arrangement.panelsProperty().get().openIn(PanelPlace.BELOW).contains(Command.MIXER);
+        return hasMixer ? Math.max(MIN_LOWER_DOCK_HEIGHT, LOWER_DOCK_SHARE * total) : MIN_LOWER_DOCK_HEIGHT;
     }
 
     PictureView picture() {

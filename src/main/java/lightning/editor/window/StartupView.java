@@ -68,7 +68,7 @@ final class StartupView extends Region {
         double workBottom = getHeight() - EditorLayout.STATUS_HEIGHT;
         double workHeight = workBottom - EditorLayout.BARS_HEIGHT;
         double left = dockSize(PanelPlace.LEFT, workWidth, EditorLayout.LEFT_DOCK_WIDTH);
-        double bottom = workBottom - dockSize(PanelPlace.BELOW, workHeight, EditorLayout.lowerDockHeight(workHeight));
+        double bottom = workBottom - dockSize(PanelPlace.BELOW, workHeight, EditorLayout.lowerDockHeight(arrangement, workHeight));
         double canvasWidth = workWidth - left;
         CanvasLayout choice = arrangement.canvasLayoutProperty().get();
         boolean isAlone = choice.hasInset() || choice.share() == 1;
