@@ -29,14 +29,13 @@ public final class BarrierFinder {
     public final double[] dy;
     public final double[] dz;
     /** Surfel that each ray hits: a place and a normal. */
-    public final float[] sx;
-    public final float[] sy;
-    public final float[] sz;
-    public final float[] snx;
-    public final float[] sny;
-    public final float[] snz;
-    /** Rays that hit a flat surface. */
-    public final boolean[] hit;
+    private final float[] sx;
+    private final float[] sy;
+    private final float[] sz;
+    private final float[] snx;
+    private final float[] sny;
+    private final float[] snz;
+    private final boolean[] hit;
     /** Length of each ray and distance of the point from the plane that it hits; the distance is 0 if the ray finds no barrier. */
     private final double[] length;
     private final double[] distance;
@@ -61,6 +60,27 @@ public final class BarrierFinder {
         hit = new boolean[rays];
         length = new double[rays];
         distance = new double[rays];
+    }
+
+    /** Sets that a ray hits no surface that can be a barrier. */
+    public void setMiss(int k) {
+        hit[k] = false;
+    }
+
+    /**
+     * Sets the surfel that a ray hits.
+     *
+     * @param x  place, render space, with {@code y} and {@code z}
+     * @param nx unit normal, facing the ray, with {@code ny} and {@code nz}
+     */
+    public void setHit(int k, float x, float y, float z, float nx, float ny, float nz) {
+        hit[k] = true;
+        sx[k] = x;
+        sy[k] = y;
+        sz[k] = z;
+        snx[k] = nx;
+        sny[k] = ny;
+        snz[k] = nz;
     }
 
     /**

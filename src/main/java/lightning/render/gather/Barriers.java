@@ -55,15 +55,11 @@ public record Barriers(int[] first, float[] values) {
             boolean any = false;
             for (int k = 0; k < directions.rays(); k++) {
                 int s = links.surfel(p * directions.rays() + k);
-                finder.hit[k] = s != RayLinks.MISS && !geometry.hasBentNormals(surfels.primitive[s]);
-                if (finder.hit[k]) {
+                if (s == RayLinks.MISS || geometry.hasBentNormals(surfels.primitive[s])) {
+                    finder.setMiss(k);
+                } else {
+                    finder.setHit(k, surfels.px[s], surfels.py[s], surfels.pz[s], surfels.nx[s], surfels.ny[s], surfels.nz[s]);
                     any = true;
-                    finder.sx[k] = surfels.px[s];
-                    finder.sy[k] = surfels.py[s];
-                    finder.sz[k] = surfels.pz[s];
-                    finder.snx[k] = surfels.nx[s];
-                    finder.sny[k] = surfels.ny[s];
-                    finder.snz[k] = surfels.nz[s];
                 }
             }
             if (any) {

@@ -3,6 +3,7 @@ package lightning.render.shading;
 import java.util.Arrays;
 import lightning.base.math.Rgb;
 import lightning.render.trace.HitRows;
+import lightning.render.trace.Refraction;
 import lightning.scene.Transmission;
 
 /** Evaluates the {@link LightingEquation} over the rows of a clear material. Holds scratch columns: use one instance per thread. */
@@ -70,7 +71,7 @@ final class ClearMaterialShader {
             float[] texel = rows.glowTexel(c);
             float kr = material.reflective()[c];
             for (int i = rows.runStart(run); i < rows.runEnd[run]; i++) {
-                float weight = (1 - LightingEquation.mirrorShare(kr, terms.share[i])) * body * terms.tint[c][i];
+                float weight = (1 - Refraction.mirrorShare(kr, terms.share[i])) * body * terms.tint[c][i];
                 to[c][i] = LightingEquation.addGlow(to[c][i], material.glow()[c], texel[i], weight);
             }
         }

@@ -1,6 +1,7 @@
 package lightning.render.shading;
 
 import lightning.base.math.PowerFunction;
+import lightning.render.trace.Refraction;
 import lightning.scene.Attenuation;
 
 /**
@@ -246,18 +247,13 @@ public final class LightingEquation {
      */
     public static float clearSurface(float emitted, float kd, float diffuse, float ks, float specular, float grazing, float kr, float body,
             float share) {
-        float left = 1 - mirrorShare(kr, share);
+        float left = 1 - Refraction.mirrorShare(kr, share);
         return (emitted + kd * diffuse) * (left * body) + (ks * specular + grazing);
-    }
-
-    /** Returns the share of mirrored light of a clear surface. */
-    static float mirrorShare(float kr, float share) {
-        return kr + (1 - kr) * share;
     }
 
     /** Returns one channel of the color of a clear surface from the light that the surface itself sends. */
     public static float clearColor(float surface, float kr, float mirrored, float share, float kt, float refracted, float tint) {
-        float mirror = mirrorShare(kr, share);
+        float mirror = Refraction.mirrorShare(kr, share);
         return (surface + mirror * mirrored + (1 - mirror) * kt * refracted) * tint;
     }
 

@@ -58,18 +58,12 @@ final class ReferencePointLight {
         BarrierFinder finder = new BarrierFinder(targets.size());
         for (int k = 0; k < targets.size(); k++) {
             SurfacePoint target = targets.get(k);
-            finder.hit[k] = target != null && !geometry.hasBentNormals(target.primitive());
-            if (finder.hit[k]) {
+            if (target != null && !geometry.hasBentNormals(target.primitive())) {
                 Vec3 direction = points.get(p).rays().get(k).direction();
                 finder.dx[k] = direction.x();
                 finder.dy[k] = direction.y();
                 finder.dz[k] = direction.z();
-                finder.sx[k] = target.px();
-                finder.sy[k] = target.py();
-                finder.sz[k] = target.pz();
-                finder.snx[k] = target.nx();
-                finder.sny[k] = target.ny();
-                finder.snz[k] = target.nz();
+                finder.setHit(k, target.px(), target.py(), target.pz(), target.nx(), target.ny(), target.nz());
             }
         }
         return Barriers.ofPoint(finder, surfaces, p, points.get(p).radius());

@@ -76,7 +76,11 @@ public final class Refraction {
      * @param kt    color of transmission, 0…1
      */
     public static float transmitted(float kr, float share, float kt) {
-        float mirror = kr + (1 - kr) * share;
-        return (1 - mirror) * kt;
+        return (1 - mirrorShare(kr, share)) * kt;
+    }
+
+    /** Returns one channel of the share of light that a surface mirrors; parameters as for {@link #transmitted}. */
+    public static float mirrorShare(float kr, float share) {
+        return kr + (1 - kr) * share;
     }
 }
