@@ -82,7 +82,9 @@ final class PovMaterialWriter {
             return m;
         }
         warn("material " + m.name() + ": glow map is replaced by its mean");
-        return m.withGlow(times(m.emission(), m.glowMap().get().image().areas().mean())).withBulb(Bulb.NONE).withGlowMap(Optional.empty());
+        Rgb mean = m.glowMap().get().image().areas().mean();
+        Bulb bulb = m.bulb().withGlow(times(m.bulb().glow(), mean));
+        return m.withGlow(times(m.glow(), mean)).withBulb(bulb).withGlowMap(Optional.empty());
     }
 
     /**

@@ -204,6 +204,20 @@ class PovSceneTest {
     }
 
     @Test
+    void glowMap_alsoCoversABulbAtTheLimit() throws Exception {
+        var white = new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB);
+        white.setRGB(0, 0, 0xFFFFFF);
+        ImageIO.write(white, "png", folder.resolve("white.png").toFile());
+        PovScene pov = PovScene.of(JenReader.read("""
+                jen 1
+                light key point { intensity 1000000 }
+                material neon { diffuse 1 1 1  glow 1000000 0 0  bulb key  glow_map "white.png" }
+                plane a { material neon }
+                """, "p.jen", folder).scene(), "x");
+        assertThat(pov.text()).contains("emission rgb <2000000.0, 1000000.0, 1000000.0>");
+    }
+
+    @Test
     void bumpMaps_becomeHeightPatterns() throws Exception {
         Path textures = Path.of("textures").toAbsolutePath();
         Files.copy(textures.resolve("brick.png"), folder.resolve("brick.png"));
