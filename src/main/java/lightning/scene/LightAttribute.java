@@ -127,7 +127,7 @@ public final class LightAttribute<V> extends SceneAttribute<Light, V> {
     public static final LightAttribute<Boolean> SOLO = of("solo", ChoiceKind.YES_OR_NO, false, "", Light::solo, Light::withSolo,
             Section.SWITCHES, Map.of());
     public static final LightAttribute<String> LIGHT_GROUP =
-            of("bank", "light group", new ValueKind.NameKind(scene -> scene.rig().lightGroups().stream().map(LightGroup::name).toList(),
+            of("bank", "light group", new ValueKind.NameKind(ValueKind.NameKind.Referent.LIGHT_GROUP,
                     Messages.key("Light group of this light")), "", "name of a light group", Light::lightGroup, Light::withLightGroup,
                     Section.SWITCHES, Map.of());
     public static final LightAttribute<ShapeLinks> ILLUMINATES = of("illuminates", new ValueKind.LinksKind(

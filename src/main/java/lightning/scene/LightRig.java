@@ -14,6 +14,8 @@ import lightning.base.text.Quote;
 public final class LightRig {
     /** No lights. */
     public static final LightRig EMPTY = LightRig.of(List.of());
+    /** Meters per scene unit if a scene does not say. */
+    public static final double METERS = 1;
 
     private final List<Light> lights;
     private final List<LightGroup> lightGroups;
@@ -54,7 +56,7 @@ public final class LightRig {
         List<LightGroup> groups = List.copyOf(lightGroups);
         SceneLimits.checkRange("the number of lights", lightList.size(), 0, SceneLimits.MAX_LIGHTS);
         SceneLimits.checkRange("the number of light groups", groups.size(), 0, SceneLimits.MAX_LIGHT_GROUPS);
-        return new LightRig(lightList, groups, new LightRigNames(lightList, groups), List.of(), World.METERS.initial());
+        return new LightRig(lightList, groups, new LightRigNames(lightList, groups), List.of(), METERS);
     }
 
     public List<Light> lights() {
@@ -65,14 +67,15 @@ public final class LightRig {
         return lightGroups;
     }
 
-    /** Returns this rig in a world with its scene unit; the environment's lights come last among the effective ones. */
-    LightRig withWorld(World world) {
-        if (world.environment().isEmpty() && environmentLights.isEmpty() && world.meters() == meters) {
-            return this;
-        }
-        List<Light> environment = world.environmentLights(this::isNameUsed);
-        return environment.equals(environmentLights) && world.meters() == meters ? this
-                : new LightRig(lights, lightGroups, names, environment, world.meters());
+    /**
+     * Returns this rig in the light of an environment, which comes last among the effective lights.
+     *
+     * @param environment directional lights with names that the rig does not use; empty for none
+     * @param unit        meters per scene unit
+     */
+    LightRig withEnvironment(List<Light> environment, double unit) {
+        return environment.equals(environmentLights) && unit == meters ? this
+                : new LightRig(lights, lightGroups, names, environment, unit);
     }
 
     /**
@@ -100,7 +103,7 @@ public final class LightRig {
 
     /** Returns a light that shines the same where a scene unit is one meter. */
     public Light inMeters(Light light) {
-        return meters == World.METERS.initial() ? light : Emission.withUnit(light, IntensityUnit.RELATIVE, meters);
+        return meters == METERS ? light : Emission.withUnit(light, IntensityUnit.RELATIVE, meters);
     }
 
     LightRigNames names() {

@@ -11,8 +11,8 @@ final class LightRigNames {
     private final List<LightGroup> lightGroups;
     private final Map<String, Integer> lightIndices;
     private final Map<String, Integer> groupIndices;
-    /** Last stage found to have none of the names; null for none. Any thread may set it to any such stage. */
-    private Stage disjointStage;
+    /** Last names of nodes found to have none of these; null for none. Any thread may set it to any such names. */
+    private NodeNames disjoint;
 
     /** @throws IllegalArgumentException if two of them have the same name */
     LightRigNames(List<Light> lights, List<LightGroup> lightGroups) {
@@ -43,26 +43,25 @@ final class LightRigNames {
     }
 
     /**
-     * Checks a stage for name conflicts, unless the last one checked has the same names.
+     * Checks the names of nodes for conflicts, unless the last ones checked are the same.
      *
      * @throws IllegalArgumentException if a shape or a group has the name of a light or a light group
      */
-    void checkDisjoint(Stage stage) {
-        Stage checked = disjointStage;
-        if (checked != null && checked.sharesNames(stage)) {
+    void checkDisjoint(NodeNames nodes) {
+        if (disjoint == nodes) {
             return;
         }
         for (Light light : lights) {
-            if (stage.hasNode(light.name())) {
+            if (nodes.contains(light.name())) {
                 throw duplicateName("light", light.name());
             }
         }
         for (LightGroup group : lightGroups) {
-            if (stage.hasNode(group.name())) {
+            if (nodes.contains(group.name())) {
                 throw duplicateName("light group", group.name());
             }
         }
-        disjointStage = stage;
+        disjoint = nodes;
     }
 
     private static IllegalArgumentException duplicateName(String kind, String name) {

@@ -52,7 +52,7 @@ public final class MaterialAttribute<V> extends SceneAttribute<Material, V> {
             new ValueKind.TextureKind("glow_repeat", TextureUsage.COLOR), Optional.empty(), "", Material::glowMap, Material::withGlowMap,
             MaterialTerm.TEXEL, null, Section.GLOW, "Image that multiplies the glow, and that of a bulb");
     public static final MaterialAttribute<String> BULB = new MaterialAttribute<>("bulb", "bulb of",
-            new ValueKind.NameKind(scene -> scene.lights().stream().map(Light::name).toList(),
+            new ValueKind.NameKind(ValueKind.NameKind.Referent.LIGHT,
                     Messages.key("Light whose color and intensity the surface shows; the light itself lights the scene")),
             "", "name of a light", m -> m.bulb().light(), (m, v) -> m.withBulb(m.bulb().withLight(v).withGlow(Rgb.BLACK)),
             MaterialTerm.COLOR,

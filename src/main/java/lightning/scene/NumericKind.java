@@ -1,7 +1,5 @@
 package lightning.scene;
 
-import java.math.BigDecimal;
-import java.math.MathContext;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Function;
@@ -31,7 +29,6 @@ public record NumericKind<V>(Form form, List<String> labels, double min, double 
 
     private static final List<String> CHANNELS = List.of("red", "green", "blue");
     private static final List<String> AXES = List.of("x", "y", "z");
-    private static final MathContext DISPLAY_PRECISION = new MathContext(4);
 
     /** Meaning of the numbers of a value together. */
     public enum Form {
@@ -200,10 +197,6 @@ public record NumericKind<V>(Form form, List<String> labels, double min, double 
     /** Formats each number with four digits, enough to recognize a value. */
     @Override
     public String format(V value) {
-        return components.apply(value).stream().map(NumericKind::formatShort).collect(Collectors.joining(" "));
-    }
-
-    static String formatShort(double v) {
-        return SceneLimits.format(new BigDecimal(v).round(DISPLAY_PRECISION).doubleValue());
+        return components.apply(value).stream().map(SceneLimits::formatShort).collect(Collectors.joining(" "));
     }
 }

@@ -10,7 +10,7 @@ import java.util.function.Function;
  * @param <T> type of the record
  * @param <V> type of the values
  */
-public sealed class SceneAttribute<T, V> permits LightAttribute, MaterialAttribute {
+public class SceneAttribute<T, V> {
     private final String name;
     private final String id;
     private final String title;

@@ -233,7 +233,7 @@ public final class SceneDiff {
     }
 
     private static String format(Vec3 v) {
-        return NumericKind.formatShort(v.x()) + " " + NumericKind.formatShort(v.y()) + " " + NumericKind.formatShort(v.z());
+        return SceneLimits.formatShort(v.x()) + " " + SceneLimits.formatShort(v.y()) + " " + SceneLimits.formatShort(v.z());
     }
 
     private static boolean addsDefault(Scene before, Scene after) {
@@ -279,8 +279,8 @@ public final class SceneDiff {
 
     private void addView(ViewSettings before, ViewSettings after) {
         addPart(new Change(Messages.key("view transform"), before.curve().word(), after.curve().word()));
-        addPart(new Change(Messages.key("view exposure"), NumericKind.formatShort(before.exposure()),
-                NumericKind.formatShort(after.exposure())));
+        addPart(new Change(Messages.key("view exposure"), SceneLimits.formatShort(before.exposure()),
+                SceneLimits.formatShort(after.exposure())));
     }
 
     private static String indirect(Optional<IndirectSettings> settings) {

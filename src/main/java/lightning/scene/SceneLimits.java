@@ -1,5 +1,7 @@
 package lightning.scene;
 
+import java.math.BigDecimal;
+import java.math.MathContext;
 import java.util.function.Supplier;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
@@ -17,6 +19,8 @@ import lightning.base.text.Quote;
  * scenes {@link OverflowCheck} limits the sum over the lights to the same bound.
  */
 public final class SceneLimits {
+    private static final MathContext DISPLAY_PRECISION = new MathContext(4);
+
     public static final int MAX_SIZE = 16384;
     public static final int MAX_DEPTH = 10;
     public static final int MIN_SAMPLES = 2;
@@ -163,5 +167,10 @@ public final class SceneLimits {
     /** Formats a number as in a scene file; zero has no sign here. */
     public static String format(double v) {
         return DecimalNumber.format(v == 0 ? 0 : v);
+    }
+
+    /** Formats a number for the user with four digits, enough to recognize it. */
+    static String formatShort(double v) {
+        return format(new BigDecimal(v).round(DISPLAY_PRECISION).doubleValue());
     }
 }

@@ -99,6 +99,6 @@ public record ShapeGains(List<Entry> entries) {
 
     /** Formats a gain for the user: {@code 30 %}. */
     public static String formatPercent(double gain) {
-        return NumericKind.formatShort(gain * 100) + " %";
+        return SceneLimits.formatShort(gain * 100) + " %";
     }
 }

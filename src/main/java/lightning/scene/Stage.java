@@ -223,6 +223,11 @@ public final class Stage {
                 canKeep ? new NodeTree(known, new NodeSplice(known.nodes, path.get(), replacement)) : null);
     }
 
+    /** Returns the names of all shapes and groups. */
+    NodeNames names() {
+        return tree.names;
+    }
+
     /** Returns whether both share their table of names, because one was made from the other. */
     boolean sharesNames(Stage o) {
         return tree.names == o.tree.names;

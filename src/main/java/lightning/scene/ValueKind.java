@@ -1,8 +1,6 @@
 package lightning.scene;
 
-import java.util.List;
 import java.util.Optional;
-import java.util.function.Function;
 import lightning.base.text.Messages;
 
 /**
@@ -44,10 +42,16 @@ public sealed interface ValueKind<V> permits ValueKind.LightKind, ValueKind.Mate
     /**
      * Name of an object in the scene; empty for none.
      *
-     * @param names names in a scene
-     * @param help  a key of {@link Messages}: a sentence without a full stop
+     * @param referent what has the name
+     * @param help     a key of {@link Messages}: a sentence without a full stop
      */
-    record NameKind(Function<Scene, List<String>> names, String help) implements LightKind<String>, MaterialKind<String> {
+    record NameKind(Referent referent, String help) implements LightKind<String>, MaterialKind<String> {
+        /** What a name refers to. */
+        public enum Referent {
+            LIGHT,
+            LIGHT_GROUP
+        }
+
         @Override
         public void check(String name, String value) {
             if (!value.isEmpty()) {
@@ -160,7 +164,7 @@ public sealed interface ValueKind<V> permits ValueKind.LightKind, ValueKind.Mate
 
         @Override
         public String format(Optional<TextureMap> value) {
-            return value.map(t -> t.file() + " " + NumericKind.formatShort(t.repeatU()) + " × " + NumericKind.formatShort(t.repeatV()))
+            return value.map(t -> t.file() + " " + SceneLimits.formatShort(t.repeatU()) + " × " + SceneLimits.formatShort(t.repeatV()))
                     .orElse("none");
         }
     }

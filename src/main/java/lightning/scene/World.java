@@ -55,7 +55,8 @@ public record World(double ambience, Rgb background, Optional<Environment> envir
             "", World::solo, World::withSolo);
 
     public static final SceneAttribute<World, Double> METERS = new SceneAttribute<>("meters", "meters per unit",
-            NumericKind.number(SceneLimits.MIN_METERS, SceneLimits.MAX_METERS, 0.1), 1.0, "meters per scene unit", World::meters,
+            NumericKind.number(SceneLimits.MIN_METERS, SceneLimits.MAX_METERS, 0.1), LightRig.METERS, "meters per scene unit",
+            World::meters,
             World::withMeters);
 
     /** All attributes, in file order. */

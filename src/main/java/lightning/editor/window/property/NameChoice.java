@@ -62,7 +62,7 @@ class NameChoice extends StackPane {
      * @param value empty for none, null for nothing
      */
     void show(Scene scene, String value) {
-        List<String> names = Stream.concat(Stream.of(""), kind.names().apply(scene).stream()).toList();
+        List<String> names = Stream.concat(Stream.of(""), scene.names(kind.referent()).stream()).toList();
         isUpdating = true;
         if (!box.getItems().equals(names)) {
             box.getItems().setAll(names);
