@@ -31,15 +31,6 @@ import lightning.base.text.UserFacingException;
  * downwards. Every package needs a row.
  */
 final class ArchitectureRules {
-    private static final String ENGINE =
-            "base.text base.math base.work scene scene.effects render.column render.image render.trace.solid"
-                    + " render.trace.mesh render.trace.primitive render.trace.tree render.trace render.gather render.shading render.engine"
-                    + " render.engine.scalar render.engine.lanes render.engine.choice render.fulltrace render.warmup render.cache"
-                    + " render.relight.plan render.relight.tile render.relight";
-    private static final String DOCUMENT =
-            ENGINE + " base.file scene.shot format.jen format.image bench.accuracy editor.loop editor.document";
-    private static final String WINDOW = DOCUMENT + " editor.window.widget editor.window.model editor.window.command";
-
     /** Groups from the bottom up: a package imports from its own group and from those before it. */
     private static final List<String> GROUPS = List.of("base", "scene", "render", "format", "shot", "bench", "editor", "serve", "cli");
 
@@ -49,107 +40,191 @@ final class ArchitectureRules {
             row("base.math", ""),
             row("base.work", ""),
             row("base.file", "base.text"),
-            row("scene", "base.text base.math"),
-            row("scene.shot", "base.text base.math scene"),
-            row("scene.effects", "base.text base.math scene"),
+            row("scene.value", "base.text base.math"),
+            row("scene.asset", "base.math scene.value"),
+            row("scene.attribute", "base.text base.math scene.value scene.asset"),
+            row("scene.node", "base.text base.math scene.value scene.attribute"),
+            row("scene.light", "base.text base.math scene.value scene.asset scene.attribute scene.node"),
+            row("scene.material", "base.text base.math scene.value scene.asset scene.attribute scene.light"),
+            row("scene", "base.text base.math scene.value scene.asset scene.attribute scene.node scene.light scene.material"),
+            row("scene.shot", "base.text base.math scene.value scene.attribute scene.node scene.light scene"),
+            row("scene.effects", "base.text base.math scene.value scene.asset scene.node scene.light scene.material scene"),
             row("render.column", ""),
             row("render.image.aces", "base.math"),
             row("render.image", "base.text base.math render.image.aces"),
-            row("render.trace.solid", "scene"),
-            row("render.trace.mesh", "scene render.trace.solid"),
-            row("render.trace.primitive", "base.math scene render.trace.solid render.trace.mesh"),
+            row("render.trace.solid", "scene.node"),
+            row("render.trace.mesh", "scene.node render.trace.solid"),
+            row("render.trace.primitive",
+                    "base.math scene.value scene.asset scene.node scene.material scene render.trace.solid render.trace.mesh"),
             row("render.trace.tree", "base.math render.trace.solid render.trace.mesh render.trace.primitive"),
             row("render.trace",
-                    "base.math scene render.column render.trace.solid render.trace.mesh render.trace.primitive render.trace.tree"),
-            row("render.gather", "base.text base.math base.work scene render.column render.image render.trace.tree render.trace"),
+                    "base.math scene.value scene.asset scene.node scene.material scene render.column render.trace.solid"
+                            + " render.trace.mesh render.trace.primitive render.trace.tree"),
+            row("render.gather",
+                    "base.text base.math base.work scene.asset scene.light scene.material scene render.column render.image"
+                            + " render.trace.tree render.trace"),
             row("render.shading",
-                    "base.math base.work scene scene.effects render.column render.image render.trace.primitive render.trace.tree render.trace"
-                            + " render.gather"),
+                    "base.math base.work scene.value scene.asset scene.node scene.light scene.material scene scene.effects"
+                            + " render.column render.image render.trace.primitive render.trace.tree render.trace render.gather"),
             row("render.engine", "render.trace render.shading"),
             row("render.engine.scalar",
-                    "base.math scene render.trace.primitive render.trace.tree render.trace render.shading render.engine"),
-            row("render.engine.lanes",
-                    "base.math scene render.trace.solid render.trace.mesh render.trace.primitive render.trace.tree render.trace"
+                    "base.math scene.value scene.light scene.material render.trace.primitive render.trace.tree render.trace"
                             + " render.shading render.engine"),
+            row("render.engine.lanes",
+                    "base.math scene.value scene.node scene.light scene.material render.trace.solid render.trace.mesh"
+                            + " render.trace.primitive render.trace.tree render.trace render.shading render.engine"),
             row("render.engine.choice", "render.engine render.engine.scalar render.engine.lanes"),
             row("render.fulltrace",
                     "base.work scene scene.effects render.image render.trace render.gather render.shading render.engine"
                             + " render.engine.choice"),
-            row("render.warmup", "base.work scene render.image render.trace render.engine render.engine.choice render.fulltrace"),
-            row("render.cache", "scene render.column render.image render.trace render.gather render.shading"),
-            row("render.relight.plan", "base.text base.math scene render.image render.trace render.gather render.shading render.cache"),
+            row("render.warmup",
+                    "base.work scene.light scene.material scene render.image render.trace render.engine render.engine.choice"
+                            + " render.fulltrace"),
+            row("render.cache", "scene.light scene render.column render.image render.trace render.gather render.shading"),
+            row("render.relight.plan",
+                    "base.text base.math scene.value scene.light scene.material scene render.image render.trace render.gather"
+                            + " render.shading render.cache"),
             row("render.relight.paper",
-                    "base.math scene render.column render.image render.trace render.shading render.cache render.relight.plan"),
+                    "base.math scene.light scene render.column render.image render.trace render.shading render.cache"
+                            + " render.relight.plan"),
             row("render.relight.tile",
-                    "base.work scene scene.effects render.column render.image render.trace render.gather render.shading render.engine"
-                            + " render.engine.choice render.cache render.relight.plan render.relight.paper"),
+                    "base.work scene.light scene scene.effects render.column render.image render.trace.tree render.trace"
+                            + " render.gather render.shading render.engine render.engine.choice render.cache render.relight.plan"
+                            + " render.relight.paper"),
             row("render.relight",
-                    "base.math base.work scene scene.effects render.image render.trace render.gather render.shading render.engine"
-                            + " render.cache render.relight.plan render.relight.tile"),
-            row("format.mesh", "base.text base.work base.file scene"),
+                    "base.math base.work scene.value scene.light scene.material scene scene.effects render.image render.trace"
+                            + " render.gather render.shading render.engine render.cache render.relight.plan render.relight.tile"),
+            row("format.mesh", "base.text base.work base.file scene.node"),
             row("format.mesh.subdivision", "format.mesh"),
-            row("format.mesh.ply", "base.text base.math scene format.mesh"),
-            row("format.mesh.obj", "base.text base.math scene format.mesh"),
-            row("format.gltf", "base.text base.math base.work base.file scene format.mesh"),
-            row("format.nff", "base.text base.math scene format.mesh"),
-            row("format", "base.work format.mesh format.mesh.ply format.mesh.obj format.gltf format.nff"),
-            row("format.ies", "base.text base.file scene format.mesh"),
-            row("format.hdr", "base.text base.file scene format.mesh"),
+            row("format.mesh.ply", "base.text base.math scene.node format.mesh"),
+            row("format.mesh.obj", "base.text base.math scene.node format.mesh"),
+            row("format.gltf", "base.text base.math base.work base.file scene.node format.mesh"),
+            row("format.nff", "base.text base.math scene.node format.mesh"),
+            row("format", "base.work scene.node format.mesh format.mesh.ply format.mesh.obj format.gltf format.nff"),
+            row("format.ies", "base.text base.file scene.value format.mesh"),
+            row("format.hdr", "base.text base.file scene.value scene.asset format.mesh"),
             row("format.exr", "base.text base.math"),
             row("format.jen",
-                    "base.text base.math base.work base.file scene scene.shot format.mesh format format.ies format.hdr format.exr"),
+                    "base.text base.math base.work base.file scene.value scene.asset scene.attribute scene.node scene.light"
+                            + " scene.material scene scene.shot format.mesh format format.ies format.hdr format.exr"),
             row("format.image", "base.text base.work base.file render.image format.exr"),
-            row("format.matte", "scene format.exr"),
-            row("format.json", "base.math scene render.image render.gather render.relight render.shading render.trace"),
-            row("format.layer", ENGINE + " base.file format.exr format.matte"),
-            row("format.pov", "base.math base.file scene render.image format.image"),
-            row("format.usd", "base.text base.math base.work base.file scene format.mesh format.mesh.subdivision format.gltf"),
+            row("format.matte", "scene.node scene format.exr"),
+            row("format.json",
+                    "base.math scene.node scene.light scene.material scene render.image render.trace render.gather render.shading"
+                            + " render.relight"),
+            row("format.layer",
+                    "base.math base.work base.file scene.value scene.attribute scene.node scene.light scene.material scene"
+                            + " scene.effects render.image render.trace render.gather render.shading render.engine render.cache format.exr"
+                            + " format.matte"),
+            row("format.pov",
+                    "base.math base.file scene.value scene.asset scene.node scene.light scene.material scene render.image"
+                            + " format.image"),
+            row("format.usd", "base.text base.math base.work base.file scene.node format.mesh format.mesh.subdivision format.gltf"),
             row("format.exchange",
-                    "base.text base.math base.work base.file scene scene.shot render.image render.trace render.engine.choice"
-                            + " render.fulltrace format.mesh format.mesh.ply format.mesh.obj format.gltf format.nff format.usd format format.ies"
-                            + " format.exr format.image format.jen"),
+                    "base.text base.math base.work base.file scene.value scene.asset scene.attribute scene.node scene.light"
+                            + " scene.material scene scene.shot render.image render.trace render.engine render.engine.choice"
+                            + " render.fulltrace format.mesh format.mesh.ply format.mesh.obj format.gltf format.nff format format.ies"
+                            + " format.exr format.jen format.image format.usd"),
             row("shot",
-                    "base.text base.work base.file scene scene.shot render.column render.image render.trace render.shading render.cache"
-                            + " render.relight.plan render.relight.tile render.relight"),
+                    "base.text base.work base.file scene scene.shot render.column render.image render.trace render.shading"
+                            + " render.cache render.relight.plan render.relight.tile render.relight"),
             row("shot.cluster.wire", "base.text base.file"),
             row("shot.cluster",
-                    "base.text base.work base.file scene.shot render.image render.relight format.mesh format.jen shot"
+                    "base.text base.work base.file scene scene.shot render.image render.relight format.mesh format.jen shot"
                             + " shot.cluster.wire"),
-            row("shot.movie", ENGINE + " base.file"),
-            row("bench.accuracy", ENGINE),
-            row("bench.mesh", "base.file scene render.trace.solid render.trace.mesh"),
-            row("bench", ENGINE + " base.file format.jen format.image format.pov bench.accuracy bench.mesh"),
-            row("bench.report", ENGINE + " base.file format.image bench.accuracy bench"),
-            row("editor.loop", ENGINE + " bench.accuracy"),
-            row("editor.document", ENGINE + " base.file scene.shot format.jen editor.loop"),
-            row("editor.document.cue", "base.text base.math base.file scene render.image format.jen format.image editor.document"),
-            row("editor.document.motion", ENGINE + " base.file scene.shot format.image"),
-            row("editor.window.widget", "base.text base.math scene render.image editor.document"),
-            row("editor.window.model", DOCUMENT),
+            row("shot.movie",
+                    "base.text base.work base.file scene render.image render.warmup render.cache render.relight.tile"
+                            + " render.relight"),
+            row("bench.accuracy",
+                    "base.text base.math base.work scene.value scene.node scene.light scene.material scene scene.effects"
+                            + " render.image render.trace render.gather render.shading render.engine render.engine.choice render.fulltrace"
+                            + " render.cache render.relight.plan render.relight.tile render.relight"),
+            row("bench.mesh", "base.file scene.node render.trace.solid render.trace.mesh"),
+            row("bench",
+                    "base.text base.math base.work base.file scene.value scene.node scene.light scene.material scene"
+                            + " scene.effects render.image render.trace.mesh render.trace render.shading render.engine render.engine.choice"
+                            + " render.fulltrace render.cache render.relight.plan render.relight.tile render.relight format.jen format.image"
+                            + " format.pov bench.accuracy bench.mesh"),
+            row("bench.report", "base.file render.image render.relight.plan format.image bench.accuracy bench"),
+            row("editor.loop",
+                    "base.text base.work scene.value scene.light scene scene.effects render.image render.trace render.shading"
+                            + " render.engine.choice render.fulltrace render.warmup render.cache render.relight.plan render.relight.tile"
+                            + " render.relight bench.accuracy"),
+            row("editor.document",
+                    "base.text base.math base.work base.file scene.value scene.asset scene.attribute scene.node scene.light"
+                            + " scene.material scene scene.shot render.image render.trace render.shading render.cache render.relight.tile"
+                            + " format.jen editor.loop"),
+            row("editor.document.cue",
+                    "base.text base.math base.file scene.value scene.attribute scene.light scene render.image format.jen"
+                            + " format.image editor.document"),
+            row("editor.document.motion",
+                    "base.text base.math base.work base.file scene.value scene.light scene scene.shot render.image render.warmup"
+                            + " render.relight.plan render.relight.tile render.relight format.image"),
+            row("editor.window.widget", "base.text base.math scene.value scene.light scene render.image editor.document"),
+            row("editor.window.model",
+                    "base.text base.work base.file scene.value scene.node scene.light scene.material scene scene.shot"
+                            + " scene.effects render.image render.shading render.relight.plan render.relight.tile render.relight format.jen"
+                            + " bench.accuracy editor.loop editor.document"),
             row("editor.window.command",
-                    DOCUMENT + " format format.exr format.layer format.exchange editor.document.cue editor.window.widget editor.window.model"),
-            row("editor.window.property", WINDOW),
-            row("editor.window.traced", WINDOW),
-            row("editor.window.preview", WINDOW),
-            row("editor.window.animation", WINDOW + " editor.document.motion"),
-            row("editor.window.timeline", WINDOW + " shot shot.cluster shot.movie"),
-            row("editor.window.dock", WINDOW),
-            row("editor.window.measure", WINDOW),
-            row("editor.window.mixer", WINDOW),
-            row("editor.window.contribution", WINDOW),
-            row("editor.window.link", WINDOW),
-            row("editor.window.cue", WINDOW + " editor.document.cue"),
-            row("editor.window.welcome", WINDOW),
+                    "base.text base.work base.file scene.value scene.node scene.light scene.material scene scene.shot"
+                            + " render.image render.engine render.cache render.relight.tile render.relight format.exr format.jen"
+                            + " format.image format.layer format.exchange editor.loop editor.document editor.document.cue"
+                            + " editor.window.widget editor.window.model"),
+            row("editor.window.property",
+                    "base.text base.math base.file scene.value scene.asset scene.attribute scene.node scene.light scene.material"
+                            + " scene scene.shot render.image format.jen editor.document editor.window.widget editor.window.model"
+                            + " editor.window.command"),
+            row("editor.window.traced",
+                    "base.text base.math base.work scene.value scene.node scene.light scene render.image render.trace"
+                            + " render.shading render.fulltrace render.relight bench.accuracy editor.loop editor.document"
+                            + " editor.window.widget editor.window.model editor.window.command"),
+            row("editor.window.preview",
+                    "base.text base.math base.work scene.value scene.node scene.light scene scene.effects render.image"
+                            + " render.trace render.cache render.relight.plan render.relight.tile render.relight editor.loop editor.document"
+                            + " editor.window.widget editor.window.model editor.window.command"),
+            row("editor.window.animation",
+                    "base.text base.work scene.value scene.light scene scene.shot render.image editor.loop editor.document"
+                            + " editor.document.motion editor.window.widget editor.window.model editor.window.command"),
+            row("editor.window.timeline",
+                    "base.text base.work base.file scene.value scene.attribute scene.light scene scene.shot render.image"
+                            + " render.cache render.relight.plan render.relight.tile render.relight format.jen format.image shot"
+                            + " shot.cluster shot.movie editor.document editor.window.widget editor.window.model editor.window.command"),
+            row("editor.window.dock", "editor.document editor.window.model editor.window.command"),
+            row("editor.window.measure",
+                    "base.text base.work scene scene.effects render.image render.relight.plan render.relight.tile render.relight"
+                            + " bench.accuracy editor.loop editor.document editor.window.widget editor.window.model"),
+            row("editor.window.mixer",
+                    "base.text base.math base.work scene.value scene.light scene render.image render.cache render.relight.tile"
+                            + " render.relight editor.loop editor.document editor.window.widget editor.window.model editor.window.command"),
+            row("editor.window.contribution",
+                    "base.text base.work scene.light scene render.image render.cache render.relight.tile render.relight"
+                            + " editor.loop editor.document editor.window.widget editor.window.model"),
+            row("editor.window.link",
+                    "base.text scene.value scene.light scene editor.document editor.window.widget editor.window.model"
+                            + " editor.window.command"),
+            row("editor.window.cue",
+                    "base.text scene render.image editor.loop editor.document editor.document.cue editor.window.widget"
+                            + " editor.window.model editor.window.command"),
+            row("editor.window.welcome",
+                    "base.text base.file scene.light scene editor.document editor.window.model editor.window.command"),
             row("editor.window",
-                    WINDOW + " format format.exchange editor.window.property editor.window.traced editor.window.preview editor.window.animation"
-                            + " editor.window.timeline editor.window.dock editor.window.measure editor.window.mixer editor.window.contribution"
-                            + " editor.window.link editor.window.cue editor.window.welcome"),
-            row("serve", DOCUMENT + " format.mesh format.exr format.json format.layer format.exchange"),
+                    "base.text base.file scene.value scene.node scene.light scene render.image render.shading render.relight.plan"
+                            + " render.relight format.jen format.exchange bench.accuracy editor.loop editor.document editor.window.widget"
+                            + " editor.window.model editor.window.command editor.window.property editor.window.traced editor.window.preview"
+                            + " editor.window.animation editor.window.timeline editor.window.dock editor.window.measure editor.window.mixer"
+                            + " editor.window.contribution editor.window.link editor.window.cue editor.window.welcome"),
+            row("serve",
+                    "base.text base.work base.file scene.light scene.material scene scene.shot render.image render.trace"
+                            + " render.shading render.engine render.cache render.relight.plan render.relight.tile render.relight format.mesh"
+                            + " format.exr format.jen format.image format.json format.layer format.exchange editor.loop editor.document"),
             row("cli.report", "render.shading format.json"),
             row("cli",
-                    ENGINE + " base.file scene.shot format format.hdr format.jen format.exr format.image format.layer format.pov format.exchange"
-                            + " format.json shot shot.cluster shot.movie bench.accuracy bench bench.report cli.report serve"),
-            row("", "editor.window cli"));
+                    "base.text base.math base.work base.file scene.value scene.asset scene.node scene.light scene.material scene"
+                            + " scene.shot scene.effects render.image render.trace render.gather render.shading render.engine"
+                            + " render.engine.choice render.fulltrace render.warmup render.cache render.relight.plan render.relight.tile"
+                            + " render.relight format format.hdr format.exr format.jen format.image format.json format.layer format.pov"
+                            + " format.exchange shot shot.cluster shot.movie bench.accuracy bench bench.report serve cli.report"),
+            row("", "format.jen editor.window cli"));
 
     /** @param dependencies packages that it may import, in addition to itself */
     private record Layer(String name, Set<String> dependencies) {

@@ -5,6 +5,12 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import lightning.base.text.Quote;
+import lightning.scene.attribute.ValueKind;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightGroup;
+import lightning.scene.light.LightRig;
+import lightning.scene.material.Material;
+import lightning.scene.node.SceneNode;
 
 /**
  * Complete input of a render. Two equal scenes give the same image in every bit.

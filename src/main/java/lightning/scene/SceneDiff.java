@@ -8,6 +8,20 @@ import java.util.Optional;
 import java.util.stream.Collectors;
 import lightning.base.math.Vec3;
 import lightning.base.text.Messages;
+import lightning.scene.attribute.SceneAttribute;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightAttribute;
+import lightning.scene.light.LightGroup;
+import lightning.scene.light.LightMatcher;
+import lightning.scene.light.LightRig;
+import lightning.scene.material.Material;
+import lightning.scene.material.MaterialAttribute;
+import lightning.scene.node.BlockList;
+import lightning.scene.node.NodeGroup;
+import lightning.scene.node.SceneNode;
+import lightning.scene.node.Shape;
+import lightning.scene.node.Solid;
+import lightning.scene.value.SceneLimits;
 
 /** Description of the changes between two scenes: {@code key: intensity 1 → 1.2}. */
 public final class SceneDiff {

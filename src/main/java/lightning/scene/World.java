@@ -10,6 +10,17 @@ import lightning.base.math.Rgb;
 import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
 import lightning.base.text.Messages;
+import lightning.scene.asset.Environment;
+import lightning.scene.asset.EnvironmentLight;
+import lightning.scene.attribute.ChoiceKind;
+import lightning.scene.attribute.NumericKind;
+import lightning.scene.attribute.SceneAttribute;
+import lightning.scene.attribute.ValueKind;
+import lightning.scene.light.AreaShape;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightRig;
+import lightning.scene.light.LightType;
+import lightning.scene.value.SceneLimits;
 
 /**
  * Surroundings of the shapes.

@@ -4,19 +4,19 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.UnaryOperator;
-import lightning.scene.Environment;
-import lightning.scene.Gobo;
-import lightning.scene.IesProfile;
-import lightning.scene.Light;
-import lightning.scene.LightTexture;
-import lightning.scene.Material;
-import lightning.scene.NodeGroup;
 import lightning.scene.Scene;
-import lightning.scene.SceneNode;
-import lightning.scene.Shape;
-import lightning.scene.Solid;
-import lightning.scene.TextureMap;
 import lightning.scene.World;
+import lightning.scene.asset.Environment;
+import lightning.scene.asset.Gobo;
+import lightning.scene.asset.IesProfile;
+import lightning.scene.asset.LightTexture;
+import lightning.scene.asset.TextureMap;
+import lightning.scene.light.Light;
+import lightning.scene.material.Material;
+import lightning.scene.node.NodeGroup;
+import lightning.scene.node.SceneNode;
+import lightning.scene.node.Shape;
+import lightning.scene.node.Solid;
 
 /**
  * Scene that references its files by other names.

@@ -14,9 +14,9 @@ import lightning.render.shading.PointReport;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.NormalSteps;
 import lightning.render.trace.SurfacePoint;
-import lightning.scene.Material;
 import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
+import lightning.scene.material.Material;
 
 /** Converts explanations of pixels to their record. */
 public final class PixelReporter {

@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 import lightning.render.shading.LightComponent;
 import lightning.render.shading.WeightedLight;
-import lightning.scene.Light;
 import lightning.scene.Scene;
+import lightning.scene.light.Light;
 
 /** Color layer of an image; all layers add up to the image. */
 sealed interface Layer {

@@ -2,13 +2,13 @@ package lightning.render.shading;
 
 import lightning.base.math.Vec3;
 import lightning.render.trace.HitRows;
-import lightning.scene.BarnDoors;
-import lightning.scene.Gobo;
-import lightning.scene.IesProfile;
-import lightning.scene.LightAttribute;
-import lightning.scene.LightType;
-import lightning.scene.Photometry;
-import lightning.scene.Texture;
+import lightning.scene.asset.Gobo;
+import lightning.scene.asset.IesProfile;
+import lightning.scene.asset.Texture;
+import lightning.scene.light.LightAttribute;
+import lightning.scene.light.LightType;
+import lightning.scene.value.BarnDoors;
+import lightning.scene.value.Photometry;
 
 /**
  * Angular mask of a light: the product of its barn doors, gobo and photometric profile in a direction. It multiplies the falloff.

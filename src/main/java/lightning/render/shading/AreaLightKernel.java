@@ -4,7 +4,7 @@ import java.util.Arrays;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.RowShadowRays;
 import lightning.render.trace.Tracer;
-import lightning.scene.SceneLimits;
+import lightning.scene.value.SceneLimits;
 
 /**
  * Second stage for one tile and an area light, whose terms are means over samples. Holds scratch memory: use one instance per

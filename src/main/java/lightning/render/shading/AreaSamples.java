@@ -7,12 +7,12 @@ import lightning.base.math.Vec3;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.RowShadowRays;
 import lightning.render.trace.SamplePattern;
-import lightning.scene.AreaShape;
-import lightning.scene.Light;
-import lightning.scene.LightType;
 import lightning.scene.SamplingSettings;
-import lightning.scene.SummedAreaTable;
-import lightning.scene.Texture;
+import lightning.scene.asset.SummedAreaTable;
+import lightning.scene.asset.Texture;
+import lightning.scene.light.AreaShape;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightType;
 
 /**
  * Sample points of an area light in render space, or unit vectors towards a directional light. The light is the mean of its
@@ -30,7 +30,7 @@ import lightning.scene.Texture;
  * </ul>
  *
  * <p>If the light has an image, a sample has the mean color of a patch of it: the square of the unit square with area 1/n around the point of the
- * sample, n being the light's samples ({@link lightning.scene.AreaShape#samples}). On a disc, the patch is as large, in the square
+ * sample, n being the light's samples ({@link lightning.scene.light.AreaShape#samples}). On a disc, the patch is as large, in the square
  * around the disc that the image covers. Beyond the edges the image is mirrored. Seen from where the light shines, the image is upright.
  *
  * <p>A row of a pixel center uses all n samples, in one of {@link #ROTATIONS} rotations, chosen by a hash of its point. A finer

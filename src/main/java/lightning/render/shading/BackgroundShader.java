@@ -8,8 +8,8 @@ import lightning.render.trace.HitRows;
 import lightning.render.trace.MaterialTable;
 import lightning.render.trace.SamplePositions;
 import lightning.scene.Scene;
-import lightning.scene.SceneLimits;
 import lightning.scene.World;
+import lightning.scene.value.SceneLimits;
 
 /**
  * Shades rays that hit nothing with the background or the environment map. No row exists for them, so their directions are

@@ -4,7 +4,7 @@ import java.util.Arrays;
 import lightning.base.math.Rgb;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.Refraction;
-import lightning.scene.Transmission;
+import lightning.scene.material.Transmission;
 
 /** Evaluates the {@link LightingEquation} over the rows of a clear material. Holds scratch columns: use one instance per thread. */
 final class ClearMaterialShader {

@@ -2,7 +2,7 @@ package lightning.render.shading;
 
 import java.util.Arrays;
 import lightning.render.trace.HitRows;
-import lightning.scene.Transmission;
+import lightning.scene.material.Transmission;
 
 /**
  * Terms of a level's clear rows that no light changes: Fresnel reflectance and interior tint. They are computed whenever a level is

@@ -6,8 +6,8 @@ import lightning.render.trace.HitRows;
 import lightning.render.trace.MaterialTable;
 import lightning.render.trace.Tracer;
 import lightning.render.trace.tree.CandidateList;
-import lightning.scene.Material;
 import lightning.scene.effects.RenderEffect;
+import lightning.scene.material.Material;
 
 /**
  * Required work that includes effects which the scene does not use. The picture is the same. Used to measure what skipping unused

@@ -1,7 +1,7 @@
 package lightning.render.shading;
 
 import lightning.base.math.PowerFunction;
-import lightning.scene.Transmission;
+import lightning.scene.material.Transmission;
 
 /**
  * Transmittance of paths inside a transparent material: tint<sup>path / tint distance</sup> in red, green, blue. The logarithms of

@@ -5,8 +5,8 @@ import java.util.Map;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.Tracer;
-import lightning.scene.ShapeLinks;
 import lightning.scene.effects.ViewEffects;
+import lightning.scene.value.ShapeLinks;
 
 /**
  * Light linking for the rows of a tile: selects the rows that a light illuminates and the caster of its shadow rays. A row that is

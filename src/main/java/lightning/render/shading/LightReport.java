@@ -1,6 +1,6 @@
 package lightning.render.shading;
 
-import lightning.scene.Light;
+import lightning.scene.light.Light;
 
 /**
  * Contribution of one light at one point, with every term of the lighting equation.

@@ -11,7 +11,7 @@ import lightning.render.column.ColumnSet;
 import lightning.render.column.ColumnWriter;
 import lightning.render.column.ElementType;
 import lightning.render.column.UniformColumns;
-import lightning.scene.Light;
+import lightning.scene.light.Light;
 
 /**
  * Term layer of one light over the hit rows of one tile and level: state, cosine, specular term and falloff. The columns share the

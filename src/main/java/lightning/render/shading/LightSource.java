@@ -5,9 +5,9 @@ import java.util.stream.Stream;
 import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
 import lightning.render.trace.HitRows;
-import lightning.scene.Light;
-import lightning.scene.LightType;
 import lightning.scene.Scene;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightType;
 
 /**
  * Geometry of a light in render space: everything that decides which rows it reaches and with which terms, except its weight.

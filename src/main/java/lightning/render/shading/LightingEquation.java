@@ -2,7 +2,7 @@ package lightning.render.shading;
 
 import lightning.base.math.PowerFunction;
 import lightning.render.trace.Refraction;
-import lightning.scene.Attenuation;
+import lightning.scene.value.Attenuation;
 
 /**
  * Lighting equation (paper §2.2), term by term, for one row and one light.

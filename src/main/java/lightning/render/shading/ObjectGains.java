@@ -2,9 +2,9 @@ package lightning.render.shading;
 
 import java.util.Arrays;
 import lightning.render.trace.ShapeChange;
-import lightning.scene.Light;
-import lightning.scene.ShapeGains;
 import lightning.scene.Stage;
+import lightning.scene.light.Light;
+import lightning.scene.value.ShapeGains;
 
 /**
  * Gains of one light on the shapes of a scene: factors of its contributions, which composition applies. An edit of a gain therefore casts no

@@ -15,8 +15,8 @@ import lightning.render.trace.NormalSteps;
 import lightning.render.trace.PixelRays;
 import lightning.render.trace.SurfacePoint;
 import lightning.render.trace.tree.ShadowRayTarget;
-import lightning.scene.AlphaCutout;
 import lightning.scene.Scene;
+import lightning.scene.material.AlphaCutout;
 
 /** Traces single pixels and reports every part of their color. The color has the bits of the film's. */
 public final class PixelExplainer {

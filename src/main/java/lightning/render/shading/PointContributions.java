@@ -2,7 +2,7 @@ package lightning.render.shading;
 
 import lightning.base.math.Rgb;
 import lightning.render.trace.SurfacePoint;
-import lightning.scene.Material;
+import lightning.scene.material.Material;
 
 /**
  * Contributions of each term of the lighting equation to a point's color, for display: their sums are rounded once more.

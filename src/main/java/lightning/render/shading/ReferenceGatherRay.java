@@ -14,7 +14,7 @@ import lightning.render.trace.NormalSteps;
 import lightning.render.trace.RayBatch;
 import lightning.render.trace.Refraction;
 import lightning.render.trace.SurfacePoint;
-import lightning.scene.Transmission;
+import lightning.scene.material.Transmission;
 
 /**
  * Ray by which a point gathers light, for {@link ReferenceTracer}.

@@ -15,10 +15,10 @@ import lightning.render.trace.SampleCells;
 import lightning.render.trace.SamplePattern;
 import lightning.render.trace.SurfacePoint;
 import lightning.render.trace.tree.ShadowRayTarget;
-import lightning.scene.Light;
-import lightning.scene.NodeGroup;
 import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
+import lightning.scene.light.Light;
+import lightning.scene.node.NodeGroup;
 
 /**
  * Reference tracer: traces every pixel from the scene alone, ray by ray, as in §2.1 of the paper.

@@ -5,8 +5,8 @@ import lightning.render.trace.HitRows;
 import lightning.render.trace.MaterialTable;
 import lightning.render.trace.Tracer;
 import lightning.render.trace.tree.CandidateList;
-import lightning.scene.Material;
 import lightning.scene.effects.ViewEffects;
+import lightning.scene.material.Material;
 
 /** Decides which work a tile requires. Queried once for each tile and light, or for each material of a tile. */
 public interface RequiredWork {

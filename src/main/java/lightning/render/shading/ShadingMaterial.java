@@ -1,7 +1,7 @@
 package lightning.render.shading;
 
 import lightning.render.trace.MaterialTable;
-import lightning.scene.Transmission;
+import lightning.scene.material.Transmission;
 
 /**
  * Material properties as the {@link LightingEquation} needs them: red, green, blue each.

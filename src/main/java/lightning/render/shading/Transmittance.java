@@ -9,8 +9,8 @@ import lightning.render.trace.primitive.PrimitiveTable;
 import lightning.render.trace.primitive.ShadowRayHits;
 import lightning.render.trace.primitive.SurfaceHit;
 import lightning.render.trace.tree.ShadowRayTarget;
-import lightning.scene.Material;
-import lightning.scene.Transmission;
+import lightning.scene.material.Material;
+import lightning.scene.material.Transmission;
 
 /**
  * Transmittance of clear shapes along a straight shadow ray, without refraction. Each surface passes the share of a refracted ray,

@@ -6,8 +6,8 @@ import lightning.render.trace.ShadowRayBatch;
 import lightning.render.trace.Tracer;
 import lightning.render.trace.primitive.PrimitiveTable;
 import lightning.render.trace.primitive.ShadowRayHits;
-import lightning.scene.Material;
-import lightning.scene.Transmission;
+import lightning.scene.material.Material;
+import lightning.scene.material.Transmission;
 
 /**
  * Transmittance of many shadow rays, with the bits of {@link Transmittance}. The tracer computes the surfaces and the powers of all

@@ -2,7 +2,7 @@ package lightning.render.trace;
 
 import lightning.base.math.Ray;
 import lightning.base.math.Vec3;
-import lightning.scene.Transmission;
+import lightning.scene.material.Transmission;
 
 /**
  * Single hit with the data for shading: one row of {@link HitRows} as a record.

@@ -3,7 +3,7 @@ package lightning.render.trace;
 import lightning.render.trace.primitive.PrimitiveTable;
 import lightning.render.trace.primitive.TextureFootprint;
 import lightning.render.trace.primitive.TextureLookup;
-import lightning.scene.TextureMap;
+import lightning.scene.asset.TextureMap;
 
 /** Writes the colors of textures, vertices and glow maps of rows whose surfaces were just computed. Holds scratch memory: use one per thread. */
 final class TexelWriter {

@@ -19,7 +19,7 @@ import lightning.render.trace.Geometry;
 import lightning.sample.IndirectScenes;
 import lightning.scene.IndirectSettings;
 import lightning.scene.Scene;
-import lightning.scene.Shape;
+import lightning.scene.node.Shape;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 

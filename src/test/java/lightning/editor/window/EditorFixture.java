@@ -32,7 +32,7 @@ import lightning.editor.window.widget.ColorTheme;
 import lightning.editor.window.widget.PictureView;
 import lightning.render.shading.ReferenceTracer;
 import lightning.sample.Slow;
-import lightning.scene.Light;
+import lightning.scene.light.Light;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.extension.ExtendWith;

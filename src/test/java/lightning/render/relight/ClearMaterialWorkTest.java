@@ -14,17 +14,17 @@ import lightning.render.relight.tile.MirrorStorage;
 import lightning.render.shading.ReferenceTracer;
 import lightning.render.trace.SurfacePoint;
 import lightning.scene.Camera;
-import lightning.scene.Light;
-import lightning.scene.LightType;
-import lightning.scene.Material;
 import lightning.scene.PictureSettings;
-import lightning.scene.Placement;
 import lightning.scene.Scene;
-import lightning.scene.ShadowCasting;
-import lightning.scene.Shape;
-import lightning.scene.Solid;
-import lightning.scene.Transmission;
 import lightning.scene.World;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightType;
+import lightning.scene.material.Material;
+import lightning.scene.material.ShadowCasting;
+import lightning.scene.material.Transmission;
+import lightning.scene.node.Shape;
+import lightning.scene.node.Solid;
+import lightning.scene.value.Placement;
 import org.junit.jupiter.api.Test;
 
 /**

@@ -13,19 +13,19 @@ import lightning.render.relight.plan.UpdatePlan;
 import lightning.render.relight.tile.MirrorStorage;
 import lightning.render.shading.ReferenceTracer;
 import lightning.render.trace.SurfacePoint;
-import lightning.scene.AlphaCutout;
 import lightning.scene.Camera;
-import lightning.scene.Light;
-import lightning.scene.LightType;
-import lightning.scene.Material;
 import lightning.scene.PictureSettings;
-import lightning.scene.Placement;
 import lightning.scene.Scene;
-import lightning.scene.Shape;
-import lightning.scene.Solid;
-import lightning.scene.Texture;
-import lightning.scene.TextureMap;
 import lightning.scene.World;
+import lightning.scene.asset.Texture;
+import lightning.scene.asset.TextureMap;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightType;
+import lightning.scene.material.AlphaCutout;
+import lightning.scene.material.Material;
+import lightning.scene.node.Shape;
+import lightning.scene.node.Solid;
+import lightning.scene.value.Placement;
 import org.junit.jupiter.api.Test;
 
 /**

@@ -8,19 +8,19 @@ import java.util.Optional;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.sample.SampleMeshes;
-import lightning.scene.Attenuation;
 import lightning.scene.Camera;
-import lightning.scene.IesProfile;
-import lightning.scene.Light;
-import lightning.scene.LightType;
-import lightning.scene.Material;
-import lightning.scene.Mesh;
-import lightning.scene.Photometry;
 import lightning.scene.PictureSettings;
-import lightning.scene.Placement;
 import lightning.scene.Scene;
-import lightning.scene.Shape;
 import lightning.scene.World;
+import lightning.scene.asset.IesProfile;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightType;
+import lightning.scene.material.Material;
+import lightning.scene.node.Mesh;
+import lightning.scene.node.Shape;
+import lightning.scene.value.Attenuation;
+import lightning.scene.value.Photometry;
+import lightning.scene.value.Placement;
 import org.junit.jupiter.api.Test;
 
 /**

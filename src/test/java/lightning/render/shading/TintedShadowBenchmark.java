@@ -17,8 +17,8 @@ import lightning.render.trace.TexelColumns;
 import lightning.render.trace.TileVisibility;
 import lightning.render.trace.Tracer;
 import lightning.scene.Scene;
-import lightning.scene.SceneLimits;
 import lightning.scene.effects.ViewEffects;
+import lightning.scene.value.SceneLimits;
 
 /**
  * Throughput of tinted shadow rays to the area lights of a scene, on one thread: those of all rows that a full trace without

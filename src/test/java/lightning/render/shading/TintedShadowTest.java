@@ -8,18 +8,18 @@ import java.util.List;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.scene.Camera;
-import lightning.scene.Light;
-import lightning.scene.LightType;
-import lightning.scene.Material;
 import lightning.scene.PictureSettings;
-import lightning.scene.Placement;
 import lightning.scene.Scene;
-import lightning.scene.SceneLimits;
-import lightning.scene.ShadowCasting;
-import lightning.scene.Shape;
-import lightning.scene.Solid;
-import lightning.scene.Transmission;
 import lightning.scene.World;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightType;
+import lightning.scene.material.Material;
+import lightning.scene.material.ShadowCasting;
+import lightning.scene.material.Transmission;
+import lightning.scene.node.Shape;
+import lightning.scene.node.Solid;
+import lightning.scene.value.Placement;
+import lightning.scene.value.SceneLimits;
 import org.junit.jupiter.api.Test;
 
 /** Tests the known colors of light that passes through clear shapes. */

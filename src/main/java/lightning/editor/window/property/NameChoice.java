@@ -11,7 +11,7 @@ import lightning.base.text.Messages;
 import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.DisabledReason;
 import lightning.scene.Scene;
-import lightning.scene.ValueKind;
+import lightning.scene.attribute.ValueKind;
 
 /** Combo box for a name in the scene, including none. */
 class NameChoice extends StackPane {

@@ -24,7 +24,7 @@ import lightning.render.trace.HitRows;
  *
  * <p>Each sum below has few products, so its error is within 2⁻⁴⁸ of the sum of their absolute values. The error of the unit
  * vector to a sample, and of its products with other vectors of about unit length, is within 2⁻⁴⁶. Coordinates are at most 10¹²
- * ({@link lightning.scene.SceneLimits}), so nothing overflows. If |v| is less than 2⁻⁴⁰⁰, squares may underflow, and nothing is
+ * ({@link lightning.scene.value.SceneLimits}), so nothing overflows. If |v| is less than 2⁻⁴⁰⁰, squares may underflow, and nothing is
  * culled.
  */
 final class AreaLightLanes {

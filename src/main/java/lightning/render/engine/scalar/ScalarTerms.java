@@ -9,7 +9,7 @@ import lightning.render.shading.RowBits;
 import lightning.render.shading.TermKernel;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.RowShadowRays;
-import lightning.scene.Attenuation;
+import lightning.scene.value.Attenuation;
 
 /** Scalar implementation of {@link TermKernel}, row by row. */
 final class ScalarTerms implements TermKernel {

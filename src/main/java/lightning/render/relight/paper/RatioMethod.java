@@ -17,8 +17,8 @@ import lightning.render.shading.ConeChange;
 import lightning.render.shading.LightKernel;
 import lightning.render.shading.WeightedLight;
 import lightning.render.trace.MaterialTable;
-import lightning.scene.Light;
 import lightning.scene.Scene;
+import lightning.scene.light.Light;
 
 /** The paper's method: layers hold finished contributions, which edits scale by ratios, with a running error bound. */
 public record RatioMethod() implements UpdateMethod {

@@ -9,7 +9,7 @@ import lightning.render.column.ElementType;
 import lightning.render.shading.LightLayer;
 import lightning.render.shading.LightRows;
 import lightning.render.shading.WeightedLayer;
-import lightning.scene.Light;
+import lightning.scene.light.Light;
 
 /**
  * Layer of one light as the paper stores it (§2.4): finished contributions, including weight and falloff, which edits scale by

@@ -7,9 +7,9 @@ import lightning.render.shading.LightLayer;
 import lightning.render.shading.ObjectGains;
 import lightning.render.shading.WeightedLight;
 import lightning.render.trace.ShapeChange;
-import lightning.scene.Light;
 import lightning.scene.Scene;
 import lightning.scene.Stage;
+import lightning.scene.light.Light;
 
 /**
  * Update of one light's layers over the rows of a level.

@@ -19,7 +19,7 @@ import lightning.render.shading.EdgeDetector;
 import lightning.render.shading.RenderedScenes;
 import lightning.render.shading.WeightedLight;
 import lightning.scene.AntialiasMode;
-import lightning.scene.Light;
+import lightning.scene.light.Light;
 
 /**
  * Builds the pixel cache of a picture on all threads: the whole cache, only pixel centers, or the finer samples of existing centers.

@@ -12,8 +12,8 @@ import lightning.render.relight.plan.UpdatePlan;
 import lightning.render.shading.LightKernel;
 import lightning.render.shading.LightRows;
 import lightning.render.shading.WeightedLight;
-import lightning.scene.Light;
 import lightning.scene.Scene;
+import lightning.scene.light.Light;
 
 /** Update method with the bits of a full trace: layers hold terms, which are never scaled. */
 public record ExactMethod() implements UpdateMethod {

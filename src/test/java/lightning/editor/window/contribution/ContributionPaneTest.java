@@ -14,9 +14,9 @@ import lightning.editor.window.widget.PictureView;
 import lightning.render.image.Film;
 import lightning.render.relight.LightContribution;
 import lightning.render.shading.ReferenceTracer;
-import lightning.scene.Light;
-import lightning.scene.LightType;
 import lightning.scene.Scene;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightType;
 import org.junit.jupiter.api.Test;
 
 class ContributionPaneTest extends EditorFixture {

@@ -16,7 +16,7 @@ import lightning.editor.document.OpenDocument;
 import lightning.editor.window.EditorFixture;
 import lightning.format.jen.JenReader;
 import lightning.render.shading.ReferenceTracer;
-import lightning.scene.LightAttribute;
+import lightning.scene.light.LightAttribute;
 import lightning.scene.shot.Interpolation;
 import lightning.scene.shot.Keyframe;
 import lightning.scene.shot.KeyframeValue;

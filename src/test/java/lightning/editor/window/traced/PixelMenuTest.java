@@ -20,10 +20,10 @@ import lightning.editor.window.EditorFixture;
 import lightning.editor.window.widget.PictureView;
 import lightning.render.shading.LightReport;
 import lightning.render.shading.PixelExplainer;
-import lightning.scene.Light;
-import lightning.scene.LightType;
 import lightning.scene.Scene;
-import lightning.scene.ShapeLinks;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightType;
+import lightning.scene.value.ShapeLinks;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 

@@ -7,8 +7,8 @@ import java.util.List;
 import java.util.stream.IntStream;
 import lightning.base.math.Vec3;
 import lightning.render.shading.LightReport;
-import lightning.scene.Light;
-import lightning.scene.LightType;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightType;
 import org.junit.jupiter.api.Test;
 
 /** Texts of the pixel report. */

@@ -14,8 +14,8 @@ import lightning.render.shading.ReferenceTracer;
 import lightning.render.warmup.WarmUp;
 import lightning.sample.Slow;
 import lightning.sample.StudioScene;
-import lightning.scene.LightType;
 import lightning.scene.Scene;
+import lightning.scene.light.LightType;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
