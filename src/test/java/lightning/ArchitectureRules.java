@@ -64,36 +64,51 @@ final class ArchitectureRules {
                     "base.text base.math base.work scene.asset scene.light scene.material scene render.column render.image"
                             + " render.trace.tree render.trace"),
             row("render.shading",
-                    "base.math base.work scene.value scene.asset scene.node scene.light scene.material scene scene.effects"
-                            + " render.column render.image render.trace.primitive render.trace.tree render.trace render.gather"),
+                    "base.math base.work scene.value scene.asset scene.light scene.material scene scene.effects"
+                            + " render.trace.primitive render.trace.tree render.trace render.gather"),
+            row("render.shading.explanation",
+                    "base.math scene.value scene.light scene.material scene render.trace.tree render.trace render.gather"
+                            + " render.shading"),
+            row("render.shading.layer",
+                    "base.math scene.value scene.light scene.material scene.effects render.column render.trace.primitive"
+                            + " render.trace.tree render.trace render.shading"),
+            row("render.shading.composition",
+                    "base.math scene.material scene scene.effects render.image render.trace render.gather render.shading"
+                            + " render.shading.layer"),
+            row("render.shading.reference",
+                    "base.math scene.value scene.node scene.light scene.material scene render.image render.trace.tree"
+                            + " render.trace render.gather render.shading render.shading.layer"),
             row("render.engine", "render.trace render.shading"),
             row("render.engine.scalar",
                     "base.math scene.value scene.light scene.material render.trace.primitive render.trace.tree render.trace"
-                            + " render.shading render.engine"),
+                            + " render.shading render.shading.layer render.engine"),
             row("render.engine.lanes",
                     "base.math scene.value scene.node scene.light scene.material render.trace.solid render.trace.mesh"
-                            + " render.trace.primitive render.trace.tree render.trace render.shading render.engine"),
+                            + " render.trace.primitive render.trace.tree render.trace render.shading render.shading.layer render.engine"),
             row("render.engine.choice", "render.engine render.engine.scalar render.engine.lanes"),
             row("render.fulltrace",
-                    "base.work scene scene.effects render.image render.trace render.gather render.shading render.engine"
-                            + " render.engine.choice"),
+                    "base.work scene scene.effects render.image render.trace render.gather render.shading render.shading.layer"
+                            + " render.shading.composition render.engine render.engine.choice"),
             row("render.warmup",
                     "base.work scene.light scene.material scene render.image render.trace render.engine render.engine.choice"
                             + " render.fulltrace"),
-            row("render.cache", "scene.light scene render.column render.image render.trace render.gather render.shading"),
+            row("render.cache",
+                    "scene.light scene render.column render.image render.trace render.gather render.shading render.shading.layer"
+                            + " render.shading.composition"),
             row("render.relight.plan",
                     "base.text base.math scene.value scene.light scene.material scene render.image render.trace render.gather"
-                            + " render.shading render.cache"),
+                            + " render.shading render.shading.layer render.shading.composition render.cache"),
             row("render.relight.paper",
-                    "base.math scene.light scene render.column render.image render.trace render.shading render.cache"
-                            + " render.relight.plan"),
+                    "base.math scene.light scene render.column render.image render.trace render.shading render.shading.layer"
+                            + " render.cache render.relight.plan"),
             row("render.relight.tile",
                     "base.work scene.light scene scene.effects render.column render.image render.trace.tree render.trace"
-                            + " render.gather render.shading render.engine render.engine.choice render.cache render.relight.plan"
-                            + " render.relight.paper"),
+                            + " render.gather render.shading render.shading.layer render.shading.composition render.engine"
+                            + " render.engine.choice render.cache render.relight.plan render.relight.paper"),
             row("render.relight",
                     "base.math base.work scene.value scene.light scene.material scene scene.effects render.image render.trace"
-                            + " render.gather render.shading render.engine render.cache render.relight.plan render.relight.tile"),
+                            + " render.gather render.shading render.shading.layer render.shading.composition render.engine render.cache"
+                            + " render.relight.plan render.relight.tile"),
             row("format.mesh", "base.text base.work base.file scene.node"),
             row("format.mesh.subdivision", "format.mesh"),
             row("format.mesh.ply", "base.text base.math scene.node format.mesh"),
@@ -111,11 +126,11 @@ final class ArchitectureRules {
             row("format.matte", "scene.node scene format.exr"),
             row("format.json",
                     "base.math scene.node scene.light scene.material scene render.image render.trace render.gather render.shading"
-                            + " render.relight"),
+                            + " render.shading.explanation render.relight"),
             row("format.layer",
                     "base.math base.work base.file scene.value scene.attribute scene.node scene.light scene.material scene"
-                            + " scene.effects render.image render.trace render.gather render.shading render.engine render.cache format.exr"
-                            + " format.matte"),
+                            + " scene.effects render.image render.trace render.gather render.shading render.shading.layer"
+                            + " render.shading.composition render.engine render.cache format.exr format.matte"),
             row("format.pov",
                     "base.math base.file scene.value scene.asset scene.node scene.light scene.material scene render.image"
                             + " format.image"),
@@ -137,14 +152,15 @@ final class ArchitectureRules {
                             + " render.relight"),
             row("bench.accuracy",
                     "base.text base.math base.work scene.value scene.node scene.light scene.material scene scene.effects"
-                            + " render.image render.trace render.gather render.shading render.engine render.engine.choice render.fulltrace"
-                            + " render.cache render.relight.plan render.relight.tile render.relight"),
+                            + " render.image render.trace render.gather render.shading render.shading.layer render.shading.composition"
+                            + " render.engine render.engine.choice render.fulltrace render.cache render.relight.plan render.relight.tile"
+                            + " render.relight"),
             row("bench.mesh", "base.file scene.node render.trace.solid render.trace.mesh"),
             row("bench",
                     "base.text base.math base.work base.file scene.value scene.node scene.light scene.material scene"
-                            + " scene.effects render.image render.trace.mesh render.trace render.shading render.engine render.engine.choice"
-                            + " render.fulltrace render.cache render.relight.plan render.relight.tile render.relight format.jen format.image"
-                            + " format.pov bench.accuracy bench.mesh"),
+                            + " scene.effects render.image render.trace.mesh render.trace render.shading render.shading.explanation"
+                            + " render.engine render.engine.choice render.fulltrace render.cache render.relight.plan render.relight.tile"
+                            + " render.relight format.jen format.image format.pov bench.accuracy bench.mesh"),
             row("bench.report", "base.file render.image render.relight.plan format.image bench.accuracy bench"),
             row("editor.loop",
                     "base.text base.work scene.value scene.light scene scene.effects render.image render.trace render.shading"
@@ -176,8 +192,8 @@ final class ArchitectureRules {
                             + " editor.window.command"),
             row("editor.window.traced",
                     "base.text base.math base.work scene.value scene.node scene.light scene render.image render.trace"
-                            + " render.shading render.fulltrace render.relight bench.accuracy editor.loop editor.document"
-                            + " editor.window.widget editor.window.model editor.window.command"),
+                            + " render.shading render.shading.explanation render.fulltrace render.relight bench.accuracy editor.loop"
+                            + " editor.document editor.window.widget editor.window.model editor.window.command"),
             row("editor.window.preview",
                     "base.text base.math base.work scene.value scene.node scene.light scene scene.effects render.image"
                             + " render.trace render.cache render.relight.plan render.relight.tile render.relight editor.loop editor.document"
@@ -215,15 +231,17 @@ final class ArchitectureRules {
                             + " editor.window.contribution editor.window.link editor.window.cue editor.window.welcome"),
             row("serve",
                     "base.text base.work base.file scene.light scene.material scene scene.shot render.image render.trace"
-                            + " render.shading render.engine render.cache render.relight.plan render.relight.tile render.relight format.mesh"
-                            + " format.exr format.jen format.image format.json format.layer format.exchange editor.loop editor.document"),
+                            + " render.shading render.shading.explanation render.engine render.cache render.relight.plan render.relight.tile"
+                            + " render.relight format.mesh format.exr format.jen format.image format.json format.layer format.exchange"
+                            + " editor.loop editor.document"),
             row("cli.report", "render.shading format.json"),
             row("cli",
                     "base.text base.math base.work base.file scene.value scene.asset scene.node scene.light scene.material scene"
-                            + " scene.shot scene.effects render.image render.trace render.gather render.shading render.engine"
-                            + " render.engine.choice render.fulltrace render.warmup render.cache render.relight.plan render.relight.tile"
-                            + " render.relight format format.hdr format.exr format.jen format.image format.json format.layer format.pov"
-                            + " format.exchange shot shot.cluster shot.movie bench.accuracy bench bench.report serve cli.report"),
+                            + " scene.shot scene.effects render.image render.trace render.gather render.shading render.shading.explanation"
+                            + " render.shading.layer render.engine render.engine.choice render.fulltrace render.warmup render.cache"
+                            + " render.relight.plan render.relight.tile render.relight format format.hdr format.exr format.jen format.image"
+                            + " format.json format.layer format.pov format.exchange shot shot.cluster shot.movie bench.accuracy bench"
+                            + " bench.report serve cli.report"),
             row("", "format.jen editor.window cli"));
 
     /** @param dependencies packages that it may import, in addition to itself */
@@ -240,7 +258,7 @@ final class ArchitectureRules {
 
     /** The reference tracer: the oracle of every equality test, kept simple enough to trust. */
     private static final String REFERENCE =
-            "lightning\\.render\\.shading\\.Reference(Tracer|Indirect|GatherPoints|GatherRay|PointLight)(\\$.*)?";
+            "lightning\\.render\\.shading\\.reference\\.Reference(Tracer|Indirect|GatherPoints|GatherRay|PointLight)(\\$.*)?";
 
     private ArchitectureRules() {}
 

@@ -14,7 +14,7 @@ import lightning.format.jen.JenReader;
 import lightning.format.jen.JenWriter;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.tile.RenderOptions;
-import lightning.render.shading.PixelExplainer;
+import lightning.render.shading.explanation.PixelExplainer;
 import lightning.render.trace.Geometry;
 import lightning.scene.Scene;
 import lightning.scene.light.Light;

@@ -13,7 +13,7 @@ import lightning.base.work.Progress;
 import lightning.editor.document.LightEdits;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.tile.RenderOptions;
-import lightning.render.shading.ReferenceTracer;
+import lightning.render.shading.reference.ReferenceTracer;
 import lightning.sample.AttributeArbitraries;
 import lightning.sample.AttributeArbitraries.Changed;
 import lightning.sample.Slow;

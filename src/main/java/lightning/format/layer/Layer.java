@@ -2,8 +2,8 @@ package lightning.format.layer;
 
 import java.util.ArrayList;
 import java.util.List;
-import lightning.render.shading.LightComponent;
 import lightning.render.shading.WeightedLight;
+import lightning.render.shading.composition.LightComponent;
 import lightning.scene.Scene;
 import lightning.scene.light.Light;
 

@@ -3,7 +3,7 @@ package lightning.render.cache;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Function;
-import lightning.render.shading.LightLayer;
+import lightning.render.shading.layer.LightLayer;
 import lightning.scene.Scene;
 import lightning.scene.light.Light;
 

@@ -3,7 +3,7 @@ package lightning.render.relight;
 import java.util.function.Predicate;
 import lightning.render.cache.PixelCache;
 import lightning.render.relight.tile.RenderJob;
-import lightning.render.shading.RequiredWork;
+import lightning.render.shading.layer.RequiredWork;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.MaterialTable;
 import lightning.scene.Scene;

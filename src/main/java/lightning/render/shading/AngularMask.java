@@ -71,7 +71,7 @@ public final class AngularMask {
     }
 
     /** Returns whether the light has a mask. */
-    static boolean isActive(LightSource source) {
+    public static boolean isActive(LightSource source) {
         return switch (source.type()) {
             case SPOT -> !source.light().doors().isOpen() || source.light().gobo().isPresent() || source.light().profile().isPresent();
             case POINT -> source.light().profile().isPresent();
@@ -86,7 +86,7 @@ public final class AngularMask {
     }
 
     /** Returns the factor at a point in render space, 0…1. */
-    double factor(float px, float py, float pz) {
+    public double factor(float px, float py, float pz) {
         double x = px - position.x();
         double y = py - position.y();
         double z = pz - position.z();

@@ -72,7 +72,7 @@ public final class ClearTerms {
     }
 
     /** Returns whether these terms, of the same rows, are those of other materials too. */
-    boolean isFor(HitRows rows, ShadingMaterial[] materials) {
+    public boolean isFor(HitRows rows, ShadingMaterial[] materials) {
         for (int run = 0; run < transmissions.length; run++) {
             if (!transmissions[run].equals(materials[rows.runMaterial[run]].clarity())) {
                 return false;

@@ -44,7 +44,7 @@ public final class InteriorTint {
     }
 
     /** Writes the transmittance of a path: red, green, blue. */
-    void write(float path, float[] to) {
+    public void write(float path, float[] to) {
         for (int c = 0; c < 3; c++) {
             to[c] = transmittance(c, path);
         }

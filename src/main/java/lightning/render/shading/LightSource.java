@@ -50,7 +50,7 @@ public record LightSource(Light light, Vec3 position, Vec3 axis, double cosAngle
     }
 
     /** Returns whether its falloff is not 1 everywhere. */
-    boolean hasFalloff() {
+    public boolean hasFalloff() {
         return switch (type()) {
             case DIRECTIONAL -> false;
             case POINT -> !light.hasNoAttenuation() || AngularMask.isActive(this);
@@ -81,7 +81,7 @@ public record LightSource(Light light, Vec3 position, Vec3 axis, double cosAngle
     }
 
     /** Returns a sample of an area light at a position as a light of its own. */
-    LightSource at(Vec3 sample) {
+    public LightSource at(Vec3 sample) {
         return new LightSource(light, sample, axis, cosAngle, dropoff, null, null);
     }
 }

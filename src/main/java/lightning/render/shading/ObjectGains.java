@@ -72,7 +72,7 @@ public final class ObjectGains {
      * @param owners shape of each row
      * @param tint   one channel of the rows' tints; null if all are 1
      */
-    void write(int[] owners, int from, int to, float[] tint, float[] out) {
+    public void write(int[] owners, int from, int to, float[] tint, float[] out) {
         for (int i = from; i < to; i++) {
             float gain = gains[entries[owners[i]]];
             out[i] = tint == null ? gain : tint[i] * gain;

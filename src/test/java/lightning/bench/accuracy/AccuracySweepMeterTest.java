@@ -11,7 +11,7 @@ import lightning.base.math.Vec3;
 import lightning.base.work.Progress;
 import lightning.render.image.Film;
 import lightning.render.relight.tile.RenderOptions;
-import lightning.render.shading.ReferenceTracer;
+import lightning.render.shading.reference.ReferenceTracer;
 import lightning.scene.AntialiasMode;
 import lightning.scene.PictureSettings;
 import lightning.scene.SamplingSettings;

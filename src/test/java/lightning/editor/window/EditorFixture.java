@@ -30,7 +30,7 @@ import lightning.editor.window.model.Preferences;
 import lightning.editor.window.preview.PreviewCanvas;
 import lightning.editor.window.widget.ColorTheme;
 import lightning.editor.window.widget.PictureView;
-import lightning.render.shading.ReferenceTracer;
+import lightning.render.shading.reference.ReferenceTracer;
 import lightning.sample.Slow;
 import lightning.scene.light.Light;
 import org.junit.jupiter.api.AfterEach;

@@ -24,7 +24,7 @@ import lightning.editor.document.OpenDocument;
 import lightning.editor.document.PictureArea;
 import lightning.editor.window.model.AccuracyMode;
 import lightning.render.shading.RayCounts;
-import lightning.render.shading.ReferenceTracer;
+import lightning.render.shading.reference.ReferenceTracer;
 import lightning.sample.TransparentScenes;
 import lightning.scene.AntialiasMode;
 import lightning.scene.SamplingSettings;

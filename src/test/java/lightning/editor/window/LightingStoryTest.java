@@ -11,7 +11,7 @@ import javafx.stage.Window;
 import lightning.editor.document.Command;
 import lightning.editor.window.widget.TextTyping;
 import lightning.format.jen.JenReader;
-import lightning.render.shading.ReferenceTracer;
+import lightning.render.shading.reference.ReferenceTracer;
 import lightning.scene.Scene;
 import lightning.scene.light.LightType;
 import org.junit.jupiter.api.Test;

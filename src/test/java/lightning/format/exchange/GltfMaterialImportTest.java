@@ -22,7 +22,7 @@ import lightning.format.jen.JenException;
 import lightning.format.jen.JenReader;
 import lightning.format.mesh.MeshException;
 import lightning.render.image.Film;
-import lightning.render.shading.ReferenceTracer;
+import lightning.render.shading.reference.ReferenceTracer;
 import lightning.scene.Scene;
 import lightning.scene.material.AlphaCutout;
 import lightning.scene.material.Material;

@@ -15,7 +15,7 @@ import lightning.base.work.Progress;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.plan.Accuracy;
 import lightning.render.relight.tile.RenderOptions;
-import lightning.render.shading.LightRows;
+import lightning.render.shading.layer.LightRows;
 import lightning.sample.Slow;
 import lightning.scene.Camera;
 import lightning.scene.PictureSettings;

@@ -15,7 +15,7 @@ import lightning.render.relight.plan.UpdatePlan;
 import lightning.render.relight.tile.MirrorStorage;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.render.shading.RayCounts;
-import lightning.render.shading.ReferenceTracer;
+import lightning.render.shading.reference.ReferenceTracer;
 import lightning.sample.EditSession;
 import lightning.sample.Slow;
 import lightning.sample.StudioScene;

@@ -11,7 +11,7 @@ import lightning.render.image.FilmAssert;
 import lightning.render.relight.plan.ReflectionMode;
 import lightning.render.relight.plan.UpdatePlan;
 import lightning.render.relight.tile.MirrorStorage;
-import lightning.render.shading.ReferenceTracer;
+import lightning.render.shading.reference.ReferenceTracer;
 import lightning.render.trace.SurfacePoint;
 import lightning.scene.Camera;
 import lightning.scene.PictureSettings;

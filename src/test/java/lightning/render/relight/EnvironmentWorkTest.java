@@ -8,7 +8,7 @@ import lightning.render.image.FilmAssert;
 import lightning.render.relight.plan.LightUpdate;
 import lightning.render.relight.plan.ReflectionMode;
 import lightning.render.relight.tile.MirrorStorage;
-import lightning.render.shading.ReferenceTracer;
+import lightning.render.shading.reference.ReferenceTracer;
 import lightning.sample.StudioScene;
 import lightning.scene.Scene;
 import lightning.scene.World;

@@ -17,7 +17,7 @@ import lightning.render.relight.plan.Accuracy;
 import lightning.render.relight.plan.ReflectionMode;
 import lightning.render.relight.tile.MirrorStorage;
 import lightning.render.relight.tile.RenderOptions;
-import lightning.render.shading.ReferenceTracer;
+import lightning.render.shading.reference.ReferenceTracer;
 import lightning.sample.EditSession;
 import lightning.sample.IndirectScenes;
 import lightning.sample.Slow;

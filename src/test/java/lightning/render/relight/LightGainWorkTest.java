@@ -12,7 +12,7 @@ import lightning.render.relight.plan.LightUpdate;
 import lightning.render.relight.plan.ReflectionMode;
 import lightning.render.relight.tile.MirrorStorage;
 import lightning.render.relight.tile.RenderOptions;
-import lightning.render.shading.ReferenceTracer;
+import lightning.render.shading.reference.ReferenceTracer;
 import lightning.sample.StudioScene;
 import lightning.scene.Scene;
 import lightning.scene.light.Contribution;
@@ -28,7 +28,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 /** Tests that edits of a light's gains only compose, and that a light without shadows casts no shadow rays. */
 class LightGainWorkTest {
     private static final LightUpdate SHADOWS =
-            new LightUpdate.Partial(lightning.render.shading.ConeChange.NONE, false, false, true);
+            new LightUpdate.Partial(lightning.render.shading.layer.ConeChange.NONE, false, false, true);
 
     private static UpdateResult contribute(StudioRenderer studio, Contribution contribution) {
         return studio.edit(l -> l.withContribution(contribution));

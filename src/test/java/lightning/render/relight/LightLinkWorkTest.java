@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import lightning.base.math.Vec3;
 import lightning.render.relight.plan.LightUpdate;
-import lightning.render.shading.ConeChange;
+import lightning.render.shading.layer.ConeChange;
 import lightning.sample.StudioScene;
 import lightning.scene.light.LightType;
 import lightning.scene.value.ShapeLinks;

@@ -10,7 +10,7 @@ import lightning.render.engine.choice.Engines;
 import lightning.render.image.FilmAssert;
 import lightning.render.relight.tile.MirrorStorage;
 import lightning.render.relight.tile.RenderOptions;
-import lightning.render.shading.ReferenceTracer;
+import lightning.render.shading.reference.ReferenceTracer;
 import lightning.scene.Scene;
 import lightning.scene.light.LightType;
 import org.junit.jupiter.params.ParameterizedTest;

@@ -17,7 +17,7 @@ import lightning.render.relight.plan.ReflectionMode;
 import lightning.render.relight.tile.MirrorStorage;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.render.shading.ReferenceRows;
-import lightning.render.shading.ReferenceTracer;
+import lightning.render.shading.reference.ReferenceTracer;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.SurfacePoint;
 import lightning.sample.StudioScene;

@@ -13,7 +13,7 @@ import lightning.render.relight.plan.ReflectionMode;
 import lightning.render.relight.tile.MirrorStorage;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.render.shading.ReferenceRows;
-import lightning.render.shading.ReferenceTracer;
+import lightning.render.shading.reference.ReferenceTracer;
 import lightning.sample.StudioScene;
 import lightning.scene.AntialiasMode;
 import lightning.scene.PictureSettings;

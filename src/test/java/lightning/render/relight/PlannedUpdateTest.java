@@ -6,7 +6,7 @@ import lightning.base.work.Progress;
 import lightning.render.image.FilmAssert;
 import lightning.render.relight.plan.UpdatePlan;
 import lightning.render.relight.tile.RenderOptions;
-import lightning.render.shading.ReferenceTracer;
+import lightning.render.shading.reference.ReferenceTracer;
 import lightning.sample.StudioScene;
 import lightning.scene.Scene;
 import lightning.scene.light.Light;

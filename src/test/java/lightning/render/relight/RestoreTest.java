@@ -11,7 +11,7 @@ import lightning.render.relight.plan.ReflectionMode;
 import lightning.render.relight.plan.UpdatePlan;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.render.relight.tile.RepeatedEditDetector;
-import lightning.render.shading.ReferenceTracer;
+import lightning.render.shading.reference.ReferenceTracer;
 import lightning.sample.StudioScene;
 import lightning.scene.Scene;
 import lightning.scene.light.Light;

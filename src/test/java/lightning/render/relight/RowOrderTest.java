@@ -14,7 +14,7 @@ import lightning.render.relight.plan.Accuracy;
 import lightning.render.relight.plan.ReflectionMode;
 import lightning.render.relight.tile.MirrorStorage;
 import lightning.render.relight.tile.RenderOptions;
-import lightning.render.shading.LightRows;
+import lightning.render.shading.layer.LightRows;
 import lightning.render.trace.BounceKind;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.MaterialTable;

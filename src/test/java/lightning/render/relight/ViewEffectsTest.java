@@ -12,7 +12,7 @@ import lightning.base.work.Progress;
 import lightning.render.image.Film;
 import lightning.render.relight.plan.ReflectionMode;
 import lightning.render.relight.tile.RenderOptions;
-import lightning.render.shading.ReferenceTracer;
+import lightning.render.shading.reference.ReferenceTracer;
 import lightning.sample.EditSession;
 import lightning.sample.Slow;
 import lightning.scene.Camera;

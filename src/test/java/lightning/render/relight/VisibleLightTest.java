@@ -11,7 +11,7 @@ import lightning.format.jen.PropertyEdit;
 import lightning.render.fulltrace.TraditionalTracer;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.render.shading.RayCounts;
-import lightning.render.shading.ReferenceTracer;
+import lightning.render.shading.reference.ReferenceTracer;
 import lightning.scene.Scene;
 import lightning.scene.asset.LightTexture;
 import lightning.scene.asset.Texture;

@@ -7,6 +7,7 @@ import java.util.List;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.render.image.Film;
+import lightning.render.shading.reference.ReferenceTracer;
 import lightning.scene.Camera;
 import lightning.scene.PictureSettings;
 import lightning.scene.Scene;

@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.function.UnaryOperator;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
+import lightning.render.shading.reference.ReferenceTracer;
 import lightning.scene.Camera;
 import lightning.scene.PictureSettings;
 import lightning.scene.Scene;

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Random;
 import lightning.base.math.Vec3;
 import lightning.render.engine.choice.Engines;
+import lightning.render.shading.layer.RowBits;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.RowShadowRays;
 import lightning.render.trace.TexelColumns;

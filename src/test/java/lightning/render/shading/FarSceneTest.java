@@ -3,6 +3,7 @@ package lightning.render.shading;
 import java.util.List;
 import lightning.base.math.Vec3;
 import lightning.render.image.FilmAssert;
+import lightning.render.shading.reference.ReferenceTracer;
 import lightning.sample.StudioScene;
 import lightning.scene.Camera;
 import lightning.scene.Scene;

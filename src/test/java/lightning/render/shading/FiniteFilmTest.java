@@ -17,6 +17,7 @@ import lightning.format.jen.JenReader;
 import lightning.render.fulltrace.TraditionalTracer;
 import lightning.render.image.Film;
 import lightning.render.image.FilmAssert;
+import lightning.render.shading.reference.ReferenceTracer;
 import lightning.sample.EdgeCaseScenes;
 import lightning.sample.EditSession;
 import lightning.sample.FailedSceneRecorder;

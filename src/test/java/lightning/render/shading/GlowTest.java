@@ -14,6 +14,7 @@ import lightning.render.image.FilmAssert;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.UpdateResult;
 import lightning.render.relight.tile.RenderOptions;
+import lightning.render.shading.reference.ReferenceTracer;
 import lightning.scene.Camera;
 import lightning.scene.PictureSettings;
 import lightning.scene.Scene;

@@ -7,6 +7,7 @@ import lightning.base.math.Ray;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.render.image.Film;
+import lightning.render.shading.reference.ReferenceTracer;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.PixelRays;
 import lightning.scene.Camera;

@@ -13,6 +13,7 @@ import lightning.base.work.WorkerPool;
 import lightning.render.fulltrace.TraditionalTracer;
 import lightning.render.image.Film;
 import lightning.render.image.FilmAssert;
+import lightning.render.shading.reference.ReferenceTracer;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.PixelRays;
 import lightning.scene.Camera;

@@ -10,6 +10,7 @@ import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
 import lightning.render.fulltrace.TraditionalTracer;
 import lightning.render.image.FilmAssert;
+import lightning.render.shading.reference.ReferenceTracer;
 import lightning.scene.Camera;
 import lightning.scene.PictureSettings;
 import lightning.scene.Scene;

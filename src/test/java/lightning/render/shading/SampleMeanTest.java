@@ -8,6 +8,7 @@ import java.util.Random;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.render.image.Film;
+import lightning.render.shading.reference.ReferenceTracer;
 import lightning.scene.AntialiasMode;
 import lightning.scene.Camera;
 import lightning.scene.PictureSettings;

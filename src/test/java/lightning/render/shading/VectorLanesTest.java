@@ -8,6 +8,7 @@ import lightning.base.math.PowerFunction;
 import lightning.base.math.Vec3;
 import lightning.render.engine.choice.Engines;
 import lightning.render.engine.lanes.PowerLanes;
+import lightning.render.shading.layer.RowBits;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.TexelColumns;
 import lightning.scene.Camera;

@@ -8,7 +8,7 @@ import java.util.Optional;
 import lightning.base.math.Ray;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
-import lightning.render.shading.ReferenceTracer;
+import lightning.render.shading.reference.ReferenceTracer;
 import lightning.sample.SampleMeshes;
 import lightning.scene.Camera;
 import lightning.scene.PictureSettings;

@@ -11,7 +11,7 @@ import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorSpecies;
 import lightning.base.math.Vec3;
 import lightning.render.shading.LightSource;
-import lightning.render.shading.RowBits;
+import lightning.render.shading.layer.RowBits;
 import lightning.render.trace.HitRows;
 
 /**

@@ -3,8 +3,8 @@ package lightning.render.relight.plan;
 import lightning.render.cache.LayerStamp;
 import lightning.render.cache.PixelCache;
 import lightning.render.image.DisplayCurve;
-import lightning.render.shading.LightKernel;
 import lightning.render.shading.WeightedLight;
+import lightning.render.shading.layer.LightKernel;
 import lightning.scene.Scene;
 import lightning.scene.light.Light;
 

@@ -9,9 +9,9 @@ import lightning.render.relight.plan.LightDifference;
 import lightning.render.relight.plan.LightUpdate;
 import lightning.render.relight.plan.UpdateMethod;
 import lightning.render.relight.plan.UpdatePlan;
-import lightning.render.shading.LightKernel;
-import lightning.render.shading.LightRows;
 import lightning.render.shading.WeightedLight;
+import lightning.render.shading.layer.LightKernel;
+import lightning.render.shading.layer.LightRows;
 import lightning.scene.Scene;
 import lightning.scene.light.Light;
 

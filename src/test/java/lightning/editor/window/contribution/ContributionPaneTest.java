@@ -13,7 +13,7 @@ import lightning.editor.window.EditorFixture;
 import lightning.editor.window.widget.PictureView;
 import lightning.render.image.Film;
 import lightning.render.relight.LightContribution;
-import lightning.render.shading.ReferenceTracer;
+import lightning.render.shading.reference.ReferenceTracer;
 import lightning.scene.Scene;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightType;

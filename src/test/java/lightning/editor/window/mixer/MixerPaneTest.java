@@ -28,7 +28,7 @@ import lightning.editor.window.EditorFixture;
 import lightning.editor.window.widget.PercentText;
 import lightning.render.image.Film;
 import lightning.render.relight.LightImage;
-import lightning.render.shading.ReferenceTracer;
+import lightning.render.shading.reference.ReferenceTracer;
 import lightning.scene.Scene;
 import lightning.scene.asset.Environment;
 import lightning.scene.asset.EnvironmentMap;

@@ -15,7 +15,7 @@ import lightning.editor.document.EditOutcome;
 import lightning.editor.document.NumericParameter;
 import lightning.editor.document.OpenDocument;
 import lightning.editor.window.EditorFixture;
-import lightning.render.shading.ReferenceTracer;
+import lightning.render.shading.reference.ReferenceTracer;
 import lightning.scene.AntialiasMode;
 import lightning.scene.IndirectSettings;
 import lightning.scene.SamplingSettings;

@@ -24,7 +24,7 @@ import lightning.editor.window.model.RenderMachines;
 import lightning.render.image.Downscale;
 import lightning.render.image.Film;
 import lightning.render.relight.tile.RenderOptions;
-import lightning.render.shading.ReferenceTracer;
+import lightning.render.shading.reference.ReferenceTracer;
 import lightning.scene.Scene;
 import lightning.scene.light.LightAttribute;
 import lightning.shot.FrameState;

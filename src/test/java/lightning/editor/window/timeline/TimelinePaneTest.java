@@ -15,7 +15,7 @@ import lightning.editor.document.NumericParameter;
 import lightning.editor.document.OpenDocument;
 import lightning.editor.window.EditorFixture;
 import lightning.format.jen.JenReader;
-import lightning.render.shading.ReferenceTracer;
+import lightning.render.shading.reference.ReferenceTracer;
 import lightning.scene.light.LightAttribute;
 import lightning.scene.shot.Interpolation;
 import lightning.scene.shot.Keyframe;

@@ -6,7 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.IntStream;
 import lightning.base.math.Vec3;
-import lightning.render.shading.LightReport;
+import lightning.render.shading.explanation.LightReport;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightType;
 import org.junit.jupiter.api.Test;

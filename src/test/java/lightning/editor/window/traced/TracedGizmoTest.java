@@ -14,7 +14,7 @@ import lightning.editor.document.PreviewCamera;
 import lightning.editor.document.Viewport;
 import lightning.editor.window.EditorFixture;
 import lightning.editor.window.widget.PictureView;
-import lightning.render.shading.ReferenceTracer;
+import lightning.render.shading.reference.ReferenceTracer;
 import lightning.scene.Scene;
 import lightning.scene.light.Light;
 import org.junit.jupiter.api.Test;

@@ -8,7 +8,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Random;
 import lightning.render.engine.choice.Engines;
-import lightning.render.shading.RowBits;
+import lightning.render.shading.layer.RowBits;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.RowShadowRays;

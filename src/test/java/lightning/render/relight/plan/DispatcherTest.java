@@ -11,7 +11,7 @@ import lightning.render.relight.Renderer;
 import lightning.render.relight.paper.RatioMethod;
 import lightning.render.relight.tile.MirrorStorage;
 import lightning.render.relight.tile.RenderOptions;
-import lightning.render.shading.ConeChange;
+import lightning.render.shading.layer.ConeChange;
 import lightning.sample.StudioScene;
 import lightning.scene.AntialiasMode;
 import lightning.scene.Camera;

@@ -21,7 +21,7 @@ import lightning.render.fulltrace.TraditionalTracer;
 import lightning.render.image.FilmAssert;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.plan.ReflectionMode;
-import lightning.render.shading.LightRows;
+import lightning.render.shading.layer.LightRows;
 import lightning.scene.Scene;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightType;
