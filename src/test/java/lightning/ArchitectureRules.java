@@ -119,9 +119,12 @@ final class ArchitectureRules {
             row("format.ies", "base.text base.file scene.value format.mesh"),
             row("format.hdr", "base.text base.file scene.value scene.asset format.mesh"),
             row("format.exr", "base.text base.math"),
+            row("format.jen.asset",
+                    "base.text base.math base.work base.file scene.value scene.asset scene.node scene format.mesh format"
+                            + " format.ies format.hdr format.exr"),
             row("format.jen",
-                    "base.text base.math base.work base.file scene.value scene.asset scene.attribute scene.node scene.light"
-                            + " scene.material scene scene.shot format.mesh format format.ies format.hdr format.exr"),
+                    "base.text base.math base.file scene.value scene.asset scene.attribute scene.node scene.light scene.material"
+                            + " scene scene.shot format format.jen.asset"),
             row("format.image", "base.text base.work base.file render.image format.exr"),
             row("format.matte", "scene.node scene format.exr"),
             row("format.json",
@@ -135,18 +138,28 @@ final class ArchitectureRules {
                     "base.math base.file scene.value scene.asset scene.node scene.light scene.material scene render.image"
                             + " format.image"),
             row("format.usd", "base.text base.math base.work base.file scene.node format.mesh format.mesh.subdivision format.gltf"),
-            row("format.exchange",
+            row("format.exchange.assembly",
+                    "base.text base.math base.file scene.value scene.asset scene.attribute scene.node scene.light scene.material"
+                            + " scene scene.shot format.mesh format.jen.asset format.jen"),
+            row("format.exchange.json",
+                    "base.text base.math scene.value scene.asset scene.attribute scene.node scene.light scene.material scene"
+                            + " scene.shot format.mesh format.jen.asset format.exchange.assembly"),
+            row("format.exchange.usd",
                     "base.text base.math base.work base.file scene.value scene.asset scene.attribute scene.node scene.light"
-                            + " scene.material scene scene.shot render.image render.trace render.engine render.engine.choice"
-                            + " render.fulltrace format.mesh format.mesh.ply format.mesh.obj format.gltf format.nff format format.ies"
-                            + " format.exr format.jen format.image format.usd"),
+                            + " scene.material scene scene.shot render.image format.mesh format.gltf format.ies format.exr format.jen.asset"
+                            + " format.image format.usd format.exchange.assembly format.exchange.json"),
+            row("format.exchange",
+                    "base.math base.work base.file scene.value scene.asset scene.node scene.light scene.material scene scene.shot"
+                            + " render.image render.trace render.engine render.engine.choice render.fulltrace format.mesh format.mesh.ply"
+                            + " format.mesh.obj format.gltf format.nff format format.jen.asset format.usd format.exchange.assembly"
+                            + " format.exchange.json format.exchange.usd"),
             row("shot",
                     "base.text base.work base.file scene scene.shot render.column render.image render.trace render.shading"
                             + " render.cache render.relight.plan render.relight.tile render.relight"),
             row("shot.cluster.wire", "base.text base.file"),
             row("shot.cluster",
-                    "base.text base.work base.file scene scene.shot render.image render.relight format.mesh format.jen shot"
-                            + " shot.cluster.wire"),
+                    "base.text base.work base.file scene scene.shot render.image render.relight format.mesh format.jen.asset"
+                            + " format.jen shot shot.cluster.wire"),
             row("shot.movie",
                     "base.text base.work base.file scene render.image render.warmup render.cache render.relight.tile"
                             + " render.relight"),
@@ -156,20 +169,24 @@ final class ArchitectureRules {
                             + " render.engine render.engine.choice render.fulltrace render.cache render.relight.plan render.relight.tile"
                             + " render.relight"),
             row("bench.mesh", "base.file scene.node render.trace.solid render.trace.mesh"),
+            row("bench.result",
+                    "base.text base.file scene scene.effects render.shading render.relight.plan render.relight format.pov"
+                            + " bench.accuracy"),
             row("bench",
-                    "base.text base.math base.work base.file scene.value scene.node scene.light scene.material scene"
-                            + " scene.effects render.image render.trace.mesh render.trace render.shading render.shading.explanation"
-                            + " render.engine render.engine.choice render.fulltrace render.cache render.relight.plan render.relight.tile"
-                            + " render.relight format.jen format.image format.pov bench.accuracy bench.mesh"),
-            row("bench.report", "base.file render.image render.relight.plan format.image bench.accuracy bench"),
+                    "base.math base.work base.file scene.value scene.node scene.light scene.material scene scene.effects"
+                            + " render.image render.trace.mesh render.trace render.shading render.shading.explanation render.engine"
+                            + " render.engine.choice render.fulltrace render.cache render.relight.plan render.relight.tile render.relight"
+                            + " format.jen format.image format.pov bench.accuracy bench.mesh bench.result"),
+            row("bench.report", "base.file render.image render.relight.plan format.image bench.accuracy bench.result"),
             row("editor.loop",
                     "base.text base.work scene.value scene.light scene scene.effects render.image render.trace render.shading"
                             + " render.engine.choice render.fulltrace render.warmup render.cache render.relight.plan render.relight.tile"
                             + " render.relight bench.accuracy"),
+            row("editor.document.manipulation", "base.text base.math scene.value scene.node scene.light scene render.trace"),
             row("editor.document",
                     "base.text base.math base.work base.file scene.value scene.asset scene.attribute scene.node scene.light"
-                            + " scene.material scene scene.shot render.image render.trace render.shading render.cache render.relight.tile"
-                            + " format.jen editor.loop"),
+                            + " scene.material scene scene.shot render.image render.shading render.cache render.relight.tile"
+                            + " format.jen.asset format.jen editor.loop editor.document.manipulation"),
             row("editor.document.cue",
                     "base.text base.math base.file scene.value scene.attribute scene.light scene render.image format.jen"
                             + " format.image editor.document"),
@@ -179,25 +196,25 @@ final class ArchitectureRules {
             row("editor.window.widget", "base.text base.math scene.value scene.light scene render.image editor.document"),
             row("editor.window.model",
                     "base.text base.work base.file scene.value scene.node scene.light scene.material scene scene.shot"
-                            + " scene.effects render.image render.shading render.relight.plan render.relight.tile render.relight format.jen"
-                            + " bench.accuracy editor.loop editor.document"),
+                            + " scene.effects render.image render.shading render.relight.plan render.relight.tile render.relight"
+                            + " format.jen.asset bench.accuracy editor.loop editor.document.manipulation editor.document"),
             row("editor.window.command",
                     "base.text base.work base.file scene.value scene.node scene.light scene.material scene scene.shot"
-                            + " render.image render.engine render.cache render.relight.tile render.relight format.exr format.jen"
-                            + " format.image format.layer format.exchange editor.loop editor.document editor.document.cue"
-                            + " editor.window.widget editor.window.model"),
+                            + " render.image render.engine render.cache render.relight.tile render.relight format.exr format.jen.asset"
+                            + " format.jen format.image format.layer format.exchange.assembly format.exchange editor.loop editor.document"
+                            + " editor.document.cue editor.window.widget editor.window.model"),
             row("editor.window.property",
                     "base.text base.math base.file scene.value scene.asset scene.attribute scene.node scene.light scene.material"
-                            + " scene scene.shot render.image format.jen editor.document editor.window.widget editor.window.model"
-                            + " editor.window.command"),
+                            + " scene scene.shot render.image format.jen.asset format.jen editor.document editor.window.widget"
+                            + " editor.window.model editor.window.command"),
             row("editor.window.traced",
                     "base.text base.math base.work scene.value scene.node scene.light scene render.image render.trace"
                             + " render.shading render.shading.explanation render.fulltrace render.relight bench.accuracy editor.loop"
-                            + " editor.document editor.window.widget editor.window.model editor.window.command"),
+                            + " editor.document.manipulation editor.document editor.window.widget editor.window.model editor.window.command"),
             row("editor.window.preview",
                     "base.text base.math base.work scene.value scene.node scene.light scene scene.effects render.image"
-                            + " render.trace render.cache render.relight.plan render.relight.tile render.relight editor.loop editor.document"
-                            + " editor.window.widget editor.window.model editor.window.command"),
+                            + " render.trace render.cache render.relight.plan render.relight.tile render.relight editor.loop"
+                            + " editor.document.manipulation editor.document editor.window.widget editor.window.model editor.window.command"),
             row("editor.window.animation",
                     "base.text base.work scene.value scene.light scene scene.shot render.image editor.loop editor.document"
                             + " editor.document.motion editor.window.widget editor.window.model editor.window.command"),
@@ -232,16 +249,22 @@ final class ArchitectureRules {
             row("serve",
                     "base.text base.work base.file scene.light scene.material scene scene.shot render.image render.trace"
                             + " render.shading render.shading.explanation render.engine render.cache render.relight.plan render.relight.tile"
-                            + " render.relight format.mesh format.exr format.jen format.image format.json format.layer format.exchange"
-                            + " editor.loop editor.document"),
+                            + " render.relight format.mesh format.exr format.jen.asset format.jen format.image format.json format.layer"
+                            + " format.exchange.assembly format.exchange editor.loop editor.document"),
             row("cli.report", "render.shading format.json"),
+            row("cli.output",
+                    "base.text base.work base.file scene render.image render.shading render.relight.plan render.relight"
+                            + " format.jen format.image format.layer shot shot.movie bench.accuracy bench.result cli.report"),
+            row("cli.option",
+                    "base.text base.work scene.value scene scene.shot render.image render.engine render.cache render.relight.plan"
+                            + " render.relight format.exr format.jen format.image format.layer shot.cluster cli.output"),
             row("cli",
-                    "base.text base.math base.work base.file scene.value scene.asset scene.node scene.light scene.material scene"
-                            + " scene.shot scene.effects render.image render.trace render.gather render.shading render.shading.explanation"
+                    "base.text base.math base.work base.file scene.asset scene.node scene.light scene.material scene scene.shot"
+                            + " scene.effects render.image render.trace render.gather render.shading render.shading.explanation"
                             + " render.shading.layer render.engine render.engine.choice render.fulltrace render.warmup render.cache"
-                            + " render.relight.plan render.relight.tile render.relight format format.hdr format.exr format.jen format.image"
-                            + " format.json format.layer format.pov format.exchange shot shot.cluster shot.movie bench.accuracy bench"
-                            + " bench.report serve cli.report"),
+                            + " render.relight.plan render.relight.tile render.relight format format.hdr format.jen.asset format.jen"
+                            + " format.image format.json format.layer format.pov format.exchange.assembly format.exchange shot shot.cluster"
+                            + " shot.movie bench.accuracy bench.result bench bench.report serve cli.report cli.output cli.option"),
             row("", "format.jen editor.window cli"));
 
     /** @param dependencies packages that it may import, in addition to itself */
