@@ -32,7 +32,7 @@ import lightning.base.text.UserFacingException;
  */
 final class ArchitectureRules {
     /** Groups from the bottom up: a package imports from its own group and from those before it. */
-    private static final List<String> GROUPS = List.of("base", "scene", "render", "format", "shot", "bench", "editor", "serve", "cli");
+    private static final List<String> GROUPS = List.of("base", "scene", "render", "format", "shot", "editor", "serve", "bench", "cli");
 
     /** Packages from the bottom up. */
     private static final List<Layer> LAYERS = List.of(
@@ -47,6 +47,7 @@ final class ArchitectureRules {
             row("scene.light", "base.text base.math scene.value scene.asset scene.attribute scene.node"),
             row("scene.material", "base.text base.math scene.value scene.asset scene.attribute scene.light"),
             row("scene", "base.text base.math scene.value scene.asset scene.attribute scene.node scene.light scene.material"),
+            row("scene.paper", "base.text base.math scene.value scene.node scene.light scene.material scene"),
             row("scene.shot", "base.text base.math scene.value scene.attribute scene.node scene.light scene"),
             row("scene.effects", "base.text base.math scene.value scene.asset scene.node scene.light scene.material scene"),
             row("render.column", ""),
@@ -109,6 +110,10 @@ final class ArchitectureRules {
                     "base.math base.work scene.value scene.light scene.material scene scene.effects render.image render.trace"
                             + " render.gather render.shading render.shading.layer render.shading.composition render.engine render.cache"
                             + " render.relight.plan render.relight.tile"),
+            row("render.measure",
+                    "base.text base.math base.work scene.value scene.light scene.material scene scene.effects render.image"
+                            + " render.trace render.gather render.shading render.shading.layer render.shading.composition render.engine"
+                            + " render.engine.choice render.fulltrace render.cache render.relight.plan render.relight.tile render.relight"),
             row("format.mesh", "base.text base.work base.file scene.node"),
             row("format.mesh.subdivision", "format.mesh"),
             row("format.mesh.ply", "base.text base.math scene.node format.mesh"),
@@ -163,25 +168,10 @@ final class ArchitectureRules {
             row("shot.movie",
                     "base.text base.work base.file scene render.image render.warmup render.cache render.relight.tile"
                             + " render.relight"),
-            row("bench.accuracy",
-                    "base.text base.math base.work scene.value scene.node scene.light scene.material scene scene.effects"
-                            + " render.image render.trace render.gather render.shading render.shading.layer render.shading.composition"
-                            + " render.engine render.engine.choice render.fulltrace render.cache render.relight.plan render.relight.tile"
-                            + " render.relight"),
-            row("bench.mesh", "base.file scene.node render.trace.solid render.trace.mesh"),
-            row("bench.result",
-                    "base.text base.file scene scene.effects render.shading render.relight.plan render.relight format.pov"
-                            + " bench.accuracy"),
-            row("bench",
-                    "base.math base.work base.file scene.value scene.node scene.light scene.material scene scene.effects"
-                            + " render.image render.trace.mesh render.trace render.shading render.shading.explanation render.engine"
-                            + " render.engine.choice render.fulltrace render.cache render.relight.plan render.relight.tile render.relight"
-                            + " format.jen format.image format.pov bench.accuracy bench.mesh bench.result"),
-            row("bench.report", "base.file render.image render.relight.plan format.image bench.accuracy bench.result"),
             row("editor.loop",
                     "base.text base.work scene.value scene.light scene scene.effects render.image render.trace render.shading"
                             + " render.engine.choice render.fulltrace render.warmup render.cache render.relight.plan render.relight.tile"
-                            + " render.relight bench.accuracy"),
+                            + " render.relight render.measure"),
             row("editor.document.manipulation", "base.text base.math scene.value scene.node scene.light scene render.trace"),
             row("editor.document",
                     "base.text base.math base.work base.file scene.value scene.asset scene.attribute scene.node scene.light"
@@ -197,7 +187,7 @@ final class ArchitectureRules {
             row("editor.window.model",
                     "base.text base.work base.file scene.value scene.node scene.light scene.material scene scene.shot"
                             + " scene.effects render.image render.shading render.relight.plan render.relight.tile render.relight"
-                            + " format.jen.asset bench.accuracy editor.loop editor.document.manipulation editor.document"),
+                            + " render.measure format.jen.asset editor.loop editor.document.manipulation editor.document"),
             row("editor.window.command",
                     "base.text base.work base.file scene.value scene.node scene.light scene.material scene scene.shot"
                             + " render.image render.engine render.cache render.relight.tile render.relight format.exr format.jen.asset"
@@ -209,7 +199,7 @@ final class ArchitectureRules {
                             + " editor.window.model editor.window.command"),
             row("editor.window.traced",
                     "base.text base.math base.work scene.value scene.node scene.light scene render.image render.trace"
-                            + " render.shading render.shading.explanation render.fulltrace render.relight bench.accuracy editor.loop"
+                            + " render.shading render.shading.explanation render.fulltrace render.relight render.measure editor.loop"
                             + " editor.document.manipulation editor.document editor.window.widget editor.window.model editor.window.command"),
             row("editor.window.preview",
                     "base.text base.math base.work scene.value scene.node scene.light scene scene.effects render.image"
@@ -224,8 +214,8 @@ final class ArchitectureRules {
                             + " shot.cluster shot.movie editor.document editor.window.widget editor.window.model editor.window.command"),
             row("editor.window.dock", "editor.document editor.window.model editor.window.command"),
             row("editor.window.measure",
-                    "base.text base.work scene scene.effects render.image render.relight.plan render.relight.tile render.relight"
-                            + " bench.accuracy editor.loop editor.document editor.window.widget editor.window.model"),
+                    "base.text base.work scene scene.paper scene.effects render.image render.relight.plan render.relight.tile"
+                            + " render.relight render.measure editor.loop editor.document editor.window.widget editor.window.model"),
             row("editor.window.mixer",
                     "base.text base.math base.work scene.value scene.light scene render.image render.cache render.relight.tile"
                             + " render.relight editor.loop editor.document editor.window.widget editor.window.model editor.window.command"),
@@ -242,7 +232,7 @@ final class ArchitectureRules {
                     "base.text base.file scene.light scene editor.document editor.window.model editor.window.command"),
             row("editor.window",
                     "base.text base.file scene.value scene.node scene.light scene render.image render.shading render.relight.plan"
-                            + " render.relight format.jen format.exchange bench.accuracy editor.loop editor.document editor.window.widget"
+                            + " render.relight render.measure format.jen format.exchange editor.loop editor.document editor.window.widget"
                             + " editor.window.model editor.window.command editor.window.property editor.window.traced editor.window.preview"
                             + " editor.window.animation editor.window.timeline editor.window.dock editor.window.measure editor.window.mixer"
                             + " editor.window.contribution editor.window.link editor.window.cue editor.window.welcome"),
@@ -251,20 +241,36 @@ final class ArchitectureRules {
                             + " render.shading render.shading.explanation render.engine render.cache render.relight.plan render.relight.tile"
                             + " render.relight format.mesh format.exr format.jen.asset format.jen format.image format.json format.layer"
                             + " format.exchange.assembly format.exchange editor.loop editor.document"),
+            row("bench.accuracy",
+                    "base.math base.work scene.value scene.light scene scene.paper scene.effects render.image render.trace"
+                            + " render.gather render.shading render.engine render.engine.choice render.fulltrace render.cache"
+                            + " render.relight.tile render.relight render.measure"),
+            row("bench.mesh", "base.file scene.node render.trace.solid render.trace.mesh"),
+            row("bench.result",
+                    "base.text base.file scene scene.paper scene.effects render.shading render.relight.plan render.relight"
+                            + " render.measure format.pov bench.accuracy"),
+            row("bench",
+                    "base.math base.work base.file scene.value scene.node scene.light scene.material scene scene.paper"
+                            + " scene.effects render.image render.trace.mesh render.trace render.shading render.shading.explanation"
+                            + " render.engine render.engine.choice render.fulltrace render.cache render.relight.plan render.relight.tile"
+                            + " render.relight render.measure format.jen format.image format.pov bench.accuracy bench.mesh bench.result"),
+            row("bench.report",
+                    "base.file render.image render.relight.plan render.measure format.image bench.accuracy bench.result"),
             row("cli.report", "render.shading format.json"),
             row("cli.output",
                     "base.text base.work base.file scene render.image render.shading render.relight.plan render.relight"
-                            + " format.jen format.image format.layer shot shot.movie bench.accuracy bench.result cli.report"),
+                            + " render.measure format.jen format.image format.layer shot shot.movie bench.accuracy bench.result cli.report"),
             row("cli.option",
                     "base.text base.work scene.value scene scene.shot render.image render.engine render.cache render.relight.plan"
                             + " render.relight format.exr format.jen format.image format.layer shot.cluster cli.output"),
             row("cli",
-                    "base.text base.math base.work base.file scene.asset scene.node scene.light scene.material scene scene.shot"
-                            + " scene.effects render.image render.trace render.gather render.shading render.shading.explanation"
+                    "base.text base.math base.work base.file scene.asset scene.node scene.light scene.material scene scene.paper"
+                            + " scene.shot scene.effects render.image render.trace render.gather render.shading render.shading.explanation"
                             + " render.shading.layer render.engine render.engine.choice render.fulltrace render.warmup render.cache"
-                            + " render.relight.plan render.relight.tile render.relight format format.hdr format.jen.asset format.jen"
-                            + " format.image format.json format.layer format.pov format.exchange.assembly format.exchange shot shot.cluster"
-                            + " shot.movie bench.accuracy bench.result bench bench.report serve cli.report cli.output cli.option"),
+                            + " render.relight.plan render.relight.tile render.relight render.measure format format.hdr format.jen.asset"
+                            + " format.jen format.image format.json format.layer format.pov format.exchange.assembly format.exchange shot"
+                            + " shot.cluster shot.movie serve bench.accuracy bench.result bench bench.report cli.report cli.output"
+                            + " cli.option"),
             row("", "format.jen editor.window cli"));
 
     /** @param dependencies packages that it may import, in addition to itself */
