@@ -20,6 +20,10 @@ public record TextureMap(String file, double repeatU, double repeatV, Texture im
         this(file, repeatU, repeatV, image, false);
     }
 
+    TextureMap withFile(String v) {
+        return new TextureMap(v, repeatU, repeatV, image, isClamped);
+    }
+
     /** Returns whether both look the same on every surface; the file name does not matter. */
     boolean hasSameTexels(TextureMap o) {
         return repeatU == o.repeatU && repeatV == o.repeatV && isClamped == o.isClamped && image.equals(o.image);

@@ -3,6 +3,7 @@ package lightning.scene;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
+import java.util.function.UnaryOperator;
 import lightning.base.text.Messages;
 
 /**
@@ -31,6 +32,20 @@ public sealed interface ValueKind<V> permits ValueKind.LightKind, ValueKind.Mate
 
     /** Formats a value for the user. */
     String format(V value);
+
+    /** Returns the name of the file that a value refers to, as in the scene file; empty if there is none. */
+    default Optional<String> file(V value) {
+        return Optional.empty();
+    }
+
+    /**
+     * Returns a value that refers to its file by another name.
+     *
+     * @param newName returns the new name for the old one
+     */
+    default V renameFile(V value, UnaryOperator<String> newName) {
+        return value;
+    }
 
     /** Returns the behavior of values of this kind between keyframes. */
     default KeyframeSupport keyframeSupport() {
@@ -127,19 +142,52 @@ public sealed interface ValueKind<V> permits ValueKind.LightKind, ValueKind.Mate
         default String format(Optional<F> value) {
             return value.map(FileAsset::file).orElse("none");
         }
+
+        @Override
+        default Optional<String> file(Optional<F> value) {
+            return value.map(FileAsset::file);
+        }
+
+        @Override
+        default Optional<F> renameFile(Optional<F> value, UnaryOperator<String> newName) {
+            return value.map(asset -> withFile(asset, newName.apply(asset.file())));
+        }
+
+        /** Returns an asset of another file name with the same content. */
+        F withFile(F asset, String file);
     }
 
     /** Optional gobo image. */
-    record GoboKind() implements AssetKind<Gobo> {}
+    record GoboKind() implements AssetKind<Gobo> {
+        @Override
+        public Gobo withFile(Gobo asset, String file) {
+            return new Gobo(file, asset.image());
+        }
+    }
 
     /** Optional IES profile; without it the light is uniform. */
-    record ProfileKind() implements AssetKind<IesProfile> {}
+    record ProfileKind() implements AssetKind<IesProfile> {
+        @Override
+        public IesProfile withFile(IesProfile asset, String file) {
+            return new IesProfile(file, asset.photometry());
+        }
+    }
 
     /** Optional image on the face of an area light. */
-    record LightTextureKind() implements AssetKind<LightTexture> {}
+    record LightTextureKind() implements AssetKind<LightTexture> {
+        @Override
+        public LightTexture withFile(LightTexture asset, String file) {
+            return new LightTexture(file, asset.image());
+        }
+    }
 
     /** Optional environment map. */
-    record EnvironmentKind() implements AssetKind<Environment> {}
+    record EnvironmentKind() implements AssetKind<Environment> {
+        @Override
+        public Environment withFile(Environment asset, String file) {
+            return new Environment(file, asset.map());
+        }
+    }
 
     /**
      * Optional texture.
@@ -162,6 +210,16 @@ public sealed interface ValueKind<V> permits ValueKind.LightKind, ValueKind.Mate
         public String format(Optional<TextureMap> value) {
             return value.map(t -> t.file() + " " + NumericKind.formatShort(t.repeatU()) + " × " + NumericKind.formatShort(t.repeatV()))
                     .orElse("none");
+        }
+
+        @Override
+        public Optional<String> file(Optional<TextureMap> value) {
+            return value.map(TextureMap::file);
+        }
+
+        @Override
+        public Optional<TextureMap> renameFile(Optional<TextureMap> value, UnaryOperator<String> newName) {
+            return value.map(map -> map.withFile(newName.apply(map.file())));
         }
     }
 }

@@ -15,11 +15,17 @@ import tools.jackson.databind.node.ObjectNode;
  */
 final class MaterialExtras {
     private static final JsonMapper JSON = JsonMapper.builder().build();
-    private static final List<MaterialAttribute<?>> EDITABLE = MaterialAttribute.ALL.stream()
-            .filter(attribute -> !(attribute.kind() instanceof ValueKind.TextureKind || attribute.kind() instanceof ValueKind.NameKind))
-            .toList();
+    private static final List<MaterialAttribute<?>> EDITABLE =
+            MaterialAttribute.ALL.stream().filter(attribute -> !hasNames(attribute)).toList();
+    /** Keywords of the attributes that cannot be edited, because their values are names of files or lights. */
+    static final List<String> NAMES =
+            MaterialAttribute.ALL.stream().filter(MaterialExtras::hasNames).map(MaterialAttribute::name).toList();
 
     private MaterialExtras() {}
+
+    private static boolean hasNames(MaterialAttribute<?> attribute) {
+        return attribute.kind() instanceof ValueKind.TextureKind || attribute.kind() instanceof ValueKind.NameKind;
+    }
 
     /**
      * Changes the materials.

@@ -11,13 +11,15 @@ import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.stream.Stream;
 import lightning.base.text.Quote;
-import lightning.scene.FileAsset;
-import lightning.scene.Material;
+import lightning.scene.LightAttribute;
+import lightning.scene.MaterialAttribute;
 import lightning.scene.NodeGroup;
 import lightning.scene.Scene;
+import lightning.scene.SceneAttribute;
 import lightning.scene.SceneNode;
 import lightning.scene.Shape;
 import lightning.scene.Solid;
+import lightning.scene.World;
 
 /** Files that a scene references, for copying them elsewhere. */
 public final class ReferencedFiles {
@@ -81,23 +83,16 @@ public final class ReferencedFiles {
 
     /** Returns the names of the images of materials and on the faces of lights, without gobos and environments; names may repeat. */
     public static Stream<String> textures(Scene scene) {
-        return Stream.concat(scene.materials().stream().flatMap(ReferencedFiles::textures),
-                scene.lights().stream().flatMap(l -> l.texture().stream()).map(FileAsset::file));
+        return Stream.concat(files(scene.materials(), MaterialAttribute.ALL), files(scene.lights(), List.of(LightAttribute.TEXTURE)));
     }
 
     private static Stream<String> texturesAndProfiles(Scene scene) {
-        Stream<String> materials = scene.materials().stream().flatMap(ReferencedFiles::textures);
-        Stream<FileAsset> lights = scene.lights().stream()
-                .flatMap(l -> Stream.<Optional<? extends FileAsset>>of(l.gobo(), l.profile(), l.texture()).flatMap(Optional::stream));
-        return Stream.concat(materials, Stream.concat(lights, scene.world().environment().stream()).map(FileAsset::file));
+        return Stream.of(files(scene.materials(), MaterialAttribute.ALL), files(scene.lights(), LightAttribute.ALL),
+                files(List.of(scene.world()), World.ATTRIBUTES)).flatMap(names -> names);
     }
 
-    private static Stream<String> textures(Material material) {
-        return Stream
-                .of(material.texture(), material.glowMap(), material.bumpMapping().bump(), material.bumpMapping().normalMap(),
-                        material.cutout().map())
-                .flatMap(map -> map.stream())
-                .map(map -> map.file());
+    private static <T> Stream<String> files(List<T> records, List<? extends SceneAttribute<T, ?>> attributes) {
+        return records.stream().flatMap(record -> attributes.stream().flatMap(attribute -> attribute.file(record).stream()));
     }
 
     private void put(String name, AssetSearchPath folders) throws IOException {

@@ -5,13 +5,13 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
 import lightning.base.text.Quote;
-import lightning.scene.BumpMapping;
 import lightning.scene.Environment;
 import lightning.scene.EnvironmentMap;
 import lightning.scene.Gobo;
 import lightning.scene.IesProfile;
 import lightning.scene.LightTexture;
 import lightning.scene.Material;
+import lightning.scene.MaterialAttribute;
 import lightning.scene.Mesh;
 import lightning.scene.NodeGroup;
 import lightning.scene.Photometry;
@@ -43,13 +43,8 @@ record SceneAssets(Scene scene, Optional<Path> folder) implements AssetSource {
     }
 
     private static Stream<TextureMap> maps(Material material, TextureUsage samples) {
-        BumpMapping relief = material.bumpMapping();
-        return switch (samples) {
-            case COLOR -> Stream.concat(material.texture().stream(), material.glowMap().stream());
-            case EMISSION -> Stream.empty();
-            case DATA -> Stream.concat(relief.bump().stream(), relief.normalMap().stream());
-            case OPACITY -> material.cutout().map().stream();
-        };
+        return MaterialAttribute.MAPS.stream().filter(map -> map.usage().equals(Optional.of(samples)))
+                .flatMap(map -> map.get(material).stream());
     }
 
     @Override

@@ -13,6 +13,7 @@ import lightning.scene.LightType;
 import lightning.scene.Material;
 import lightning.scene.MaterialAttribute;
 import lightning.scene.Scene;
+import lightning.scene.TextureMap;
 import lightning.scene.ValueKind;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.ForAll;
@@ -43,9 +44,11 @@ class AttributeRoundTripTest {
     }
 
     private static Material withoutFiles(Material material) {
-        return material.withTexture(Optional.empty()).withGlowMap(Optional.empty())
-                .withBumpMapping(material.bumpMapping().withBump(Optional.empty()).withNormalMap(Optional.empty()))
-                .withCutout(material.cutout().withMap(Optional.empty()));
+        Material result = material;
+        for (MaterialAttribute<Optional<TextureMap>> map : MaterialAttribute.MAPS) {
+            result = map.with(result, Optional.empty());
+        }
+        return result;
     }
 
     @Property
