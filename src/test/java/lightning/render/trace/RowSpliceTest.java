@@ -16,6 +16,8 @@ import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.scene.Camera;
 import lightning.scene.Material;
+import lightning.scene.MaterialAttribute;
+import lightning.scene.MaterialTerm;
 import lightning.scene.PictureSettings;
 import lightning.scene.Placement;
 import lightning.scene.Scene;
@@ -141,8 +143,12 @@ class RowSpliceTest {
             names.add("m" + m);
             materials.add(Material.of("m" + m).withDiffuse(Rgb.WHITE).withShininess(1).withReflective(Rgb.gray(random.nextInt(2)))
                     .withTransmission(m == 1 ? Transmission.NONE.withColor(Rgb.WHITE) : Transmission.NONE)
-                    .withTexture(Optional.of(new TextureMap("t.png", 1, 1, texture)))
-                    .withGlowMap(Optional.of(new TextureMap("t.png", 1, 1, texture))));
+                    .withTexture(Optional.of(new TextureMap("t.png", 1, 1, texture))));
+            for (MaterialAttribute<Optional<TextureMap>> map : MaterialAttribute.MAPS) {
+                if (map.term() == MaterialTerm.TEXEL) {
+                    materials.set(m, map.with(materials.get(m), Optional.of(new TextureMap("t.png", 1, 1, texture))));
+                }
+            }
         }
         var plane = new Shape(Solid.PLANE, "p", "m0", Placement.IDENTITY);
         Camera camera = new Camera(Vec3.ZERO, new Vec3(0, 0, -1), Vec3.Y, 40);
