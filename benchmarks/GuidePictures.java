@@ -25,7 +25,7 @@ import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.model.PanelPlace;
 import lightning.editor.window.model.WindowLayout;
 import lightning.render.image.DisplayCurve;
-import lightning.scene.Light;
+import lightning.scene.light.Light;
 
 /**
  * Makes the user's guide's pictures of the editor, one chapter in each process: a scene, steps like a user's, and pictures of the window or

@@ -19,11 +19,11 @@ import lightning.render.relight.UpdateResult;
 import lightning.render.relight.plan.ReflectionMode;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.render.trace.Geometry;
-import lightning.scene.Attenuation;
-import lightning.scene.Light;
-import lightning.scene.LightType;
 import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightType;
+import lightning.scene.value.Attenuation;
 
 /**
  * Times one build of the engine, for {@code benchmarks/pair}, with names that all builds share. Prints a line for the full trace, the

@@ -26,8 +26,8 @@ import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.model.UiLanguage;
 import lightning.editor.window.model.WindowLayout.CanvasLayout;
 import lightning.render.image.DisplayCurve;
-import lightning.scene.Light;
-import lightning.scene.Placement;
+import lightning.scene.light.Light;
+import lightning.scene.value.Placement;
 
 /**
  * Measures how long each step of an artist's typical session blocks the window's thread. Prints the longest time that a task waited for

@@ -20,7 +20,7 @@ import lightning.editor.loop.Frame;
 import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.widget.PictureView;
 import lightning.render.engine.choice.Engines;
-import lightning.scene.Light;
+import lightning.scene.light.Light;
 
 /** Measures an artist's waiting times in the real window, for {@code benchmarks/window}. Each printed line needs a process of its own. */
 public final class Window {

@@ -6,7 +6,7 @@ import lightning.bench.mesh.RaySet;
 import lightning.render.engine.KernelAgreement;
 import lightning.render.engine.lanes.RayKernels;
 import lightning.render.engine.lanes.ShapeKernels;
-import lightning.render.shading.RowKernels;
+import lightning.render.shading.composition.RowKernels;
 import lightning.render.trace.mesh.MeshKernels;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;

@@ -23,6 +23,12 @@ module lightning {
     exports lightning.base.math;
     exports lightning.base.work;
     exports lightning.scene;
+    exports lightning.scene.asset;
+    exports lightning.scene.attribute;
+    exports lightning.scene.light;
+    exports lightning.scene.material;
+    exports lightning.scene.node;
+    exports lightning.scene.value;
     exports lightning.format.jen;
     exports lightning.format.image;
     exports lightning.render.image;

@@ -26,7 +26,7 @@ import lightning.base.text.UserFacingException;
 final class ArchitectureRules {
     /** The reference tracer: the oracle of every equality test, kept simple enough to trust. */
     private static final String REFERENCE =
-            "lightning\\.render\\.shading\\.Reference(Tracer|Indirect|GatherPoints|GatherRay|PointLight)(\\$.*)?";
+            "lightning\\.render\\.shading\\.reference\\.Reference(Tracer|Indirect|GatherPoints|GatherRay|PointLight)(\\$.*)?";
 
     private ArchitectureRules() {}
 

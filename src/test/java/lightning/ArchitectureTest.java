@@ -188,28 +188,28 @@ class ArchitectureTest {
         assertReported(ArchitectureRules.referenceTracerIsIndependent(), "the reference tracer uses no cache",
                 "package lightning.render.trace.solid; public class SphereLanes {}",
                 "package lightning.render.trace; public class Nearest { lightning.render.trace.solid.SphereLanes lanes; }",
-                "package lightning.render.shading; class ReferenceTracer { lightning.render.trace.Nearest nearest; }");
+                "package lightning.render.shading.reference; class ReferenceTracer { lightning.render.trace.Nearest nearest; }");
     }
 
     @Test
     void referenceTracerUsingEngine_isReported() throws IOException {
         assertReported(ArchitectureRules.referenceTracerIsIndependent(), "the reference tracer uses no cache",
                 "package lightning.render.engine; public class EngineWorkers {}",
-                "package lightning.render.shading; class ReferenceTracer { lightning.render.engine.EngineWorkers workers; }");
+                "package lightning.render.shading.reference; class ReferenceTracer { lightning.render.engine.EngineWorkers workers; }");
     }
 
     @Test
     void referenceTracerUsingBvh_isReported() throws IOException {
         assertReported(ArchitectureRules.referenceTracerIsIndependent(), "tests every shape, without a BVH",
                 "package lightning.render.trace.tree; public class Bvh {}",
-                "package lightning.render.shading; class ReferenceTracer { lightning.render.trace.tree.Bvh bvh; }");
+                "package lightning.render.shading.reference; class ReferenceTracer { lightning.render.trace.tree.Bvh bvh; }");
     }
 
     @Test
     void referenceTracerUsingCache_isReported() throws IOException {
         assertReported(ArchitectureRules.referenceTracerIsIndependent(), "the reference tracer uses no cache",
                 "package lightning.render.cache; public class Rows {}",
-                "package lightning.render.shading; class ReferenceTracer { void use() { new lightning.render.cache.Rows(); } }");
+                "package lightning.render.shading.reference; class ReferenceTracer { void use() { new lightning.render.cache.Rows(); } }");
     }
 
     private void assertReported(ArchRule rule, String sentence, String... sources) throws IOException {

@@ -25,8 +25,12 @@ class DocumentNamesTest {
     private static final Path DOCUMENTS = Path.of("docs");
     private static final Pattern DECLARATION = Pattern.compile("(?:class|record|interface|enum) ([A-Z]\\w*)");
     private static final Pattern PACKAGE = Pattern.compile("(?m)^package lightning\\.?([\\w.]*);");
-    /** A class name in backticks: its package, if any, and the name up to a dot or parenthesis. */
-    private static final Pattern NAME = Pattern.compile("`(?:lightning\\.)?((?:[a-z]+\\.)*)([A-Z][a-z0-9]+[A-Z]\\w*)(?:[.(:][^`]*)?`");
+    /**
+     * A class name in backticks, up to a dot or parenthesis: after a package of this program, or alone. Alone, only a name of two words is
+     * taken for a class.
+     */
+    private static final Pattern NAME = Pattern.compile(
+            "`(?:lightning\\.)?(?:((?!java|jdk|org|com)(?:[a-z]+\\.)+)([A-Z]\\w+)|([A-Z][a-z0-9]+[A-Z]\\w*))(?:[.(:][^`]*)?`");
     /** Line of a page with names of classes that were renamed or removed after it was written. */
     private static final Pattern OLD_NAMES = Pattern.compile("(?m)^Names? at that time: (.*)$");
     /** Packages of Java and JavaFX whose classes the documents name alone. */
@@ -96,35 +100,46 @@ class DocumentNamesTest {
         });
     }
 
+    /** @param inside package as written, with a dot at its end; empty for none */
+    private record Mention(String inside, String name) {
+        private static Stream<Mention> in(String text) {
+            return NAME.matcher(text).results()
+                    .map(m -> m.group(3) == null ? new Mention(m.group(1), m.group(2)) : new Mention("", m.group(3)));
+        }
+
+        /** Returns whether the program has the class, in that package if there is one. */
+        private boolean isPresent() {
+            return CLASSES.getOrDefault(name, Set.of()).stream().anyMatch(p -> ("." + p + ".").endsWith("." + inside));
+        }
+
+        @Override
+        public String toString() {
+            return inside + name + (CLASSES.containsKey(name) ? ", which is in " + CLASSES.get(name) : "");
+        }
+    }
+
     @Test
     void classes_exist() {
         List<String> missing = new ArrayList<>();
         for (Path page : pages()) {
             String text = read(page);
             String old = OLD_NAMES.matcher(text).results().map(m -> m.group(1)).collect(Collectors.joining());
-            NAME.matcher(text).results().filter(m -> !CLASSES.containsKey(m.group(2)) && !isOfLibrary(m.group(2)))
-                    .filter(m -> !old.contains("`" + m.group(2) + "`"))
-                    .forEach(m -> missing.add(page + ": " + m.group(2)));
+            Mention.in(text).filter(m -> !m.isPresent() && !(m.inside().isEmpty() && isOfLibrary(m.name())))
+                    .filter(m -> !old.contains("`" + m.name() + "`")).forEach(m -> missing.add(page + ": " + m));
         }
-        assertThat(missing).as("Write the present name, or add a line \"Names at that time: `Name`, ….\" to the page").isEmpty();
+        assertThat(missing).as("Write the present name, or add a line \"Names at that time: `Name`, ….\" to the page:\n"
+                + String.join("\n", missing)).isEmpty();
     }
 
-    /** Decisions name classes without packages, since packages change more often. Other pages name the present package. */
+    /** Packages change more often than classes, and decisions stay. */
     @Test
-    void packagesOfClasses_areThePresentOnes() {
+    void decisions_nameClassesWithoutPackages() {
         List<String> wrong = new ArrayList<>();
-        for (Path page : pages()) {
-            NAME.matcher(read(page)).results().filter(m -> !m.group(1).isEmpty() && CLASSES.containsKey(m.group(2))).forEach(m -> {
-                String name = m.group(1).substring(0, m.group(1).length() - 1);
-                Set<String> packages = CLASSES.get(m.group(2));
-                if (page.getParent().endsWith("decisions")) {
-                    wrong.add(page + ": write `" + m.group(2) + "` without its package");
-                } else if (packages.stream().noneMatch(p -> p.equals(name) || p.endsWith("." + name))) {
-                    wrong.add(page + ": " + m.group(1) + m.group(2) + " is in " + packages);
-                }
-            });
+        for (Path page : files(DOCUMENTS.resolve("decisions"), ".md")) {
+            Mention.in(read(page)).filter(m -> !m.inside().isEmpty() && CLASSES.containsKey(m.name()))
+                    .forEach(m -> wrong.add(page + ": " + m.inside() + m.name()));
         }
-        assertThat(wrong).as(String.join("\n", wrong)).isEmpty();
+        assertThat(wrong).isEmpty();
     }
 
     @Test

@@ -3,23 +3,25 @@ package lightning.render.shading;
 import lightning.base.math.Vec3;
 import lightning.render.engine.KernelAgreement;
 import lightning.render.relight.paper.RatioRows;
+import lightning.render.shading.composition.RowKernels;
+import lightning.render.shading.layer.LightRows;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.MaterialTable;
 import lightning.render.trace.tree.ShadowRayTarget;
 
 /** Reference results for {@link RowKernels}, row by row with {@link LightingEquation}. */
-final class KernelReferenceRows {
+public final class KernelReferenceRows {
     private final HitRows rows;
     private final Geometry geometry;
 
-    KernelReferenceRows(HitRows rows, Geometry geometry) {
+    public KernelReferenceRows(HitRows rows, Geometry geometry) {
         this.rows = rows;
         this.geometry = geometry;
     }
 
     /** @throws IllegalStateException if a kernel disagrees */
-    void require(RowKernels kernels) {
+    public void require(RowKernels kernels) {
         reshade(kernels.spot().source(), kernels.reshade());
         attenuation(kernels.spot().source(), kernels.attenuation());
         compose(kernels, kernels.composed());

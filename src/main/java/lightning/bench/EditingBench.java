@@ -14,10 +14,10 @@ import lightning.format.jen.JenReader;
 import lightning.format.jen.JenWriter;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.tile.RenderOptions;
-import lightning.render.shading.PixelExplainer;
+import lightning.render.shading.explanation.PixelExplainer;
 import lightning.render.trace.Geometry;
-import lightning.scene.Light;
 import lightning.scene.Scene;
+import lightning.scene.light.Light;
 
 /**
  * Benchmark of editing in generated scenes of up to a million shapes and a thousand lights, without window or rendering. Measures loading,

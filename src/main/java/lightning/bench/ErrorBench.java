@@ -20,7 +20,7 @@ import lightning.render.image.Film;
 import lightning.scene.AntialiasMode;
 import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
-import lightning.scene.SceneLimits;
+import lightning.scene.value.SceneLimits;
 
 /**
  * Benchmark of time against error. Each program is compared with its own image of many samples, because the programs differ in more than

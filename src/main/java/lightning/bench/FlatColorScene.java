@@ -4,12 +4,12 @@ import java.util.ArrayList;
 import java.util.List;
 import lightning.base.math.Rgb;
 import lightning.render.image.ViewTransform;
-import lightning.scene.Material;
-import lightning.scene.NodeGroup;
 import lightning.scene.Scene;
-import lightning.scene.SceneNode;
-import lightning.scene.Shape;
 import lightning.scene.World;
+import lightning.scene.material.Material;
+import lightning.scene.node.NodeGroup;
+import lightning.scene.node.SceneNode;
+import lightning.scene.node.Shape;
 
 /**
  * Flat-color variant of a scene: a unique color per shape, without lights, reflections or textures. Programs with the same geometry render

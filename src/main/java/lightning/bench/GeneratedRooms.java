@@ -7,19 +7,19 @@ import java.util.Random;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.bench.mesh.BumpySphere;
-import lightning.scene.Attenuation;
 import lightning.scene.Camera;
 import lightning.scene.IndirectSettings;
-import lightning.scene.Light;
-import lightning.scene.LightType;
-import lightning.scene.Material;
 import lightning.scene.PictureSettings;
-import lightning.scene.Placement;
 import lightning.scene.Scene;
-import lightning.scene.SceneNode;
-import lightning.scene.Shape;
-import lightning.scene.Solid;
 import lightning.scene.World;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightType;
+import lightning.scene.material.Material;
+import lightning.scene.node.SceneNode;
+import lightning.scene.node.Shape;
+import lightning.scene.node.Solid;
+import lightning.scene.value.Attenuation;
+import lightning.scene.value.Placement;
 
 /**
  * Generator of closed rooms with indirect light: six walls, two of them colored, with any number of balls and lights, or a mesh. The camera

@@ -5,18 +5,18 @@ import java.util.List;
 import java.util.Random;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
-import lightning.scene.Attenuation;
 import lightning.scene.Camera;
-import lightning.scene.Light;
-import lightning.scene.LightType;
-import lightning.scene.Material;
 import lightning.scene.PictureSettings;
-import lightning.scene.Placement;
 import lightning.scene.Scene;
-import lightning.scene.SceneNode;
-import lightning.scene.Shape;
-import lightning.scene.Solid;
 import lightning.scene.World;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightType;
+import lightning.scene.material.Material;
+import lightning.scene.node.SceneNode;
+import lightning.scene.node.Shape;
+import lightning.scene.node.Solid;
+import lightning.scene.value.Attenuation;
+import lightning.scene.value.Placement;
 
 /**
  * Generator of scenes with any number of shapes and lights, for growth curves: balls in a block above a floor, every second one reflective,

@@ -12,7 +12,7 @@ import lightning.bench.mesh.LaneMeshTracer;
 import lightning.bench.mesh.RaySet;
 import lightning.bench.mesh.RaySetGenerator;
 import lightning.render.trace.mesh.MeshSolid;
-import lightning.scene.Mesh;
+import lightning.scene.node.Mesh;
 
 /**
  * Benchmark of ray throughput on generated meshes of up to ten million triangles, in turns with Embree if installed: same mesh, same rays,

@@ -10,9 +10,9 @@ import java.util.stream.Stream;
 import lightning.cli.report.CheckReport;
 import lightning.format.jen.InertProperties;
 import lightning.format.jen.ReferencedFiles;
-import lightning.scene.Gobo;
-import lightning.scene.Light;
 import lightning.scene.Scene;
+import lightning.scene.asset.Gobo;
+import lightning.scene.light.Light;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 

@@ -6,8 +6,8 @@ import java.util.Map;
 import lightning.render.cache.CachedTile;
 import lightning.render.cache.PixelCache;
 import lightning.render.cache.TileLevel;
-import lightning.render.shading.LightLayer;
-import lightning.render.shading.LightRows;
+import lightning.render.shading.layer.LightLayer;
+import lightning.render.shading.layer.LightRows;
 import lightning.render.trace.HitRows;
 
 /**

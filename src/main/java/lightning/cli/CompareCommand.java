@@ -12,7 +12,7 @@ import lightning.render.image.DifferenceImage;
 import lightning.render.image.Film;
 import lightning.render.image.Flip;
 import lightning.render.image.ViewTransform;
-import lightning.scene.EnvironmentMap;
+import lightning.scene.asset.EnvironmentMap;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;

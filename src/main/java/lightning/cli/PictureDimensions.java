@@ -3,7 +3,7 @@ package lightning.cli;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import lightning.base.text.Quote;
-import lightning.scene.SceneLimits;
+import lightning.scene.value.SceneLimits;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.TypeConversionException;
 

@@ -2,6 +2,10 @@ package lightning.scene;
 
 import java.util.List;
 import lightning.base.math.Vec3;
+import lightning.scene.attribute.NumericKind;
+import lightning.scene.attribute.SceneAttribute;
+import lightning.scene.value.LensShift;
+import lightning.scene.value.SceneLimits;
 
 /**
  * Pinhole camera.

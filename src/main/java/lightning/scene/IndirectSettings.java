@@ -2,6 +2,10 @@ package lightning.scene;
 
 import java.util.List;
 import lightning.base.text.Messages;
+import lightning.scene.attribute.ChoiceKind;
+import lightning.scene.attribute.NumericKind;
+import lightning.scene.attribute.SceneAttribute;
+import lightning.scene.value.SceneLimits;
 
 /**
  * Diffuse indirect light of an image: light that surfaces pass on to other surfaces.

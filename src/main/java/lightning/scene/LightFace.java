@@ -7,6 +7,23 @@ import java.util.Optional;
 import java.util.Set;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
+import lightning.scene.asset.Texture;
+import lightning.scene.asset.TextureMap;
+import lightning.scene.light.AreaShape;
+import lightning.scene.light.FaceVisibility;
+import lightning.scene.light.Falloff;
+import lightning.scene.light.IntensityUnit;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightRig;
+import lightning.scene.material.AlphaCutout;
+import lightning.scene.material.Bulb;
+import lightning.scene.material.Material;
+import lightning.scene.material.ShadowCasting;
+import lightning.scene.material.Transmission;
+import lightning.scene.node.Shape;
+import lightning.scene.node.Solid;
+import lightning.scene.value.Placement;
+import lightning.scene.value.SceneLimits;
 
 /**
  * Surface of a visible area light, as rays of the camera meet it: a shape with the light's name that glows, casts no shadows and reflects

@@ -6,6 +6,12 @@ import java.math.RoundingMode;
 import java.util.Optional;
 import java.util.stream.Stream;
 import lightning.base.text.Quote;
+import lightning.scene.asset.Environment;
+import lightning.scene.light.Contribution;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightRig;
+import lightning.scene.material.Material;
+import lightning.scene.value.SceneLimits;
 
 /**
  * Check that the sum of contributions cannot overflow a float. Sharp highlights of a metallic material are brighter than the light itself.

@@ -1,6 +1,9 @@
 package lightning.scene;
 
 import java.util.Optional;
+import lightning.scene.attribute.NumericKind;
+import lightning.scene.attribute.SceneAttribute;
+import lightning.scene.value.SceneLimits;
 
 /**
  * Image settings of a scene.

@@ -1,6 +1,9 @@
 package lightning.scene;
 
 import lightning.base.math.Transform;
+import lightning.scene.material.Material;
+import lightning.scene.node.Shape;
+import lightning.scene.value.PlacementError;
 
 /**
  * Shape with its material resolved and the transforms of all enclosing groups applied.

@@ -1,5 +1,7 @@
 package lightning.scene;
 
+import lightning.scene.value.SceneLimits;
+
 /**
  * Sampling of an image. A pixel with several samples is the mean of a regular grid of them.
  *

@@ -5,6 +5,12 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import lightning.base.text.Quote;
+import lightning.scene.attribute.ValueKind;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightGroup;
+import lightning.scene.light.LightRig;
+import lightning.scene.material.Material;
+import lightning.scene.node.SceneNode;
 
 /**
  * Complete input of a render. Two equal scenes give the same image in every bit.
@@ -15,8 +21,8 @@ import lightning.base.text.Quote;
 public record Scene(PictureSettings picture, Camera camera, World world, Stage stage, LightRig rig) {
 
     public Scene {
-        rig.names().checkDisjoint(stage);
-        rig = rig.withWorld(world);
+        rig.names().checkDisjoint(stage.names());
+        rig = rig.withEnvironment(world.environmentLights(rig::isNameUsed), world.meters());
         stage = stage.withBulbs(rig).withFaces(rig);
         OverflowCheck.check(stage, rig);
     }
@@ -162,6 +168,14 @@ public record Scene(PictureSettings picture, Camera camera, World world, Stage s
         return replacement.size() != 1 ? withStage(stage.replaceNode(node, replacement))
                 : withRig(rig.mapLinked(light -> light.renameLinks(node, replacement.getFirst().name())))
                         .withStage(stage.replaceNode(node, replacement));
+    }
+
+    /** Returns the names of all objects of a kind, in their order. */
+    public List<String> names(ValueKind.NameKind.Referent referent) {
+        return switch (referent) {
+            case LIGHT -> lights().stream().map(Light::name).toList();
+            case LIGHT_GROUP -> rig.lightGroups().stream().map(LightGroup::name).toList();
+        };
     }
 
     /** Returns this scene with another stage; links of lights lose the names of removed shapes and groups. */

@@ -8,6 +8,20 @@ import java.util.Optional;
 import java.util.stream.Collectors;
 import lightning.base.math.Vec3;
 import lightning.base.text.Messages;
+import lightning.scene.attribute.SceneAttribute;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightAttribute;
+import lightning.scene.light.LightGroup;
+import lightning.scene.light.LightMatcher;
+import lightning.scene.light.LightRig;
+import lightning.scene.material.Material;
+import lightning.scene.material.MaterialAttribute;
+import lightning.scene.node.BlockList;
+import lightning.scene.node.NodeGroup;
+import lightning.scene.node.SceneNode;
+import lightning.scene.node.Shape;
+import lightning.scene.node.Solid;
+import lightning.scene.value.SceneLimits;
 
 /** Description of the changes between two scenes: {@code key: intensity 1 → 1.2}. */
 public final class SceneDiff {
@@ -233,7 +247,7 @@ public final class SceneDiff {
     }
 
     private static String format(Vec3 v) {
-        return NumericKind.formatShort(v.x()) + " " + NumericKind.formatShort(v.y()) + " " + NumericKind.formatShort(v.z());
+        return SceneLimits.formatShort(v.x()) + " " + SceneLimits.formatShort(v.y()) + " " + SceneLimits.formatShort(v.z());
     }
 
     private static boolean addsDefault(Scene before, Scene after) {
@@ -279,8 +293,8 @@ public final class SceneDiff {
 
     private void addView(ViewSettings before, ViewSettings after) {
         addPart(new Change(Messages.key("view transform"), before.curve().word(), after.curve().word()));
-        addPart(new Change(Messages.key("view exposure"), NumericKind.formatShort(before.exposure()),
-                NumericKind.formatShort(after.exposure())));
+        addPart(new Change(Messages.key("view exposure"), SceneLimits.formatShort(before.exposure()),
+                SceneLimits.formatShort(after.exposure())));
     }
 
     private static String indirect(Optional<IndirectSettings> settings) {

@@ -11,6 +11,18 @@ import java.util.function.Consumer;
 import java.util.stream.IntStream;
 import lightning.base.math.Transform;
 import lightning.base.text.Quote;
+import lightning.scene.light.LightRig;
+import lightning.scene.material.Material;
+import lightning.scene.node.NodeGroup;
+import lightning.scene.node.NodeNames;
+import lightning.scene.node.NodePaths;
+import lightning.scene.node.NodeSplice;
+import lightning.scene.node.NodeTree;
+import lightning.scene.node.SceneNode;
+import lightning.scene.node.Shape;
+import lightning.scene.value.PlacementError;
+import lightning.scene.value.SceneLimits;
+import lightning.scene.value.ShapeLinks;
 
 /**
  * Shapes and materials of a scene, with the tree of groups. Checked once at construction, and shared by all scenes that differ only in
@@ -221,6 +233,11 @@ public final class Stage {
         boolean canKeep = known != null && replacement.size() == 1 && replacement.getFirst() instanceof Shape s && s.name().equals(name);
         return new Stage(materials, changed, List.of(),
                 canKeep ? new NodeTree(known, new NodeSplice(known.nodes, path.get(), replacement)) : null);
+    }
+
+    /** Returns the names of all shapes and groups. */
+    NodeNames names() {
+        return tree.names;
     }
 
     /** Returns whether both share their table of names, because one was made from the other. */

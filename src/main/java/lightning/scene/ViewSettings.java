@@ -1,5 +1,7 @@
 package lightning.scene;
 
+import lightning.scene.value.SceneLimits;
+
 /**
  * View transform of a scene: how its linear image is shown. It does not affect the image itself.
  *

@@ -2,6 +2,13 @@ package lightning.scene;
 
 import java.util.ArrayList;
 import java.util.List;
+import lightning.scene.light.FaceVisibility;
+import lightning.scene.light.Falloff;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightAttribute;
+import lightning.scene.light.LightRig;
+import lightning.scene.light.LightType;
+import lightning.scene.value.Attenuation;
 
 /**
  * Normal form of a scene that keeps only what affects the image. Scenes with equal normal forms give the same image in every bit. Moving a

@@ -10,6 +10,17 @@ import lightning.base.math.Rgb;
 import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
 import lightning.base.text.Messages;
+import lightning.scene.asset.Environment;
+import lightning.scene.asset.EnvironmentLight;
+import lightning.scene.attribute.ChoiceKind;
+import lightning.scene.attribute.NumericKind;
+import lightning.scene.attribute.SceneAttribute;
+import lightning.scene.attribute.ValueKind;
+import lightning.scene.light.AreaShape;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightRig;
+import lightning.scene.light.LightType;
+import lightning.scene.value.SceneLimits;
 
 /**
  * Surroundings of the shapes.
@@ -55,7 +66,8 @@ public record World(double ambience, Rgb background, Optional<Environment> envir
             "", World::solo, World::withSolo);
 
     public static final SceneAttribute<World, Double> METERS = new SceneAttribute<>("meters", "meters per unit",
-            NumericKind.number(SceneLimits.MIN_METERS, SceneLimits.MAX_METERS, 0.1), 1.0, "meters per scene unit", World::meters,
+            NumericKind.number(SceneLimits.MIN_METERS, SceneLimits.MAX_METERS, 0.1), LightRig.METERS, "meters per scene unit",
+            World::meters,
             World::withMeters);
 
     /** All attributes, in file order. */

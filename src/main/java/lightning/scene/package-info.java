@@ -2,7 +2,7 @@
  * Scene description: the content of a {@code .jen} file as immutable records.
  *
  * <p>Angles are in degrees and lengths in scene units, exactly as written in the file. Every constructor rejects values outside the ranges
- * of {@link lightning.scene.SceneLimits} with an {@link java.lang.IllegalArgumentException} whose message names the property, the expected
+ * of {@link lightning.scene.value.SceneLimits} with an {@link java.lang.IllegalArgumentException} whose message names the property, the expected
  * and the actual value, so users of a scene need no further checks.
  *
  * <pre>{@code

@@ -5,7 +5,7 @@ import lightning.format.json.PixelReporter;
 import lightning.format.json.ReportMapper;
 import lightning.render.image.Film;
 import lightning.render.relight.Renderer;
-import lightning.render.shading.PixelExplainer;
+import lightning.render.shading.explanation.PixelExplainer;
 import lightning.scene.Scene;
 import tools.jackson.databind.node.ObjectNode;
 

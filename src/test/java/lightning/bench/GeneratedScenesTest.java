@@ -2,9 +2,9 @@ package lightning.bench;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import lightning.scene.Light;
-import lightning.scene.LightType;
 import lightning.scene.Scene;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightType;
 import org.junit.jupiter.api.Test;
 
 class GeneratedScenesTest {

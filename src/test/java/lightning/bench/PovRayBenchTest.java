@@ -6,7 +6,7 @@ import java.util.HashSet;
 import java.util.Set;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
-import lightning.render.shading.ReferenceTracer;
+import lightning.render.shading.reference.ReferenceTracer;
 import lightning.scene.PlacedShape;
 import lightning.scene.Scene;
 import org.junit.jupiter.api.Test;

@@ -13,7 +13,7 @@ import lightning.format.jen.JenReader;
 import lightning.format.jen.PropertyEdit;
 import lightning.render.image.Difference;
 import lightning.render.image.Film;
-import lightning.render.shading.ReferenceTracer;
+import lightning.render.shading.reference.ReferenceTracer;
 import lightning.sample.Slow;
 import lightning.sample.TransparentScenes;
 import lightning.scene.Scene;

@@ -20,7 +20,7 @@ import lightning.render.image.Film;
 import lightning.render.image.FilmAssert;
 import lightning.render.image.Log2Shaper;
 import lightning.render.image.ViewTransform;
-import lightning.render.shading.ReferenceTracer;
+import lightning.render.shading.reference.ReferenceTracer;
 import lightning.scene.Scene;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;

@@ -11,7 +11,7 @@ import lightning.format.jen.JenDocument;
 import lightning.format.jen.JenReader;
 import lightning.format.jen.PropertyEdit;
 import lightning.render.image.Film;
-import lightning.render.shading.ReferenceTracer;
+import lightning.render.shading.reference.ReferenceTracer;
 import lightning.sample.Slow;
 import lightning.scene.Scene;
 import org.junit.jupiter.api.BeforeEach;

@@ -12,7 +12,7 @@ import lightning.format.exr.ExrReader;
 import lightning.format.image.ImageFile;
 import lightning.format.jen.JenDocument;
 import lightning.format.jen.JenReader;
-import lightning.render.shading.ReferenceTracer;
+import lightning.render.shading.reference.ReferenceTracer;
 import lightning.shot.movie.Ffmpeg;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;

@@ -1,14 +1,14 @@
 package lightning.sample;
 
 import java.util.List;
-import lightning.scene.ChoiceKind;
-import lightning.scene.Light;
-import lightning.scene.LightAttribute;
-import lightning.scene.Material;
-import lightning.scene.MaterialAttribute;
-import lightning.scene.NumericKind;
-import lightning.scene.SceneAttribute;
-import lightning.scene.ValueKind;
+import lightning.scene.attribute.ChoiceKind;
+import lightning.scene.attribute.NumericKind;
+import lightning.scene.attribute.SceneAttribute;
+import lightning.scene.attribute.ValueKind;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightAttribute;
+import lightning.scene.material.Material;
+import lightning.scene.material.MaterialAttribute;
 import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.Combinators;

@@ -8,20 +8,20 @@ import java.util.stream.IntStream;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.scene.Camera;
-import lightning.scene.Environment;
 import lightning.scene.IndirectSettings;
-import lightning.scene.Light;
-import lightning.scene.LightGroup;
-import lightning.scene.LightRig;
-import lightning.scene.Material;
-import lightning.scene.NodeGroup;
-import lightning.scene.Placement;
 import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
-import lightning.scene.SceneAttribute;
-import lightning.scene.SceneNode;
-import lightning.scene.Shape;
 import lightning.scene.World;
+import lightning.scene.asset.Environment;
+import lightning.scene.attribute.SceneAttribute;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightGroup;
+import lightning.scene.light.LightRig;
+import lightning.scene.material.Material;
+import lightning.scene.node.NodeGroup;
+import lightning.scene.node.SceneNode;
+import lightning.scene.node.Shape;
+import lightning.scene.value.Placement;
 
 /** Edit of a scene; without effect if it does not apply to the scene. Lights are identified by their index. */
 public sealed interface Edit {

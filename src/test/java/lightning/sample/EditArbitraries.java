@@ -2,8 +2,8 @@ package lightning.sample;
 
 import java.util.List;
 import java.util.Optional;
-import lightning.scene.LightAttribute;
 import lightning.scene.World;
+import lightning.scene.light.LightAttribute;
 import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.Combinators;

@@ -5,8 +5,8 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.nio.file.Path;
 import lightning.format.jen.JenReader;
-import lightning.scene.LightType;
 import lightning.scene.Scene;
+import lightning.scene.light.LightType;
 import org.junit.jupiter.api.Test;
 
 class FailedSceneRecorderTest {

@@ -10,18 +10,18 @@ import lightning.base.math.Vec3;
 import lightning.format.jen.JenException;
 import lightning.format.jen.JenReader;
 import lightning.scene.AntialiasMode;
-import lightning.scene.BumpMapping;
 import lightning.scene.Camera;
 import lightning.scene.IndirectSettings;
-import lightning.scene.Mesh;
 import lightning.scene.PlacedShape;
-import lightning.scene.Placement;
 import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
-import lightning.scene.SceneNode;
-import lightning.scene.Shape;
-import lightning.scene.Texture;
-import lightning.scene.TextureMap;
+import lightning.scene.asset.Texture;
+import lightning.scene.asset.TextureMap;
+import lightning.scene.material.BumpMapping;
+import lightning.scene.node.Mesh;
+import lightning.scene.node.SceneNode;
+import lightning.scene.node.Shape;
+import lightning.scene.value.Placement;
 
 /** Small scenes with indirect light by name: one for each kind of surface and light that its paths meet. */
 public final class IndirectScenes {

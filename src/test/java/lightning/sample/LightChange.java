@@ -1,12 +1,12 @@
 package lightning.sample;
 
 import lightning.base.math.Rgb;
-import lightning.scene.AreaShape;
-import lightning.scene.Attenuation;
-import lightning.scene.Light;
-import lightning.scene.LightAttribute;
-import lightning.scene.LightType;
 import lightning.scene.Scene;
+import lightning.scene.light.AreaShape;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightAttribute;
+import lightning.scene.light.LightType;
+import lightning.scene.value.Attenuation;
 
 /** New value for one of a light's attributes. */
 sealed interface LightChange {

@@ -1,11 +1,11 @@
 package lightning.sample;
 
 import lightning.base.math.Vec3;
-import lightning.scene.AreaShape;
 import lightning.scene.Camera;
-import lightning.scene.Light;
 import lightning.scene.Scene;
-import lightning.scene.SceneLimits;
+import lightning.scene.light.AreaShape;
+import lightning.scene.light.Light;
+import lightning.scene.value.SceneLimits;
 
 /**
  * Light before its placement in a scene.

@@ -2,14 +2,14 @@ package lightning.sample;
 
 import java.util.Optional;
 import lightning.base.math.Rgb;
-import lightning.scene.AlphaCutout;
-import lightning.scene.BumpMapping;
-import lightning.scene.Material;
-import lightning.scene.MaterialAttribute;
-import lightning.scene.ShadingModel;
-import lightning.scene.ShadowCasting;
-import lightning.scene.TextureMap;
-import lightning.scene.Transmission;
+import lightning.scene.asset.TextureMap;
+import lightning.scene.material.AlphaCutout;
+import lightning.scene.material.BumpMapping;
+import lightning.scene.material.Material;
+import lightning.scene.material.MaterialAttribute;
+import lightning.scene.material.ShadingModel;
+import lightning.scene.material.ShadowCasting;
+import lightning.scene.material.Transmission;
 
 /** New value for one of a material's properties, or for all. */
 sealed interface MaterialChange {

@@ -1,11 +1,11 @@
 package lightning.sample;
 
 import lightning.base.math.Vec3;
-import lightning.scene.NodeGroup;
-import lightning.scene.Placement;
-import lightning.scene.SceneNode;
-import lightning.scene.Shape;
-import lightning.scene.Solid;
+import lightning.scene.node.NodeGroup;
+import lightning.scene.node.SceneNode;
+import lightning.scene.node.Shape;
+import lightning.scene.node.Solid;
+import lightning.scene.value.Placement;
 
 /** Change of one shape or group. */
 public sealed interface NodeChange {

@@ -3,8 +3,8 @@ package lightning.sample;
 import java.util.List;
 import java.util.Random;
 import java.util.stream.Stream;
-import lightning.scene.Mesh;
-import lightning.scene.Solid;
+import lightning.scene.node.Mesh;
+import lightning.scene.node.Solid;
 
 /** Small meshes for tests: closed solids, smooth and flat, and degenerate triangle soups. */
 public final class SampleMeshes {

@@ -14,15 +14,15 @@ import lightning.format.image.ImageFile;
 import lightning.format.jen.JenWriter;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
-import lightning.scene.Material;
-import lightning.scene.Mesh;
-import lightning.scene.NodeGroup;
 import lightning.scene.Scene;
-import lightning.scene.SceneNode;
-import lightning.scene.Shape;
-import lightning.scene.Solid;
-import lightning.scene.Texture;
-import lightning.scene.TextureMap;
+import lightning.scene.asset.Texture;
+import lightning.scene.asset.TextureMap;
+import lightning.scene.material.Material;
+import lightning.scene.node.Mesh;
+import lightning.scene.node.NodeGroup;
+import lightning.scene.node.SceneNode;
+import lightning.scene.node.Shape;
+import lightning.scene.node.Solid;
 import net.jqwik.api.sessions.JqwikSession;
 
 /**

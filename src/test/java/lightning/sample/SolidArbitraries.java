@@ -1,7 +1,7 @@
 package lightning.sample;
 
 import java.util.Random;
-import lightning.scene.Solid;
+import lightning.scene.node.Solid;
 import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.Combinators;

@@ -9,6 +9,22 @@ import java.util.Set;
 import lightning.base.math.Rgb;
 import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
+import lightning.scene.asset.LightTexture;
+import lightning.scene.asset.Texture;
+import lightning.scene.light.AreaShape;
+import lightning.scene.light.Emission;
+import lightning.scene.light.FaceVisibility;
+import lightning.scene.light.Falloff;
+import lightning.scene.light.IntensityUnit;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightRig;
+import lightning.scene.light.LightType;
+import lightning.scene.material.Bulb;
+import lightning.scene.material.Material;
+import lightning.scene.node.Shape;
+import lightning.scene.node.Solid;
+import lightning.scene.value.Placement;
+import lightning.scene.value.SceneLimits;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.DoubleRange;
@@ -22,7 +38,7 @@ class LightFaceTest {
             .withArea(new AreaShape(0.5, 0, 2, 3, Vec3.Y, 16).withVisibility(FaceVisibility.GLOWING));
 
     private static Rgb glow(Light light, double meters) {
-        LightRig rig = LightRig.of(List.of(light)).withWorld(World.DEFAULT.withMeters(meters));
+        LightRig rig = LightRig.of(List.of(light)).withEnvironment(List.of(), meters);
         return LightFace.of(rig, 0, Set.of()).getFirst().material().emission();
     }
 

@@ -13,6 +13,7 @@ import lightning.format.jen.JenReader;
 import lightning.sample.EditSession;
 import lightning.scene.effects.RenderEffect;
 import lightning.scene.effects.ViewEffects;
+import lightning.scene.light.Light;
 import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.EdgeCasesMode;

@@ -8,6 +8,14 @@ import java.util.Optional;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.editor.document.DeskScene;
+import lightning.scene.asset.Texture;
+import lightning.scene.asset.TextureMap;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightType;
+import lightning.scene.node.SceneNode;
+import lightning.scene.node.Shape;
+import lightning.scene.node.Solid;
+import lightning.scene.value.Placement;
 import org.junit.jupiter.api.Test;
 
 class SceneDiffTest {

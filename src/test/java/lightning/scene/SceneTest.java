@@ -8,6 +8,13 @@ import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.base.text.Quote;
 import lightning.sample.StudioScene;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightType;
+import lightning.scene.material.Material;
+import lightning.scene.node.SceneNode;
+import lightning.scene.node.Shape;
+import lightning.scene.node.Solid;
+import lightning.scene.value.Placement;
 import org.junit.jupiter.api.Test;
 
 class SceneTest {

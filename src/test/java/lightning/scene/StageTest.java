@@ -4,6 +4,15 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 
 import java.util.List;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightRig;
+import lightning.scene.light.LightType;
+import lightning.scene.material.Material;
+import lightning.scene.node.NodeGroup;
+import lightning.scene.node.SceneNode;
+import lightning.scene.node.Shape;
+import lightning.scene.node.Solid;
+import lightning.scene.value.Placement;
 import org.junit.jupiter.api.Test;
 
 /** Tests stages, which are checked once and shared by scenes that differ in lights. */

@@ -17,7 +17,7 @@ import lightning.base.work.WorkerPool;
 import lightning.editor.document.DeskScene;
 import lightning.render.fulltrace.TraditionalTracer;
 import lightning.render.relight.tile.RenderOptions;
-import lightning.render.shading.ReferenceTracer;
+import lightning.render.shading.reference.ReferenceTracer;
 import lightning.sample.IndirectScenes;
 import lightning.scene.Scene;
 import lightning.scene.shot.Shot;

@@ -13,7 +13,7 @@ import java.util.stream.IntStream;
 import lightning.render.image.Film;
 import lightning.render.image.FilmAssert;
 import lightning.render.relight.tile.RenderOptions;
-import lightning.render.shading.ReferenceTracer;
+import lightning.render.shading.reference.ReferenceTracer;
 import lightning.sample.EditSession;
 import lightning.sample.ShotArbitraries;
 import lightning.sample.Slow;

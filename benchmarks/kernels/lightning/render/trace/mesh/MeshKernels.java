@@ -7,7 +7,7 @@ import lightning.bench.mesh.RaySet;
 import lightning.bench.mesh.RaySetGenerator;
 import lightning.render.engine.KernelAgreement;
 import lightning.render.trace.solid.RayBatch;
-import lightning.scene.Mesh;
+import lightning.scene.node.Mesh;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.BenchmarkMode;
 import org.openjdk.jmh.annotations.Fork;

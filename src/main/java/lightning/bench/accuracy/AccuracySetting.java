@@ -6,13 +6,13 @@ import lightning.render.relight.plan.Accuracy;
 import lightning.render.relight.plan.ReflectionMode;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.AntialiasMode;
-import lightning.scene.Light;
 import lightning.scene.PictureSettings;
 import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
-import lightning.scene.SceneLimits;
 import lightning.scene.effects.RenderEffect;
 import lightning.scene.effects.ViewEffects;
+import lightning.scene.light.Light;
+import lightning.scene.value.SceneLimits;
 
 /** Accuracy settings, each a method to show an edit, from the roughest to the full trace. */
 public enum AccuracySetting {

@@ -6,12 +6,12 @@ import java.util.Optional;
 import java.util.function.Predicate;
 import java.util.function.UnaryOperator;
 import lightning.base.math.Rgb;
-import lightning.scene.AlphaCutout;
-import lightning.scene.BumpMapping;
-import lightning.scene.Material;
 import lightning.scene.Scene;
-import lightning.scene.SceneLimits;
-import lightning.scene.Transmission;
+import lightning.scene.material.AlphaCutout;
+import lightning.scene.material.BumpMapping;
+import lightning.scene.material.Material;
+import lightning.scene.material.Transmission;
+import lightning.scene.value.SceneLimits;
 
 /**
  * Edits of materials, which the paper leaves as future work (§5.2). Each edits the first suitable material on a shape (other values: the

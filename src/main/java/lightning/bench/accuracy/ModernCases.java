@@ -6,9 +6,9 @@ import java.util.Optional;
 import java.util.function.Predicate;
 import java.util.function.UnaryOperator;
 import lightning.base.math.Rgb;
-import lightning.scene.Light;
-import lightning.scene.LightType;
 import lightning.scene.Scene;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightType;
 
 /**
  * Kinds of edits of the modern scenes. Unlike {@link PaperCases}, they edit the key light, whatever its type: the light named {@code key},

@@ -9,11 +9,11 @@ import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
-import lightning.scene.Attenuation;
-import lightning.scene.Light;
-import lightning.scene.LightType;
 import lightning.scene.Scene;
-import lightning.scene.SceneLimits;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightType;
+import lightning.scene.value.Attenuation;
+import lightning.scene.value.SceneLimits;
 
 /**
  * Edits printed in the paper (§4.1–4.9), and more of materials and shapes, for any scene.

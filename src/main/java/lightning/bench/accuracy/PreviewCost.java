@@ -8,10 +8,10 @@ import lightning.render.relight.Renderer;
 import lightning.render.relight.UpdateResult;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Camera;
-import lightning.scene.Light;
 import lightning.scene.Scene;
 import lightning.scene.effects.PreviewScene;
 import lightning.scene.effects.ViewEffects;
+import lightning.scene.light.Light;
 
 /**
  * Cost of the editor's preview at 600×600 pixels, with its reflections and with the shadows of the moved light.

@@ -2,9 +2,9 @@ package lightning.bench.accuracy;
 
 import java.util.Random;
 import lightning.base.math.Rgb;
-import lightning.scene.Attenuation;
-import lightning.scene.Light;
 import lightning.scene.Scene;
+import lightning.scene.light.Light;
+import lightning.scene.value.Attenuation;
 
 /** Random slider edits of one light after another, within realistic ranges. */
 public final class RandomEdits {

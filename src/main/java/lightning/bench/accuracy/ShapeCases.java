@@ -5,10 +5,10 @@ import java.util.Comparator;
 import java.util.List;
 import lightning.base.math.Vec3;
 import lightning.scene.PlacedShape;
-import lightning.scene.Placement;
 import lightning.scene.Scene;
-import lightning.scene.Shape;
-import lightning.scene.Solid;
+import lightning.scene.node.Shape;
+import lightning.scene.node.Solid;
+import lightning.scene.value.Placement;
 
 /** Edits of shapes, which are not in the paper, near the camera's target. Planes are skipped, as they are usually floors and walls. */
 final class ShapeCases {

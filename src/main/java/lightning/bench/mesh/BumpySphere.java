@@ -1,6 +1,6 @@
 package lightning.bench.mesh;
 
-import lightning.scene.Mesh;
+import lightning.scene.node.Mesh;
 
 /** Generator of unit spheres with bumps of many sizes and any number of triangles: a cube's six grids, projected to the sphere. */
 public final class BumpySphere {

@@ -17,7 +17,7 @@ import java.nio.file.StandardOpenOption;
 import java.util.Optional;
 import lightning.base.file.SearchPath;
 import lightning.base.file.TemporaryFolder;
-import lightning.scene.Mesh;
+import lightning.scene.node.Mesh;
 
 /**
  * Embree 3 in a separate process, driven by a bundled C program. The program is compiled if Embree's headers and a C compiler are

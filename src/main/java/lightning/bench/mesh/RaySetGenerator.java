@@ -2,7 +2,7 @@ package lightning.bench.mesh;
 
 import lightning.render.trace.mesh.MeshRayQuery;
 import lightning.render.trace.mesh.MeshSolid;
-import lightning.scene.Mesh;
+import lightning.scene.node.Mesh;
 
 /** Generator of ray sets for a mesh around the origin: eye rays, and secondary rays from their hits. */
 public final class RaySetGenerator {

@@ -3,10 +3,10 @@ package lightning.editor.document;
 import java.util.Optional;
 import java.util.function.Function;
 import lightning.base.text.Messages;
-import lightning.scene.LightAttribute;
-import lightning.scene.SceneLimits;
 import lightning.scene.VisibleState;
+import lightning.scene.light.LightAttribute;
 import lightning.scene.shot.TrackTarget;
+import lightning.scene.value.SceneLimits;
 
 /** Reasons why commands are disabled: each a clause without a period, or empty if the command is enabled. */
 final class DisabledReasons {

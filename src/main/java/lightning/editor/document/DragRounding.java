@@ -1,8 +1,8 @@
 package lightning.editor.document;
 
 import lightning.base.math.Vec3;
-import lightning.scene.Light;
-import lightning.scene.Placement;
+import lightning.scene.light.Light;
+import lightning.scene.value.Placement;
 
 /**
  * Rounding of values that are set by dragging, so that a scene file stores no digits far below a pixel, as in

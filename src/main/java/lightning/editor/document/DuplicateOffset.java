@@ -2,7 +2,7 @@ package lightning.editor.document;
 
 import lightning.base.math.Vec3;
 import lightning.scene.Scene;
-import lightning.scene.SceneLimits;
+import lightning.scene.value.SceneLimits;
 
 /** Offset of a copy from its original. A copy of a copy moves on by the same offset. */
 public final class DuplicateOffset {

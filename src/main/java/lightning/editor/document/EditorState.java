@@ -6,11 +6,11 @@ import lightning.base.text.Messages;
 import lightning.editor.loop.DisplayMode;
 import lightning.editor.loop.Frame;
 import lightning.render.shading.RenderedScenes;
-import lightning.scene.Light;
-import lightning.scene.LightType;
 import lightning.scene.Scene;
-import lightning.scene.SceneNode;
 import lightning.scene.VisibleState;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightType;
+import lightning.scene.node.SceneNode;
 import lightning.scene.shot.TrackTarget;
 
 /**

@@ -4,10 +4,10 @@ import java.util.ArrayList;
 import java.util.List;
 import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
-import lightning.scene.NodeBounds;
-import lightning.scene.NodeGroup;
 import lightning.scene.Scene;
-import lightning.scene.SceneNode;
+import lightning.scene.node.NodeBounds;
+import lightning.scene.node.NodeGroup;
+import lightning.scene.node.SceneNode;
 
 /** Bounding box of a group, oriented along the group's axes, that marks a selected group. */
 public final class GroupBounds {

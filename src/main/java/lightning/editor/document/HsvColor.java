@@ -1,7 +1,7 @@
 package lightning.editor.document;
 
 import lightning.base.math.Rgb;
-import lightning.scene.SceneLimits;
+import lightning.scene.value.SceneLimits;
 
 /**
  * Color as hue, saturation and value (Smith, 1978) of its linear channels.

@@ -1,8 +1,8 @@
 package lightning.editor.document;
 
-import lightning.scene.Light;
-import lightning.scene.LightType;
 import lightning.scene.Scene;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightType;
 
 /** Adds a light that faces a surface point. */
 public final class LightAtPoint {

@@ -1,6 +1,6 @@
 package lightning.editor.document;
 
-import lightning.scene.Light;
+import lightning.scene.light.Light;
 
 /** Action of a drag on a light's handle. */
 public enum LightDrag {

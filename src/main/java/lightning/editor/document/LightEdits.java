@@ -6,14 +6,14 @@ import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
 import lightning.base.text.Messages;
 import lightning.base.text.Quote;
-import lightning.scene.Emission;
-import lightning.scene.Falloff;
-import lightning.scene.IntensityUnit;
-import lightning.scene.Light;
-import lightning.scene.LightAttribute;
-import lightning.scene.LightType;
 import lightning.scene.Scene;
-import lightning.scene.SceneLimits;
+import lightning.scene.light.Emission;
+import lightning.scene.light.Falloff;
+import lightning.scene.light.IntensityUnit;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightAttribute;
+import lightning.scene.light.LightType;
+import lightning.scene.value.SceneLimits;
 
 /** Edits of lights that change more than one {@link NumericParameter}. Each is refused if the named light does not exist. */
 public final class LightEdits {

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import lightning.base.math.Vec3;
-import lightning.scene.Light;
+import lightning.scene.light.Light;
 
 /**
  * Wireframe of a light in the preview (paper §3.2), about equally large on the screen at every distance. Point lights are spheres. Spots

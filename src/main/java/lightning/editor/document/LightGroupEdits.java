@@ -3,8 +3,8 @@ package lightning.editor.document;
 import java.util.function.UnaryOperator;
 import lightning.base.text.Messages;
 import lightning.base.text.Quote;
-import lightning.scene.LightGroup;
 import lightning.scene.Scene;
+import lightning.scene.light.LightGroup;
 
 /** Edits of light groups. Each is refused if the named group or light does not exist. */
 public final class LightGroupEdits {

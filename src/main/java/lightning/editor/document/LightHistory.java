@@ -1,7 +1,7 @@
 package lightning.editor.document;
 
 import java.util.List;
-import lightning.scene.Light;
+import lightning.scene.light.Light;
 import lightning.scene.shot.Track;
 
 /**

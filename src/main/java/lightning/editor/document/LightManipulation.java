@@ -2,8 +2,8 @@ package lightning.editor.document;
 
 import lightning.base.math.Vec3;
 import lightning.base.math.VectorRotation;
-import lightning.scene.Light;
-import lightning.scene.SceneLimits;
+import lightning.scene.light.Light;
+import lightning.scene.value.SceneLimits;
 
 /**
  * Light manipulation by dragging in the preview (paper §3.2). Each method takes the light at the start of the drag and the total mouse

@@ -2,8 +2,8 @@ package lightning.editor.document;
 
 import lightning.base.math.Vec3;
 import lightning.base.text.Messages;
-import lightning.scene.Light;
-import lightning.scene.LightAttribute;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightAttribute;
 
 /**
  * Placement of a light by its effect at a chosen surface point, such as a highlight or a shadow. Lights with a direction turn to the point.

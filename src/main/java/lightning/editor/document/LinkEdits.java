@@ -5,15 +5,15 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import lightning.base.text.Messages;
-import lightning.scene.Contribution;
-import lightning.scene.Light;
-import lightning.scene.LightAttribute;
-import lightning.scene.NodeGroup;
 import lightning.scene.Scene;
-import lightning.scene.SceneNode;
-import lightning.scene.ShapeGains;
-import lightning.scene.ShapeLinks;
 import lightning.scene.Stage;
+import lightning.scene.light.Contribution;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightAttribute;
+import lightning.scene.node.NodeGroup;
+import lightning.scene.node.SceneNode;
+import lightning.scene.value.ShapeGains;
+import lightning.scene.value.ShapeLinks;
 
 /** Edits of the link between one light and one shape or group: illumination and shadow on or off, and gain. */
 public final class LinkEdits {

@@ -8,13 +8,13 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Stream;
 import lightning.base.text.Messages;
-import lightning.scene.Light;
-import lightning.scene.NodeGroup;
 import lightning.scene.Scene;
-import lightning.scene.SceneNode;
-import lightning.scene.ShapeGains;
-import lightning.scene.ShapeLinks;
 import lightning.scene.Stage;
+import lightning.scene.light.Light;
+import lightning.scene.node.NodeGroup;
+import lightning.scene.node.SceneNode;
+import lightning.scene.value.ShapeGains;
+import lightning.scene.value.ShapeLinks;
 
 /**
  * Table of the links between lights and objects: a row for each shape and group, a column for each light.

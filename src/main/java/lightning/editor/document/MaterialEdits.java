@@ -6,13 +6,13 @@ import java.util.function.UnaryOperator;
 import lightning.base.text.Messages;
 import lightning.base.text.Quote;
 import lightning.format.jen.PropertyEdit;
-import lightning.scene.Bulb;
-import lightning.scene.Emission;
-import lightning.scene.Material;
-import lightning.scene.MaterialAttribute;
 import lightning.scene.Scene;
-import lightning.scene.Shape;
-import lightning.scene.TextureMap;
+import lightning.scene.asset.TextureMap;
+import lightning.scene.light.Emission;
+import lightning.scene.material.Bulb;
+import lightning.scene.material.Material;
+import lightning.scene.material.MaterialAttribute;
+import lightning.scene.node.Shape;
 
 /**
  * Edits of materials. Each is refused if the named material does not exist or a value is out of range. Shapes without a material use {@code

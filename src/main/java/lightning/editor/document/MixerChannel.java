@@ -6,13 +6,13 @@ import java.util.Optional;
 import java.util.stream.IntStream;
 import lightning.base.math.Rgb;
 import lightning.base.text.Messages;
-import lightning.scene.Light;
-import lightning.scene.LightAttribute;
-import lightning.scene.LightGroup;
-import lightning.scene.LightRig;
 import lightning.scene.Scene;
-import lightning.scene.SceneLimits;
 import lightning.scene.World;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightAttribute;
+import lightning.scene.light.LightGroup;
+import lightning.scene.light.LightRig;
+import lightning.scene.value.SceneLimits;
 
 /** Channel of the light mixer: a light, a light group, or the environment. */
 public sealed interface MixerChannel {

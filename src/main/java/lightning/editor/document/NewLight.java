@@ -2,12 +2,12 @@ package lightning.editor.document;
 
 import java.util.Locale;
 import lightning.base.math.Vec3;
-import lightning.scene.Emission;
-import lightning.scene.Falloff;
-import lightning.scene.Light;
-import lightning.scene.LightType;
 import lightning.scene.Scene;
-import lightning.scene.SceneLimits;
+import lightning.scene.light.Emission;
+import lightning.scene.light.Falloff;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightType;
+import lightning.scene.value.SceneLimits;
 
 /**
  * Creates lights that suit the scene's size. Their light falls off with the square of the distance, and their exposure makes white paper at

@@ -6,12 +6,12 @@ import java.util.Set;
 import java.util.function.UnaryOperator;
 import lightning.base.text.Messages;
 import lightning.base.text.Quote;
-import lightning.scene.NodeGroup;
-import lightning.scene.Placement;
 import lightning.scene.Scene;
-import lightning.scene.SceneLimits;
-import lightning.scene.SceneNode;
-import lightning.scene.Shape;
+import lightning.scene.node.NodeGroup;
+import lightning.scene.node.SceneNode;
+import lightning.scene.node.Shape;
+import lightning.scene.value.Placement;
+import lightning.scene.value.SceneLimits;
 
 /** Edits of shapes and groups. Each is refused if the named node does not exist. */
 public final class NodeEdits {

@@ -6,11 +6,11 @@ import java.util.Optional;
 import java.util.stream.IntStream;
 import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
-import lightning.scene.NodeGroup;
-import lightning.scene.Placement;
 import lightning.scene.Scene;
-import lightning.scene.SceneNode;
 import lightning.scene.Stage;
+import lightning.scene.node.NodeGroup;
+import lightning.scene.node.SceneNode;
+import lightning.scene.value.Placement;
 
 /**
  * Transform handles at the origin of the selected shape or group in the preview. It has an arrow and a ring per axis of its parent space, a

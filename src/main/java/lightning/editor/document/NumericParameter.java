@@ -8,13 +8,13 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import lightning.base.text.Messages;
 import lightning.base.text.NumberUnit;
-import lightning.scene.Light;
-import lightning.scene.LightAttribute;
-import lightning.scene.NumericKind;
 import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
-import lightning.scene.SceneAttribute;
 import lightning.scene.World;
+import lightning.scene.attribute.NumericKind;
+import lightning.scene.attribute.SceneAttribute;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightAttribute;
 
 /** Numeric parameter of the property editor's arrow widgets and sliders (paper §3.2, Figure 5), of the selected light or of the scene. */
 public final class NumericParameter {

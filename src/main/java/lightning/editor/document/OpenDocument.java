@@ -14,8 +14,8 @@ import lightning.format.jen.InputFiles;
 import lightning.format.jen.JenDocument;
 import lightning.format.jen.JenException;
 import lightning.format.jen.JenReader;
-import lightning.scene.Light;
 import lightning.scene.Scene;
+import lightning.scene.light.Light;
 import lightning.scene.shot.AnimatedScene;
 
 /** Open scene document: current scene, selection, history, and unsaved changes. */

@@ -3,7 +3,7 @@ package lightning.editor.document;
 import lightning.scene.AntialiasMode;
 import lightning.scene.PictureSettings;
 import lightning.scene.SamplingSettings;
-import lightning.scene.SceneLimits;
+import lightning.scene.value.SceneLimits;
 
 /** Area in which an image is shown, in physical pixels of the screen. */
 public record PictureArea(double width, double height) {

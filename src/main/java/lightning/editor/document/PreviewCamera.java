@@ -4,9 +4,9 @@ import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
 import lightning.base.math.VectorRotation;
 import lightning.scene.Camera;
-import lightning.scene.Light;
 import lightning.scene.Scene;
-import lightning.scene.SceneLimits;
+import lightning.scene.light.Light;
+import lightning.scene.value.SceneLimits;
 
 /** Camera of the preview (paper §3.6). It orbits its target and never affects the traced image. */
 public final class PreviewCamera {

@@ -6,9 +6,9 @@ import lightning.base.math.Vec3;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.MaterialTable;
 import lightning.render.trace.SurfacePoint;
-import lightning.scene.Light;
 import lightning.scene.Scene;
-import lightning.scene.ShapeLinks;
+import lightning.scene.light.Light;
+import lightning.scene.value.ShapeLinks;
 
 /** Ray-cast picking of surfaces. Shared by all scenes that differ only in lights and materials. */
 public final class ScenePicker {

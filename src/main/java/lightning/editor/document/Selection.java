@@ -1,9 +1,9 @@
 package lightning.editor.document;
 
 import java.util.Optional;
-import lightning.scene.Light;
 import lightning.scene.Scene;
-import lightning.scene.SceneNode;
+import lightning.scene.light.Light;
+import lightning.scene.node.SceneNode;
 
 /** Selection of the artist. It follows renamed lights. A neighbor substitutes a deleted light until undo restores it. */
 public sealed interface Selection {

@@ -7,8 +7,8 @@ import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
 import lightning.base.text.DecimalNumber;
 import lightning.base.text.Messages;
-import lightning.scene.Light;
-import lightning.scene.Placement;
+import lightning.scene.light.Light;
+import lightning.scene.value.Placement;
 
 /**
  * Snapping of a dragged light: positions to a grid, directions to angle steps, distances to two digits.

@@ -18,9 +18,9 @@ import lightning.editor.loop.RenderState;
 import lightning.render.cache.PixelCache;
 import lightning.render.image.ViewTransform;
 import lightning.render.relight.tile.RenderOptions;
-import lightning.scene.Light;
 import lightning.scene.Scene;
 import lightning.scene.VisibleState;
+import lightning.scene.light.Light;
 import lightning.scene.shot.AnimatedScene;
 
 /**

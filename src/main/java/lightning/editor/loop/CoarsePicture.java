@@ -13,11 +13,11 @@ import lightning.render.relight.Renderer;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.render.shading.RenderedScenes;
 import lightning.render.trace.Geometry;
-import lightning.scene.Light;
 import lightning.scene.PictureSettings;
 import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
-import lightning.scene.SceneLimits;
+import lightning.scene.light.Light;
+import lightning.scene.value.SceneLimits;
 
 /**
  * Low-resolution preview image of a whole scene. Area lights have few samples.

@@ -31,7 +31,7 @@ import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.traced.IndirectMenu;
 import lightning.editor.window.traced.SamplingMenu;
-import lightning.scene.SceneLimits;
+import lightning.scene.value.SceneLimits;
 import org.kordamp.ikonli.javafx.FontIcon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignR;
 

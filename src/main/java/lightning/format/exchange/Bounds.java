@@ -2,7 +2,7 @@ package lightning.format.exchange;
 
 import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
-import lightning.scene.Mesh;
+import lightning.scene.node.Mesh;
 
 /** Bounding box of all added geometry. */
 final class Bounds {

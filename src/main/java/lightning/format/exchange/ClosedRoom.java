@@ -4,8 +4,8 @@ import java.util.List;
 import lightning.base.math.Ray;
 import lightning.base.math.Vec3;
 import lightning.render.trace.Geometry;
-import lightning.scene.Material;
 import lightning.scene.Scene;
+import lightning.scene.material.Material;
 
 /**
  * Tests whether a scene's camera is in a closed room, where most light is indirect: at least nine of ten rays from the camera in all

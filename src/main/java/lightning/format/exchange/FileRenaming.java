@@ -3,15 +3,15 @@ package lightning.format.exchange;
 import java.util.List;
 import java.util.Set;
 import java.util.function.UnaryOperator;
-import lightning.scene.LightAttribute;
-import lightning.scene.MaterialAttribute;
-import lightning.scene.NodeGroup;
 import lightning.scene.Scene;
-import lightning.scene.SceneAttribute;
-import lightning.scene.SceneNode;
-import lightning.scene.Shape;
-import lightning.scene.Solid;
 import lightning.scene.World;
+import lightning.scene.attribute.SceneAttribute;
+import lightning.scene.light.LightAttribute;
+import lightning.scene.material.MaterialAttribute;
+import lightning.scene.node.NodeGroup;
+import lightning.scene.node.SceneNode;
+import lightning.scene.node.Shape;
+import lightning.scene.node.Solid;
 
 /**
  * Scene that references its files by other names.

@@ -19,15 +19,15 @@ import lightning.format.gltf.GltfNode;
 import lightning.format.gltf.GltfPart;
 import lightning.format.gltf.GltfScene;
 import lightning.format.mesh.MeshException;
-import lightning.scene.Attenuation;
 import lightning.scene.Camera;
-import lightning.scene.Light;
-import lightning.scene.LightType;
-import lightning.scene.Material;
-import lightning.scene.NodeGroup;
-import lightning.scene.Placement;
-import lightning.scene.SceneLimits;
-import lightning.scene.SceneNode;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightType;
+import lightning.scene.material.Material;
+import lightning.scene.node.NodeGroup;
+import lightning.scene.node.SceneNode;
+import lightning.scene.value.Attenuation;
+import lightning.scene.value.Placement;
+import lightning.scene.value.SceneLimits;
 
 /**
  * Converter from glTF to a scene: nodes become groups and shapes; cameras and punctual lights become their closest

@@ -10,12 +10,12 @@ import lightning.format.gltf.GltfMaterial;
 import lightning.format.gltf.GltfScene;
 import lightning.format.jen.TextureDecoder;
 import lightning.format.mesh.MeshException;
-import lightning.scene.AlphaCutout;
-import lightning.scene.BumpMapping;
-import lightning.scene.Material;
-import lightning.scene.SceneLimits;
-import lightning.scene.ShadingModel;
-import lightning.scene.TextureMap;
+import lightning.scene.asset.TextureMap;
+import lightning.scene.material.AlphaCutout;
+import lightning.scene.material.BumpMapping;
+import lightning.scene.material.Material;
+import lightning.scene.material.ShadingModel;
+import lightning.scene.value.SceneLimits;
 
 /** Converter from glTF materials to metallic materials; notes unsupported properties. */
 final class GltfMaterialImport {

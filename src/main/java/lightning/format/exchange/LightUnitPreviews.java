@@ -13,10 +13,10 @@ import lightning.render.fulltrace.TraditionalTracer;
 import lightning.render.image.Film;
 import lightning.render.trace.Geometry;
 import lightning.scene.AntialiasMode;
-import lightning.scene.Material;
 import lightning.scene.PictureSettings;
 import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
+import lightning.scene.material.Material;
 
 /** Preview renderer for each possible unit of an imported file's lights. */
 public final class LightUnitPreviews {

@@ -2,7 +2,7 @@ package lightning.format.exchange;
 
 import java.util.Optional;
 import java.util.stream.Stream;
-import lightning.scene.LightType;
+import lightning.scene.light.LightType;
 
 /**
  * Unit of the light intensities in a glTF file. The format defines candela and lux, but exporters differ and offer a choice.

@@ -1,9 +1,9 @@
 package lightning.format.exchange;
 
 import java.util.List;
-import lightning.scene.Material;
-import lightning.scene.MaterialAttribute;
-import lightning.scene.ValueKind;
+import lightning.scene.attribute.ValueKind;
+import lightning.scene.material.Material;
+import lightning.scene.material.MaterialAttribute;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 import tools.jackson.databind.node.ObjectNode;

@@ -1,7 +1,7 @@
 package lightning.format.exchange;
 
 import lightning.format.mesh.ConversionNotes;
-import lightning.scene.Material;
+import lightning.scene.material.Material;
 
 /** Imported metals that reflect other shapes. */
 final class MirrorMetals {

@@ -15,14 +15,14 @@ import lightning.format.nff.NffFile;
 import lightning.format.nff.NffReader;
 import lightning.format.nff.NffSolid;
 import lightning.scene.Camera;
-import lightning.scene.Light;
-import lightning.scene.LightType;
-import lightning.scene.Material;
-import lightning.scene.Placement;
-import lightning.scene.SceneLimits;
-import lightning.scene.SceneNode;
-import lightning.scene.Shape;
-import lightning.scene.Solid;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightType;
+import lightning.scene.material.Material;
+import lightning.scene.node.SceneNode;
+import lightning.scene.node.Shape;
+import lightning.scene.node.Solid;
+import lightning.scene.value.Placement;
+import lightning.scene.value.SceneLimits;
 
 /**
  * Converter from NFF to a scene: spheres and cones become solids; polygons and patches remain in the source file and become

@@ -18,12 +18,12 @@ import lightning.format.mesh.obj.MtlReader;
 import lightning.format.mesh.obj.ObjFile;
 import lightning.format.mesh.obj.ObjReader;
 import lightning.format.mesh.ply.PlyReader;
-import lightning.scene.AlphaCutout;
-import lightning.scene.Material;
-import lightning.scene.Mesh;
-import lightning.scene.Placement;
-import lightning.scene.SceneLimits;
-import lightning.scene.TextureMap;
+import lightning.scene.asset.TextureMap;
+import lightning.scene.material.AlphaCutout;
+import lightning.scene.material.Material;
+import lightning.scene.node.Mesh;
+import lightning.scene.value.Placement;
+import lightning.scene.value.SceneLimits;
 
 /** Converter for mesh-only files: OBJ with its material files, and PLY. */
 final class ObjImport {

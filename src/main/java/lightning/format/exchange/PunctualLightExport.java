@@ -3,9 +3,9 @@ package lightning.format.exchange;
 import lightning.base.math.Rgb;
 import lightning.format.gltf.GltfLight;
 import lightning.format.mesh.ConversionNotes;
-import lightning.scene.Light;
-import lightning.scene.LightAttribute;
-import lightning.scene.LightType;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightAttribute;
+import lightning.scene.light.LightType;
 import tools.jackson.databind.JsonNode;
 
 /** Converter from a light to KHR_lights_punctual. */

@@ -24,23 +24,23 @@ import lightning.format.mesh.ConversionNotes;
 import lightning.format.mesh.MeshException;
 import lightning.format.mesh.UniqueNames;
 import lightning.scene.Camera;
-import lightning.scene.Light;
-import lightning.scene.LightGroup;
-import lightning.scene.LightRig;
-import lightning.scene.LightType;
-import lightning.scene.Material;
-import lightning.scene.Mesh;
 import lightning.scene.PictureSettings;
-import lightning.scene.Placement;
 import lightning.scene.Scene;
-import lightning.scene.SceneNode;
-import lightning.scene.Shape;
-import lightning.scene.Solid;
 import lightning.scene.Stage;
-import lightning.scene.Texture;
-import lightning.scene.TextureMap;
 import lightning.scene.World;
+import lightning.scene.asset.Texture;
+import lightning.scene.asset.TextureMap;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightGroup;
+import lightning.scene.light.LightRig;
+import lightning.scene.light.LightType;
+import lightning.scene.material.Material;
+import lightning.scene.node.Mesh;
+import lightning.scene.node.SceneNode;
+import lightning.scene.node.Shape;
+import lightning.scene.node.Solid;
 import lightning.scene.shot.Shot;
+import lightning.scene.value.Placement;
 
 /** Mutable builder of an imported scene: materials, shapes, lights, and the files to copy. */
 final class SceneAssembler {

@@ -9,15 +9,15 @@ import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.regex.Pattern;
 import lightning.format.mesh.ConversionNotes;
-import lightning.scene.LensShift;
-import lightning.scene.Light;
-import lightning.scene.LightAttribute;
-import lightning.scene.LightGroup;
-import lightning.scene.LightType;
-import lightning.scene.SceneLimits;
-import lightning.scene.ShapeGains;
-import lightning.scene.ShapeLinks;
 import lightning.scene.World;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightAttribute;
+import lightning.scene.light.LightGroup;
+import lightning.scene.light.LightType;
+import lightning.scene.value.LensShift;
+import lightning.scene.value.SceneLimits;
+import lightning.scene.value.ShapeGains;
+import lightning.scene.value.ShapeLinks;
 import tools.jackson.databind.JsonNode;
 
 /**

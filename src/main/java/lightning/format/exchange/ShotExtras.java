@@ -7,13 +7,13 @@ import java.util.Optional;
 import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
 import lightning.format.mesh.ConversionNotes;
-import lightning.scene.Placement;
 import lightning.scene.shot.Interpolation;
 import lightning.scene.shot.Keyframe;
 import lightning.scene.shot.KeyframeValue;
 import lightning.scene.shot.Shot;
 import lightning.scene.shot.Track;
 import lightning.scene.shot.TrackTarget;
+import lightning.scene.value.Placement;
 import tools.jackson.databind.JsonNode;
 
 /** Animation in the extras of a glTF file. Objects have keyed matrices relative to their parents, as glTF's nodes have. */

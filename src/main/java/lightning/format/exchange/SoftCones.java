@@ -12,9 +12,9 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import lightning.base.text.DecimalNumber;
 import lightning.format.jen.JenLimits;
-import lightning.scene.IesProfile;
-import lightning.scene.Light;
-import lightning.scene.Photometry;
+import lightning.scene.asset.IesProfile;
+import lightning.scene.light.Light;
+import lightning.scene.value.Photometry;
 
 /**
  * Soft edges of the cones of UsdLux, as light profiles: full light up to {@code (1 − softness) · angle} from the axis, then 1 − t²(3 − 2t)

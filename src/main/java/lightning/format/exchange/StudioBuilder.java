@@ -9,21 +9,21 @@ import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.format.mesh.UniqueNames;
 import lightning.render.trace.Geometry;
-import lightning.scene.Attenuation;
 import lightning.scene.Camera;
-import lightning.scene.Light;
-import lightning.scene.LightRig;
-import lightning.scene.LightType;
-import lightning.scene.Material;
-import lightning.scene.NodeGroup;
 import lightning.scene.PictureSettings;
-import lightning.scene.Placement;
 import lightning.scene.Scene;
-import lightning.scene.SceneNode;
-import lightning.scene.Shape;
-import lightning.scene.Solid;
 import lightning.scene.Stage;
 import lightning.scene.World;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightRig;
+import lightning.scene.light.LightType;
+import lightning.scene.material.Material;
+import lightning.scene.node.NodeGroup;
+import lightning.scene.node.SceneNode;
+import lightning.scene.node.Shape;
+import lightning.scene.node.Solid;
+import lightning.scene.value.Attenuation;
+import lightning.scene.value.Placement;
 
 /**
  * Builds lights and ground around an imported subject, in its size. Keeps the file's camera, or frames the subject; adds no ground to a scene

@@ -9,8 +9,8 @@ import java.awt.image.WritableRaster;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import javax.imageio.ImageIO;
-import lightning.scene.Texture;
-import lightning.scene.TextureUsage;
+import lightning.scene.asset.Texture;
+import lightning.scene.asset.TextureUsage;
 
 /**
  * Image of equal tiles, written as PNG. Each pixel of a tile is the mean of its pixels in the tile's image, in linear light, and the

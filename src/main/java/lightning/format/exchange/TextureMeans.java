@@ -3,7 +3,7 @@ package lightning.format.exchange;
 import java.util.Optional;
 import lightning.format.jen.TextureDecoder;
 import lightning.format.jen.UnusableFileException;
-import lightning.scene.Texture;
+import lightning.scene.asset.Texture;
 
 /**
  * Means of a glTF metallic-roughness texture, since materials here have one roughness and one metalness.

@@ -3,7 +3,7 @@ package lightning.format.exchange;
 import java.util.List;
 import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
-import lightning.scene.Placement;
+import lightning.scene.value.Placement;
 
 /** Decomposition of affine transforms into placements: scale, then rotate about x, y and z, then translate. */
 final class TransformDecomposition {

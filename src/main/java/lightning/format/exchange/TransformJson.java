@@ -3,7 +3,7 @@ package lightning.format.exchange;
 import java.util.List;
 import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
-import lightning.scene.SceneNode;
+import lightning.scene.node.SceneNode;
 import tools.jackson.databind.node.ArrayNode;
 
 /** JSON form of the transform of an object, from its coordinates to those of its parent: 16 numbers, column by column as in glTF. */

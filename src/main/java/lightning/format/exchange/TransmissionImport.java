@@ -1,11 +1,11 @@
 package lightning.format.exchange;
 
 import lightning.base.math.Rgb;
-import lightning.scene.Material;
-import lightning.scene.MaterialAttribute;
-import lightning.scene.SceneLimits;
-import lightning.scene.ShadowCasting;
-import lightning.scene.Transmission;
+import lightning.scene.material.Material;
+import lightning.scene.material.MaterialAttribute;
+import lightning.scene.material.ShadowCasting;
+import lightning.scene.material.Transmission;
+import lightning.scene.value.SceneLimits;
 
 /** Converter of other programs' transparency to transmissive materials. */
 final class TransmissionImport {

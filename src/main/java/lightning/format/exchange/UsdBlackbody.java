@@ -1,7 +1,7 @@
 package lightning.format.exchange;
 
 import lightning.base.math.Rgb;
-import lightning.scene.ColorTemperature;
+import lightning.scene.value.ColorTemperature;
 
 /**
  * Colors of temperatures in UsdLux, as {@code UsdLuxBlackbodyTemperatureAsRgb} of OpenUSD defines them: a Catmull-Rom spline through 19

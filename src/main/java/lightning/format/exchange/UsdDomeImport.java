@@ -17,12 +17,12 @@ import lightning.format.mesh.MeshException;
 import lightning.format.usd.UsdStage;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
-import lightning.scene.ColorTemperature;
-import lightning.scene.Environment;
-import lightning.scene.EnvironmentMap;
-import lightning.scene.SceneLimits;
-import lightning.scene.Texture;
 import lightning.scene.World;
+import lightning.scene.asset.Environment;
+import lightning.scene.asset.EnvironmentMap;
+import lightning.scene.asset.Texture;
+import lightning.scene.value.ColorTemperature;
+import lightning.scene.value.SceneLimits;
 
 /** Converter from a dome light to the environment: an image in Radiance's format, which is written where the dome has another or none. */
 final class UsdDomeImport {

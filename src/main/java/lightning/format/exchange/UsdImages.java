@@ -12,9 +12,9 @@ import lightning.format.exr.ExrReader;
 import lightning.format.jen.JenLimits;
 import lightning.format.jen.TextureDecoder;
 import lightning.format.jen.UnusableFileException;
-import lightning.scene.SceneLimits;
-import lightning.scene.Texture;
-import lightning.scene.TextureUsage;
+import lightning.scene.asset.Texture;
+import lightning.scene.asset.TextureUsage;
+import lightning.scene.value.SceneLimits;
 
 /** Reader of the images that stages name: PNG, JPEG and OpenEXR. */
 final class UsdImages {

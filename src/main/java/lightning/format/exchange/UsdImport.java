@@ -13,14 +13,14 @@ import lightning.format.mesh.ConversionNotes;
 import lightning.format.mesh.MeshException;
 import lightning.format.usd.UsdStage;
 import lightning.scene.Camera;
-import lightning.scene.LensShift;
-import lightning.scene.Light;
-import lightning.scene.LightAttribute;
-import lightning.scene.SceneLimits;
-import lightning.scene.ShapeLinks;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightAttribute;
 import lightning.scene.shot.Shot;
 import lightning.scene.shot.Track;
 import lightning.scene.shot.TrackTarget;
+import lightning.scene.value.LensShift;
+import lightning.scene.value.SceneLimits;
+import lightning.scene.value.ShapeLinks;
 
 /** Converter from a USD stage to a scene, with its animation. */
 final class UsdImport {

@@ -14,17 +14,17 @@ import lightning.base.math.Vec3;
 import lightning.format.jen.FileKind;
 import lightning.format.mesh.ConversionNotes;
 import lightning.format.usd.UsdLayer;
-import lightning.scene.Falloff;
-import lightning.scene.Light;
-import lightning.scene.LightAttribute;
-import lightning.scene.LightGroup;
-import lightning.scene.LightType;
 import lightning.scene.Scene;
-import lightning.scene.ShapeLinks;
 import lightning.scene.World;
+import lightning.scene.light.Falloff;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightAttribute;
+import lightning.scene.light.LightGroup;
+import lightning.scene.light.LightType;
 import lightning.scene.shot.AnimatedScene;
 import lightning.scene.shot.Shot;
 import lightning.scene.shot.TrackTarget;
+import lightning.scene.value.ShapeLinks;
 
 /** Writer of a scene's lights as a layer over the stage that the scene was imported from. */
 final class UsdLightExport {

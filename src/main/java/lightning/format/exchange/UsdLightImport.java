@@ -16,19 +16,19 @@ import lightning.format.jen.UnusableFileException;
 import lightning.format.mesh.ConversionNotes;
 import lightning.format.mesh.MeshException;
 import lightning.format.usd.UsdStage;
-import lightning.scene.AreaShape;
-import lightning.scene.ColorTemperature;
-import lightning.scene.Contribution;
-import lightning.scene.Emission;
-import lightning.scene.Falloff;
-import lightning.scene.IesProfile;
-import lightning.scene.IntensityUnit;
-import lightning.scene.Light;
-import lightning.scene.LightTexture;
-import lightning.scene.LightType;
-import lightning.scene.Photometry;
-import lightning.scene.SceneLimits;
-import lightning.scene.Texture;
+import lightning.scene.asset.IesProfile;
+import lightning.scene.asset.LightTexture;
+import lightning.scene.asset.Texture;
+import lightning.scene.light.AreaShape;
+import lightning.scene.light.Contribution;
+import lightning.scene.light.Emission;
+import lightning.scene.light.Falloff;
+import lightning.scene.light.IntensityUnit;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightType;
+import lightning.scene.value.ColorTemperature;
+import lightning.scene.value.Photometry;
+import lightning.scene.value.SceneLimits;
 
 /**
  * Converter from UsdLux, whose intensity is the luminance of a light's surface in nits, or that times its area if normalized.

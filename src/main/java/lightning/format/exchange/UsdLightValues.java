@@ -8,10 +8,10 @@ import lightning.base.math.Rgb;
 import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
 import lightning.format.usd.UsdLayer;
-import lightning.scene.ColorTemperature;
-import lightning.scene.IntensityUnit;
-import lightning.scene.Light;
-import lightning.scene.LightType;
+import lightning.scene.light.IntensityUnit;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightType;
+import lightning.scene.value.ColorTemperature;
 
 /**
  * Attributes of UsdLux by their declarations, of one light: the inverse of {@link UsdLightImport}.

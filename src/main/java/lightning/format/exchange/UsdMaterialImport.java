@@ -7,13 +7,13 @@ import java.util.Optional;
 import lightning.base.math.Rgb;
 import lightning.format.gltf.JsonValue;
 import lightning.format.mesh.MeshException;
-import lightning.scene.AlphaCutout;
-import lightning.scene.BumpMapping;
-import lightning.scene.Material;
-import lightning.scene.SceneLimits;
-import lightning.scene.ShadingModel;
-import lightning.scene.TextureMap;
-import lightning.scene.TextureUsage;
+import lightning.scene.asset.TextureMap;
+import lightning.scene.asset.TextureUsage;
+import lightning.scene.material.AlphaCutout;
+import lightning.scene.material.BumpMapping;
+import lightning.scene.material.Material;
+import lightning.scene.material.ShadingModel;
+import lightning.scene.value.SceneLimits;
 
 /** Converter from UsdPreviewSurface to metallic materials. */
 final class UsdMaterialImport {

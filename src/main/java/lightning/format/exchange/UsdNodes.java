@@ -12,13 +12,13 @@ import lightning.base.work.Progress;
 import lightning.format.gltf.JsonValue;
 import lightning.format.mesh.MeshException;
 import lightning.format.usd.UsdStage;
-import lightning.scene.NodeGroup;
-import lightning.scene.Placement;
-import lightning.scene.SceneAttribute;
-import lightning.scene.SceneLimits;
-import lightning.scene.SceneNode;
+import lightning.scene.attribute.SceneAttribute;
+import lightning.scene.node.NodeGroup;
+import lightning.scene.node.SceneNode;
 import lightning.scene.shot.Track;
 import lightning.scene.shot.TrackTarget;
+import lightning.scene.value.Placement;
+import lightning.scene.value.SceneLimits;
 
 /** Converter of a stage's prims to groups and shapes; instances share their meshes. */
 final class UsdNodes {

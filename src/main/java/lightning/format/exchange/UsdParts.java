@@ -17,11 +17,11 @@ import lightning.format.usd.MeshFileWriter;
 import lightning.format.usd.UsdMesh;
 import lightning.format.usd.UsdStage;
 import lightning.format.usd.UsdSubdivision;
-import lightning.scene.Material;
-import lightning.scene.Mesh;
-import lightning.scene.Placement;
-import lightning.scene.SceneNode;
-import lightning.scene.Shape;
+import lightning.scene.material.Material;
+import lightning.scene.node.Mesh;
+import lightning.scene.node.SceneNode;
+import lightning.scene.node.Shape;
+import lightning.scene.value.Placement;
 
 /** Shapes of single prims: parts of one file with all meshes, and solids. */
 final class UsdParts {

@@ -5,7 +5,7 @@ import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
 import lightning.format.gltf.JsonValue;
 import lightning.format.mesh.MeshException;
-import lightning.scene.Solid;
+import lightning.scene.node.Solid;
 
 /** Solids of a stage: spheres, cylinders, cones, capsules and planes. */
 final class UsdSolids {

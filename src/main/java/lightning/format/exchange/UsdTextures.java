@@ -11,10 +11,10 @@ import lightning.format.gltf.JsonValue;
 import lightning.format.jen.JenLimits;
 import lightning.format.jen.UnusableFileException;
 import lightning.format.mesh.MeshException;
-import lightning.scene.SceneLimits;
-import lightning.scene.Texture;
-import lightning.scene.TextureMap;
-import lightning.scene.TextureUsage;
+import lightning.scene.asset.Texture;
+import lightning.scene.asset.TextureMap;
+import lightning.scene.asset.TextureUsage;
+import lightning.scene.value.SceneLimits;
 
 /**
  * Image files of a stage. PNG and JPEG files are copied; OpenEXR files, images that are too large and tiles of one texture (UDIM) are

@@ -15,7 +15,7 @@ import lightning.format.mesh.Tangents;
 import lightning.format.mesh.UniqueNames;
 import lightning.format.mesh.VertexColors;
 import lightning.format.mesh.VertexNormals;
-import lightning.scene.Mesh;
+import lightning.scene.node.Mesh;
 
 /**
  * Reader for the meshes of a glTF file, one part for each primitive: triangles, strips and fans. A part contains only the

@@ -1,6 +1,6 @@
 package lightning.format.gltf;
 
-import lightning.scene.Mesh;
+import lightning.scene.node.Mesh;
 
 /**
  * One primitive of a glTF mesh.

@@ -9,8 +9,8 @@ import java.util.regex.Pattern;
 import lightning.base.file.RegularFile;
 import lightning.base.text.Quote;
 import lightning.format.mesh.MeshException;
-import lightning.scene.EnvironmentMap;
-import lightning.scene.SceneLimits;
+import lightning.scene.asset.EnvironmentMap;
+import lightning.scene.value.SceneLimits;
 
 /**
  * Reader for Radiance {@code .hdr} images: RGB with a shared 8-bit exponent (Ward, Real Pixels, Graphics Gems II, 1991),

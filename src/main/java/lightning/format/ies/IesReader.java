@@ -6,7 +6,7 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import lightning.base.file.RegularFile;
 import lightning.format.mesh.MeshException;
-import lightning.scene.Photometry;
+import lightning.scene.value.Photometry;
 
 /**
  * Reader for IES photometric files: ANSI/IES LM-63 of 1986, 1991, 1995, 2002 and 2019. Labels, keywords and an included tilt

@@ -1,10 +1,10 @@
 package lightning.format.jen;
 
-import lightning.scene.EnvironmentMap;
-import lightning.scene.Mesh;
-import lightning.scene.Photometry;
-import lightning.scene.Texture;
-import lightning.scene.TextureUsage;
+import lightning.scene.asset.EnvironmentMap;
+import lightning.scene.asset.Texture;
+import lightning.scene.asset.TextureUsage;
+import lightning.scene.node.Mesh;
+import lightning.scene.value.Photometry;
 
 /** Source of the assets that a scene references. */
 interface AssetSource {

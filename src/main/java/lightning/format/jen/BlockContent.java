@@ -2,12 +2,12 @@ package lightning.format.jen;
 
 import java.util.List;
 import java.util.Map;
-import lightning.scene.Light;
-import lightning.scene.LightGroup;
-import lightning.scene.Material;
-import lightning.scene.NodeGroup;
-import lightning.scene.SceneNode;
-import lightning.scene.Shape;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightGroup;
+import lightning.scene.material.Material;
+import lightning.scene.node.NodeGroup;
+import lightning.scene.node.SceneNode;
+import lightning.scene.node.Shape;
 
 /**
  * Content of a block as it must be written for a scene record.

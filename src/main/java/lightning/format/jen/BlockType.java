@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
-import lightning.scene.SceneNode;
+import lightning.scene.node.SceneNode;
 
 /**
  * Type of a block.

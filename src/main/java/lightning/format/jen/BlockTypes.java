@@ -9,24 +9,24 @@ import java.util.stream.Stream;
 import lightning.scene.AntialiasMode;
 import lightning.scene.Camera;
 import lightning.scene.IndirectSettings;
-import lightning.scene.Light;
-import lightning.scene.LightAttribute;
-import lightning.scene.LightGroup;
-import lightning.scene.LightType;
-import lightning.scene.Material;
-import lightning.scene.MaterialAttribute;
-import lightning.scene.NodeGroup;
 import lightning.scene.PictureSettings;
-import lightning.scene.Placement;
 import lightning.scene.SamplingSettings;
-import lightning.scene.SceneLimits;
-import lightning.scene.SceneNode;
-import lightning.scene.Shape;
-import lightning.scene.Solid;
 import lightning.scene.ViewCurve;
 import lightning.scene.ViewSettings;
 import lightning.scene.World;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightAttribute;
+import lightning.scene.light.LightGroup;
+import lightning.scene.light.LightType;
+import lightning.scene.material.Material;
+import lightning.scene.material.MaterialAttribute;
+import lightning.scene.node.NodeGroup;
+import lightning.scene.node.SceneNode;
+import lightning.scene.node.Shape;
+import lightning.scene.node.Solid;
 import lightning.scene.shot.Shot;
+import lightning.scene.value.Placement;
+import lightning.scene.value.SceneLimits;
 
 /** Table of all block types and their properties, which defines the grammar of scene files. */
 final class BlockTypes {

@@ -10,7 +10,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import lightning.scene.Scene;
-import lightning.scene.SceneAttribute;
+import lightning.scene.attribute.SceneAttribute;
 import lightning.scene.shot.Shot;
 import lightning.scene.shot.TrackRetargeting;
 import lightning.scene.shot.TrackTarget;

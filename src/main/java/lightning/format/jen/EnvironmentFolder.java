@@ -5,7 +5,7 @@ import java.nio.file.Path;
 import java.util.Set;
 import lightning.format.hdr.HdrReader;
 import lightning.format.mesh.MeshException;
-import lightning.scene.EnvironmentMap;
+import lightning.scene.asset.EnvironmentMap;
 
 /** Loader for the environment map of a scene, with the same search path as textures ({@link AssetSearchPath}). Keeps the last one. */
 final class EnvironmentFolder {

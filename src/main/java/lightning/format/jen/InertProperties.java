@@ -2,9 +2,9 @@ package lightning.format.jen;
 
 import java.util.List;
 import java.util.stream.Stream;
-import lightning.scene.Light;
-import lightning.scene.LightAttribute;
 import lightning.scene.Scene;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightAttribute;
 
 /** Remarks about properties that are set and have no effect, such as the position of a directional light. */
 public final class InertProperties {

@@ -2,7 +2,7 @@ package lightning.format.jen;
 
 /**
  * Limits of a scene file and its assets, so that no file exhausts the machine. Limits of the scene itself (counts, nesting,
- * ranges) are in {@link lightning.scene.SceneLimits}.
+ * ranges) are in {@link lightning.scene.value.SceneLimits}.
  */
 public final class JenLimits {
     /** Maximum size of a scene file in bytes: 256 MiB, enough for a million shapes of 268 bytes each. */

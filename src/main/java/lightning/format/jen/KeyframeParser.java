@@ -7,11 +7,11 @@ import java.util.Optional;
 import java.util.stream.Stream;
 import lightning.base.text.Quote;
 import lightning.format.jen.TokenList.Kind;
-import lightning.scene.SceneLimits;
 import lightning.scene.shot.Interpolation;
 import lightning.scene.shot.Keyframe;
 import lightning.scene.shot.KeyframeValue;
 import lightning.scene.shot.Shot;
+import lightning.scene.value.SceneLimits;
 
 /** Parser for the keyframes of one animated block. Each method returns the next token to parse. */
 final class KeyframeParser {

@@ -9,10 +9,10 @@ import lightning.format.exr.ExrColorReader;
 import lightning.format.exr.ExrReader;
 import lightning.format.hdr.HdrReader;
 import lightning.format.mesh.MeshException;
-import lightning.scene.EnvironmentMap;
-import lightning.scene.SceneLimits;
-import lightning.scene.Texture;
-import lightning.scene.TextureUsage;
+import lightning.scene.asset.EnvironmentMap;
+import lightning.scene.asset.Texture;
+import lightning.scene.asset.TextureUsage;
+import lightning.scene.value.SceneLimits;
 
 /** Reader for images on the faces of lights: PNG and JPEG files, and files of linear values above 1. */
 public final class LightTextureReader {

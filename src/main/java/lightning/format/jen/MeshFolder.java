@@ -11,10 +11,10 @@ import lightning.base.work.Progress;
 import lightning.format.MeshFormat;
 import lightning.format.mesh.MeshException;
 import lightning.format.mesh.NamedMesh;
-import lightning.scene.Mesh;
-import lightning.scene.Shape;
-import lightning.scene.Solid;
 import lightning.scene.Stage;
+import lightning.scene.node.Mesh;
+import lightning.scene.node.Shape;
+import lightning.scene.node.Solid;
 
 /**
  * Loader for the meshes of a scene: next to its file or in {@code meshes/} ({@link AssetSearchPath}). Each file is read

@@ -4,7 +4,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.function.Function;
 import lightning.format.mesh.VertexNormals;
-import lightning.scene.Mesh;
+import lightning.scene.node.Mesh;
 
 /** Merges several meshes into one. */
 final class MeshMerger {

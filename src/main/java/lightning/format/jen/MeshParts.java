@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Map;
 import lightning.base.text.Quote;
 import lightning.format.mesh.NamedMesh;
-import lightning.scene.Mesh;
+import lightning.scene.node.Mesh;
 
 /** Meshes of one file, with constant-time lookup by name. */
 final class MeshParts {

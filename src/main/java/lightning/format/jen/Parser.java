@@ -3,7 +3,7 @@ package lightning.format.jen;
 import java.util.ArrayList;
 import java.util.List;
 import lightning.format.jen.TokenList.Kind;
-import lightning.scene.SceneLimits;
+import lightning.scene.value.SceneLimits;
 
 /**
  * Recursive-descent parser for the blocks of a scene file. After a problem it resumes at the next plausible token, so that

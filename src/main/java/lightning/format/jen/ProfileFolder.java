@@ -8,7 +8,7 @@ import java.util.Set;
 import lightning.base.text.Quote;
 import lightning.format.ies.IesReader;
 import lightning.format.mesh.MeshException;
-import lightning.scene.Photometry;
+import lightning.scene.value.Photometry;
 
 /**
  * Loader for the light profiles of a scene, with the same search path as textures ({@link AssetSearchPath}). Each file is

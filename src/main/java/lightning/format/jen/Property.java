@@ -7,15 +7,15 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.Predicate;
 import lightning.base.text.Quote;
-import lightning.scene.ChoiceKind;
-import lightning.scene.FileAsset;
-import lightning.scene.NumericKind;
-import lightning.scene.SceneAttribute;
-import lightning.scene.SceneLimits;
-import lightning.scene.ShapeGains;
-import lightning.scene.ShapeLinks;
-import lightning.scene.TextureMap;
-import lightning.scene.ValueKind;
+import lightning.scene.asset.FileAsset;
+import lightning.scene.asset.TextureMap;
+import lightning.scene.attribute.ChoiceKind;
+import lightning.scene.attribute.NumericKind;
+import lightning.scene.attribute.SceneAttribute;
+import lightning.scene.attribute.ValueKind;
+import lightning.scene.value.SceneLimits;
+import lightning.scene.value.ShapeGains;
+import lightning.scene.value.ShapeLinks;
 
 /**
  * Property of a block type: its syntax, allowed values, default, and accessor in the scene.

@@ -10,22 +10,22 @@ import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import lightning.base.text.Quote;
-import lightning.scene.FileAsset;
 import lightning.scene.IndirectSettings;
-import lightning.scene.Light;
-import lightning.scene.LightAttribute;
-import lightning.scene.LightGroup;
-import lightning.scene.LightRig;
-import lightning.scene.Material;
-import lightning.scene.MaterialAttribute;
-import lightning.scene.NodeGroup;
 import lightning.scene.Scene;
-import lightning.scene.SceneLimits;
-import lightning.scene.SceneNode;
-import lightning.scene.Shape;
-import lightning.scene.ShapeLinks;
-import lightning.scene.TextureMap;
 import lightning.scene.World;
+import lightning.scene.asset.FileAsset;
+import lightning.scene.asset.TextureMap;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightAttribute;
+import lightning.scene.light.LightGroup;
+import lightning.scene.light.LightRig;
+import lightning.scene.material.Material;
+import lightning.scene.material.MaterialAttribute;
+import lightning.scene.node.NodeGroup;
+import lightning.scene.node.SceneNode;
+import lightning.scene.node.Shape;
+import lightning.scene.value.SceneLimits;
+import lightning.scene.value.ShapeLinks;
 
 /**
  * Scene edits in the syntax of the scene file: {@code key.intensity=0.4}, {@code picture.size=640 480}.

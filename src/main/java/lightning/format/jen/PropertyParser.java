@@ -8,9 +8,9 @@ import java.util.Map;
 import java.util.Set;
 import lightning.base.text.Quote;
 import lightning.format.jen.TokenList.Kind;
-import lightning.scene.SceneLimits;
-import lightning.scene.ShapeGains;
-import lightning.scene.ShapeLinks;
+import lightning.scene.value.SceneLimits;
+import lightning.scene.value.ShapeGains;
+import lightning.scene.value.ShapeLinks;
 
 /** Parser for one property with its value. Each method returns the next token to parse. */
 final class PropertyParser {

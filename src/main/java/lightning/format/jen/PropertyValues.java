@@ -4,18 +4,18 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
 import lightning.base.math.Vec3;
-import lightning.scene.ChoiceKind;
-import lightning.scene.Environment;
-import lightning.scene.Gobo;
-import lightning.scene.IesProfile;
-import lightning.scene.LightTexture;
-import lightning.scene.NumericKind;
-import lightning.scene.SceneAttribute;
-import lightning.scene.ShapeGains;
-import lightning.scene.Solid;
-import lightning.scene.TextureMap;
-import lightning.scene.TextureUsage;
-import lightning.scene.ValueKind;
+import lightning.scene.asset.Environment;
+import lightning.scene.asset.Gobo;
+import lightning.scene.asset.IesProfile;
+import lightning.scene.asset.LightTexture;
+import lightning.scene.asset.TextureMap;
+import lightning.scene.asset.TextureUsage;
+import lightning.scene.attribute.ChoiceKind;
+import lightning.scene.attribute.NumericKind;
+import lightning.scene.attribute.SceneAttribute;
+import lightning.scene.attribute.ValueKind;
+import lightning.scene.node.Solid;
+import lightning.scene.value.ShapeGains;
 
 /**
  * All values of one block, written or default, converted to scene types.

@@ -11,15 +11,15 @@ import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.stream.Stream;
 import lightning.base.text.Quote;
-import lightning.scene.LightAttribute;
-import lightning.scene.MaterialAttribute;
-import lightning.scene.NodeGroup;
 import lightning.scene.Scene;
-import lightning.scene.SceneAttribute;
-import lightning.scene.SceneNode;
-import lightning.scene.Shape;
-import lightning.scene.Solid;
 import lightning.scene.World;
+import lightning.scene.attribute.SceneAttribute;
+import lightning.scene.light.LightAttribute;
+import lightning.scene.material.MaterialAttribute;
+import lightning.scene.node.NodeGroup;
+import lightning.scene.node.SceneNode;
+import lightning.scene.node.Shape;
+import lightning.scene.node.Solid;
 
 /** Files that a scene references, for copying them elsewhere. */
 public final class ReferencedFiles {

@@ -19,8 +19,8 @@ import javax.imageio.stream.MemoryCacheImageInputStream;
 import lightning.base.file.RegularFile;
 import lightning.base.math.SrgbCurve;
 import lightning.base.text.Quote;
-import lightning.scene.Texture;
-import lightning.scene.TextureUsage;
+import lightning.scene.asset.Texture;
+import lightning.scene.asset.TextureUsage;
 
 /**
  * Decoder for PNG and JPEG files to linear light.

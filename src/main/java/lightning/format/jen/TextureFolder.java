@@ -7,8 +7,8 @@ import java.util.Map;
 import java.util.Set;
 import java.util.stream.Collectors;
 import lightning.base.text.Quote;
-import lightning.scene.Texture;
-import lightning.scene.TextureUsage;
+import lightning.scene.asset.Texture;
+import lightning.scene.asset.TextureUsage;
 
 /**
  * Loader for the textures of a scene: next to its file or in {@code textures/} ({@link AssetSearchPath}). Each file is

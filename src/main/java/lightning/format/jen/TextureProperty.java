@@ -3,13 +3,13 @@ package lightning.format.jen;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
-import lightning.scene.ChoiceKind;
-import lightning.scene.LightAttribute;
-import lightning.scene.MaterialAttribute;
-import lightning.scene.NumericKind;
-import lightning.scene.SceneAttribute;
-import lightning.scene.TextureUsage;
-import lightning.scene.ValueKind;
+import lightning.scene.asset.TextureUsage;
+import lightning.scene.attribute.ChoiceKind;
+import lightning.scene.attribute.NumericKind;
+import lightning.scene.attribute.SceneAttribute;
+import lightning.scene.attribute.ValueKind;
+import lightning.scene.light.LightAttribute;
+import lightning.scene.material.MaterialAttribute;
 
 /**
  * Property that references an image file.

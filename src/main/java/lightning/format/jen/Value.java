@@ -5,8 +5,8 @@ import java.util.List;
 import java.util.stream.Collectors;
 import lightning.base.math.Vec3;
 import lightning.base.text.DecimalNumber;
-import lightning.scene.ShapeGains;
-import lightning.scene.ShapeLinks;
+import lightning.scene.value.ShapeGains;
+import lightning.scene.value.ShapeLinks;
 
 /** Value of a property in the file. Values are equal if they are bit-identical. */
 sealed interface Value {

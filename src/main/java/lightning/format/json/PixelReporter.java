@@ -7,16 +7,16 @@ import lightning.base.math.Vec3;
 import lightning.render.gather.GatherStructure;
 import lightning.render.relight.SceneView;
 import lightning.render.shading.IndirectLight;
-import lightning.render.shading.LightReport;
-import lightning.render.shading.PixelExplainer;
-import lightning.render.shading.PointContributions;
-import lightning.render.shading.PointReport;
+import lightning.render.shading.explanation.LightReport;
+import lightning.render.shading.explanation.PixelExplainer;
+import lightning.render.shading.explanation.PointContributions;
+import lightning.render.shading.explanation.PointReport;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.NormalSteps;
 import lightning.render.trace.SurfacePoint;
-import lightning.scene.Material;
 import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
+import lightning.scene.material.Material;
 
 /** Converts explanations of pixels to their record. */
 public final class PixelReporter {

@@ -2,10 +2,10 @@ package lightning.format.layer;
 
 import java.util.ArrayList;
 import java.util.List;
-import lightning.render.shading.LightComponent;
 import lightning.render.shading.WeightedLight;
-import lightning.scene.Light;
+import lightning.render.shading.composition.LightComponent;
 import lightning.scene.Scene;
+import lightning.scene.light.Light;
 
 /** Color layer of an image; all layers add up to the image. */
 sealed interface Layer {

@@ -5,7 +5,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Set;
-import lightning.render.shading.LightComponent;
+import lightning.render.shading.composition.LightComponent;
 
 /**
  * Layer names in a file: ASCII letters, digits and underscores. They contain no dot, because Blender lists only the layers before

@@ -11,11 +11,11 @@ import lightning.format.exr.ExrAttribute;
 import lightning.format.exr.ExrHeader;
 import lightning.format.exr.ExrMetadata;
 import lightning.scene.Camera;
-import lightning.scene.IntensityUnit;
-import lightning.scene.LensShift;
 import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
 import lightning.scene.World;
+import lightning.scene.light.IntensityUnit;
+import lightning.scene.value.LensShift;
 
 /**
  * Header of a scene's image by the standard attributes of OpenEXR. Attributes without a known value are absent.

@@ -13,7 +13,7 @@ import lightning.render.engine.Engine;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.PixelRays;
 import lightning.render.trace.SurfacePoint;
-import lightning.scene.Shape;
+import lightning.scene.node.Shape;
 import tools.jackson.databind.json.JsonMapper;
 
 /**

@@ -2,10 +2,10 @@ package lightning.format.matte;
 
 import java.util.ArrayList;
 import java.util.List;
-import lightning.scene.NodeGroup;
-import lightning.scene.SceneNode;
-import lightning.scene.Shape;
 import lightning.scene.Stage;
+import lightning.scene.node.NodeGroup;
+import lightning.scene.node.SceneNode;
+import lightning.scene.node.Shape;
 
 /** Property by which mattes separate surfaces. */
 public enum MatteKind {

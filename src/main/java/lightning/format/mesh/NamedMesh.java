@@ -1,6 +1,6 @@
 package lightning.format.mesh;
 
-import lightning.scene.Mesh;
+import lightning.scene.node.Mesh;
 
 /**
  * Mesh with its name in a file.

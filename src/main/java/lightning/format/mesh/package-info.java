@@ -8,4 +8,4 @@
  */
 package lightning.format.mesh;
 
-import lightning.scene.Mesh;
+import lightning.scene.node.Mesh;

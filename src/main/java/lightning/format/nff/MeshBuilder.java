@@ -5,7 +5,7 @@ import lightning.format.mesh.IntList;
 import lightning.format.mesh.PolygonTriangulator;
 import lightning.format.mesh.VertexKeyTable;
 import lightning.format.mesh.VertexNormals;
-import lightning.scene.Mesh;
+import lightning.scene.node.Mesh;
 
 /** Mutable builder of a mesh: polygons, or patches, of one fill. Corners with equal position and normal share a vertex. */
 final class MeshBuilder {

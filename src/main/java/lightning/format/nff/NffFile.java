@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
-import lightning.scene.Mesh;
+import lightning.scene.node.Mesh;
 
 /**
  * Content of an NFF file. Shapes reference their fill by its index in {@code fills}; −1 if none precedes them.

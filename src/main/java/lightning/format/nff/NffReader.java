@@ -17,7 +17,7 @@ import lightning.format.mesh.MeshLimits;
 import lightning.format.mesh.PolygonTriangulator;
 import lightning.format.mesh.TextTokenizer;
 import lightning.format.mesh.UniqueNames;
-import lightning.scene.Mesh;
+import lightning.scene.node.Mesh;
 
 /** Reader for NFF files: {@code v b l f c s p pp} and comments. Skips and notes entities of other dialects, line by line. */
 public final class NffReader {

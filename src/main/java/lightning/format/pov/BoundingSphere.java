@@ -4,7 +4,7 @@ import java.util.List;
 import lightning.base.math.Vec3;
 import lightning.scene.PlacedShape;
 import lightning.scene.Scene;
-import lightning.scene.Solid;
+import lightning.scene.node.Solid;
 
 /**
  * Bounding sphere of all shapes of a scene.

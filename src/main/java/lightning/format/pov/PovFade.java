@@ -1,6 +1,6 @@
 package lightning.format.pov;
 
-import lightning.scene.Attenuation;
+import lightning.scene.value.Attenuation;
 
 /**
  * Light attenuation in POV-Ray's form, a factor of 2 / (1 + (d / distance)^power) on a light's color.

@@ -5,11 +5,11 @@ import java.util.List;
 import lightning.base.math.Rgb;
 import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
-import lightning.scene.FaceVisibility;
-import lightning.scene.Light;
-import lightning.scene.LightAttribute;
-import lightning.scene.LightType;
 import lightning.scene.Scene;
+import lightning.scene.light.FaceVisibility;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightAttribute;
+import lightning.scene.light.LightType;
 
 /** Writer for lights; omits lights that are off. */
 final class PovLightWriter {

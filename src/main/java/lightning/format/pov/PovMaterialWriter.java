@@ -5,15 +5,15 @@ import java.util.List;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import lightning.base.math.Rgb;
-import lightning.scene.Bulb;
-import lightning.scene.BumpMapping;
-import lightning.scene.Material;
-import lightning.scene.MaterialAttribute;
-import lightning.scene.ShadingModel;
-import lightning.scene.ShadowCasting;
-import lightning.scene.Solid;
-import lightning.scene.TextureMap;
-import lightning.scene.Transmission;
+import lightning.scene.asset.TextureMap;
+import lightning.scene.material.Bulb;
+import lightning.scene.material.BumpMapping;
+import lightning.scene.material.Material;
+import lightning.scene.material.MaterialAttribute;
+import lightning.scene.material.ShadingModel;
+import lightning.scene.material.ShadowCasting;
+import lightning.scene.material.Transmission;
+import lightning.scene.node.Solid;
 
 /**
  * Writer for materials. POV-Ray computes a point's color as pigment·(ambient·ambient_light + emission + Σ diffuse) +

@@ -4,10 +4,10 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
-import lightning.scene.Mesh;
 import lightning.scene.PlacedShape;
 import lightning.scene.Scene;
-import lightning.scene.Solid;
+import lightning.scene.node.Mesh;
+import lightning.scene.node.Solid;
 
 /** Writer for meshes as POV-Ray's {@code mesh2}; each mesh is declared once for all its shapes. */
 final class PovMeshWriter {

@@ -15,12 +15,12 @@ import lightning.render.image.DisplayCurve;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
 import lightning.scene.Camera;
-import lightning.scene.EnvironmentMap;
 import lightning.scene.PlacedShape;
 import lightning.scene.Scene;
-import lightning.scene.Solid;
-import lightning.scene.Texture;
-import lightning.scene.TextureMap;
+import lightning.scene.asset.EnvironmentMap;
+import lightning.scene.asset.Texture;
+import lightning.scene.asset.TextureMap;
+import lightning.scene.node.Solid;
 
 /** Scene in POV-Ray's language. */
 public final class PovScene {

@@ -13,7 +13,7 @@ import lightning.format.mesh.PolygonTriangulator;
 import lightning.format.mesh.VertexColors;
 import lightning.format.mesh.VertexKeyTable;
 import lightning.format.mesh.VertexNormals;
-import lightning.scene.Mesh;
+import lightning.scene.node.Mesh;
 
 /** Polygons of a stage's mesh, as triangles in one mesh for each of its materials. */
 public final class UsdMesh {

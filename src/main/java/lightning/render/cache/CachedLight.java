@@ -3,9 +3,9 @@ package lightning.render.cache;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Function;
-import lightning.render.shading.LightLayer;
-import lightning.scene.Light;
+import lightning.render.shading.layer.LightLayer;
 import lightning.scene.Scene;
+import lightning.scene.light.Light;
 
 /**
  * Light of a cached scene with the stamp of its layers. Updates find the layers of a light through it.

@@ -3,8 +3,8 @@ package lightning.render.cache;
 import java.io.IOException;
 import lightning.render.column.ColumnReader;
 import lightning.render.column.ColumnWriter;
-import lightning.render.shading.LightLayer;
-import lightning.render.shading.LightRows;
+import lightning.render.shading.layer.LightLayer;
+import lightning.render.shading.layer.LightRows;
 
 /** Serializer of the layers of lights over some rows. */
 final class LayerSerializer {

@@ -1,6 +1,6 @@
 package lightning.render.cache;
 
-import lightning.scene.Light;
+import lightning.scene.light.Light;
 
 /** Identity of the inputs that a layer was computed from. */
 public interface LayerStamp {

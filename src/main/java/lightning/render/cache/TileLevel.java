@@ -3,9 +3,9 @@ package lightning.render.cache;
 import java.util.Arrays;
 import lightning.render.gather.GatherStructure;
 import lightning.render.gather.RowWeights;
-import lightning.render.shading.BranchSums;
 import lightning.render.shading.ClearTerms;
-import lightning.render.shading.LightLayer;
+import lightning.render.shading.composition.BranchSums;
+import lightning.render.shading.layer.LightLayer;
 import lightning.render.trace.HitRows;
 
 /**

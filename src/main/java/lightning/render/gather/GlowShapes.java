@@ -7,7 +7,7 @@ import lightning.render.trace.Geometry;
 import lightning.render.trace.HitRows.ColumnGroup;
 import lightning.render.trace.MaterialTable;
 import lightning.render.trace.tree.Bvh;
-import lightning.scene.TextureMap;
+import lightning.scene.asset.TextureMap;
 
 /**
  * Glowing objects of a scene. Where one is small, seen from a point, few of the point's cosine-distributed rays would meet it. So rays are

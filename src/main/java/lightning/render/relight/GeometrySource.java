@@ -3,12 +3,12 @@ package lightning.render.relight;
 import java.util.function.Predicate;
 import lightning.render.cache.PixelCache;
 import lightning.render.relight.tile.RenderJob;
-import lightning.render.shading.RequiredWork;
+import lightning.render.shading.layer.RequiredWork;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.MaterialTable;
-import lightning.scene.Material;
 import lightning.scene.Scene;
 import lightning.scene.effects.ViewEffects;
+import lightning.scene.material.Material;
 
 /** Supplies first passes with geometry; reuses cached or shared geometry that serves the scene. */
 final class GeometrySource {

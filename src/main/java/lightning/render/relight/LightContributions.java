@@ -13,8 +13,8 @@ import lightning.render.cache.PixelCache;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
 import lightning.render.relight.tile.RenderOptions;
-import lightning.scene.Light;
 import lightning.scene.Scene;
+import lightning.scene.light.Light;
 
 /**
  * Contributions of all lights to a picture, computed from its cache. A light's share is composed. The picture without a light is

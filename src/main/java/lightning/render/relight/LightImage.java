@@ -18,12 +18,12 @@ import lightning.render.relight.tile.TileRecomposer;
 import lightning.render.shading.WeightedLight;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.SamplePositions;
-import lightning.scene.Bulb;
-import lightning.scene.FaceVisibility;
-import lightning.scene.Light;
 import lightning.scene.Scene;
 import lightning.scene.Stage;
 import lightning.scene.World;
+import lightning.scene.light.FaceVisibility;
+import lightning.scene.light.Light;
+import lightning.scene.material.Bulb;
 
 /**
  * Image of one light's contribution: the picture without all other lights, the ambience, the glow of materials and the background, in

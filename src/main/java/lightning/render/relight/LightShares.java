@@ -7,8 +7,8 @@ import lightning.base.work.Progress;
 import lightning.render.cache.PixelCache;
 import lightning.render.image.Film;
 import lightning.render.relight.tile.RenderOptions;
-import lightning.scene.Light;
 import lightning.scene.Scene;
+import lightning.scene.light.Light;
 
 /**
  * Shares of the lights in a picture. A light's share is the luminance of its contribution divided by the luminance of the picture, both

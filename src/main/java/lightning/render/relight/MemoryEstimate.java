@@ -11,11 +11,11 @@ import lightning.render.trace.HitRows.ColumnGroup;
 import lightning.render.trace.SampleCells;
 import lightning.render.trace.TexelColumns;
 import lightning.scene.AntialiasMode;
-import lightning.scene.Material;
 import lightning.scene.PictureSettings;
 import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
-import lightning.scene.SceneLimits;
+import lightning.scene.material.Material;
+import lightning.scene.value.SceneLimits;
 
 /**
  * Memory estimate of a picture before any work begins. The upper bound follows the formula of docs/architecture.md, in which every

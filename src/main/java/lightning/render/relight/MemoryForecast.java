@@ -8,7 +8,7 @@ import lightning.scene.AntialiasMode;
 import lightning.scene.PictureSettings;
 import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
-import lightning.scene.SceneLimits;
+import lightning.scene.value.SceneLimits;
 
 /**
  * Forecast of a scene's first pass memory, extrapolated from small pictures to any size and number of samples.

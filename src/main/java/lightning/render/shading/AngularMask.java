@@ -2,13 +2,13 @@ package lightning.render.shading;
 
 import lightning.base.math.Vec3;
 import lightning.render.trace.HitRows;
-import lightning.scene.BarnDoors;
-import lightning.scene.Gobo;
-import lightning.scene.IesProfile;
-import lightning.scene.LightAttribute;
-import lightning.scene.LightType;
-import lightning.scene.Photometry;
-import lightning.scene.Texture;
+import lightning.scene.asset.Gobo;
+import lightning.scene.asset.IesProfile;
+import lightning.scene.asset.Texture;
+import lightning.scene.light.LightAttribute;
+import lightning.scene.light.LightType;
+import lightning.scene.value.BarnDoors;
+import lightning.scene.value.Photometry;
 
 /**
  * Angular mask of a light: the product of its barn doors, gobo and photometric profile in a direction. It multiplies the falloff.
@@ -71,7 +71,7 @@ public final class AngularMask {
     }
 
     /** Returns whether the light has a mask. */
-    static boolean isActive(LightSource source) {
+    public static boolean isActive(LightSource source) {
         return switch (source.type()) {
             case SPOT -> !source.light().doors().isOpen() || source.light().gobo().isPresent() || source.light().profile().isPresent();
             case POINT -> source.light().profile().isPresent();
@@ -86,7 +86,7 @@ public final class AngularMask {
     }
 
     /** Returns the factor at a point in render space, 0…1. */
-    double factor(float px, float py, float pz) {
+    public double factor(float px, float py, float pz) {
         double x = px - position.x();
         double y = py - position.y();
         double z = pz - position.z();

@@ -7,12 +7,12 @@ import lightning.base.math.Vec3;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.RowShadowRays;
 import lightning.render.trace.SamplePattern;
-import lightning.scene.AreaShape;
-import lightning.scene.Light;
-import lightning.scene.LightType;
 import lightning.scene.SamplingSettings;
-import lightning.scene.SummedAreaTable;
-import lightning.scene.Texture;
+import lightning.scene.asset.SummedAreaTable;
+import lightning.scene.asset.Texture;
+import lightning.scene.light.AreaShape;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightType;
 
 /**
  * Sample points of an area light in render space, or unit vectors towards a directional light. The light is the mean of its
@@ -30,7 +30,7 @@ import lightning.scene.Texture;
  * </ul>
  *
  * <p>If the light has an image, a sample has the mean color of a patch of it: the square of the unit square with area 1/n around the point of the
- * sample, n being the light's samples ({@link lightning.scene.AreaShape#samples}). On a disc, the patch is as large, in the square
+ * sample, n being the light's samples ({@link lightning.scene.light.AreaShape#samples}). On a disc, the patch is as large, in the square
  * around the disc that the image covers. Beyond the edges the image is mirrored. Seen from where the light shines, the image is upright.
  *
  * <p>A row of a pixel center uses all n samples, in one of {@link #ROTATIONS} rotations, chosen by a hash of its point. A finer
@@ -53,7 +53,7 @@ public final class AreaSamples {
     public final double[] y;
     public final double[] z;
     /** Colors by the same index: red, green and blue; null if all are white. Must not be modified. */
-    final float[][] color;
+    public final float[][] color;
     private final double extent;
     private final Vec3 min;
     private final Vec3 max;
@@ -154,7 +154,7 @@ public final class AreaSamples {
     }
 
     /** Returns the rotation of a row: the upper bits of a hash of its point, in which 0 and −0 are equal. */
-    static int rotation(float px, float py, float pz) {
+    public static int rotation(float px, float py, float pz) {
         int h = Float.floatToRawIntBits(px + 0f) * 0x9E3779B1 + Float.floatToRawIntBits(py + 0f) * 0x85EBCA77
                 + Float.floatToRawIntBits(pz + 0f) * 0xC2B2AE3D;
         h = (h ^ h >>> 15) * 0x2C1B3C6D;
@@ -162,7 +162,7 @@ public final class AreaSamples {
     }
 
     /** Writes the pattern of each row, and 0 for lanes beyond the last row. */
-    static void writePatterns(HitRows rows, RowShadowRays rays) {
+    public static void writePatterns(HitRows rows, RowShadowRays rays) {
         for (int i = 0; i < HitRows.paddedLength(rows.count); i++) {
             rays.pattern[i] = i >= rows.count ? 0
                     : rows.pattern == null ? rotation(rows.px[i], rows.py[i], rows.pz[i]) : rows.pattern[i] & 0xFF;
@@ -181,13 +181,13 @@ public final class AreaSamples {
     }
 
     /** Returns the position of sample {@code s} in a pattern. */
-    Vec3 position(int pattern, int s) {
+    public Vec3 position(int pattern, int s) {
         int i = index(s, pattern);
         return new Vec3(x[i], y[i], z[i]);
     }
 
     /** Returns the positions of all samples in all patterns, by {@link #index}. */
-    Stream<Vec3> positions() {
+    public Stream<Vec3> positions() {
         return IntStream.range(0, x.length).mapToObj(i -> new Vec3(x[i], y[i], z[i]));
     }
 
@@ -197,12 +197,12 @@ public final class AreaSamples {
     }
 
     /** Returns the smallest coordinates of all samples. */
-    Vec3 low() {
+    public Vec3 low() {
         return min;
     }
 
     /** Returns the largest coordinates of all samples. */
-    Vec3 high() {
+    public Vec3 high() {
         return max;
     }
 }

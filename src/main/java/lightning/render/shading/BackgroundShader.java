@@ -8,19 +8,19 @@ import lightning.render.trace.HitRows;
 import lightning.render.trace.MaterialTable;
 import lightning.render.trace.SamplePositions;
 import lightning.scene.Scene;
-import lightning.scene.SceneLimits;
 import lightning.scene.World;
+import lightning.scene.value.SceneLimits;
 
 /**
  * Shades rays that hit nothing with the background or the environment map. No row exists for them, so their directions are
  * recomputed with the bits of the original rays.
  */
-final class BackgroundShader {
+public final class BackgroundShader {
     private final double[] direction = new double[3];
     private final double[] color = new double[3];
 
     /** Returns the color in a unit direction, {@code float[3]}. */
-    static float[] color(World world, Vec3 direction) {
+    public static float[] color(World world, Vec3 direction) {
         float[][] to = new float[3][1];
         new BackgroundShader().shade(world, direction.x(), direction.y(), direction.z(), to, 0);
         return new float[] {to[0][0], to[1][0], to[2][0]};
@@ -40,7 +40,7 @@ final class BackgroundShader {
     }
 
     /** Fills the background of a tile's camera rays: every sample position, or those without a row. */
-    void shadeEyeRays(HitRows rows, Scene scene, SamplePositions places, float[][] to) {
+    public void shadeEyeRays(HitRows rows, Scene scene, SamplePositions places, float[][] to) {
         if (rows.count == to[0].length) {
             return;
         }
@@ -66,7 +66,7 @@ final class BackgroundShader {
     }
 
     /** Fills the background of the rays that bounce from a level's rows; rows without such a ray stay undefined. */
-    void shadeBounceRays(HitRows above, BounceKind bounce, MaterialTable materials, World world, float[][] to) {
+    public void shadeBounceRays(HitRows above, BounceKind bounce, MaterialTable materials, World world, float[][] to) {
         if (world.environment().isEmpty()) {
             fill(world, to, bounce.rowCount(above));
             return;

@@ -14,7 +14,7 @@ public record BounceImages(float[][] mirrored, float[][] refracted) {
     // Arrays in a record: written once by their creator, never after.
 
     /** Images of rays after which the recursion ended, for any number of rows. */
-    static final BounceImages BLACK = black();
+    public static final BounceImages BLACK = black();
 
     private static BounceImages black() {
         float[] zeros = new float[TermKernel.MAX_ROWS];

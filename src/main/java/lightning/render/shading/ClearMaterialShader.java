@@ -5,26 +5,26 @@ import lightning.base.math.Rgb;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.HitRows.ColumnGroup;
 import lightning.render.trace.Refraction;
-import lightning.scene.Transmission;
+import lightning.scene.material.Transmission;
 
 /** Evaluates the {@link LightingEquation} over the rows of a clear material. Holds scratch columns: use one instance per thread. */
-final class ClearMaterialShader {
+public final class ClearMaterialShader {
     private final SumKernel kernel;
     private final ClearTerms scratch = ClearTerms.allocate();
     /** Stands for missing columns. */
     private final float[] zeros = new float[TermKernel.MAX_ROWS];
 
-    ClearMaterialShader(SumKernel kernel) {
+    public ClearMaterialShader(SumKernel kernel) {
         this.kernel = kernel;
     }
 
     /** Computes the terms of all clear rows of a level. */
-    ClearTerms terms(HitRows rows, ShadingMaterial[] materials) {
+    public ClearTerms terms(HitRows rows, ShadingMaterial[] materials) {
         return ClearTerms.of(rows, materials, kernel, scratch);
     }
 
     /** Returns whether the color of a clear material's rows depends on its {@link ClearTerms}; otherwise it is black. */
-    static boolean needsTerms(ShadingMaterial material, BounceImages images) {
+    public static boolean needsTerms(ShadingMaterial material, BounceImages images) {
         return material.takesLight() || !images.isBlack();
     }
 
@@ -34,7 +34,8 @@ final class ClearMaterialShader {
      * @param emitted {@link EmittedLight#unmapped} of red, green and blue
      * @param cached  terms of the level's clear rows; computed if null
      */
-    void shade(HitRows rows, int run, ShadingMaterial material, float[] emitted, float[][] diffuse, float[][] specular, float[][] grazing,
+    public void shade(HitRows rows, int run, ShadingMaterial material, float[] emitted, float[][] diffuse, float[][] specular,
+            float[][] grazing,
             ClearTerms cached, BounceImages images, float[][] to) {
         int start = rows.runStart(run);
         int end = rows.runEnd[run];
@@ -66,7 +67,8 @@ final class ClearMaterialShader {
      * @param map    columns of its image
      * @param cached terms of the level's clear rows; those of {@link #shade} if null
      */
-    void addMapped(HitRows rows, int run, ShadingMaterial material, float[] amount, ColumnGroup map, ClearTerms cached, float[][] to) {
+    public void addMapped(HitRows rows, int run, ShadingMaterial material, float[] amount, ColumnGroup map, ClearTerms cached,
+            float[][] to) {
         float body = material.bodyShare();
         // Without a body there may be no terms.
         ClearTerms terms = cached == null ? scratch : cached;
@@ -86,7 +88,7 @@ final class ClearMaterialShader {
     }
 
     /** Returns a color's channel, rounded as the equation uses it. */
-    static float channel(Rgb color, int channel) {
+    public static float channel(Rgb color, int channel) {
         return (float) switch (channel) {
             case 0 -> color.r();
             case 1 -> color.g();

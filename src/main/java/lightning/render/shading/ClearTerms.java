@@ -2,7 +2,7 @@ package lightning.render.shading;
 
 import java.util.Arrays;
 import lightning.render.trace.HitRows;
-import lightning.scene.Transmission;
+import lightning.scene.material.Transmission;
 
 /**
  * Terms of a level's clear rows that no light changes: Fresnel reflectance and interior tint. They are computed whenever a level is
@@ -72,7 +72,7 @@ public final class ClearTerms {
     }
 
     /** Returns whether these terms, of the same rows, are those of other materials too. */
-    boolean isFor(HitRows rows, ShadingMaterial[] materials) {
+    public boolean isFor(HitRows rows, ShadingMaterial[] materials) {
         for (int run = 0; run < transmissions.length; run++) {
             if (!transmissions[run].equals(materials[rows.runMaterial[run]].clarity())) {
                 return false;

@@ -33,7 +33,7 @@ public record EdgeColors(int[] colors, BounceImages images) {
     }
 
     /** Returns a color as three numbers of 10 bits, each proportional to the square root of a channel: steps look equally large. */
-    static int pack(float red, float green, float blue) {
+    public static int pack(float red, float green, float blue) {
         return (step(red) << BITS | step(green)) << BITS | step(blue);
     }
 
@@ -42,7 +42,7 @@ public record EdgeColors(int[] colors, BounceImages images) {
     }
 
     /** Returns whether the step between the packed colors of two neighboring pixels is visible. */
-    static boolean differ(int a, int b) {
+    public static boolean differ(int a, int b) {
         return a != b
                 && (isStep(a >>> 2 * BITS, b >>> 2 * BITS) || isStep(a >>> BITS & MASK, b >>> BITS & MASK) || isStep(a & MASK, b & MASK));
     }

@@ -5,7 +5,7 @@ import lightning.render.trace.HitRows.ColumnGroup;
 import lightning.render.trace.TexelColumns;
 
 /** Kinds of light that a surface sends even if no light reaches it. An image of the material may multiply each. */
-enum EmittedLight {
+public enum EmittedLight {
     /** Light of the scene's ambience. */
     AMBIENT,
     /** Glow of the material and of its bulb. */
@@ -24,12 +24,12 @@ enum EmittedLight {
     }
 
     /** Returns the columns with the colors of its image; empty if no image can multiply it. */
-    Optional<ColumnGroup> map() {
+    public Optional<ColumnGroup> map() {
         return map;
     }
 
     /** Returns whether an image multiplies it on rows with some texels. */
-    boolean isMapped(TexelColumns texels) {
+    public boolean isMapped(TexelColumns texels) {
         return map.isPresent() && texels.has(map.get());
     }
 
@@ -40,7 +40,7 @@ enum EmittedLight {
      * @param ambience ambience of the scene
      * @param glow     glow of the material and of its bulb
      */
-    float amount(float ka, float ambience, float glow) {
+    public float amount(float ka, float ambience, float glow) {
         return switch (this) {
             case AMBIENT -> ka * ambience;
             case GLOW -> glow;
@@ -52,7 +52,7 @@ enum EmittedLight {
      *
      * @param texels images of the material
      */
-    static float unmapped(TexelColumns texels, float ka, float ambience, float glow) {
+    public static float unmapped(TexelColumns texels, float ka, float ambience, float glow) {
         float sum = 0;
         for (EmittedLight kind : KINDS) {
             sum += kind.isMapped(texels) ? 0 : kind.amount(ka, ambience, glow);

@@ -19,7 +19,7 @@ public record IndirectLight(GatherStructure structure, float[][] light, float[][
      *
      * @param weigher weigher of its paths
      */
-    float[] at(SurfacePoint point, RowWeigher weigher) {
+    public float[] at(SurfacePoint point, RowWeigher weigher) {
         float[][] row = new float[3][1];
         weigher.weigh(point).interpolate(light, row);
         return new float[] {row[0][0], row[1][0], row[2][0]};

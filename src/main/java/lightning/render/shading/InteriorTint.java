@@ -1,7 +1,7 @@
 package lightning.render.shading;
 
 import lightning.base.math.PowerFunction;
-import lightning.scene.Transmission;
+import lightning.scene.material.Transmission;
 
 /**
  * Transmittance of paths inside a transparent material: tint<sup>path / tint distance</sup> in red, green, blue. The logarithms of
@@ -44,7 +44,7 @@ public final class InteriorTint {
     }
 
     /** Writes the transmittance of a path: red, green, blue. */
-    void write(float path, float[] to) {
+    public void write(float path, float[] to) {
         for (int c = 0; c < 3; c++) {
             to[c] = transmittance(c, path);
         }

@@ -5,9 +5,9 @@ import java.util.stream.Stream;
 import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
 import lightning.render.trace.HitRows;
-import lightning.scene.Light;
-import lightning.scene.LightType;
 import lightning.scene.Scene;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightType;
 
 /**
  * Geometry of a light in render space: everything that decides which rows it reaches and with which terms, except its weight.
@@ -50,7 +50,7 @@ public record LightSource(Light light, Vec3 position, Vec3 axis, double cosAngle
     }
 
     /** Returns whether its falloff is not 1 everywhere. */
-    boolean hasFalloff() {
+    public boolean hasFalloff() {
         return switch (type()) {
             case DIRECTIONAL -> false;
             case POINT -> !light.hasNoAttenuation() || AngularMask.isActive(this);
@@ -81,7 +81,7 @@ public record LightSource(Light light, Vec3 position, Vec3 axis, double cosAngle
     }
 
     /** Returns a sample of an area light at a position as a light of its own. */
-    LightSource at(Vec3 sample) {
+    public LightSource at(Vec3 sample) {
         return new LightSource(light, sample, axis, cosAngle, dropoff, null, null);
     }
 }

@@ -25,7 +25,7 @@ public record LightWeight(float red, float green, float blue) {
         return new LightWeight(nearestPowerOfTwo(red), nearestPowerOfTwo(green), nearestPowerOfTwo(blue));
     }
 
-    static float nearestPowerOfTwo(float weight) {
+    public static float nearestPowerOfTwo(float weight) {
         return weight == 0 ? 0 : Math.scalb(1f, Math.min(Math.getExponent(weight * Math.sqrt(2)), Float.MAX_EXPONENT));
     }
 }

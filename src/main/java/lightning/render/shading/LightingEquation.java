@@ -2,7 +2,7 @@ package lightning.render.shading;
 
 import lightning.base.math.PowerFunction;
 import lightning.render.trace.Refraction;
-import lightning.scene.Attenuation;
+import lightning.scene.value.Attenuation;
 
 /**
  * Lighting equation (paper §2.2), term by term, for one row and one light.
@@ -42,13 +42,13 @@ public final class LightingEquation {
     private final AngularMask angularMask;
     private double maskFactor;
 
-    LightingEquation(LightSource source) {
+    public LightingEquation(LightSource source) {
         this.source = source;
         angularMask = AngularMask.of(source);
     }
 
     /** Moves to a row: its point and its unit normal. At distance 0 the light is straight above. */
-    void moveTo(float px, float py, float pz, float nx, float ny, float nz) {
+    public void moveTo(float px, float py, float pz, float nx, float ny, float nz) {
         maskFactor = angularMask == null ? 1 : angularMask.factor(px, py, pz);
         lx = source.position().x();
         ly = source.position().y();
@@ -67,7 +67,7 @@ public final class LightingEquation {
     }
 
     /** Returns N·L; the row faces away unless this is above 0. */
-    float cosine(float nx, float ny, float nz) {
+    public float cosine(float nx, float ny, float nz) {
         return (float) (nx * lx + ny * ly + nz * lz);
     }
 
@@ -78,7 +78,7 @@ public final class LightingEquation {
     }
 
     /** Returns whether the row is in the light's cone, edge included. */
-    boolean insideCone() {
+    public boolean insideCone() {
         return !source.hasCone() || axisCosine() >= source.cosAngle();
     }
 
@@ -87,7 +87,7 @@ public final class LightingEquation {
      *
      * @param vx component x, as {@code vy} and {@code vz}, of the unit direction of the ray that hit the row
      */
-    float specular(float nx, float ny, float nz, float vx, float vy, float vz, double shininess) {
+    public float specular(float nx, float ny, float nz, float vx, float vy, float vz, double shininess) {
         double twice = 2 * (nx * lx + ny * ly + nz * lz);
         double rx = lx - twice * nx;
         double ry = ly - twice * ny;
@@ -105,7 +105,7 @@ public final class LightingEquation {
      *
      * @param vx component x, as {@code vy} and {@code vz}, of the unit direction of the ray that hit the row
      */
-    float metallicDiffuse(float nx, float ny, float nz, float vx, float vy, float vz) {
+    public float metallicDiffuse(float nx, float ny, float nz, float vx, float vy, float vz) {
         double nl = nx * lx + ny * ly + nz * lz;
         double nv = -((double) nx * vx + (double) ny * vy + (double) nz * vz);
         nv = nv > 0 ? nv : 0;
@@ -160,17 +160,17 @@ public final class LightingEquation {
     }
 
     /** Returns N·L·D·V·(1 − (1 − V·H)⁵): the specular term of a metallic material, which F0 multiplies. */
-    float metallicSpecular(float nx, float ny, float nz, float vx, float vy, float vz, double alpha) {
+    public float metallicSpecular(float nx, float ny, float nz, float vx, float vy, float vz, double alpha) {
         return (float) (microfacetTerm(nx, ny, nz, vx, vy, vz, alpha) * (1 - schlick(vx, vy, vz)));
     }
 
     /** Returns N·L·D·V·(1 − V·H)⁵: the grazing term of a metallic material, which no color multiplies. */
-    float metallicGrazing(float nx, float ny, float nz, float vx, float vy, float vz, double alpha) {
+    public float metallicGrazing(float nx, float ny, float nz, float vx, float vy, float vz, double alpha) {
         return (float) (microfacetTerm(nx, ny, nz, vx, vy, vz, alpha) * schlick(vx, vy, vz));
     }
 
     /** Returns atten·spot·doors: 1 for a directional light. */
-    float falloff() {
+    public float falloff() {
         return switch (source.type()) {
             case DIRECTIONAL -> 1;
             case POINT -> (float) (attenuation() * maskFactor);
@@ -204,17 +204,17 @@ public final class LightingEquation {
     }
 
     /** Returns the mean of a light's samples from their sum, first to last, of exact products {@code term·falloff}. */
-    static float mean(double sum, int samples) {
+    public static float mean(double sum, int samples) {
         return (float) (sum / samples);
     }
 
     /** Returns a mean of colors, weighted by the terms of samples; 1 if all terms are 0. */
-    static float weightedMean(double sum, double weight) {
+    public static float weightedMean(double sum, double weight) {
         return weight > 0 ? (float) (sum / weight) : 1;
     }
 
     /** Adds {@code terms[from … to)} as a balanced tree: the first half's sum plus the second's. */
-    static float sum(float[] terms, int from, int to) {
+    public static float sum(float[] terms, int from, int to) {
         if (to - from < 2) {
             return from == to ? 0 : terms[from];
         }
@@ -229,7 +229,7 @@ public final class LightingEquation {
      * @param texel  color of the image
      * @param weight factor of emitted light: {@link SurfaceWeights#bodyWeight}
      */
-    static float addMapped(float color, float amount, float texel, float weight) {
+    public static float addMapped(float color, float amount, float texel, float weight) {
         return color + weight * (amount * texel);
     }
 
@@ -258,7 +258,7 @@ public final class LightingEquation {
      * @param share   F
      * @param tint    T
      */
-    static float clearColor(float emitted, float kd, float diffuse, float ks, float specular, float grazing, float kr,
+    public static float clearColor(float emitted, float kd, float diffuse, float ks, float specular, float grazing, float kr,
             float mirrored, float body, float share, float kt, float refracted, float tint) {
         return clearColor(clearSurface(emitted, kd, diffuse, ks, specular, grazing, kr, body, share), kr, mirrored, share, kt,
                 refracted, tint);
@@ -270,7 +270,7 @@ public final class LightingEquation {
      *
      * @param emitted {@link EmittedLight#unmapped}
      */
-    static float color(float emitted, float kd, float diffuse, float ks, float specular, float grazing, float kr,
+    public static float color(float emitted, float kd, float diffuse, float ks, float specular, float grazing, float kr,
             float mirrored) {
         return (emitted + kd * diffuse) * (1 - kr) + (ks * specular + grazing) + kr * mirrored;
     }

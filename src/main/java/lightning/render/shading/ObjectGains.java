@@ -2,9 +2,9 @@ package lightning.render.shading;
 
 import java.util.Arrays;
 import lightning.render.trace.ShapeChange;
-import lightning.scene.Light;
-import lightning.scene.ShapeGains;
 import lightning.scene.Stage;
+import lightning.scene.light.Light;
+import lightning.scene.value.ShapeGains;
 
 /**
  * Gains of one light on the shapes of a scene: factors of its contributions, which composition applies. An edit of a gain therefore casts no
@@ -72,7 +72,7 @@ public final class ObjectGains {
      * @param owners shape of each row
      * @param tint   one channel of the rows' tints; null if all are 1
      */
-    void write(int[] owners, int from, int to, float[] tint, float[] out) {
+    public void write(int[] owners, int from, int to, float[] tint, float[] out) {
         for (int i = from; i < to; i++) {
             float gain = gains[entries[owners[i]]];
             out[i] = tint == null ? gain : tint[i] * gain;

@@ -11,7 +11,7 @@ public final class SampleMean {
     }
 
     /** Returns the mean of values whose sum overflows a float. */
-    static float meanOfLarge(float[] samples, int from, int perPixel) {
+    public static float meanOfLarge(float[] samples, int from, int perPixel) {
         double sum = 0;
         for (int s = from; s < from + perPixel; s++) {
             sum += samples[s];

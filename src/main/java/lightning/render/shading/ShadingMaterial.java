@@ -2,7 +2,7 @@ package lightning.render.shading;
 
 import lightning.render.trace.MaterialTable;
 import lightning.render.trace.TexelColumns;
-import lightning.scene.Transmission;
+import lightning.scene.material.Transmission;
 
 /**
  * Material properties as the {@link LightingEquation} needs them: red, green, blue each.
@@ -35,12 +35,12 @@ public record ShadingMaterial(float[] ambient, float[] glow, float[] diffuse, fl
      * Returns whether light at the surface adds to its color. Without, as for plain glass, the color is only that of bounced rays:
      * all other terms are +0 and change no bit.
      */
-    boolean takesLight() {
+    public boolean takesLight() {
         return clarity == null || bodyShare > 0 || hasSpecular;
     }
 
     /** Returns the properties of material {@code m}. */
-    static ShadingMaterial of(MaterialTable t, int m) {
+    public static ShadingMaterial of(MaterialTable t, int m) {
         float[] reflective = {t.reflective(m, 0), t.reflective(m, 1), t.reflective(m, 2)};
         return new ShadingMaterial(new float[] {t.ambient(m, 0), t.ambient(m, 1), t.ambient(m, 2)},
                 new float[] {t.glow(m, 0), t.glow(m, 1), t.glow(m, 2)},

@@ -1,7 +1,7 @@
 package lightning.render.shading;
 
 import lightning.render.trace.HitRows;
-import lightning.scene.Transmission;
+import lightning.scene.material.Transmission;
 
 /**
  * Adds lights' contributions over the rows of a tile and evaluates the {@link LightingEquation}. Columns have {@link

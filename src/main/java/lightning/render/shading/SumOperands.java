@@ -10,7 +10,7 @@ package lightning.render.shading;
  */
 public final class SumOperands {
     /** Maximum number of lights in both chains; with more, a branch of the tree is added up first. */
-    static final int MAX_LIGHTS = 8;
+    public static final int MAX_LIGHTS = 8;
     /** Sufficient for the depth of a tree over the maximum number of lights in a scene. */
     static final int MAX_SUMS = 12;
 
@@ -43,7 +43,7 @@ public final class SumOperands {
     public final float[][] sumGreen = new float[MAX_SUMS][];
     public final float[][] sumBlue = new float[MAX_SUMS][];
 
-    void clear() {
+    public void clear() {
         firstChainLength = 0;
         lightCount = 0;
         sumCount = 0;
@@ -51,12 +51,12 @@ public final class SumOperands {
     }
 
     /** Returns whether the operands add up to 0. */
-    boolean isEmpty() {
+    public boolean isEmpty() {
         return lightCount == 0 && sumCount == 0;
     }
 
     /** Appends a light with the weight of one of its contributions. */
-    void addLight(LightWeight weight, float[] lightTerm, float[] lightFalloff, float[][] tint) {
+    public void addLight(LightWeight weight, float[] lightTerm, float[] lightFalloff, float[][] tint) {
         tinted |= tint != null;
         tintRed[lightCount] = tint == null ? ONES : tint[0];
         tintGreen[lightCount] = tint == null ? ONES : tint[1];
@@ -69,12 +69,12 @@ public final class SumOperands {
     }
 
     /** Ends the first chain. */
-    void endFirstChain() {
+    public void endFirstChain() {
         firstChainLength = lightCount;
     }
 
     /** Appends a precomputed sum: red, green and blue columns. */
-    void addSum(float[][] known) {
+    public void addSum(float[][] known) {
         sumRed[sumCount] = known[0];
         sumGreen[sumCount] = known[1];
         sumBlue[sumCount++] = known[2];

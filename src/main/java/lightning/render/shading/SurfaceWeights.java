@@ -48,7 +48,7 @@ public final class SurfaceWeights {
     }
 
     /** Returns one channel of the color of a clear surface by the {@link LightingEquation}. */
-    float color(int c, float emitted, float kd, float diffuse, float ks, float specular, float grazing, float kr,
+    public float color(int c, float emitted, float kd, float diffuse, float ks, float specular, float grazing, float kr,
             float mirroredColor, float refractedColor) {
         return LightingEquation.clearColor(emitted, kd, diffuse, ks, specular, grazing, kr, mirroredColor,
                 ClearMaterialShader.bodyShare(hit.backSide().transmission()), fresnel,

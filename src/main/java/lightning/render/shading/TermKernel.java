@@ -1,5 +1,6 @@
 package lightning.render.shading;
 
+import lightning.render.shading.layer.RowBits;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.RowShadowRays;
 

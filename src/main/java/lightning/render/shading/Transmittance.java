@@ -9,14 +9,14 @@ import lightning.render.trace.primitive.PrimitiveTable;
 import lightning.render.trace.primitive.ShadowRayHits;
 import lightning.render.trace.primitive.SurfaceHit;
 import lightning.render.trace.tree.ShadowRayTarget;
-import lightning.scene.Material;
-import lightning.scene.Transmission;
+import lightning.scene.material.Material;
+import lightning.scene.material.Transmission;
 
 /**
  * Transmittance of clear shapes along a straight shadow ray, without refraction. Each surface passes the share of a refracted ray,
  * (1 − m)·kt, by the angle from outside; each path inside multiplies T. The reference for {@link TransmittanceBatch}.
  */
-final class Transmittance {
+public final class Transmittance {
     private Transmittance() {}
 
     /**
@@ -24,7 +24,7 @@ final class Transmittance {
      *
      * @param target target of the shadow ray; unread if the light has no position
      */
-    static float[] ofShadowRay(Geometry geometry, LightSource source, ShadowRayTarget target, SurfacePoint hit) {
+    public static float[] ofShadowRay(Geometry geometry, LightSource source, ShadowRayTarget target, SurfacePoint hit) {
         boolean hasTarget = source.type().hasPosition();
         Vec3 point = new Vec3(hit.px(), hit.py(), hit.pz());
         Ray ray = new Ray(point, hasTarget ? source.position().minus(point) : source.position());

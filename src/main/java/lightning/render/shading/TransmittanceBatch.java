@@ -6,14 +6,14 @@ import lightning.render.trace.ShadowRayBatch;
 import lightning.render.trace.Tracer;
 import lightning.render.trace.primitive.PrimitiveTable;
 import lightning.render.trace.primitive.ShadowRayHits;
-import lightning.scene.Material;
-import lightning.scene.Transmission;
+import lightning.scene.material.Material;
+import lightning.scene.material.Transmission;
 
 /**
  * Transmittance of many shadow rays, with the bits of {@link Transmittance}. The tracer computes the surfaces and the powers of all
  * hits together; only the products are formed one by one. Holds scratch memory: use one instance per thread.
  */
-final class TransmittanceBatch {
+public final class TransmittanceBatch {
     private final PrimitiveTable primitives;
     private final Tracer tracer;
     /** Clear materials, by primitive; null until used. */
@@ -22,7 +22,7 @@ final class TransmittanceBatch {
     private double[] power = new double[64];
     private int powerCount;
     /** Red, green, blue of the latest ray, 0…1. */
-    final float[] rgb = new float[3];
+    public final float[] rgb = new float[3];
 
     /** @param thin true for a pane, which has no inside */
     private record ClearSurface(float[] reflective, float[] color, InteriorTint interior, boolean thin) {
@@ -38,7 +38,7 @@ final class TransmittanceBatch {
         }
     }
 
-    TransmittanceBatch(PrimitiveTable primitives, Tracer tracer) {
+    public TransmittanceBatch(PrimitiveTable primitives, Tracer tracer) {
         this.primitives = primitives;
         this.tracer = tracer;
         surfaces = new ClearSurface[primitives.count];
@@ -54,7 +54,7 @@ final class TransmittanceBatch {
     }
 
     /** Prepares all rays of a batch, whose hits are known. Call {@link #compute} next for each of the rays with a hit, in order. */
-    void begin(ShadowRayBatch rays, ShadowRayHits hits) {
+    public void begin(ShadowRayBatch rays, ShadowRayHits hits) {
         powerCount = 0;
         if (hits.count() == 0) {
             return;
@@ -101,7 +101,7 @@ final class TransmittanceBatch {
     }
 
     /** Computes {@link #rgb} of a ray with a hit. */
-    void compute(ShadowRayBatch rays, ShadowRayHits hits, int k) {
+    public void compute(ShadowRayBatch rays, ShadowRayHits hits, int k) {
         float red = 1;
         float green = 1;
         float blue = 1;

@@ -1,9 +1,9 @@
 package lightning.render.shading;
 
 import java.util.Arrays;
-import lightning.scene.Light;
 import lightning.scene.Scene;
 import lightning.scene.Stage;
+import lightning.scene.light.Light;
 
 /**
  * Light of a scene with its weights and source, as the equation needs it. Owns a layer. The layer contains neither weights nor gains, so it

@@ -21,11 +21,11 @@ import lightning.render.trace.solid.SurfaceContact;
 import lightning.render.trace.tree.Bvh;
 import lightning.render.trace.tree.RayTraversal;
 import lightning.render.trace.tree.ShadowRayTarget;
-import lightning.scene.Material;
 import lightning.scene.Scene;
-import lightning.scene.Shape;
-import lightning.scene.ShapeLinks;
 import lightning.scene.Stage;
+import lightning.scene.material.Material;
+import lightning.scene.node.Shape;
+import lightning.scene.value.ShapeLinks;
 
 /**
  * A scene's shapes and materials in render space, without its lights, as rays intersect them.

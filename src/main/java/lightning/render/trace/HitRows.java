@@ -12,9 +12,9 @@ import lightning.render.column.ColumnSet;
 import lightning.render.column.ColumnWriter;
 import lightning.render.column.ElementType;
 import lightning.render.trace.tree.PointBox;
-import lightning.scene.Material;
-import lightning.scene.MaterialAttribute;
-import lightning.scene.TextureMap;
+import lightning.scene.asset.TextureMap;
+import lightning.scene.material.Material;
+import lightning.scene.material.MaterialAttribute;
 
 /**
  * Hits of one tile at one level as columns that share one index: the cached result of the visibility pass.

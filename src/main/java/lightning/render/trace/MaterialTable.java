@@ -10,12 +10,12 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import lightning.base.math.Rgb;
 import lightning.render.trace.HitRows.ColumnGroup;
-import lightning.scene.Material;
 import lightning.scene.Scene;
-import lightning.scene.Shape;
-import lightning.scene.Solid;
-import lightning.scene.TextureMap;
-import lightning.scene.Transmission;
+import lightning.scene.asset.TextureMap;
+import lightning.scene.material.Material;
+import lightning.scene.material.Transmission;
+import lightning.scene.node.Shape;
+import lightning.scene.node.Solid;
 
 /**
  * Materials in use as columns, in which the file's doubles become the floats of the lighting equation. Colors are
@@ -195,7 +195,7 @@ public final class MaterialTable {
         return materialByRank[r];
     }
 
-    /** Returns true for materials of the model {@link lightning.scene.ShadingModel#METALLIC}. */
+    /** Returns true for materials of the model {@link lightning.scene.material.ShadingModel#METALLIC}. */
     public boolean isMetallic(int m) {
         return metalF0 != null && materials.get(m).isMetallic();
     }

@@ -3,10 +3,10 @@ package lightning.render.trace;
 import java.util.Collections;
 import java.util.IdentityHashMap;
 import java.util.Set;
-import lightning.scene.Mesh;
 import lightning.scene.Scene;
-import lightning.scene.Shape;
-import lightning.scene.Solid;
+import lightning.scene.node.Mesh;
+import lightning.scene.node.Shape;
+import lightning.scene.node.Solid;
 
 /** Estimate of the memory that a scene's meshes need, before any BVH is built. Each mesh counts once. */
 public final class MeshMemory {

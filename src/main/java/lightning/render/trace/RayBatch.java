@@ -7,7 +7,7 @@ import lightning.render.trace.primitive.PrimitiveTable;
 import lightning.render.trace.primitive.SurfaceHit;
 import lightning.render.trace.tree.CandidateList;
 import lightning.scene.Scene;
-import lightning.scene.Transmission;
+import lightning.scene.material.Transmission;
 
 /**
  * Up to 1024 rays with any origins and directions, which pass through transparent surfaces and faces of lights. Holds scratch memory:

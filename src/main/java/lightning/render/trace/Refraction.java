@@ -1,6 +1,6 @@
 package lightning.render.trace;
 
-import lightning.scene.Transmission;
+import lightning.scene.material.Transmission;
 
 /**
  * Refraction and Fresnel reflection at a transparent surface, from the values that a row stores.

@@ -8,7 +8,7 @@ import lightning.render.trace.primitive.SurfaceHit;
 import lightning.render.trace.tree.BoxRay;
 import lightning.render.trace.tree.CandidateList;
 import lightning.render.trace.tree.ShadowRayTarget;
-import lightning.scene.Transmission;
+import lightning.scene.material.Transmission;
 
 /** Scalar implementation of {@link Tracer#findHits}, one shadow ray at a time. Holds scratch memory: use one per thread. */
 public final class ShadowRayHitFinder {

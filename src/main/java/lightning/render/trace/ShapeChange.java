@@ -9,7 +9,7 @@ import lightning.render.trace.primitive.PrimitiveBoxes;
 import lightning.render.trace.tree.BoxSet;
 import lightning.render.trace.tree.ShadowRayTarget;
 import lightning.scene.Scene;
-import lightning.scene.ShapeLinks;
+import lightning.scene.value.ShapeLinks;
 
 /**
  * Difference between the primitives of two geometries seen from the same position. A ray that touches none of the boxes here

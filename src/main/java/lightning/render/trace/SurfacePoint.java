@@ -4,7 +4,7 @@ import java.util.Map;
 import lightning.base.math.Ray;
 import lightning.base.math.Vec3;
 import lightning.render.trace.HitRows.ColumnGroup;
-import lightning.scene.Transmission;
+import lightning.scene.material.Transmission;
 
 /**
  * Single hit with the data for shading: one row of {@link HitRows} as a record.

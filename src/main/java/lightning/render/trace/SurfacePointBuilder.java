@@ -9,9 +9,9 @@ import lightning.render.trace.primitive.PrimitiveTable;
 import lightning.render.trace.primitive.SurfaceHit;
 import lightning.render.trace.primitive.TextureFootprint;
 import lightning.render.trace.primitive.TextureLookup;
-import lightning.scene.BumpMapping;
-import lightning.scene.TextureMap;
-import lightning.scene.Transmission;
+import lightning.scene.asset.TextureMap;
+import lightning.scene.material.BumpMapping;
+import lightning.scene.material.Transmission;
 
 /**
  * Computes the surface points of single rays with all data for lighting.

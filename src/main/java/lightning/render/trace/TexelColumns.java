@@ -3,7 +3,7 @@ package lightning.render.trace;
 import java.util.Collection;
 import java.util.List;
 import lightning.render.trace.HitRows.ColumnGroup;
-import lightning.scene.Material;
+import lightning.scene.material.Material;
 
 /**
  * Which colors of images rows have: some of {@link ColumnGroup#TEXELS}.

@@ -4,7 +4,7 @@ import lightning.render.trace.HitRows.ColumnGroup;
 import lightning.render.trace.primitive.PrimitiveTable;
 import lightning.render.trace.primitive.TextureFootprint;
 import lightning.render.trace.primitive.TextureLookup;
-import lightning.scene.TextureMap;
+import lightning.scene.asset.TextureMap;
 
 /** Writes the colors of vertices and of the materials' images of rows whose surfaces were just computed. Holds scratch memory: use one per thread. */
 final class TexelWriter {

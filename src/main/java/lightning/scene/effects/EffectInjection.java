@@ -1,14 +1,14 @@
 package lightning.scene.effects;
 
 import java.util.Optional;
-import lightning.scene.AlphaCutout;
-import lightning.scene.BarnDoors;
-import lightning.scene.BumpMapping;
-import lightning.scene.LightTexture;
-import lightning.scene.LightType;
 import lightning.scene.Scene;
-import lightning.scene.Texture;
-import lightning.scene.TextureMap;
+import lightning.scene.asset.LightTexture;
+import lightning.scene.asset.Texture;
+import lightning.scene.asset.TextureMap;
+import lightning.scene.light.LightType;
+import lightning.scene.material.AlphaCutout;
+import lightning.scene.material.BumpMapping;
+import lightning.scene.value.BarnDoors;
 
 /** Scenes that use an effect without changing the image. */
 final class EffectInjection {

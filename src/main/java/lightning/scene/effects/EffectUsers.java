@@ -5,13 +5,13 @@ import java.util.function.Predicate;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import lightning.scene.IndirectSettings;
-import lightning.scene.Light;
-import lightning.scene.Material;
 import lightning.scene.PlacedShape;
 import lightning.scene.Scene;
-import lightning.scene.Shape;
-import lightning.scene.ShapeGains;
-import lightning.scene.Solid;
+import lightning.scene.light.Light;
+import lightning.scene.material.Material;
+import lightning.scene.node.Shape;
+import lightning.scene.node.Solid;
+import lightning.scene.value.ShapeGains;
 
 /**
  * Parts of a scene that contribute to its image.

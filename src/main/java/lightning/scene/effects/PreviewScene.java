@@ -4,16 +4,16 @@ import java.util.ArrayList;
 import java.util.List;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
-import lightning.scene.Environment;
-import lightning.scene.EnvironmentLight;
-import lightning.scene.Light;
-import lightning.scene.LightAttribute;
-import lightning.scene.Material;
 import lightning.scene.Scene;
-import lightning.scene.SceneLimits;
-import lightning.scene.ShapeLinks;
 import lightning.scene.Stage;
 import lightning.scene.World;
+import lightning.scene.asset.Environment;
+import lightning.scene.asset.EnvironmentLight;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightAttribute;
+import lightning.scene.material.Material;
+import lightning.scene.value.SceneLimits;
+import lightning.scene.value.ShapeLinks;
 
 /**
  * Converts scenes for the editor's preview, which has a few levels of reflections, and shadows of one light at most: limits the depth, dims

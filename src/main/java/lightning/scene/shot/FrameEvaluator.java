@@ -5,16 +5,16 @@ import java.util.Map;
 import java.util.stream.Collectors;
 import lightning.base.math.Vec3;
 import lightning.scene.Camera;
-import lightning.scene.LensShift;
-import lightning.scene.Light;
-import lightning.scene.LightAttribute;
-import lightning.scene.LightGroup;
-import lightning.scene.LightRig;
-import lightning.scene.NodeGroup;
 import lightning.scene.Scene;
-import lightning.scene.SceneAttribute;
-import lightning.scene.SceneNode;
-import lightning.scene.Shape;
+import lightning.scene.attribute.SceneAttribute;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightAttribute;
+import lightning.scene.light.LightGroup;
+import lightning.scene.light.LightRig;
+import lightning.scene.node.NodeGroup;
+import lightning.scene.node.SceneNode;
+import lightning.scene.node.Shape;
+import lightning.scene.value.LensShift;
 
 /** Evaluation of the scene at one frame. Sets dependent values together, so that no intermediate state is rejected. */
 final class FrameEvaluator {

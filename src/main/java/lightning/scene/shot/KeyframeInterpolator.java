@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import lightning.base.math.Vec3;
 import lightning.base.math.VectorRotation;
-import lightning.scene.NumericKind;
+import lightning.scene.attribute.NumericKind;
 
 /** Interpolation between the numbers of two keyframes. */
 final class KeyframeInterpolator {

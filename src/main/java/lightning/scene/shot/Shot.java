@@ -9,7 +9,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import lightning.scene.Scene;
-import lightning.scene.SceneLimits;
+import lightning.scene.value.SceneLimits;
 
 /**
  * Animation of a scene by keyframes. Equal shots give the same scene at every frame.

@@ -10,8 +10,8 @@ import java.util.Set;
 import lightning.base.text.Messages;
 import lightning.base.text.Quote;
 import lightning.scene.Scene;
-import lightning.scene.SceneAttribute;
 import lightning.scene.SceneDiff;
+import lightning.scene.attribute.SceneAttribute;
 
 /** One-line summary of the changes of a scene and its keyframes: {@code key: intensity at frame 12}. */
 public final class ShotDiff {

@@ -3,12 +3,12 @@ package lightning.scene.shot;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import lightning.scene.ChoiceKind;
-import lightning.scene.KeyframeSupport;
-import lightning.scene.NumericKind;
 import lightning.scene.Scene;
-import lightning.scene.SceneAttribute;
-import lightning.scene.ValueKind;
+import lightning.scene.attribute.ChoiceKind;
+import lightning.scene.attribute.KeyframeSupport;
+import lightning.scene.attribute.NumericKind;
+import lightning.scene.attribute.SceneAttribute;
+import lightning.scene.attribute.ValueKind;
 
 /**
  * Keyframes of one attribute of a target.

@@ -9,11 +9,11 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Stream;
-import lightning.scene.Light;
-import lightning.scene.LightGroup;
-import lightning.scene.NodeGroup;
 import lightning.scene.Scene;
-import lightning.scene.SceneNode;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightGroup;
+import lightning.scene.node.NodeGroup;
+import lightning.scene.node.SceneNode;
 
 /** Transfer of tracks to the objects of an edited scene. */
 public final class TrackRetargeting {

@@ -4,14 +4,14 @@ import java.util.List;
 import java.util.Optional;
 import lightning.base.text.Quote;
 import lightning.scene.Camera;
-import lightning.scene.ChoiceKind;
-import lightning.scene.LightAttribute;
-import lightning.scene.LightGroup;
-import lightning.scene.NumericKind;
 import lightning.scene.Scene;
-import lightning.scene.SceneAttribute;
-import lightning.scene.SceneNode;
-import lightning.scene.ValueKind;
+import lightning.scene.attribute.ChoiceKind;
+import lightning.scene.attribute.NumericKind;
+import lightning.scene.attribute.SceneAttribute;
+import lightning.scene.attribute.ValueKind;
+import lightning.scene.light.LightAttribute;
+import lightning.scene.light.LightGroup;
+import lightning.scene.node.SceneNode;
 
 /**
  * Object whose attributes have keyframes.

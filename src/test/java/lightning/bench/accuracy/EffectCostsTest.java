@@ -9,9 +9,9 @@ import lightning.base.work.Progress;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.render.trace.HitRows;
 import lightning.sample.StudioScene;
-import lightning.scene.LightType;
 import lightning.scene.Scene;
 import lightning.scene.effects.RenderEffect;
+import lightning.scene.light.LightType;
 import org.junit.jupiter.api.Test;
 
 /** Costs of effects in bytes and rays, which are deterministic. */

@@ -11,8 +11,8 @@ import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
 import lightning.render.trace.Geometry;
 import lightning.sample.Slow;
-import lightning.scene.Light;
 import lightning.scene.Scene;
+import lightning.scene.light.Light;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 

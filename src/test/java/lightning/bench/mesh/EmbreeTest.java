@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import java.util.Random;
 import lightning.render.trace.mesh.MeshRayQuery;
 import lightning.render.trace.mesh.MeshSolid;
-import lightning.scene.Mesh;
+import lightning.scene.node.Mesh;
 import org.junit.jupiter.api.Test;
 
 /** Comparison with Embree, if installed; {@code -Dlightning.embree=1000000} sets the number of rays. */

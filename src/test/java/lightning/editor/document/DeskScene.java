@@ -5,9 +5,9 @@ import java.util.List;
 import lightning.base.math.Vec3;
 import lightning.format.jen.JenException;
 import lightning.format.jen.JenReader;
-import lightning.scene.Light;
-import lightning.scene.LightType;
 import lightning.scene.Scene;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightType;
 
 /** Small scene to edit: a ball on a mirror, and a light of each type. */
 public final class DeskScene {

@@ -4,10 +4,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import lightning.base.math.Vec3;
 import lightning.sample.StudioScene;
-import lightning.scene.Light;
-import lightning.scene.LightType;
-import lightning.scene.Placement;
 import lightning.scene.Scene;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightType;
+import lightning.scene.value.Placement;
 import org.junit.jupiter.api.Test;
 
 class DragRoundingTest {

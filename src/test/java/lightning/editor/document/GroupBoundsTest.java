@@ -6,16 +6,16 @@ import java.util.List;
 import java.util.stream.Stream;
 import lightning.base.math.Vec3;
 import lightning.scene.Camera;
-import lightning.scene.LightRig;
-import lightning.scene.Material;
-import lightning.scene.NodeGroup;
 import lightning.scene.PictureSettings;
-import lightning.scene.Placement;
 import lightning.scene.Scene;
-import lightning.scene.Shape;
-import lightning.scene.Solid;
 import lightning.scene.Stage;
 import lightning.scene.World;
+import lightning.scene.light.LightRig;
+import lightning.scene.material.Material;
+import lightning.scene.node.NodeGroup;
+import lightning.scene.node.Shape;
+import lightning.scene.node.Solid;
+import lightning.scene.value.Placement;
 import org.junit.jupiter.api.Test;
 
 class GroupBoundsTest {

@@ -4,9 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import lightning.base.math.Vec3;
-import lightning.scene.Light;
-import lightning.scene.LightType;
-import lightning.scene.SceneLimits;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightType;
+import lightning.scene.value.SceneLimits;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;

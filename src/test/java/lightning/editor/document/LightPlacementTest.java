@@ -6,11 +6,11 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
 import lightning.base.math.Vec3;
-import lightning.render.shading.LightReport;
-import lightning.render.shading.PixelExplainer;
-import lightning.scene.Light;
-import lightning.scene.LightType;
+import lightning.render.shading.explanation.LightReport;
+import lightning.render.shading.explanation.PixelExplainer;
 import lightning.scene.Scene;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightType;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.Assume;
 import net.jqwik.api.ForAll;

@@ -6,10 +6,10 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
 import lightning.base.math.Rgb;
-import lightning.scene.Material;
-import lightning.scene.MaterialAttribute;
 import lightning.scene.Scene;
-import lightning.scene.TextureMap;
+import lightning.scene.asset.TextureMap;
+import lightning.scene.material.Material;
+import lightning.scene.material.MaterialAttribute;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 

@@ -5,12 +5,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
-import lightning.scene.Environment;
-import lightning.scene.EnvironmentMap;
-import lightning.scene.Light;
-import lightning.scene.LightType;
 import lightning.scene.Scene;
 import lightning.scene.World;
+import lightning.scene.asset.Environment;
+import lightning.scene.asset.EnvironmentMap;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightType;
 import org.junit.jupiter.api.Test;
 
 class MixerChannelTest {

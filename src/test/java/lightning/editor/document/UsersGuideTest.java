@@ -10,9 +10,9 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Set;
 import java.util.stream.Collectors;
-import lightning.scene.LightAttribute;
-import lightning.scene.MaterialAttribute;
-import lightning.scene.NumericKind;
+import lightning.scene.attribute.NumericKind;
+import lightning.scene.light.LightAttribute;
+import lightning.scene.material.MaterialAttribute;
 import org.junit.jupiter.api.Test;
 
 /** Tests that the user's guide lists the parameters of the property editor. */

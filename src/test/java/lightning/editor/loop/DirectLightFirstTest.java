@@ -14,12 +14,12 @@ import lightning.render.relight.plan.PathUpdate;
 import lightning.render.relight.plan.ReflectionMode;
 import lightning.render.relight.plan.UpdatePlan;
 import lightning.render.relight.tile.RenderOptions;
-import lightning.render.shading.ReferenceTracer;
+import lightning.render.shading.reference.ReferenceTracer;
 import lightning.render.trace.Geometry;
 import lightning.sample.IndirectScenes;
 import lightning.scene.IndirectSettings;
 import lightning.scene.Scene;
-import lightning.scene.Shape;
+import lightning.scene.node.Shape;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 

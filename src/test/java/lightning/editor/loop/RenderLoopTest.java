@@ -25,7 +25,7 @@ import lightning.render.relight.plan.ReflectionMode;
 import lightning.render.relight.plan.UpdatePlan;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.render.shading.RayCounts;
-import lightning.render.shading.ReferenceTracer;
+import lightning.render.shading.reference.ReferenceTracer;
 import lightning.render.trace.Geometry;
 import lightning.sample.Slow;
 import lightning.scene.AntialiasMode;

@@ -30,10 +30,10 @@ import lightning.editor.window.widget.ColorTheme;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Camera;
-import lightning.scene.Placement;
 import lightning.scene.Scene;
 import lightning.scene.effects.PreviewScene;
 import lightning.scene.effects.ViewEffects;
+import lightning.scene.value.Placement;
 
 /**
  * Measures the cost of editing in the real editor for scenes of any size, one line of results per edit. Arguments: number of shapes, number

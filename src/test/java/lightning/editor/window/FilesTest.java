@@ -35,8 +35,8 @@ import lightning.format.jen.Problem;
 import lightning.render.image.DisplayCurve;
 import lightning.render.image.ViewTransform;
 import lightning.scene.AntialiasMode;
-import lightning.scene.Light;
 import lightning.scene.PictureSettings;
+import lightning.scene.light.Light;
 import org.assertj.core.data.Offset;
 import org.junit.jupiter.api.Test;
 

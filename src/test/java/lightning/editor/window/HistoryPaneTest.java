@@ -15,7 +15,7 @@ import javafx.scene.input.KeyCode;
 import javafx.stage.Window;
 import lightning.editor.document.Command;
 import lightning.editor.window.widget.TextTyping;
-import lightning.render.shading.ReferenceTracer;
+import lightning.render.shading.reference.ReferenceTracer;
 import lightning.scene.Scene;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;

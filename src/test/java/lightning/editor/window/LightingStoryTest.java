@@ -11,9 +11,9 @@ import javafx.stage.Window;
 import lightning.editor.document.Command;
 import lightning.editor.window.widget.TextTyping;
 import lightning.format.jen.JenReader;
-import lightning.render.shading.ReferenceTracer;
-import lightning.scene.LightType;
+import lightning.render.shading.reference.ReferenceTracer;
 import lightning.scene.Scene;
+import lightning.scene.light.LightType;
 import org.junit.jupiter.api.Test;
 
 /** Lighting session from §2.3 of the paper: key light, fill light, rim light, and all corrections. */

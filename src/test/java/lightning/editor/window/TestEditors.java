@@ -20,7 +20,7 @@ import lightning.editor.window.model.Preferences;
 import lightning.editor.window.traced.TracedPane;
 import lightning.editor.window.widget.ColorTheme;
 import lightning.format.jen.JenException;
-import lightning.scene.Light;
+import lightning.scene.light.Light;
 import org.testfx.api.FxRobot;
 import org.testfx.util.WaitForAsyncUtils;
 

@@ -12,7 +12,7 @@ import lightning.editor.window.model.Preferences;
 import lightning.editor.window.model.WindowLayout.CanvasLayout;
 import lightning.editor.window.widget.PictureView;
 import lightning.format.jen.JenReader;
-import lightning.render.shading.ReferenceTracer;
+import lightning.render.shading.reference.ReferenceTracer;
 import lightning.scene.AntialiasMode;
 import org.junit.jupiter.api.Test;
 

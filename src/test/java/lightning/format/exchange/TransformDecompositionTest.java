@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
-import lightning.scene.Placement;
+import lightning.scene.value.Placement;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.DoubleRange;

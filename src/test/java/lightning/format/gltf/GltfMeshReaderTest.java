@@ -14,7 +14,7 @@ import lightning.base.work.Await;
 import lightning.base.work.Progress;
 import lightning.format.mesh.ConversionNotes;
 import lightning.format.mesh.MeshException;
-import lightning.scene.Mesh;
+import lightning.scene.node.Mesh;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;

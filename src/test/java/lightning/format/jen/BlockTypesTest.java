@@ -8,10 +8,10 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
-import lightning.scene.MaterialAttribute;
-import lightning.scene.Mesh;
-import lightning.scene.ShapeLinks;
-import lightning.scene.Texture;
+import lightning.scene.asset.Texture;
+import lightning.scene.material.MaterialAttribute;
+import lightning.scene.node.Mesh;
+import lightning.scene.value.ShapeLinks;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -33,17 +33,17 @@ class BlockTypesTest {
     /** Asset source in which every file exists. */
     private static final AssetSource FILES = new AssetSource() {
         @Override
-        public lightning.scene.Photometry profile(String file) {
+        public lightning.scene.value.Photometry profile(String file) {
             throw new IllegalArgumentException(file);
         }
 
         @Override
-        public lightning.scene.EnvironmentMap environment(String file) {
+        public lightning.scene.asset.EnvironmentMap environment(String file) {
             throw new IllegalArgumentException(file);
         }
 
         @Override
-        public Texture texture(String file, lightning.scene.TextureUsage samples) {
+        public Texture texture(String file, lightning.scene.asset.TextureUsage samples) {
             return new Texture(1, 1, new float[3]);
         }
 
@@ -97,7 +97,7 @@ class BlockTypesTest {
                     p.checkValue(p.initial());
                 }
                 case Value.Word(String word) -> p.checkWord(word);
-                case Value.Name(String name) -> lightning.scene.SceneLimits.checkName(name);
+                case Value.Name(String name) -> lightning.scene.value.SceneLimits.checkName(name);
                 case Value.Quoted q -> p.checkValue(q);
                 case Value.LinkSet(ShapeLinks links) -> assertThat(links.isAll()).isTrue();
                 case Value.Gains _ -> throw new AssertionError("gains are absent by default");
@@ -119,7 +119,7 @@ class BlockTypesTest {
                 .isEqualTo(lightning.scene.Camera.DEFAULT);
         assertThat(
                 BlockTypes.MATERIAL.builder().build("default", new PropertyValues(BlockTypes.MATERIAL.initials()::get, FILES), List.of()))
-                .isEqualTo(lightning.scene.Material.DEFAULT);
+                .isEqualTo(lightning.scene.material.Material.DEFAULT);
     }
 
     private static Object build(Case c, double v) {

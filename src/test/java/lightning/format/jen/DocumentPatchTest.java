@@ -10,13 +10,13 @@ import java.util.List;
 import java.util.Optional;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
-import lightning.scene.Light;
-import lightning.scene.LightType;
-import lightning.scene.Material;
 import lightning.scene.Scene;
-import lightning.scene.Texture;
-import lightning.scene.TextureMap;
 import lightning.scene.World;
+import lightning.scene.asset.Texture;
+import lightning.scene.asset.TextureMap;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightType;
+import lightning.scene.material.Material;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 

@@ -10,9 +10,9 @@ import java.nio.file.Path;
 import java.util.List;
 import javax.imageio.ImageIO;
 import lightning.base.math.Rgb;
-import lightning.scene.Light;
 import lightning.scene.Scene;
-import lightning.scene.Texture;
+import lightning.scene.asset.Texture;
+import lightning.scene.light.Light;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 

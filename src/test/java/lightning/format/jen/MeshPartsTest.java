@@ -6,7 +6,7 @@ import java.util.AbstractList;
 import java.util.List;
 import java.util.stream.IntStream;
 import lightning.format.mesh.NamedMesh;
-import lightning.scene.Mesh;
+import lightning.scene.node.Mesh;
 import org.junit.jupiter.api.Test;
 
 /** Lookup of parts of mesh files by name. */

@@ -14,8 +14,8 @@ import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 import javax.imageio.ImageIO;
 import lightning.scene.Scene;
-import lightning.scene.Texture;
-import lightning.scene.TextureUsage;
+import lightning.scene.asset.Texture;
+import lightning.scene.asset.TextureUsage;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.lifecycle.AfterContainer;
@@ -87,10 +87,10 @@ class SavingInvariantsTest {
         var scenes = new RandomScenes(random, images, numbers, opacities);
         Scene scene = scenes.scene();
         JenDocument document = JenReader.read(new TextReformatter(random).reformat(JenWriter.write(scene)), "s.jen", folder);
-        List<lightning.scene.Light> lights = new ArrayList<>(scene.lights());
+        List<lightning.scene.light.Light> lights = new ArrayList<>(scene.lights());
         java.util.Collections.shuffle(lights, random);
         lights.replaceAll(l -> l.withIntensity(l.intensity() + 1).withSolo(!l.solo()));
-        lights.add(random.nextInt(lights.size() + 1), lightning.scene.Light.of("new-one", lightning.scene.LightType.SPOT));
+        lights.add(random.nextInt(lights.size() + 1), lightning.scene.light.Light.of("new-one", lightning.scene.light.LightType.SPOT));
         String edited = document.withScene(scene.withLights(lights).withWorld(scene.world().withAmbience(7))).text();
         assertThat(comments(edited)).containsExactlyInAnyOrderElementsOf(comments(document.text()));
     }

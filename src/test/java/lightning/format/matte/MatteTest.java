@@ -4,12 +4,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import lightning.base.math.Vec3;
-import lightning.scene.Material;
-import lightning.scene.NodeGroup;
-import lightning.scene.Placement;
-import lightning.scene.Shape;
-import lightning.scene.Solid;
 import lightning.scene.Stage;
+import lightning.scene.material.Material;
+import lightning.scene.node.NodeGroup;
+import lightning.scene.node.Shape;
+import lightning.scene.node.Solid;
+import lightning.scene.value.Placement;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import org.junit.jupiter.api.Test;

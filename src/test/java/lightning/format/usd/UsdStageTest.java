@@ -11,7 +11,7 @@ import java.nio.file.Path;
 import java.util.List;
 import lightning.format.mesh.ConversionNotes;
 import lightning.format.mesh.MeshException;
-import lightning.scene.Mesh;
+import lightning.scene.node.Mesh;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;

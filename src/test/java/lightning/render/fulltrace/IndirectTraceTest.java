@@ -4,7 +4,7 @@ import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
 import lightning.format.jen.JenWriter;
 import lightning.render.image.FilmAssert;
-import lightning.render.shading.ReferenceTracer;
+import lightning.render.shading.reference.ReferenceTracer;
 import lightning.render.trace.Geometry;
 import lightning.sample.EdgeCaseScenes;
 import lightning.sample.IndirectArbitraries;

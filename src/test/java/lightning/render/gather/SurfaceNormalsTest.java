@@ -11,10 +11,10 @@ import lightning.format.jen.JenReader;
 import lightning.render.engine.choice.Engines;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.RayBatch;
-import lightning.scene.BumpMapping;
 import lightning.scene.Scene;
-import lightning.scene.Texture;
-import lightning.scene.TextureMap;
+import lightning.scene.asset.Texture;
+import lightning.scene.asset.TextureMap;
+import lightning.scene.material.BumpMapping;
 import org.junit.jupiter.api.Test;
 
 class SurfaceNormalsTest {

@@ -12,9 +12,9 @@ import lightning.format.jen.JenReader;
 import lightning.render.engine.choice.Engines;
 import lightning.render.fulltrace.TraditionalTracer;
 import lightning.render.relight.tile.RenderOptions;
-import lightning.scene.AreaShape;
-import lightning.scene.Light;
 import lightning.scene.Scene;
+import lightning.scene.light.AreaShape;
+import lightning.scene.light.Light;
 
 /**
  * Benchmark of area light edits against full traces of the same scene, interleaved: medians of wall-clock and CPU milliseconds.
@@ -37,7 +37,7 @@ final class AreaLightBenchmark {
         Scene[] edits = {scene.withLight(large.withPosition(large.position().plus(new Vec3(0.1, 0, 0)))
                 .withDirection(large.direction().plus(new Vec3(0.01, 0, 0)))),
             scene.withLight(large.withIntensity(large.intensity() / 2)),
-            scene.withLight(large.withAttenuation(new lightning.scene.Attenuation(0.2, 0.5, 0.1)))};
+            scene.withLight(large.withAttenuation(new lightning.scene.value.Attenuation(0.2, 0.5, 0.1)))};
         String[] names = {"moved", "weight", "falloff", "full trace"};
         double[][] wall = new double[4][rounds];
         double[][] cpu = new double[4][rounds];

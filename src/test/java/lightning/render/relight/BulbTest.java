@@ -8,7 +8,7 @@ import lightning.format.jen.JenReader;
 import lightning.format.jen.PropertyEdit;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.render.shading.RayCounts;
-import lightning.render.shading.ReferenceTracer;
+import lightning.render.shading.reference.ReferenceTracer;
 import lightning.scene.Scene;
 import lightning.scene.SceneWarnings;
 import org.junit.jupiter.api.Test;

@@ -10,7 +10,7 @@ import lightning.render.relight.plan.Accuracy;
 import lightning.render.relight.plan.ReflectionMode;
 import lightning.render.relight.tile.MirrorStorage;
 import lightning.render.relight.tile.RenderOptions;
-import lightning.render.shading.ReferenceTracer;
+import lightning.render.shading.reference.ReferenceTracer;
 import lightning.sample.Slow;
 import lightning.sample.StudioScene;
 import lightning.scene.Scene;

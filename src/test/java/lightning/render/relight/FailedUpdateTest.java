@@ -12,7 +12,7 @@ import lightning.render.image.Film;
 import lightning.render.relight.plan.Accuracy;
 import lightning.render.relight.plan.UpdatePlan;
 import lightning.render.relight.tile.RenderOptions;
-import lightning.render.shading.ReferenceTracer;
+import lightning.render.shading.reference.ReferenceTracer;
 import lightning.sample.TransparentScenes;
 import lightning.scene.Scene;
 import org.junit.jupiter.api.AfterEach;

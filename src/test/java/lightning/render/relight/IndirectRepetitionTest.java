@@ -15,10 +15,10 @@ import lightning.render.fulltrace.TraditionalTracer;
 import lightning.render.image.FilmAssert;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.IndirectSettings;
-import lightning.scene.Placement;
 import lightning.scene.Scene;
-import lightning.scene.SceneNode;
-import lightning.scene.Shape;
+import lightning.scene.node.SceneNode;
+import lightning.scene.node.Shape;
+import lightning.scene.value.Placement;
 import org.junit.jupiter.api.Test;
 
 /** Tests that edits of small objects repeat few paths of indirect light, and that the picture is that of a first pass. */

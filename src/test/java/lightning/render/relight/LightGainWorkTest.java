@@ -12,15 +12,15 @@ import lightning.render.relight.plan.LightUpdate;
 import lightning.render.relight.plan.ReflectionMode;
 import lightning.render.relight.tile.MirrorStorage;
 import lightning.render.relight.tile.RenderOptions;
-import lightning.render.shading.ReferenceTracer;
+import lightning.render.shading.reference.ReferenceTracer;
 import lightning.sample.StudioScene;
-import lightning.scene.Contribution;
-import lightning.scene.LightType;
-import lightning.scene.NodeGroup;
-import lightning.scene.Placement;
 import lightning.scene.Scene;
-import lightning.scene.SceneNode;
-import lightning.scene.ShapeGains;
+import lightning.scene.light.Contribution;
+import lightning.scene.light.LightType;
+import lightning.scene.node.NodeGroup;
+import lightning.scene.node.SceneNode;
+import lightning.scene.value.Placement;
+import lightning.scene.value.ShapeGains;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -28,7 +28,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 /** Tests that edits of a light's gains only compose, and that a light without shadows casts no shadow rays. */
 class LightGainWorkTest {
     private static final LightUpdate SHADOWS =
-            new LightUpdate.Partial(lightning.render.shading.ConeChange.NONE, false, false, true);
+            new LightUpdate.Partial(lightning.render.shading.layer.ConeChange.NONE, false, false, true);
 
     private static UpdateResult contribute(StudioRenderer studio, Contribution contribution) {
         return studio.edit(l -> l.withContribution(contribution));

@@ -4,10 +4,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import lightning.base.math.Vec3;
 import lightning.render.relight.plan.LightUpdate;
-import lightning.render.shading.ConeChange;
+import lightning.render.shading.layer.ConeChange;
 import lightning.sample.StudioScene;
-import lightning.scene.LightType;
-import lightning.scene.ShapeLinks;
+import lightning.scene.light.LightType;
+import lightning.scene.value.ShapeLinks;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;

@@ -8,13 +8,13 @@ import lightning.base.math.Rgb;
 import lightning.render.image.FilmAssert;
 import lightning.render.relight.plan.ReflectionMode;
 import lightning.render.relight.tile.MirrorStorage;
-import lightning.render.shading.LightRows;
-import lightning.render.shading.ReferenceTracer;
+import lightning.render.shading.layer.LightRows;
+import lightning.render.shading.reference.ReferenceTracer;
 import lightning.sample.StudioScene;
-import lightning.scene.LightType;
-import lightning.scene.Material;
 import lightning.scene.Scene;
-import lightning.scene.ShadingModel;
+import lightning.scene.light.LightType;
+import lightning.scene.material.Material;
+import lightning.scene.material.ShadingModel;
 import org.junit.jupiter.api.Test;
 
 /** Tests that each edit of a metallic material does the least work and casts no ray. */

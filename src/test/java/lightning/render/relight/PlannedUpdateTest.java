@@ -6,10 +6,10 @@ import lightning.base.work.Progress;
 import lightning.render.image.FilmAssert;
 import lightning.render.relight.plan.UpdatePlan;
 import lightning.render.relight.tile.RenderOptions;
-import lightning.render.shading.ReferenceTracer;
+import lightning.render.shading.reference.ReferenceTracer;
 import lightning.sample.StudioScene;
-import lightning.scene.Light;
 import lightning.scene.Scene;
+import lightning.scene.light.Light;
 import org.junit.jupiter.api.Test;
 
 class PlannedUpdateTest {

@@ -6,8 +6,8 @@ import lightning.bench.accuracy.AccuracyGuarantee;
 import lightning.render.cache.PixelCache;
 import lightning.render.image.Difference;
 import lightning.render.image.Film;
-import lightning.render.shading.ReferenceTracer;
 import lightning.render.shading.RenderedScenes;
+import lightning.render.shading.reference.ReferenceTracer;
 
 /** Compares pictures with the reference. */
 final class ReferenceCheck {

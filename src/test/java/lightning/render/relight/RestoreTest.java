@@ -11,11 +11,11 @@ import lightning.render.relight.plan.ReflectionMode;
 import lightning.render.relight.plan.UpdatePlan;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.render.relight.tile.RepeatedEditDetector;
-import lightning.render.shading.ReferenceTracer;
+import lightning.render.shading.reference.ReferenceTracer;
 import lightning.sample.StudioScene;
-import lightning.scene.Light;
-import lightning.scene.LightType;
 import lightning.scene.Scene;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightType;
 import org.junit.jupiter.api.Test;
 
 /** Tests restoring the cache of an earlier picture. */

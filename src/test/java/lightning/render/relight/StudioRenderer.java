@@ -15,9 +15,9 @@ import lightning.render.relight.tile.MirrorStorage;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.render.shading.ReferenceRows;
 import lightning.sample.StudioScene;
-import lightning.scene.Light;
-import lightning.scene.LightType;
 import lightning.scene.Scene;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightType;
 
 /** Studio scene with a renderer whose work is counted. */
 final class StudioRenderer implements AutoCloseable {

@@ -13,7 +13,7 @@ import lightning.render.cache.TileLevel;
 import lightning.render.fulltrace.TraditionalTracer;
 import lightning.render.image.FilmAssert;
 import lightning.render.relight.tile.RenderOptions;
-import lightning.render.shading.LightRows;
+import lightning.render.shading.layer.LightRows;
 import lightning.scene.Scene;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;

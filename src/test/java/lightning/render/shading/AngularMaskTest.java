@@ -6,14 +6,14 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.Optional;
 import lightning.base.math.Vec3;
 import lightning.sample.StudioScene;
-import lightning.scene.AreaShape;
-import lightning.scene.BarnDoors;
-import lightning.scene.Gobo;
-import lightning.scene.IesProfile;
-import lightning.scene.Light;
-import lightning.scene.LightType;
-import lightning.scene.Photometry;
-import lightning.scene.Texture;
+import lightning.scene.asset.Gobo;
+import lightning.scene.asset.IesProfile;
+import lightning.scene.asset.Texture;
+import lightning.scene.light.AreaShape;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightType;
+import lightning.scene.value.BarnDoors;
+import lightning.scene.value.Photometry;
 import org.junit.jupiter.api.Test;
 
 /** Tests the barn doors of a light at the camera that looks along −z against known angles. */

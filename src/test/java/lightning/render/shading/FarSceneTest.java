@@ -3,13 +3,14 @@ package lightning.render.shading;
 import java.util.List;
 import lightning.base.math.Vec3;
 import lightning.render.image.FilmAssert;
+import lightning.render.shading.reference.ReferenceTracer;
 import lightning.sample.StudioScene;
 import lightning.scene.Camera;
-import lightning.scene.Light;
-import lightning.scene.LightType;
-import lightning.scene.NodeGroup;
-import lightning.scene.Placement;
 import lightning.scene.Scene;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightType;
+import lightning.scene.node.NodeGroup;
+import lightning.scene.value.Placement;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 

@@ -8,8 +8,8 @@ import lightning.base.math.Vec3;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.PixelRays;
 import lightning.render.trace.SurfacePoint;
-import lightning.scene.Light;
 import lightning.scene.Scene;
+import lightning.scene.light.Light;
 
 /** Hit rows of a picture and their relation to each light, found ray by ray without a cache: the reference for the renderer's counts. */
 public final class ReferenceRows {

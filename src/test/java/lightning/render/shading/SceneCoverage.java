@@ -3,8 +3,8 @@ package lightning.render.shading;
 import java.util.function.BiFunction;
 import java.util.function.Predicate;
 import lightning.render.trace.SurfacePoint;
-import lightning.scene.Light;
 import lightning.scene.Scene;
+import lightning.scene.light.Light;
 import net.jqwik.api.statistics.Statistics;
 
 /** Coverage statistics of property tests: counts what the pictures of the cases show and requires a tenth of each kind. */

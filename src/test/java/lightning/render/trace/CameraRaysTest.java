@@ -4,8 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import lightning.base.math.Vec3;
 import lightning.scene.Camera;
-import lightning.scene.LensShift;
 import lightning.scene.PictureSettings;
+import lightning.scene.value.LensShift;
 import org.junit.jupiter.api.Test;
 
 /** Camera rays. */

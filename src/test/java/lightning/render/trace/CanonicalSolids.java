@@ -6,7 +6,7 @@ import java.util.stream.Stream;
 import lightning.base.math.Vec3;
 import lightning.render.trace.solid.SolidGeometry;
 import lightning.render.trace.solid.SolidKind;
-import lightning.scene.Solid;
+import lightning.scene.node.Solid;
 
 /** Solids for tests, with their distances in local space. */
 final class CanonicalSolids {

@@ -5,8 +5,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
 import lightning.base.math.Vec3;
-import lightning.scene.Placement;
-import lightning.scene.Solid;
+import lightning.scene.node.Solid;
+import lightning.scene.value.Placement;
 
 /** Shape in nested groups, with scales from 10⁻⁶ to 10⁶, and a camera, in arbitrary precision. */
 record ExactPlacedSolid(Solid.Canonical solid, List<Placement> placements, Vec3 camera, ExactPlacement exact, Geometry geometry) {

@@ -4,7 +4,7 @@ import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.List;
 import lightning.base.math.Vec3;
-import lightning.scene.Placement;
+import lightning.scene.value.Placement;
 
 /** Transforms of placed shapes in arbitrary precision, computed only from the numbers of the scene. */
 final class ExactPlacement {

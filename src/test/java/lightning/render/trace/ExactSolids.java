@@ -3,7 +3,7 @@ package lightning.render.trace;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import lightning.render.trace.solid.SolidGeometry;
-import lightning.scene.Solid;
+import lightning.scene.node.Solid;
 
 /**
  * Reference intersection of the canonical solids with 130 digits, for tests of {@link SolidGeometry}.

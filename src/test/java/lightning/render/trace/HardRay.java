@@ -3,7 +3,7 @@ package lightning.render.trace;
 import java.util.Random;
 import lightning.base.math.Ray;
 import lightning.base.math.Vec3;
-import lightning.scene.Solid;
+import lightning.scene.node.Solid;
 
 /** Ray configurations that are known to be numerically difficult, in local space of a canonical solid. */
 enum HardRay {

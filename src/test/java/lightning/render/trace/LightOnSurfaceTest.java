@@ -10,7 +10,7 @@ import lightning.render.engine.lanes.RayPacket;
 import lightning.render.trace.primitive.PrimitiveTable;
 import lightning.render.trace.tree.ShadowRayTarget;
 import lightning.sample.Slow;
-import lightning.scene.Solid;
+import lightning.scene.node.Solid;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 

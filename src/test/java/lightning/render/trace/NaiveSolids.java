@@ -1,7 +1,7 @@
 package lightning.render.trace;
 
 import lightning.render.trace.solid.SolidGeometry;
-import lightning.scene.Solid;
+import lightning.scene.node.Solid;
 
 /**
  * Textbook intersection formulas, for comparison with {@link lightning.render.trace.solid.SolidGeometry}: the plain quadratic

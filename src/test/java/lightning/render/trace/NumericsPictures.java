@@ -14,19 +14,19 @@ import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
 import lightning.render.trace.primitive.SurfaceHit;
 import lightning.render.trace.solid.SolidGeometry;
-import lightning.scene.AlphaCutout;
-import lightning.scene.BumpMapping;
 import lightning.scene.Camera;
-import lightning.scene.Material;
 import lightning.scene.PictureSettings;
-import lightning.scene.Placement;
 import lightning.scene.Scene;
-import lightning.scene.Shape;
-import lightning.scene.Solid;
-import lightning.scene.Texture;
-import lightning.scene.TextureMap;
-import lightning.scene.Transmission;
 import lightning.scene.World;
+import lightning.scene.asset.Texture;
+import lightning.scene.asset.TextureMap;
+import lightning.scene.material.AlphaCutout;
+import lightning.scene.material.BumpMapping;
+import lightning.scene.material.Material;
+import lightning.scene.material.Transmission;
+import lightning.scene.node.Shape;
+import lightning.scene.node.Solid;
+import lightning.scene.value.Placement;
 
 /** Program that renders the images of docs/numerics.md, the textbook's formula on the left and Lightning's on the right. */
 final class NumericsPictures {

@@ -11,8 +11,8 @@ import lightning.base.math.Ray;
 import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
 import lightning.render.trace.primitive.SurfaceHit;
-import lightning.scene.Placement;
-import lightning.scene.Solid;
+import lightning.scene.node.Solid;
+import lightning.scene.value.Placement;
 
 /**
  * Benchmark of the robust formulas of docs/numerics.md against those of the textbook: nanoseconds each, scalar, for the distant

@@ -8,7 +8,7 @@ import java.util.Random;
 import lightning.base.math.Ray;
 import lightning.base.math.Vec3;
 import lightning.render.trace.solid.SolidGeometry;
-import lightning.scene.Solid;
+import lightning.scene.node.Solid;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.DoubleRange;

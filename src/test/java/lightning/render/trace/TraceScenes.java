@@ -7,15 +7,15 @@ import lightning.base.math.Vec3;
 import lightning.render.trace.primitive.PrimitiveTable;
 import lightning.sample.SampleMeshes;
 import lightning.scene.Camera;
-import lightning.scene.Material;
-import lightning.scene.NodeGroup;
 import lightning.scene.PictureSettings;
-import lightning.scene.Placement;
 import lightning.scene.Scene;
-import lightning.scene.SceneNode;
-import lightning.scene.Shape;
-import lightning.scene.Solid;
 import lightning.scene.World;
+import lightning.scene.material.Material;
+import lightning.scene.node.NodeGroup;
+import lightning.scene.node.SceneNode;
+import lightning.scene.node.Shape;
+import lightning.scene.node.Solid;
+import lightning.scene.value.Placement;
 
 /** Scenes for tracing tests: like those of the paper, and arbitrary ones. */
 public final class TraceScenes {

@@ -6,11 +6,11 @@ import java.util.ArrayList;
 import java.util.List;
 import lightning.sample.StudioScene;
 import lightning.scene.AntialiasMode;
-import lightning.scene.Light;
-import lightning.scene.LightType;
 import lightning.scene.PictureSettings;
 import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightType;
 import org.junit.jupiter.api.Test;
 
 class LongRenderCheckTest {

@@ -17,7 +17,7 @@ import lightning.render.image.Downscale;
 import lightning.render.image.Film;
 import lightning.render.image.FilmAssert;
 import lightning.render.relight.tile.RenderOptions;
-import lightning.render.shading.ReferenceTracer;
+import lightning.render.shading.reference.ReferenceTracer;
 import lightning.sample.IndirectScenes;
 import lightning.sample.Slow;
 import lightning.scene.Scene;

@@ -22,7 +22,7 @@ import lightning.base.work.DedicatedThread;
 import lightning.format.jen.JenReader;
 import lightning.render.image.FilmAssert;
 import lightning.render.relight.tile.RenderOptions;
-import lightning.render.shading.ReferenceTracer;
+import lightning.render.shading.reference.ReferenceTracer;
 import lightning.sample.Slow;
 import lightning.shot.LocalFrameHost;
 import lightning.shot.ShotListener;

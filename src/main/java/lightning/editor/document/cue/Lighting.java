@@ -14,13 +14,13 @@ import lightning.format.jen.JenDocument;
 import lightning.format.jen.JenException;
 import lightning.format.jen.JenReader;
 import lightning.scene.Camera;
-import lightning.scene.Light;
-import lightning.scene.LightGroup;
-import lightning.scene.LightRig;
 import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
 import lightning.scene.Stage;
 import lightning.scene.World;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightGroup;
+import lightning.scene.light.LightRig;
 
 /**
  * Lighting of a scene, without its shapes and camera.

@@ -7,16 +7,16 @@ import java.util.Optional;
 import java.util.Set;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
-import lightning.scene.AreaShape;
-import lightning.scene.FaceVisibility;
-import lightning.scene.Light;
-import lightning.scene.LightAttribute;
-import lightning.scene.LightGroup;
-import lightning.scene.LightRig;
-import lightning.scene.NumericKind;
-import lightning.scene.SceneAttribute;
-import lightning.scene.ShapeGains;
 import lightning.scene.World;
+import lightning.scene.attribute.NumericKind;
+import lightning.scene.attribute.SceneAttribute;
+import lightning.scene.light.AreaShape;
+import lightning.scene.light.FaceVisibility;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightAttribute;
+import lightning.scene.light.LightGroup;
+import lightning.scene.light.LightRig;
+import lightning.scene.value.ShapeGains;
 
 /**
  * Interpolation between two lightings. Its ends are the lightings themselves. Every position between is a regular lighting, so its image is

@@ -2,7 +2,7 @@ package lightning.editor.document.cue;
 
 import java.util.Set;
 import java.util.stream.Collectors;
-import lightning.scene.Light;
+import lightning.scene.light.Light;
 
 /**
  * Solos of a lighting that have an effect, and what they mute.

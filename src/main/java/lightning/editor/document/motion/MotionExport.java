@@ -12,7 +12,7 @@ import lightning.render.relight.plan.ReflectionMode;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.render.warmup.DelayedWarmUp;
 import lightning.scene.Scene;
-import lightning.scene.SceneLimits;
+import lightning.scene.value.SceneLimits;
 
 /**
  * Export of a recorded shot as numbered images, evenly spaced from start to end. Each is exact, reflections included.

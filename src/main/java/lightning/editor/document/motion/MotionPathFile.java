@@ -16,8 +16,8 @@ import lightning.base.file.RegularFile;
 import lightning.base.math.Vec3;
 import lightning.base.text.DecimalNumber;
 import lightning.base.text.Quote;
-import lightning.scene.Light;
-import lightning.scene.LightType;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightType;
 import lightning.scene.shot.Keyframe;
 import lightning.scene.shot.KeyframeValue;
 

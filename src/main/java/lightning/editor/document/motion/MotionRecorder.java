@@ -3,8 +3,8 @@ package lightning.editor.document.motion;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import lightning.scene.Light;
-import lightning.scene.SceneLimits;
+import lightning.scene.light.Light;
+import lightning.scene.value.SceneLimits;
 
 /** Recorder of a moving light: sets a keyframe every few frames of the preview (paper §3.7). */
 public final class MotionRecorder {

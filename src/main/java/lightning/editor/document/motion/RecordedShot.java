@@ -5,15 +5,15 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
 import lightning.base.math.Vec3;
-import lightning.scene.Light;
-import lightning.scene.LightAttribute;
-import lightning.scene.SceneLimits;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightAttribute;
 import lightning.scene.shot.Interpolation;
 import lightning.scene.shot.Keyframe;
 import lightning.scene.shot.KeyframeValue;
 import lightning.scene.shot.Shot;
 import lightning.scene.shot.Track;
 import lightning.scene.shot.TrackTarget;
+import lightning.scene.value.SceneLimits;
 
 /**
  * Shot of one light that was moved in the preview (paper §3.7), with linear position and direction keyframes at regular intervals.

@@ -5,7 +5,7 @@ import lightning.base.text.Messages;
 import lightning.editor.document.StepRange;
 import lightning.editor.window.widget.ArrowWidget;
 import lightning.editor.window.widget.NumberSetting;
-import lightning.scene.SceneLimits;
+import lightning.scene.value.SceneLimits;
 
 /** Field for a positive integer that is part of a window and not of a document. */
 final class IntegerField {

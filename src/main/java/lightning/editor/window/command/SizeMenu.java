@@ -20,7 +20,7 @@ import lightning.editor.window.model.CommandRegistry;
 import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.CanvasSize;
 import lightning.scene.PictureSettings;
-import lightning.scene.SceneLimits;
+import lightning.scene.value.SceneLimits;
 
 /** Menus for the sizes of the two canvases (paper §3.6). */
 public final class SizeMenu {

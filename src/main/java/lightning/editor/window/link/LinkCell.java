@@ -6,7 +6,7 @@ import javafx.geometry.VPos;
 import javafx.scene.control.Label;
 import javafx.scene.layout.Region;
 import lightning.editor.document.LinkTable;
-import lightning.scene.SceneLimits;
+import lightning.scene.value.SceneLimits;
 
 /** Cell of a link: a bar as long as the gain, and the gain in percent unless it is 100. Empty if the object is not linked. */
 final class LinkCell extends Region {

@@ -10,10 +10,10 @@ import lightning.editor.document.EditOutcome;
 import lightning.editor.document.LinkEdits;
 import lightning.editor.document.LinkTable;
 import lightning.editor.window.model.SceneEditor;
-import lightning.scene.Light;
-import lightning.scene.LightAttribute;
 import lightning.scene.Scene;
-import lightning.scene.SceneLimits;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightAttribute;
+import lightning.scene.value.SceneLimits;
 
 /** Edits of links, as the mouse and the keyboard make them. */
 final class LinkEditor {

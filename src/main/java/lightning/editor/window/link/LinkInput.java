@@ -10,8 +10,8 @@ import javafx.scene.input.MouseEvent;
 import javafx.scene.layout.Pane;
 import lightning.base.text.Messages;
 import lightning.editor.document.LinkTable;
-import lightning.scene.Light;
-import lightning.scene.SceneLimits;
+import lightning.scene.light.Light;
+import lightning.scene.value.SceneLimits;
 
 /**
  * Mouse and keyboard of the matrix. A click links or unlinks, a drag to the side changes the gain, digits open a field for it. Space toggles,

@@ -13,7 +13,7 @@ import javafx.scene.layout.Pane;
 import javafx.scene.layout.Region;
 import lightning.base.text.Messages;
 import lightning.editor.document.LinkTable;
-import lightning.scene.Light;
+import lightning.scene.light.Light;
 
 /**
  * Matrix of lights and objects whose headers stay in place. Only visible cells have nodes, which scrolling reuses; it moves by whole rows and

@@ -16,7 +16,7 @@ import lightning.editor.window.widget.ColorSliders;
 import lightning.editor.window.widget.ColorTheme;
 import lightning.editor.window.widget.NumberSetting;
 import lightning.editor.window.widget.TemperatureSlider;
-import lightning.scene.SceneLimits;
+import lightning.scene.value.SceneLimits;
 
 /** Color picker below a strip's color chip; closes when the user clicks elsewhere. Sets the color of all selected strips. */
 final class ColorPopup {

@@ -16,8 +16,8 @@ import lightning.editor.document.MixerChannel;
 import lightning.editor.document.MixerEdits;
 import lightning.editor.window.command.ForcedLiveUpdate;
 import lightning.editor.window.model.SceneEditor;
-import lightning.scene.Light;
 import lightning.scene.Scene;
+import lightning.scene.light.Light;
 
 /**
  * Shared state of the mixer's strips: the selection, the relative mode, and the edits. An edit is rendered immediately, with or without

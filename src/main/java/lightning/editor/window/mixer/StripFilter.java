@@ -4,8 +4,8 @@ import java.util.Locale;
 import lightning.base.text.Messages;
 import lightning.editor.document.MixerChannel;
 import lightning.editor.window.widget.LightTypes;
-import lightning.scene.Light;
 import lightning.scene.Scene;
+import lightning.scene.light.Light;
 
 /** Filter of the mixer's strips. */
 enum StripFilter {

@@ -10,9 +10,9 @@ import lightning.editor.document.EditOutcome;
 import lightning.editor.document.LightEdits;
 import lightning.editor.document.LightGroupEdits;
 import lightning.editor.document.Workbench;
-import lightning.scene.Light;
-import lightning.scene.LightType;
 import lightning.scene.Scene;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightType;
 
 /** Actions of the commands for the selected light and its light group. */
 final class LightActions {

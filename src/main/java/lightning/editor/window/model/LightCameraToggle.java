@@ -5,7 +5,7 @@ import javafx.beans.property.ObjectProperty;
 import javafx.beans.property.SimpleBooleanProperty;
 import lightning.editor.document.Command;
 import lightning.editor.document.PreviewCamera;
-import lightning.scene.Light;
+import lightning.scene.light.Light;
 
 /**
  * Toggle that makes the preview look through the selected light. It follows the light and the selection; any other camera change switches

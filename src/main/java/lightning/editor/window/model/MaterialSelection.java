@@ -8,9 +8,9 @@ import javafx.beans.property.ReadOnlyObjectWrapper;
 import lightning.base.text.Messages;
 import lightning.base.text.Quote;
 import lightning.editor.document.MaterialEdits;
-import lightning.scene.Material;
 import lightning.scene.Scene;
-import lightning.scene.Shape;
+import lightning.scene.material.Material;
+import lightning.scene.node.Shape;
 
 /** Material being edited, and whether its pane is shown in place of the selected light's. */
 public final class MaterialSelection {

@@ -2,7 +2,7 @@ package lightning.editor.window.model;
 
 import lightning.editor.document.Command;
 import lightning.editor.document.NodeEdits;
-import lightning.scene.SceneNode;
+import lightning.scene.node.SceneNode;
 
 /** Actions of the commands for the selected shape or group. */
 final class NodeActions {

@@ -12,9 +12,9 @@ import lightning.editor.document.Command;
 import lightning.editor.document.Workbench;
 import lightning.editor.loop.DisplayMode;
 import lightning.editor.loop.Frame;
-import lightning.scene.Light;
 import lightning.scene.effects.RenderEffect;
 import lightning.scene.effects.ViewEffects;
+import lightning.scene.light.Light;
 
 /** Display settings of the traced picture: the contribution of the selected light alone, or a subset of the effects. */
 public final class PictureDisplay {

@@ -8,9 +8,9 @@ import javafx.beans.value.ObservableObjectValue;
 import lightning.editor.document.EditorState;
 import lightning.editor.document.Selection;
 import lightning.editor.document.Workbench;
-import lightning.scene.Light;
 import lightning.scene.Scene;
-import lightning.scene.SceneNode;
+import lightning.scene.light.Light;
+import lightning.scene.node.SceneNode;
 
 /** Selected light, shape or group in the displayed scene. */
 public final class SceneSelection {

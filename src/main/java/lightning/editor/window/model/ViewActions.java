@@ -9,8 +9,8 @@ import lightning.render.image.DisplayCurve;
 import lightning.render.image.ViewTransform;
 import lightning.render.relight.SceneView;
 import lightning.scene.Scene;
-import lightning.scene.SceneLimits;
 import lightning.scene.ViewSettings;
+import lightning.scene.value.SceneLimits;
 
 /** Edits of the scene's view transform, and the false colors of the window, which no scene and no preference stores. */
 public final class ViewActions {

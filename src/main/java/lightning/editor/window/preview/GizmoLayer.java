@@ -14,8 +14,8 @@ import lightning.editor.document.NodeGizmo;
 import lightning.editor.document.PreviewCamera;
 import lightning.editor.document.Viewport;
 import lightning.editor.window.model.GizmoPainter;
-import lightning.scene.Light;
 import lightning.scene.Scene;
+import lightning.scene.light.Light;
 
 /**
  * Wireframes of the lights over the preview (paper §3.2): yellow for the selected light, faint for lights that are off. The selected light

@@ -6,7 +6,7 @@ import java.util.Optional;
 import lightning.base.math.Vec3;
 import lightning.editor.document.PreviewCamera;
 import lightning.editor.document.Viewport;
-import lightning.scene.Light;
+import lightning.scene.light.Light;
 
 /**
  * Arrow at the border of the preview that points to a light outside the view. It can be dragged like the light itself.

@@ -34,11 +34,11 @@ import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.CanvasSize;
 import lightning.editor.window.widget.PixelImage;
 import lightning.render.image.Film;
-import lightning.scene.NodeGroup;
 import lightning.scene.Scene;
 import lightning.scene.VisibleState;
 import lightning.scene.effects.PreviewScene;
 import lightning.scene.effects.ViewEffects;
+import lightning.scene.node.NodeGroup;
 
 /** Canvas of the preview with the lights' wireframes on top; handles mouse and keyboard. */
 public final class PreviewCanvas extends Region implements AutoCloseable {

@@ -13,7 +13,7 @@ import lightning.editor.document.Viewport;
 import lightning.editor.window.command.ShapeKeys;
 import lightning.editor.window.model.CommandRegistry;
 import lightning.editor.window.model.SceneEditor;
-import lightning.scene.Light;
+import lightning.scene.light.Light;
 
 /**
  * Keyboard handler of the preview. Arrows rotate the selected light; with Control they move it in the view plane, and Page Up and Down move

@@ -17,8 +17,8 @@ import lightning.editor.document.Viewport;
 import lightning.editor.window.model.PreviewSettings;
 import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.model.SceneSelection;
-import lightning.scene.Light;
-import lightning.scene.Placement;
+import lightning.scene.light.Light;
+import lightning.scene.value.Placement;
 
 /**
  * Mouse drags in the preview (paper §3.2, §3.6), independent of the toolkit's events. The left button rotates the light under the mouse, or

@@ -8,8 +8,8 @@ import javafx.scene.control.ComboBox;
 import javafx.scene.layout.StackPane;
 import lightning.base.text.Messages;
 import lightning.editor.window.widget.DisabledReason;
-import lightning.scene.ChoiceKind;
-import lightning.scene.SceneAttribute;
+import lightning.scene.attribute.ChoiceKind;
+import lightning.scene.attribute.SceneAttribute;
 
 /** Combo box for an attribute with a fixed set of values. */
 final class AttributeChoiceBox<V> extends StackPane {

@@ -8,7 +8,7 @@ import lightning.editor.document.HsvColor;
 import lightning.editor.document.StepRange;
 import lightning.editor.window.widget.ColorSliders;
 import lightning.editor.window.widget.NumberSetting;
-import lightning.scene.NumericKind;
+import lightning.scene.attribute.NumericKind;
 
 /** Color attribute that sliders edit. */
 interface AttributeColor<V> extends ColorSliders.Target {

@@ -16,8 +16,8 @@ import lightning.editor.document.EditOutcome;
 import lightning.editor.document.EditorState;
 import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.PixelImage;
-import lightning.scene.EnvironmentMap;
 import lightning.scene.World;
+import lightning.scene.asset.EnvironmentMap;
 
 /**
  * Picture of the environment map, as rotated: the direction −z is in its middle. A drag to the side or the arrow keys rotate the map, all in

@@ -3,7 +3,7 @@ package lightning.editor.window.property;
 import lightning.base.text.Messages;
 import lightning.editor.document.Command;
 import lightning.format.jen.FileKind;
-import lightning.scene.ValueKind;
+import lightning.scene.attribute.ValueKind;
 
 /**
  * Settings for choosing an attribute's file.

@@ -16,14 +16,14 @@ import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.DisabledReason;
 import lightning.format.jen.FileKind;
 import lightning.format.jen.PropertyEdit;
-import lightning.scene.Environment;
-import lightning.scene.FileAsset;
-import lightning.scene.Light;
-import lightning.scene.LightAttribute;
 import lightning.scene.Scene;
-import lightning.scene.SceneAttribute;
-import lightning.scene.ValueKind;
 import lightning.scene.World;
+import lightning.scene.asset.Environment;
+import lightning.scene.asset.FileAsset;
+import lightning.scene.attribute.SceneAttribute;
+import lightning.scene.attribute.ValueKind;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightAttribute;
 
 /** Field for a file asset of the selected light or the world, chosen from the files next to the scene. Reads files in the background. */
 final class FileField<F extends FileAsset> extends StackPane {

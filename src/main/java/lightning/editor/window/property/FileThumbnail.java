@@ -14,7 +14,7 @@ import lightning.format.jen.JenLimits;
 import lightning.format.jen.LightTextureReader;
 import lightning.format.jen.TextureDecoder;
 import lightning.format.jen.UnusableFileException;
-import lightning.scene.Texture;
+import lightning.scene.asset.Texture;
 
 /**
  * Thumbnail of an image file.

@@ -8,9 +8,9 @@ import lightning.editor.document.Command;
 import lightning.editor.document.EditorState;
 import lightning.editor.window.model.CommandRegistry;
 import lightning.editor.window.widget.DisabledReason;
-import lightning.scene.LightAttribute;
-import lightning.scene.ShapeGains;
-import lightning.scene.ValueKind;
+import lightning.scene.attribute.ValueKind;
+import lightning.scene.light.LightAttribute;
+import lightning.scene.value.ShapeGains;
 
 /** Button that shows the selected light's gains on objects, if any, and opens the window that edits them. */
 final class GainsField extends StackPane {

@@ -18,11 +18,11 @@ import lightning.editor.window.model.CommandRegistry;
 import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.ArrowWidget;
 import lightning.editor.window.widget.NumberSetting;
-import lightning.scene.ChoiceKind;
 import lightning.scene.IndirectSettings;
-import lightning.scene.NumericKind;
 import lightning.scene.Scene;
-import lightning.scene.SceneAttribute;
+import lightning.scene.attribute.ChoiceKind;
+import lightning.scene.attribute.NumericKind;
+import lightning.scene.attribute.SceneAttribute;
 
 /** Settings of the scene's indirect light, shown only while it is on. */
 final class IndirectRows extends VBox {

@@ -16,8 +16,8 @@ import lightning.editor.window.model.CommandRegistry;
 import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.DisplayColors;
 import lightning.editor.window.widget.LightTypes;
-import lightning.scene.Light;
 import lightning.scene.Scene;
+import lightning.scene.light.Light;
 import org.kordamp.ikonli.javafx.FontIcon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignA;
 

@@ -7,7 +7,7 @@ import lightning.editor.document.NumericParameter;
 import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.ColorSliders;
 import lightning.editor.window.widget.NumberSetting;
-import lightning.scene.LightAttribute;
+import lightning.scene.light.LightAttribute;
 
 /** Color of the selected light. */
 record LightColor(SceneEditor editor) implements ColorSliders.Target {

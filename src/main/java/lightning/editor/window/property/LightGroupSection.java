@@ -15,10 +15,10 @@ import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.ArrowWidget;
 import lightning.editor.window.widget.ColorSliders;
 import lightning.editor.window.widget.NumberSetting;
-import lightning.scene.Light;
-import lightning.scene.LightGroup;
-import lightning.scene.NumericKind;
-import lightning.scene.SceneAttribute;
+import lightning.scene.attribute.NumericKind;
+import lightning.scene.attribute.SceneAttribute;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightGroup;
 
 /** Section with the selected light's group, and the master and gel of that group. */
 final class LightGroupSection extends VBox {

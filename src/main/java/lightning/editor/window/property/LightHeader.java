@@ -23,8 +23,8 @@ import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.model.SceneSelection;
 import lightning.editor.window.widget.DisabledReason;
 import lightning.editor.window.widget.LightTypes;
-import lightning.scene.Light;
-import lightning.scene.LightType;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightType;
 import org.kordamp.ikonli.javafx.FontIcon;
 
 /** Header with the selected light's name, type and switches, and its commands. */

@@ -28,8 +28,8 @@ import lightning.editor.window.model.CommandRegistry;
 import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.DisabledReason;
 import lightning.editor.window.widget.LightTypes;
-import lightning.scene.LightRig;
-import lightning.scene.LightType;
+import lightning.scene.light.LightRig;
+import lightning.scene.light.LightType;
 import org.kordamp.ikonli.javafx.FontIcon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignP;
 

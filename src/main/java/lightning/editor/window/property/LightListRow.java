@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import java.util.stream.IntStream;
-import lightning.scene.LightRig;
+import lightning.scene.light.LightRig;
 
 /** Row of the light list, by index in the scene. Cells look up the content. */
 sealed interface LightListRow {

@@ -13,8 +13,8 @@ import javafx.scene.input.TransferMode;
 import lightning.base.text.Messages;
 import lightning.editor.document.LightEdits;
 import lightning.editor.window.model.SceneEditor;
-import lightning.scene.LightAttribute;
-import lightning.scene.ShapeLinks;
+import lightning.scene.light.LightAttribute;
+import lightning.scene.value.ShapeLinks;
 
 /**
  * Drag and drop for light linking. Dropping a light on a shape or group, or the other way around, toggles illumination; with Ctrl+Shift it

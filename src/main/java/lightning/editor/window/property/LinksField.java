@@ -19,14 +19,14 @@ import lightning.editor.window.command.CommandMenuItems;
 import lightning.editor.window.model.CommandRegistry;
 import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.DisabledReason;
-import lightning.scene.Light;
-import lightning.scene.LightAttribute;
-import lightning.scene.NodeGroup;
-import lightning.scene.SceneNode;
-import lightning.scene.Shape;
-import lightning.scene.ShapeLinks;
 import lightning.scene.Stage;
-import lightning.scene.ValueKind;
+import lightning.scene.attribute.ValueKind;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightAttribute;
+import lightning.scene.node.NodeGroup;
+import lightning.scene.node.SceneNode;
+import lightning.scene.node.Shape;
+import lightning.scene.value.ShapeLinks;
 
 /** Menu for a light-linking attribute: check boxes of shapes and groups, and whether the list includes or excludes them. */
 final class LinksField extends StackPane {

@@ -9,7 +9,7 @@ import lightning.base.text.Messages;
 import lightning.editor.document.Command;
 import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.model.SceneEditor;
-import lightning.scene.Light;
+import lightning.scene.light.Light;
 import org.kordamp.ikonli.javafx.FontIcon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignA;
 

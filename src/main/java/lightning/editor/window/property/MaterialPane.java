@@ -32,14 +32,14 @@ import lightning.editor.window.widget.ColorSliders;
 import lightning.editor.window.widget.DisabledReason;
 import lightning.editor.window.widget.NumberSetting;
 import lightning.editor.window.widget.VectorField;
-import lightning.scene.ChoiceKind;
-import lightning.scene.Material;
-import lightning.scene.MaterialAttribute;
-import lightning.scene.MaterialAttribute.Section;
-import lightning.scene.NumericKind;
 import lightning.scene.Scene;
-import lightning.scene.TextureMap;
-import lightning.scene.ValueKind;
+import lightning.scene.asset.TextureMap;
+import lightning.scene.attribute.ChoiceKind;
+import lightning.scene.attribute.NumericKind;
+import lightning.scene.attribute.ValueKind;
+import lightning.scene.material.Material;
+import lightning.scene.material.MaterialAttribute;
+import lightning.scene.material.MaterialAttribute.Section;
 
 /** Property editor of a material. Edits affect every shape that uses it. */
 final class MaterialPane extends VBox {
@@ -61,7 +61,7 @@ final class MaterialPane extends VBox {
     private String shownName = "";
     /** Material and nodes that {@link #users} describes. */
     private String usersMaterial = "";
-    private List<lightning.scene.SceneNode> usersNodes = List.of();
+    private List<lightning.scene.node.SceneNode> usersNodes = List.of();
     private boolean isCounting;
     private boolean isUpdating;
 

@@ -6,9 +6,9 @@ import lightning.base.text.Messages;
 import lightning.editor.document.EditorState;
 import lightning.editor.document.LightEdits;
 import lightning.editor.window.model.SceneEditor;
-import lightning.scene.Light;
-import lightning.scene.LightAttribute;
-import lightning.scene.ValueKind;
+import lightning.scene.attribute.ValueKind;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightAttribute;
 
 /** Combo box for a name attribute of the selected light, including none. */
 final class NameBox extends NameChoice {

@@ -11,7 +11,7 @@ import lightning.base.text.Messages;
 import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.DisabledReason;
 import lightning.scene.Scene;
-import lightning.scene.ValueKind;
+import lightning.scene.attribute.ValueKind;
 
 /** Combo box for a name in the scene, including none. */
 class NameChoice extends StackPane {
@@ -62,7 +62,7 @@ class NameChoice extends StackPane {
      * @param value empty for none, null for nothing
      */
     void show(Scene scene, String value) {
-        List<String> names = Stream.concat(Stream.of(""), kind.names().apply(scene).stream()).toList();
+        List<String> names = Stream.concat(Stream.of(""), scene.names(kind.referent()).stream()).toList();
         isUpdating = true;
         if (!box.getItems().equals(names)) {
             box.getItems().setAll(names);

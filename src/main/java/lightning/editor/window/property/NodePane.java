@@ -25,11 +25,11 @@ import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.ArrowWidget;
 import lightning.editor.window.widget.NumberSetting;
 import lightning.editor.window.widget.VectorField;
-import lightning.scene.NodeGroup;
-import lightning.scene.Placement;
-import lightning.scene.SceneLimits;
-import lightning.scene.SceneNode;
-import lightning.scene.Shape;
+import lightning.scene.node.NodeGroup;
+import lightning.scene.node.SceneNode;
+import lightning.scene.node.Shape;
+import lightning.scene.value.Placement;
+import lightning.scene.value.SceneLimits;
 
 /** Property editor of the selected shape's or group's placement: position, rotation and scale. */
 final class NodePane extends VBox {

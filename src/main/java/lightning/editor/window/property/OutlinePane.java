@@ -23,9 +23,9 @@ import lightning.editor.window.command.CommandMenuItems;
 import lightning.editor.window.command.ShapeKeys;
 import lightning.editor.window.model.CommandRegistry;
 import lightning.editor.window.model.SceneEditor;
-import lightning.scene.NodeGroup;
-import lightning.scene.SceneNode;
 import lightning.scene.Stage;
+import lightning.scene.node.NodeGroup;
+import lightning.scene.node.SceneNode;
 
 /**
  * Outliner of the scene's shapes and groups, initially collapsed. Creates cells for visible rows only.

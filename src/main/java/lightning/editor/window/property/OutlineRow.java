@@ -5,9 +5,9 @@ import java.util.List;
 import java.util.Set;
 import java.util.stream.IntStream;
 import javafx.collections.ObservableList;
-import lightning.scene.NodeGroup;
-import lightning.scene.SceneNode;
 import lightning.scene.Stage;
+import lightning.scene.node.NodeGroup;
+import lightning.scene.node.SceneNode;
 
 /**
  * Row of the shape list, by index path in the tree. Cells look up the content.

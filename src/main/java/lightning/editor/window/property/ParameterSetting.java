@@ -9,7 +9,7 @@ import lightning.editor.document.StepRange;
 import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.ArrowWidget;
 import lightning.editor.window.widget.NumberSetting;
-import lightning.scene.Light;
+import lightning.scene.light.Light;
 
 /** Numeric setting of the selected light or the scene. */
 record ParameterSetting(SceneEditor editor, NumericParameter parameter) implements NumberSetting {

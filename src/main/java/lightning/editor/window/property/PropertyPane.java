@@ -24,13 +24,13 @@ import lightning.editor.window.widget.ArrowWidget;
 import lightning.editor.window.widget.ColorSliders;
 import lightning.editor.window.widget.TemperatureSlider;
 import lightning.editor.window.widget.VectorField;
-import lightning.scene.ChoiceKind;
-import lightning.scene.IntensityUnit;
-import lightning.scene.Light;
-import lightning.scene.LightAttribute;
-import lightning.scene.LightAttribute.Section;
-import lightning.scene.NumericKind;
-import lightning.scene.ValueKind;
+import lightning.scene.attribute.ChoiceKind;
+import lightning.scene.attribute.NumericKind;
+import lightning.scene.attribute.ValueKind;
+import lightning.scene.light.IntensityUnit;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightAttribute;
+import lightning.scene.light.LightAttribute.Section;
 
 /** Property editor of the selected light (paper §3.2, Figure 5). */
 public final class PropertyPane extends VBox {

@@ -9,16 +9,16 @@ import lightning.editor.window.model.MaterialSelection;
 import lightning.editor.window.model.SceneSelection;
 import lightning.format.jen.NameSyntax;
 import lightning.format.jen.PropertyEdit;
-import lightning.scene.KeyframeSupport;
-import lightning.scene.Light;
-import lightning.scene.LightAttribute;
-import lightning.scene.Material;
-import lightning.scene.MaterialAttribute;
-import lightning.scene.Placement;
 import lightning.scene.Scene;
-import lightning.scene.SceneAttribute;
-import lightning.scene.SceneNode;
+import lightning.scene.attribute.KeyframeSupport;
+import lightning.scene.attribute.SceneAttribute;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightAttribute;
+import lightning.scene.material.Material;
+import lightning.scene.material.MaterialAttribute;
+import lightning.scene.node.SceneNode;
 import lightning.scene.shot.TrackTarget;
+import lightning.scene.value.Placement;
 
 /** Property of the selected item, in scene-file syntax. */
 sealed interface SelectedProperty {

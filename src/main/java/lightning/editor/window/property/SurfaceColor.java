@@ -7,8 +7,8 @@ import lightning.editor.document.MaterialEdits;
 import lightning.editor.window.model.MaterialSelection;
 import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.ColorSliders;
-import lightning.scene.MaterialAttribute;
-import lightning.scene.NumericKind;
+import lightning.scene.attribute.NumericKind;
+import lightning.scene.material.MaterialAttribute;
 
 /** Color attribute of the edited material. */
 record SurfaceColor<V>(SceneEditor editor, MaterialSelection materials, MaterialAttribute<V> attribute, NumericKind<V> quantity)

@@ -23,11 +23,11 @@ import lightning.editor.window.widget.ArrowWidget;
 import lightning.editor.window.widget.DisabledReason;
 import lightning.editor.window.widget.NumberSetting;
 import lightning.format.jen.FileKind;
-import lightning.scene.Material;
-import lightning.scene.MaterialAttribute;
-import lightning.scene.SceneLimits;
-import lightning.scene.TextureMap;
-import lightning.scene.ValueKind;
+import lightning.scene.asset.TextureMap;
+import lightning.scene.attribute.ValueKind;
+import lightning.scene.material.Material;
+import lightning.scene.material.MaterialAttribute;
+import lightning.scene.value.SceneLimits;
 
 /** Field for a texture of a material: file name, menu of the files next to the scene, and repetition. Reads files in the background. */
 final class TextureField extends VBox {

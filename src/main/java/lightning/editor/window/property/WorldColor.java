@@ -7,9 +7,9 @@ import lightning.base.text.Messages;
 import lightning.editor.document.EditOutcome;
 import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.ColorSliders;
-import lightning.scene.NumericKind;
-import lightning.scene.SceneLimits;
 import lightning.scene.World;
+import lightning.scene.attribute.NumericKind;
+import lightning.scene.value.SceneLimits;
 
 /** Background color of the scene. */
 record WorldColor(SceneEditor editor) implements AttributeColor<Rgb> {

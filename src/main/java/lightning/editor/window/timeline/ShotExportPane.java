@@ -27,8 +27,8 @@ import lightning.editor.window.widget.NumberField;
 import lightning.editor.window.widget.NumberSetting;
 import lightning.format.jen.JenFile;
 import lightning.render.image.ViewTransform;
-import lightning.scene.SceneLimits;
 import lightning.scene.shot.Shot;
+import lightning.scene.value.SceneLimits;
 import lightning.shot.movie.Ffmpeg;
 
 /** Settings and progress of exporting a shot. */

@@ -33,9 +33,9 @@ import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.NumberField;
 import lightning.editor.window.widget.NumberSetting;
-import lightning.scene.SceneLimits;
 import lightning.scene.shot.AnimatedScene;
 import lightning.scene.shot.Shot;
+import lightning.scene.value.SceneLimits;
 
 /** Timeline of the shot: keyframes, the current frame and their commands. */
 public final class TimelinePane extends BorderPane implements AutoCloseable {

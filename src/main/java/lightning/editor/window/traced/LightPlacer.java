@@ -19,7 +19,7 @@ import lightning.editor.window.model.CommandRegistry;
 import lightning.editor.window.model.ErrorMessage;
 import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.PictureView;
-import lightning.scene.Light;
+import lightning.scene.light.Light;
 
 /**
  * Places the selected light by its effect in the traced picture: a press or a drag sets the effect's position on a surface. Afterwards a

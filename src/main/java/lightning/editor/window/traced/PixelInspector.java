@@ -6,7 +6,7 @@ import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
 import lightning.base.work.DedicatedThread;
 import lightning.editor.loop.Frame;
-import lightning.render.shading.PixelExplainer;
+import lightning.render.shading.explanation.PixelExplainer;
 
 /** Inspects pixels on a separate thread. Only the newest request is answered. */
 final class PixelInspector implements AutoCloseable {

@@ -23,10 +23,10 @@ import lightning.editor.window.model.CommandRegistry;
 import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.LightTypes;
-import lightning.scene.Light;
-import lightning.scene.LightAttribute;
-import lightning.scene.LightType;
-import lightning.scene.ShapeLinks;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightAttribute;
+import lightning.scene.light.LightType;
+import lightning.scene.value.ShapeLinks;
 import org.kordamp.ikonli.javafx.FontIcon;
 
 /**

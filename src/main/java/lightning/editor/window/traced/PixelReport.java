@@ -8,11 +8,11 @@ import java.util.stream.Stream;
 import lightning.base.math.Vec3;
 import lightning.base.text.Messages;
 import lightning.render.relight.LightThumbnails;
-import lightning.render.shading.LightReport;
-import lightning.render.shading.PointReport;
+import lightning.render.shading.explanation.LightReport;
+import lightning.render.shading.explanation.PointReport;
 import lightning.render.trace.Geometry;
-import lightning.scene.Light;
-import lightning.scene.ShapeGains;
+import lightning.scene.light.Light;
+import lightning.scene.value.ShapeGains;
 
 /**
  * Report on a pixel of the picture.

@@ -25,8 +25,8 @@ import lightning.editor.window.model.GizmoPainter;
 import lightning.editor.window.model.PreviewSettings;
 import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.PictureView;
-import lightning.scene.Light;
-import lightning.scene.Placement;
+import lightning.scene.light.Light;
+import lightning.scene.value.Placement;
 
 /**
  * Wireframe of the selected light, or handles of the selected shape, over the traced picture while the mouse is over it. Draggable as in

@@ -16,7 +16,7 @@ import lightning.base.math.Rgb;
 import lightning.base.text.Messages;
 import lightning.editor.document.HsvColor;
 import lightning.editor.document.StepRange;
-import lightning.scene.SceneLimits;
+import lightning.scene.value.SceneLimits;
 
 /** Color editor with a color well and tabs for RGB and HSV. */
 public final class ColorSliders extends VBox {

@@ -3,7 +3,7 @@ package lightning.editor.window.widget;
 import java.util.Locale;
 import javafx.util.StringConverter;
 import lightning.base.text.Messages;
-import lightning.scene.LightType;
+import lightning.scene.light.LightType;
 import org.kordamp.ikonli.Ikon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignC;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignL;

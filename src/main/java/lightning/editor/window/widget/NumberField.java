@@ -15,7 +15,7 @@ import javafx.scene.input.ScrollEvent;
 import lightning.base.text.Language;
 import lightning.base.text.Messages;
 import lightning.base.text.NumberExpression;
-import lightning.scene.SceneLimits;
+import lightning.scene.value.SceneLimits;
 
 /**
  * Text field for a number or an expression ({@link NumberExpression}).

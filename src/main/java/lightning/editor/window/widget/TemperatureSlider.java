@@ -10,8 +10,8 @@ import javafx.scene.layout.VBox;
 import lightning.base.text.Messages;
 import lightning.base.text.NumberUnit;
 import lightning.editor.document.StepRange;
-import lightning.scene.ColorTemperature;
-import lightning.scene.SceneLimits;
+import lightning.scene.value.ColorTemperature;
+import lightning.scene.value.SceneLimits;
 
 /** Slider for a light's color temperature, with presets. */
 public final class TemperatureSlider extends VBox {

@@ -11,7 +11,7 @@ import javafx.scene.layout.VBox;
 import lightning.base.math.Vec3;
 import lightning.base.text.Messages;
 import lightning.editor.document.StepRange;
-import lightning.scene.SceneLimits;
+import lightning.scene.value.SceneLimits;
 
 /** Field for a position or a direction, as three numbers. */
 public final class VectorField extends VBox {

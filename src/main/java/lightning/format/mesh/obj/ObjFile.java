@@ -1,7 +1,7 @@
 package lightning.format.mesh.obj;
 
 import java.util.List;
-import lightning.scene.Mesh;
+import lightning.scene.node.Mesh;
 
 /**
  * Content of an OBJ file.

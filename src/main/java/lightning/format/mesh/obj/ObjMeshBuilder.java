@@ -4,7 +4,7 @@ import lightning.format.mesh.FloatList;
 import lightning.format.mesh.IntList;
 import lightning.format.mesh.VertexKeyTable;
 import lightning.format.mesh.VertexNormals;
-import lightning.scene.Mesh;
+import lightning.scene.node.Mesh;
 
 /** Mutable builder of a mesh: faces of one object and one material. */
 final class ObjMeshBuilder {

@@ -19,7 +19,7 @@ import lightning.format.mesh.PolygonTriangulator;
 import lightning.format.mesh.TextTokenizer;
 import lightning.format.mesh.UniqueNames;
 import lightning.format.mesh.VertexColors;
-import lightning.scene.Mesh;
+import lightning.scene.node.Mesh;
 
 /**
  * Reader for OBJ files: polygons with texture coordinates, normals, smoothing groups, vertex colors (as sRGB), objects,

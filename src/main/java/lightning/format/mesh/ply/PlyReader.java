@@ -9,7 +9,7 @@ import lightning.format.mesh.MeshException;
 import lightning.format.mesh.MeshLimits;
 import lightning.format.mesh.PolygonTriangulator;
 import lightning.format.mesh.TextTokenizer;
-import lightning.scene.Mesh;
+import lightning.scene.node.Mesh;
 
 /**
  * Reader for PLY files: vertices with positions, normals, texture coordinates and colors; polygonal faces; triangle strips.

@@ -10,7 +10,7 @@ import lightning.format.mesh.MeshException;
 import lightning.format.mesh.MeshLimits;
 import lightning.format.mesh.VertexColors;
 import lightning.format.mesh.VertexNormals;
-import lightning.scene.Mesh;
+import lightning.scene.node.Mesh;
 
 /**
  * Vertices of a PLY file. Integer colors are interpreted as sRGB, as scanners and vertex painting tools write them;

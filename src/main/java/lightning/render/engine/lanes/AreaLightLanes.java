@@ -11,7 +11,7 @@ import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorSpecies;
 import lightning.base.math.Vec3;
 import lightning.render.shading.LightSource;
-import lightning.render.shading.RowBits;
+import lightning.render.shading.layer.RowBits;
 import lightning.render.trace.HitRows;
 
 /**
@@ -24,7 +24,7 @@ import lightning.render.trace.HitRows;
  *
  * <p>Each sum below has few products, so its error is within 2⁻⁴⁸ of the sum of their absolute values. The error of the unit
  * vector to a sample, and of its products with other vectors of about unit length, is within 2⁻⁴⁶. Coordinates are at most 10¹²
- * ({@link lightning.scene.SceneLimits}), so nothing overflows. If |v| is less than 2⁻⁴⁰⁰, squares may underflow, and nothing is
+ * ({@link lightning.scene.value.SceneLimits}), so nothing overflows. If |v| is less than 2⁻⁴⁰⁰, squares may underflow, and nothing is
  * culled.
  */
 final class AreaLightLanes {

@@ -9,7 +9,7 @@ import jdk.incubator.vector.VectorSpecies;
 import lightning.render.shading.InteriorTint;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.Refraction;
-import lightning.scene.Transmission;
+import lightning.scene.material.Transmission;
 
 /**
  * Lane version of {@link Refraction#fresnelReflectance} and {@link InteriorTint#transmittance} over the rows of a transparent

@@ -19,8 +19,8 @@ import lightning.render.trace.primitive.PrimitiveTable;
 import lightning.render.trace.primitive.ShadowRayHits;
 import lightning.render.trace.primitive.SurfaceHit;
 import lightning.render.trace.solid.DoubleLanes;
-import lightning.scene.Mesh;
-import lightning.scene.Transmission;
+import lightning.scene.material.Transmission;
+import lightning.scene.node.Mesh;
 
 /**
  * Lane version of {@link Tracer#writeHitSurfaces} for meshes with vertex normals: {@link SurfaceHit#computeNormal} and Fresnel

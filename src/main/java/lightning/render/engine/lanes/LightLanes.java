@@ -8,11 +8,11 @@ import jdk.incubator.vector.VectorSpecies;
 import lightning.render.shading.AreaSamples;
 import lightning.render.shading.LightSource;
 import lightning.render.shading.LightingEquation;
-import lightning.render.shading.RowBits;
 import lightning.render.shading.TermKernel;
+import lightning.render.shading.layer.RowBits;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.RowShadowRays;
-import lightning.scene.Attenuation;
+import lightning.scene.value.Attenuation;
 
 /**
  * Lane version of {@link LightingEquation} over all rows of a tile: the same operations in the same order. Holds scratch
@@ -377,7 +377,7 @@ final class LightLanes implements TermKernel {
      * Returns a cosine from 0 to 1 up to which its power is 0 as a float; −1 if 0 has another power.
      *
      * <p>The power of c is 2 to p = shininess·log₂c, and a float is 0 up to 2⁻¹⁵⁰. Here p is −152, except for the error of the
-     * root of 2, which is less than 2⁻⁵¹ relative. With a shininess up to {@link lightning.scene.SceneLimits#MAX_SHININESS},
+     * root of 2, which is less than 2⁻⁵¹ relative. With a shininess up to {@link lightning.scene.value.SceneLimits#MAX_SHININESS},
      * 10⁶, that changes p by less than 2⁻²⁹. The error of {@link PowerLanes} is a few roundings of p, a few 2⁻⁵² of 152, and of
      * the result.
      */

@@ -9,7 +9,7 @@ import lightning.render.shading.SumKernel;
 import lightning.render.shading.SumOperands;
 import lightning.render.shading.TermKernel;
 import lightning.render.trace.HitRows;
-import lightning.scene.Transmission;
+import lightning.scene.material.Transmission;
 
 /**
  * Lane version of {@link SumKernel}: processes rows in whole, aligned vectors. Kernels are short, because in longer ones

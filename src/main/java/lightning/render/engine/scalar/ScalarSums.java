@@ -8,7 +8,7 @@ import lightning.render.shading.SumKernel;
 import lightning.render.shading.SumOperands;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.Refraction;
-import lightning.scene.Transmission;
+import lightning.scene.material.Transmission;
 
 /** Scalar implementation of {@link SumKernel}. */
 final class ScalarSums implements SumKernel {

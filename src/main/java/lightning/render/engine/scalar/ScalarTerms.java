@@ -5,11 +5,11 @@ import lightning.base.math.PowerFunction;
 import lightning.render.shading.AreaSamples;
 import lightning.render.shading.LightSource;
 import lightning.render.shading.LightingEquation;
-import lightning.render.shading.RowBits;
 import lightning.render.shading.TermKernel;
+import lightning.render.shading.layer.RowBits;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.RowShadowRays;
-import lightning.scene.Attenuation;
+import lightning.scene.value.Attenuation;
 
 /** Scalar implementation of {@link TermKernel}, row by row. */
 final class ScalarTerms implements TermKernel {

@@ -2,9 +2,9 @@ package lightning.render.relight.paper;
 
 import java.util.Arrays;
 import lightning.render.shading.AngularMask;
-import lightning.render.shading.LightRows;
 import lightning.render.shading.LightSource;
 import lightning.render.shading.TermKernel;
+import lightning.render.shading.layer.LightRows;
 import lightning.render.trace.HitRows;
 
 /**

@@ -3,7 +3,7 @@ package lightning.render.relight.paper;
 import lightning.base.math.Rgb;
 import lightning.render.cache.LayerStamp;
 import lightning.render.trace.MaterialTable;
-import lightning.scene.Light;
+import lightning.scene.light.Light;
 
 /**
  * Error bound of a picture made by ratios.

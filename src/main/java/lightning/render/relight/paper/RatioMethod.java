@@ -13,12 +13,12 @@ import lightning.render.relight.plan.LightUpdate;
 import lightning.render.relight.plan.PathUpdate;
 import lightning.render.relight.plan.UpdateMethod;
 import lightning.render.relight.plan.UpdatePlan;
-import lightning.render.shading.ConeChange;
-import lightning.render.shading.LightKernel;
 import lightning.render.shading.WeightedLight;
+import lightning.render.shading.layer.ConeChange;
+import lightning.render.shading.layer.LightKernel;
 import lightning.render.trace.MaterialTable;
-import lightning.scene.Light;
 import lightning.scene.Scene;
+import lightning.scene.light.Light;
 
 /** The paper's method: layers hold finished contributions, which edits scale by ratios, with a running error bound. */
 public record RatioMethod() implements UpdateMethod {

@@ -6,10 +6,10 @@ import java.util.Set;
 import lightning.render.column.ColumnKind;
 import lightning.render.column.ColumnSet;
 import lightning.render.column.ElementType;
-import lightning.render.shading.LightLayer;
-import lightning.render.shading.LightRows;
-import lightning.render.shading.WeightedLayer;
-import lightning.scene.Light;
+import lightning.render.shading.layer.LightLayer;
+import lightning.render.shading.layer.LightRows;
+import lightning.render.shading.layer.WeightedLayer;
+import lightning.scene.light.Light;
 
 /**
  * Layer of one light as the paper stores it (§2.4): finished contributions, including weight and falloff, which edits scale by

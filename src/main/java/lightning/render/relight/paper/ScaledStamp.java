@@ -1,7 +1,7 @@
 package lightning.render.relight.paper;
 
 import lightning.render.cache.LayerStamp;
-import lightning.scene.Light;
+import lightning.scene.light.Light;
 
 /**
  * Stamp of a layer whose contributions were scaled, with the bounds of their losses.

@@ -13,9 +13,9 @@ import lightning.render.trace.Geometry;
 import lightning.render.trace.MaterialTable;
 import lightning.render.trace.ShapeChange;
 import lightning.scene.AntialiasMode;
-import lightning.scene.Light;
-import lightning.scene.LightMatcher;
 import lightning.scene.Scene;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightMatcher;
 
 /**
  * Plans the least update from the scene rendered last to the target scene by comparing both (paper §4.9). Composite edits, undo and

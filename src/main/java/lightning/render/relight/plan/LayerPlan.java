@@ -3,13 +3,13 @@ package lightning.render.relight.plan;
 import lightning.render.cache.CachedLight;
 import lightning.render.cache.LayerStamp;
 import lightning.render.cache.TileLevel;
-import lightning.render.shading.LightLayer;
 import lightning.render.shading.ObjectGains;
 import lightning.render.shading.WeightedLight;
+import lightning.render.shading.layer.LightLayer;
 import lightning.render.trace.ShapeChange;
-import lightning.scene.Light;
 import lightning.scene.Scene;
 import lightning.scene.Stage;
+import lightning.scene.light.Light;
 
 /**
  * Update of one light's layers over the rows of a level.

@@ -1,8 +1,8 @@
 package lightning.render.relight.plan;
 
-import lightning.render.shading.LightLayer;
-import lightning.render.shading.LightRows;
 import lightning.render.shading.WeightedLight;
+import lightning.render.shading.layer.LightLayer;
+import lightning.render.shading.layer.LightRows;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.MaterialSet;
 import lightning.render.trace.RowSplice;

@@ -4,10 +4,10 @@ import java.util.EnumSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
-import lightning.render.shading.ConeChange;
-import lightning.scene.Light;
-import lightning.scene.LightAttribute;
-import lightning.scene.LightTerm;
+import lightning.render.shading.layer.ConeChange;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightAttribute;
+import lightning.scene.light.LightTerm;
 
 /**
  * Difference between the light that a layer was computed for and the target light, in the terms that decide the update. Attributes

@@ -1,6 +1,6 @@
 package lightning.render.relight.plan;
 
-import lightning.render.shading.ConeChange;
+import lightning.render.shading.layer.ConeChange;
 
 /** Update of one light's layer, from the cheapest to the worst case (paper §4). */
 public sealed interface LightUpdate {

@@ -2,9 +2,9 @@ package lightning.render.relight.plan;
 
 import lightning.render.trace.MaterialSet;
 import lightning.render.trace.MaterialTable;
-import lightning.scene.Material;
-import lightning.scene.MaterialAttribute;
-import lightning.scene.MaterialTerm;
+import lightning.scene.material.Material;
+import lightning.scene.material.MaterialAttribute;
+import lightning.scene.material.MaterialTerm;
 
 /** Difference between the materials of a level's rows and the target materials, in the terms that decide the update. */
 record MaterialDifference(MaterialTable before, MaterialTable after) {

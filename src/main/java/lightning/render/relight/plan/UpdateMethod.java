@@ -3,10 +3,10 @@ package lightning.render.relight.plan;
 import lightning.render.cache.LayerStamp;
 import lightning.render.cache.PixelCache;
 import lightning.render.image.DisplayCurve;
-import lightning.render.shading.LightKernel;
 import lightning.render.shading.WeightedLight;
-import lightning.scene.Light;
+import lightning.render.shading.layer.LightKernel;
 import lightning.scene.Scene;
+import lightning.scene.light.Light;
 
 /** Update method of an accuracy: the contents of layers, the update for an edited light, and the error of updates. */
 public interface UpdateMethod {

@@ -2,7 +2,7 @@ package lightning.render.relight.plan;
 
 import java.util.List;
 import lightning.base.text.Messages;
-import lightning.render.shading.BranchSums;
+import lightning.render.shading.composition.BranchSums;
 import lightning.render.trace.ShapeChange;
 
 /** Plan of a renderer's update from the scene rendered last to the target scene. */

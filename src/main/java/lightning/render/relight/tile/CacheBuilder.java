@@ -15,11 +15,11 @@ import lightning.render.cache.PixelCache;
 import lightning.render.engine.EngineWorkers;
 import lightning.render.relight.plan.LevelPlan;
 import lightning.render.shading.EdgeColors;
-import lightning.render.shading.EdgeDetector;
 import lightning.render.shading.RenderedScenes;
 import lightning.render.shading.WeightedLight;
+import lightning.render.shading.composition.EdgeDetector;
 import lightning.scene.AntialiasMode;
-import lightning.scene.Light;
+import lightning.scene.light.Light;
 
 /**
  * Builds the pixel cache of a picture on all threads: the whole cache, only pixel centers, or the finer samples of existing centers.

@@ -9,11 +9,11 @@ import lightning.render.relight.plan.LightDifference;
 import lightning.render.relight.plan.LightUpdate;
 import lightning.render.relight.plan.UpdateMethod;
 import lightning.render.relight.plan.UpdatePlan;
-import lightning.render.shading.LightKernel;
-import lightning.render.shading.LightRows;
 import lightning.render.shading.WeightedLight;
-import lightning.scene.Light;
+import lightning.render.shading.layer.LightKernel;
+import lightning.render.shading.layer.LightRows;
 import lightning.scene.Scene;
+import lightning.scene.light.Light;
 
 /** Update method with the bits of a full trace: layers hold terms, which are never scaled. */
 public record ExactMethod() implements UpdateMethod {

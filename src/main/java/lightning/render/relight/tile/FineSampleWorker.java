@@ -11,8 +11,8 @@ import lightning.render.cache.SampleBlock;
 import lightning.render.engine.EngineWorkers;
 import lightning.render.image.Film;
 import lightning.render.shading.EdgeColors;
-import lightning.render.shading.EdgeDetector;
 import lightning.render.shading.SampleMean;
+import lightning.render.shading.composition.EdgeDetector;
 import lightning.render.trace.SampleCells;
 import lightning.render.trace.SamplePositions;
 

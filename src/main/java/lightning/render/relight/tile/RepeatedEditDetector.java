@@ -2,7 +2,7 @@ package lightning.render.relight.tile;
 
 import lightning.render.relight.plan.LevelPlan;
 import lightning.render.relight.plan.UpdatePlan;
-import lightning.render.shading.BranchSums;
+import lightning.render.shading.composition.BranchSums;
 
 /**
  * Detects repeated edits of one light, as during a drag, or of ambience and material colors. From the second edit on, the partial

@@ -9,8 +9,8 @@ import lightning.render.engine.EngineChoice;
 import lightning.render.engine.EngineWorkers;
 import lightning.render.gather.GatherStructure;
 import lightning.render.shading.IndirectSolver;
-import lightning.render.shading.SurfelShader;
 import lightning.render.shading.WeightedLight;
+import lightning.render.shading.composition.SurfelShader;
 import lightning.render.trace.MaterialTable;
 import lightning.scene.Scene;
 

@@ -2,8 +2,8 @@ package lightning.render.relight.tile;
 
 import lightning.render.cache.CachedTile;
 import lightning.render.cache.TileLevel;
-import lightning.render.shading.LightLayer;
-import lightning.render.shading.LightRows;
+import lightning.render.shading.layer.LightLayer;
+import lightning.render.shading.layer.LightRows;
 
 /**
  * Prefetches the small objects between tiles and their columns into the processor's cache. A tile has about ten of them in a chain,

@@ -1,6 +1,6 @@
 package lightning.render.trace.mesh;
 
-import lightning.scene.Mesh;
+import lightning.scene.node.Mesh;
 
 /**
  * Queries for the triangle that a single ray hits, in the space of the mesh. Holds scratch memory: use one per thread.

@@ -1,6 +1,6 @@
 package lightning.render.trace.mesh;
 
-import lightning.scene.Mesh;
+import lightning.scene.node.Mesh;
 
 /** Mesh with its BVH, shared by all shapes that use the mesh. Thread-safe. */
 public final class MeshSolid {

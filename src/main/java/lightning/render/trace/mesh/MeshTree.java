@@ -2,7 +2,7 @@ package lightning.render.trace.mesh;
 
 import java.util.Map;
 import java.util.WeakHashMap;
-import lightning.scene.Mesh;
+import lightning.scene.node.Mesh;
 
 /**
  * BVH over the triangles of a mesh as flat arrays: up to eight children per node, up to eight triangles with their vertices per

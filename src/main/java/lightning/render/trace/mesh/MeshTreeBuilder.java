@@ -5,7 +5,7 @@ import java.util.concurrent.ForkJoinPool;
 import java.util.concurrent.ForkJoinTask;
 import java.util.concurrent.FutureTask;
 import java.util.stream.IntStream;
-import lightning.scene.Mesh;
+import lightning.scene.node.Mesh;
 
 /**
  * Top-down builder of a mesh's BVH: splits sets of triangles in two ({@link TriangleSplitter}) on all processors, then

@@ -1,7 +1,7 @@
 package lightning.render.trace.mesh;
 
 import java.util.Arrays;
-import lightning.scene.Mesh;
+import lightning.scene.node.Mesh;
 
 /**
  * Boxes of a mesh's pairs of triangles, in an order that the builder permutes. A box stores its minimum x y z and its negated maximum,

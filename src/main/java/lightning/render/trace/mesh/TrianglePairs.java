@@ -1,7 +1,7 @@
 package lightning.render.trace.mesh;
 
 import java.util.Arrays;
-import lightning.scene.Mesh;
+import lightning.scene.node.Mesh;
 
 /**
  * Pairs of triangles that share an edge and are oriented alike, and the triangles that are left alone. Every triangle is in one pair.

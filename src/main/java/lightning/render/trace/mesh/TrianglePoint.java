@@ -1,6 +1,6 @@
 package lightning.render.trace.mesh;
 
-import lightning.scene.Mesh;
+import lightning.scene.node.Mesh;
 
 /** Point on a triangle of a mesh with its barycentric weights, in the space of the mesh. Reused. */
 public final class TrianglePoint {

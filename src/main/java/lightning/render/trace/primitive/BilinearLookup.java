@@ -1,7 +1,7 @@
 package lightning.render.trace.primitive;
 
-import lightning.scene.Texture;
-import lightning.scene.TextureMap;
+import lightning.scene.asset.Texture;
+import lightning.scene.asset.TextureMap;
 
 /**
  * Bilinear texture lookup: the four nearest pixels and their weights. The image repeats endlessly unless the map

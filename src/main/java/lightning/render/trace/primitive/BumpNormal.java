@@ -2,7 +2,7 @@ package lightning.render.trace.primitive;
 
 import lightning.render.trace.mesh.MeshSolid;
 import lightning.render.trace.mesh.TrianglePoint;
-import lightning.scene.BumpMapping;
+import lightning.scene.material.BumpMapping;
 
 /**
  * Normal perturbed by a material's bump or normal map, in the frame of the texture coordinates u, v. Reused.

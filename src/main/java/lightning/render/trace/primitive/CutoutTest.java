@@ -3,8 +3,8 @@ package lightning.render.trace.primitive;
 import lightning.render.trace.mesh.AlphaTest;
 import lightning.render.trace.mesh.MeshSolid;
 import lightning.render.trace.mesh.TrianglePoint;
-import lightning.scene.AlphaCutout;
-import lightning.scene.TextureMap;
+import lightning.scene.asset.TextureMap;
+import lightning.scene.material.AlphaCutout;
 
 /** Alpha test of single rays against primitives with cutout materials. Reused; not thread-safe. */
 public final class CutoutTest implements AlphaTest {

@@ -11,13 +11,13 @@ import lightning.render.trace.mesh.MeshSolid;
 import lightning.render.trace.solid.SolidGeometry;
 import lightning.render.trace.solid.SolidKind;
 import lightning.render.trace.solid.SurfaceContact;
-import lightning.scene.AlphaCutout;
-import lightning.scene.BumpMapping;
-import lightning.scene.Material;
 import lightning.scene.PlacedShape;
-import lightning.scene.Shape;
-import lightning.scene.Solid;
 import lightning.scene.Stage;
+import lightning.scene.material.AlphaCutout;
+import lightning.scene.material.BumpMapping;
+import lightning.scene.material.Material;
+import lightning.scene.node.Shape;
+import lightning.scene.node.Solid;
 
 /**
  * All primitives of a scene as columns, in render space.

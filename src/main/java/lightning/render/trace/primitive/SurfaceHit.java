@@ -3,7 +3,7 @@ package lightning.render.trace.primitive;
 import lightning.base.math.Vec3;
 import lightning.render.trace.mesh.MeshSolid;
 import lightning.render.trace.mesh.TrianglePoint;
-import lightning.scene.BumpMapping;
+import lightning.scene.material.BumpMapping;
 
 /**
  * Surface data at a ray's hit: the point in local space, in double, and the values for shading, rounded to float.

@@ -5,12 +5,12 @@ import java.util.Map;
 import java.util.function.Function;
 import java.util.function.IntFunction;
 import java.util.function.Predicate;
-import lightning.scene.AlphaCutout;
-import lightning.scene.BumpMapping;
-import lightning.scene.Material;
-import lightning.scene.Shape;
 import lightning.scene.Stage;
-import lightning.scene.Transmission;
+import lightning.scene.material.AlphaCutout;
+import lightning.scene.material.BumpMapping;
+import lightning.scene.material.Material;
+import lightning.scene.material.Transmission;
+import lightning.scene.node.Shape;
 
 /** Material properties of primitives that affect rays: bump mapping, transmission and cutouts. */
 final class SurfaceTraits {

@@ -1,7 +1,7 @@
 package lightning.render.trace.primitive;
 
 import java.util.Arrays;
-import lightning.scene.TextureMap;
+import lightning.scene.asset.TextureMap;
 
 /** Mean texture color of a square on a surface. Holds scratch memory: use one per thread. */
 public final class TextureFootprint {

@@ -3,7 +3,7 @@ package lightning.render.trace.primitive;
 import java.util.Arrays;
 import lightning.render.trace.mesh.MeshSolid;
 import lightning.render.trace.mesh.TrianglePoint;
-import lightning.scene.TextureMap;
+import lightning.scene.asset.TextureMap;
 
 /**
  * Lookup of the factor for the diffuse color at a hit: texture color times interpolated vertex color. Holds scratch memory: use

@@ -1,6 +1,6 @@
 package lightning.render.trace.solid;
 
-import lightning.scene.Solid;
+import lightning.scene.node.Solid;
 
 /** Kind of canonical solid; a closed set. */
 public enum SolidKind {

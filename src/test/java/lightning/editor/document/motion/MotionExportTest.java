@@ -15,9 +15,9 @@ import lightning.editor.document.DeskScene;
 import lightning.format.image.ImageFile;
 import lightning.render.fulltrace.TraditionalTracer;
 import lightning.render.image.ViewTransform;
-import lightning.scene.Light;
-import lightning.scene.LightType;
 import lightning.scene.Scene;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightType;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 

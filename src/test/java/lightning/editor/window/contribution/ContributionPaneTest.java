@@ -13,10 +13,10 @@ import lightning.editor.window.EditorFixture;
 import lightning.editor.window.widget.PictureView;
 import lightning.render.image.Film;
 import lightning.render.relight.LightContribution;
-import lightning.render.shading.ReferenceTracer;
-import lightning.scene.Light;
-import lightning.scene.LightType;
+import lightning.render.shading.reference.ReferenceTracer;
 import lightning.scene.Scene;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightType;
 import org.junit.jupiter.api.Test;
 
 class ContributionPaneTest extends EditorFixture {

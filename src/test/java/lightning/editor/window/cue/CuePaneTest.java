@@ -19,7 +19,7 @@ import lightning.editor.document.cue.LightingBlend;
 import lightning.editor.window.EditorFixture;
 import lightning.editor.window.widget.PictureView;
 import lightning.format.jen.JenReader;
-import lightning.render.shading.ReferenceTracer;
+import lightning.render.shading.reference.ReferenceTracer;
 import lightning.scene.Scene;
 import org.junit.jupiter.api.Test;
 import org.testfx.util.WaitForAsyncUtils;

@@ -7,7 +7,7 @@ import javafx.scene.input.KeyCode;
 import lightning.editor.document.Command;
 import lightning.editor.document.DeskScene;
 import lightning.editor.window.EditorFixture;
-import lightning.render.shading.ReferenceTracer;
+import lightning.render.shading.reference.ReferenceTracer;
 import lightning.scene.effects.RenderEffect;
 import org.junit.jupiter.api.Test;
 

@@ -28,11 +28,11 @@ import lightning.editor.window.EditorFixture;
 import lightning.editor.window.widget.PercentText;
 import lightning.render.image.Film;
 import lightning.render.relight.LightImage;
-import lightning.render.shading.ReferenceTracer;
-import lightning.scene.Environment;
-import lightning.scene.EnvironmentMap;
-import lightning.scene.Light;
+import lightning.render.shading.reference.ReferenceTracer;
 import lightning.scene.Scene;
+import lightning.scene.asset.Environment;
+import lightning.scene.asset.EnvironmentMap;
+import lightning.scene.light.Light;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 

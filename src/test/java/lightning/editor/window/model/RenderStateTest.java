@@ -20,8 +20,8 @@ import lightning.render.trace.Geometry;
 import lightning.render.trace.MaterialSet;
 import lightning.render.trace.ShapeChange;
 import lightning.sample.StudioScene;
-import lightning.scene.LightType;
 import lightning.scene.Scene;
+import lightning.scene.light.LightType;
 import org.junit.jupiter.api.Test;
 
 class RenderStateTest {

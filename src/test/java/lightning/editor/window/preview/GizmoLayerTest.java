@@ -10,11 +10,11 @@ import lightning.editor.document.LightGizmo;
 import lightning.editor.document.PreviewCamera;
 import lightning.editor.document.Viewport;
 import lightning.scene.Camera;
-import lightning.scene.Light;
-import lightning.scene.LightType;
 import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
 import lightning.scene.World;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightType;
 import org.junit.jupiter.api.Test;
 
 /** Counts redrawn gizmos: with a thousand lights, their number determines the cost of editing one. */

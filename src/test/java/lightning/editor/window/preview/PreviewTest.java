@@ -22,8 +22,8 @@ import lightning.editor.window.EditorFixture;
 import lightning.editor.window.FastRobot;
 import lightning.editor.window.model.CameraNavigation;
 import lightning.editor.window.model.GizmoSize;
-import lightning.scene.Light;
-import lightning.scene.SceneNode;
+import lightning.scene.light.Light;
+import lightning.scene.node.SceneNode;
 import org.junit.jupiter.api.Test;
 
 class PreviewTest extends EditorFixture {

@@ -15,8 +15,8 @@ import javafx.scene.control.MenuItem;
 import javax.imageio.ImageIO;
 import lightning.editor.document.Command;
 import lightning.editor.window.EditorFixture;
-import lightning.scene.Gobo;
 import lightning.scene.Scene;
+import lightning.scene.asset.Gobo;
 import org.junit.jupiter.api.Test;
 
 class GoboFieldTest extends EditorFixture {

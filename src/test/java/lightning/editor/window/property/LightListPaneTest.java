@@ -22,7 +22,7 @@ import lightning.editor.window.StageExtension;
 import lightning.editor.window.TestEditors;
 import lightning.editor.window.model.EditorModel;
 import lightning.sample.Slow;
-import lightning.scene.LightType;
+import lightning.scene.light.LightType;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.api.io.TempDir;

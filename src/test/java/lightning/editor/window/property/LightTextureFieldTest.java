@@ -11,9 +11,9 @@ import javafx.scene.control.MenuItem;
 import javax.imageio.ImageIO;
 import lightning.editor.document.LightEdits;
 import lightning.editor.window.EditorFixture;
-import lightning.scene.LightTexture;
-import lightning.scene.LightType;
 import lightning.scene.Scene;
+import lightning.scene.asset.LightTexture;
+import lightning.scene.light.LightType;
 import org.junit.jupiter.api.Test;
 
 class LightTextureFieldTest extends EditorFixture {

@@ -13,13 +13,13 @@ import lightning.editor.document.Command;
 import lightning.editor.document.EditOutcome;
 import lightning.editor.document.LightEdits;
 import lightning.editor.window.EditorFixture;
-import lightning.scene.Material;
-import lightning.scene.NodeGroup;
-import lightning.scene.Placement;
-import lightning.scene.SceneNode;
-import lightning.scene.Shape;
-import lightning.scene.ShapeLinks;
-import lightning.scene.Solid;
+import lightning.scene.material.Material;
+import lightning.scene.node.NodeGroup;
+import lightning.scene.node.SceneNode;
+import lightning.scene.node.Shape;
+import lightning.scene.node.Solid;
+import lightning.scene.value.Placement;
+import lightning.scene.value.ShapeLinks;
 import org.junit.jupiter.api.Test;
 
 class LinksFieldTest extends EditorFixture {

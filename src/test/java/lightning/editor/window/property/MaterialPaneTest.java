@@ -24,9 +24,9 @@ import lightning.base.math.Vec3;
 import lightning.editor.document.Command;
 import lightning.editor.window.EditorFixture;
 import lightning.editor.window.widget.TextTyping;
-import lightning.scene.Material;
-import lightning.scene.MaterialAttribute;
 import lightning.scene.Scene;
+import lightning.scene.material.Material;
+import lightning.scene.material.MaterialAttribute;
 import org.junit.jupiter.api.Test;
 
 class MaterialPaneTest extends EditorFixture {

@@ -13,12 +13,12 @@ import javafx.scene.input.MouseButton;
 import lightning.base.math.Vec3;
 import lightning.editor.window.EditorFixture;
 import lightning.editor.window.widget.TextTyping;
-import lightning.scene.NodeGroup;
-import lightning.scene.Placement;
 import lightning.scene.Scene;
-import lightning.scene.SceneNode;
-import lightning.scene.Shape;
-import lightning.scene.Solid;
+import lightning.scene.node.NodeGroup;
+import lightning.scene.node.SceneNode;
+import lightning.scene.node.Shape;
+import lightning.scene.node.Solid;
+import lightning.scene.value.Placement;
 import org.junit.jupiter.api.Test;
 
 class OutlinePaneTest extends EditorFixture {

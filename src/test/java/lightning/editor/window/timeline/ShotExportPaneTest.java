@@ -17,7 +17,7 @@ import lightning.editor.document.OpenDocument;
 import lightning.editor.window.EditorFixture;
 import lightning.editor.window.command.PathPrompt;
 import lightning.editor.window.widget.ColorTheme;
-import lightning.render.shading.ReferenceTracer;
+import lightning.render.shading.reference.ReferenceTracer;
 import lightning.shot.movie.Ffmpeg;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;

@@ -17,9 +17,9 @@ import lightning.editor.document.ScenePicker;
 import lightning.editor.document.Viewport;
 import lightning.editor.window.EditorFixture;
 import lightning.editor.window.widget.PictureView;
-import lightning.render.shading.LightReport;
-import lightning.render.shading.PixelExplainer;
-import lightning.render.shading.ReferenceTracer;
+import lightning.render.shading.explanation.LightReport;
+import lightning.render.shading.explanation.PixelExplainer;
+import lightning.render.shading.reference.ReferenceTracer;
 import lightning.scene.Scene;
 import org.junit.jupiter.api.Test;
 

@@ -18,12 +18,12 @@ import lightning.editor.document.Command;
 import lightning.editor.document.ScenePicker;
 import lightning.editor.window.EditorFixture;
 import lightning.editor.window.widget.PictureView;
-import lightning.render.shading.LightReport;
-import lightning.render.shading.PixelExplainer;
-import lightning.scene.Light;
-import lightning.scene.LightType;
+import lightning.render.shading.explanation.LightReport;
+import lightning.render.shading.explanation.PixelExplainer;
 import lightning.scene.Scene;
-import lightning.scene.ShapeLinks;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightType;
+import lightning.scene.value.ShapeLinks;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 

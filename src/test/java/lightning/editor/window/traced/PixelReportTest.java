@@ -6,9 +6,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.IntStream;
 import lightning.base.math.Vec3;
-import lightning.render.shading.LightReport;
-import lightning.scene.Light;
-import lightning.scene.LightType;
+import lightning.render.shading.explanation.LightReport;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightType;
 import org.junit.jupiter.api.Test;
 
 /** Texts of the pixel report. */

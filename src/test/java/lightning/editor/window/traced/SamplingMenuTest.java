@@ -9,7 +9,7 @@ import lightning.base.text.Language;
 import lightning.base.text.Messages;
 import lightning.editor.document.Command;
 import lightning.editor.window.EditorFixture;
-import lightning.render.shading.ReferenceTracer;
+import lightning.render.shading.reference.ReferenceTracer;
 import lightning.scene.AntialiasMode;
 import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;

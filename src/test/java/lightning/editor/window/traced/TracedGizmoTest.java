@@ -14,9 +14,9 @@ import lightning.editor.document.PreviewCamera;
 import lightning.editor.document.Viewport;
 import lightning.editor.window.EditorFixture;
 import lightning.editor.window.widget.PictureView;
-import lightning.render.shading.ReferenceTracer;
-import lightning.scene.Light;
+import lightning.render.shading.reference.ReferenceTracer;
 import lightning.scene.Scene;
+import lightning.scene.light.Light;
 import org.junit.jupiter.api.Test;
 
 /** Drags the selected light and shape in the traced picture. */

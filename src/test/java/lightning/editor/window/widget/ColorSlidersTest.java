@@ -19,7 +19,7 @@ import lightning.editor.document.StepRange;
 import lightning.editor.window.JavaFxRequirement;
 import lightning.editor.window.StageExtension;
 import lightning.sample.Slow;
-import lightning.scene.SceneLimits;
+import lightning.scene.value.SceneLimits;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.testfx.api.FxRobot;

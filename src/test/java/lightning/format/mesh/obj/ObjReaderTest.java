@@ -11,7 +11,7 @@ import lightning.base.work.Progress;
 import lightning.format.mesh.ByteSource;
 import lightning.format.mesh.ConversionNotes;
 import lightning.format.mesh.MeshException;
-import lightning.scene.Mesh;
+import lightning.scene.node.Mesh;
 import org.assertj.core.data.Offset;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;

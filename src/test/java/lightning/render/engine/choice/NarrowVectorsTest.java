@@ -10,12 +10,12 @@ import java.util.List;
 import lightning.base.work.Progress;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.tile.RenderOptions;
-import lightning.render.shading.ReferenceTracer;
+import lightning.render.shading.reference.ReferenceTracer;
 import lightning.render.warmup.WarmUp;
 import lightning.sample.Slow;
 import lightning.sample.StudioScene;
-import lightning.scene.LightType;
 import lightning.scene.Scene;
+import lightning.scene.light.LightType;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 

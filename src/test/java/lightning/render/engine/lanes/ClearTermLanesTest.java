@@ -11,8 +11,8 @@ import lightning.render.shading.InteriorTint;
 import lightning.render.shading.SumKernel;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.TexelColumns;
-import lightning.scene.MaterialAttribute;
-import lightning.scene.Transmission;
+import lightning.scene.material.MaterialAttribute;
+import lightning.scene.material.Transmission;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 

@@ -16,7 +16,7 @@ import lightning.render.trace.Tracer;
 import lightning.render.trace.primitive.ShadowRayHits;
 import lightning.render.trace.tree.CandidateList;
 import lightning.scene.Scene;
-import lightning.scene.ShapeLinks;
+import lightning.scene.value.ShapeLinks;
 import org.junit.jupiter.api.Test;
 
 /** Tests that lanes compute the surfaces that shadow rays cross, and powers, with the bits of the scalar functions. */

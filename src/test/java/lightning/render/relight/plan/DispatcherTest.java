@@ -11,16 +11,16 @@ import lightning.render.relight.Renderer;
 import lightning.render.relight.paper.RatioMethod;
 import lightning.render.relight.tile.MirrorStorage;
 import lightning.render.relight.tile.RenderOptions;
-import lightning.render.shading.ConeChange;
+import lightning.render.shading.layer.ConeChange;
 import lightning.sample.StudioScene;
 import lightning.scene.AntialiasMode;
 import lightning.scene.Camera;
-import lightning.scene.Light;
-import lightning.scene.LightType;
 import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
-import lightning.scene.SceneNode;
-import lightning.scene.Shape;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightType;
+import lightning.scene.node.SceneNode;
+import lightning.scene.node.Shape;
 import org.junit.jupiter.api.Test;
 
 /** Tests the origin of each layer and its least update, for lists of lights and at accuracy ratio. */

@@ -21,13 +21,13 @@ import lightning.render.fulltrace.TraditionalTracer;
 import lightning.render.image.FilmAssert;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.plan.ReflectionMode;
-import lightning.render.shading.LightRows;
-import lightning.scene.Attenuation;
-import lightning.scene.Light;
-import lightning.scene.LightType;
-import lightning.scene.Material;
+import lightning.render.shading.layer.LightRows;
 import lightning.scene.Scene;
-import lightning.scene.SceneNode;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightType;
+import lightning.scene.material.Material;
+import lightning.scene.node.SceneNode;
+import lightning.scene.value.Attenuation;
 import org.junit.jupiter.api.Test;
 
 /**

@@ -10,7 +10,7 @@ import java.util.stream.IntStream;
 import lightning.render.trace.solid.RayBatch;
 import lightning.sample.SampleMeshes;
 import lightning.sample.Slow;
-import lightning.scene.Mesh;
+import lightning.scene.node.Mesh;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.IntRange;

@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Random;
 import lightning.sample.SampleMeshes;
-import lightning.scene.Mesh;
+import lightning.scene.node.Mesh;
 import org.junit.jupiter.api.Test;
 
 /** Tests that pairs contain each triangle once, with its vertices in order. */

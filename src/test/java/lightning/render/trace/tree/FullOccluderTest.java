@@ -16,7 +16,7 @@ import lightning.render.trace.TexelColumns;
 import lightning.render.trace.TraceScenes;
 import lightning.render.trace.primitive.PrimitiveTable;
 import lightning.render.trace.solid.SolidKind;
-import lightning.scene.Solid;
+import lightning.scene.node.Solid;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import org.junit.jupiter.api.Test;

@@ -1,0 +1,62 @@
+package lightning.render.shading.composition;
+
+import java.util.Arrays;
+import lightning.render.shading.ShadingMaterial;
+import lightning.render.shading.SumKernel;
+import lightning.render.shading.WeightedLight;
+import lightning.render.shading.layer.LightLayer;
+import lightning.render.trace.HitRows;
+import lightning.render.trace.HitRows.ColumnGroup;
+import lightning.render.trace.MaterialTable;
+
+/** Computes the direct light, the albedo and the glow of surfels. Holds scratch columns: use one instance per thread. */
+public final class SurfelShader {
+    private final LightSum lightSum;
+    private final ShadingMaterial[] materials;
+    private final MaterialTable table;
+
+    public SurfelShader(MaterialTable table, SumKernel sums) {
+        this.table = table;
+        lightSum = new LightSum(sums);
+        materials = new ShadingMaterial[table.count()];
+        Arrays.setAll(materials, m -> ShadingMaterial.of(table, m));
+    }
+
+    /**
+     * Writes the lights' diffuse sum at each surfel of a block.
+     *
+     * @param layers layer of each light; unread if the light is dark
+     * @param numbers surfel of each parent
+     * @param to     receives red, green and blue of all surfels
+     */
+    public void writeDirectLight(HitRows rows, WeightedLight[] lights, LightLayer[] layers, int[] numbers, float[][] to) {
+        float[][] sum = lightSum.total(0, rows.count, rows.owner, lights, layers).diffuse;
+        for (int c = 0; c < 3; c++) {
+            for (int row = 0; row < rows.count; row++) {
+                to[c][numbers[rows.parent[row]]] = sum[c][row];
+            }
+        }
+    }
+
+    /**
+     * Writes the light that each surfel of a block sends.
+     *
+     * @param numbers surfel of each parent
+     * @param albedo receives the share of the incoming light that is sent back diffusely: red, green and blue of all surfels
+     * @param glow   receives the light that the surfels emit themselves: red, green and blue of all surfels
+     */
+    public void writeReflection(HitRows rows, int[] numbers, float[][] albedo, float[][] glow) {
+        for (int run = 0; run < rows.runCount; run++) {
+            ShadingMaterial material = materials[rows.runMaterial[run]];
+            for (int c = 0; c < 3; c++) {
+                float emitted = (1 - material.reflective()[c]) * table.ownGlow(rows.runMaterial[run], c);
+                float[] map = material.texels().has(ColumnGroup.GLOW_TEXEL) ? rows.texel(ColumnGroup.GLOW_TEXEL, c) : null;
+                float share = (1 - material.reflective()[c]) * material.diffuse()[c];
+                for (int row = rows.runStart(run); row < rows.runEnd[run]; row++) {
+                    albedo[c][numbers[rows.parent[row]]] = material.isTextured() ? share * rows.texel(c)[row] : share;
+                    glow[c][numbers[rows.parent[row]]] = map == null ? emitted : emitted * map[row];
+                }
+            }
+        }
+    }
+}

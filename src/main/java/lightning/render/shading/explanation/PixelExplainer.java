@@ -1,0 +1,329 @@
+package lightning.render.shading.explanation;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Function;
+import java.util.stream.IntStream;
+import lightning.base.math.Ray;
+import lightning.base.math.Vec3;
+import lightning.render.gather.RowWeigher;
+import lightning.render.shading.AreaSamples;
+import lightning.render.shading.BackgroundShader;
+import lightning.render.shading.EmittedLight;
+import lightning.render.shading.IndirectLight;
+import lightning.render.shading.LightSource;
+import lightning.render.shading.LightWeight;
+import lightning.render.shading.LightingEquation;
+import lightning.render.shading.SurfaceWeights;
+import lightning.render.shading.Transmittance;
+import lightning.render.shading.WeightedLight;
+import lightning.render.trace.Geometry;
+import lightning.render.trace.MaterialTable;
+import lightning.render.trace.NormalSteps;
+import lightning.render.trace.PixelRays;
+import lightning.render.trace.SurfacePoint;
+import lightning.render.trace.tree.ShadowRayTarget;
+import lightning.scene.Scene;
+import lightning.scene.material.AlphaCutout;
+
+/** Traces single pixels and reports every part of their color. The color has the bits of the film's. */
+public final class PixelExplainer {
+    private static final float[] ZERO = {0, 0, 0};
+    private static final float[] ONE = {1, 1, 1};
+
+    private final Scene scene;
+    private final Geometry geometry;
+    private final MaterialTable materials;
+    private final Geometry uncutGeometry;
+    private final List<WeightedLight> lights;
+    /** Null without indirect light, as the weigher. */
+    private final IndirectLight indirect;
+    private final RowWeigher weigher;
+
+    /** Shadow ray targets by light position. */
+    private final Map<Vec3, ShadowRayTarget> shadowRayTargets;
+
+    /** Creates an explainer that also reports cutouts that rays passed; builds a second BVH for this. */
+    public PixelExplainer(Scene scene) {
+        this(scene, new Geometry(scene), new HashMap<>(), withoutCutouts(scene), null);
+    }
+
+    /** @param known existing geometry that serves the scene, from its traced picture */
+    public PixelExplainer(Scene scene, Geometry known) {
+        this(scene, known.forScene(scene, known.castsReflections()), new HashMap<>(), null, null);
+    }
+
+    private PixelExplainer(Scene scene, Geometry geometry, Map<Vec3, ShadowRayTarget> ends, Geometry uncut,
+            IndirectLight indirect) {
+        this.scene = scene;
+        this.geometry = geometry;
+        this.shadowRayTargets = ends;
+        materials = geometry.materials();
+        this.uncutGeometry = uncut;
+        this.indirect = indirect;
+        weigher = indirect == null ? null : new RowWeigher(indirect.structure());
+        lights = scene.rig().effectiveLights().stream().map(light -> WeightedLight.of(light, scene)).toList();
+    }
+
+    /** Returns an explainer of another scene that shares cached geometry with this one. */
+    public PixelExplainer forScene(Scene other, Geometry known) {
+        boolean isUnchanged = geometry.canServe(other);
+        return new PixelExplainer(other, (isUnchanged ? geometry : known).forScene(other, known.castsReflections()),
+                isUnchanged ? shadowRayTargets : new HashMap<>(), null, null);
+    }
+
+    /** Returns this explainer with the indirect light of its scene; null for none, as initially. */
+    public PixelExplainer withIndirect(IndirectLight light) {
+        return light == indirect ? this : new PixelExplainer(scene, geometry, shadowRayTargets, uncutGeometry, light);
+    }
+
+    /** Returns this explainer with a report of the cutouts that rays passed; builds a second BVH if the scene has any. */
+    public PixelExplainer withPassedCutouts() {
+        return uncutGeometry == null ? new PixelExplainer(scene, geometry, shadowRayTargets, withoutCutouts(scene), indirect) : this;
+    }
+
+    /** Returns the indirect light of the scene; null for none. */
+    public IndirectLight indirect() {
+        return indirect;
+    }
+
+    /** Returns the shapes and materials that reports refer to. */
+    public Geometry geometry() {
+        return geometry;
+    }
+
+    /** Explains the pixel in column {@code x} from the left and row {@code y} from the top. */
+    public PointReport explainPixel(int x, int y) {
+        return explainRay(new PixelRays(scene).ray(x, y), scene.picture().depth());
+    }
+
+    private PointReport explainRay(Ray ray, int depth) {
+        int shape = geometry.nearest(ray);
+        if (shape < 0) {
+            return new PointReport(null, passedCutouts(ray, Double.POSITIVE_INFINITY), null,
+                    BackgroundShader.color(scene.world(), ray.direction()), ZERO, ZERO, null,
+                    List.of(), null, null);
+        }
+        SurfacePoint hit = geometry.surface(shape, ray);
+        NormalSteps normals = geometry.normalSteps(shape, ray);
+        PointReport reflected = materials.isReflective(hit.material()) && depth > 0 ? explainRay(hit.reflectedRay(), depth - 1) : null;
+        Ray through = materials.isTransparent(hit.material()) && depth > 0 ? hit.refractedRay() : null;
+        PointReport refracted = through == null ? null : explainRay(through, depth - 1);
+        List<LightReport> reports = new ArrayList<>();
+        for (WeightedLight light : lights) {
+            reports.add(lightReport(light, hit, normals));
+        }
+        float[] bounced = indirect == null ? null : indirect.at(hit, weigher);
+        float[] color = new float[3];
+        float[] ambient = new float[3];
+        float[] glow = new float[3];
+        float ambience = (float) scene.world().ambience();
+        var share = new SurfaceWeights(hit);
+        for (int c = 0; c < 3; c++) {
+            float ka = materials.ambient(hit.material(), c);
+            float kr = materials.reflective(hit.material(), c);
+            float ownLight = materials.glow(hit.material(), c);
+            float emitted = EmittedLight.unmapped(materials.texels(hit.material()), ka, ambience, ownLight);
+            float diffuse = sum(reports, c, LightReport::diffuse) + (bounced == null ? 0 : bounced[c]);
+            for (EmittedLight kind : EmittedLight.values()) {
+                float amount = kind.amount(ka, ambience, ownLight);
+                float[] map = kind.map().map(hit.maps()::get).orElse(null);
+                float[] part = switch (kind) {
+                    case AMBIENT -> ambient;
+                    case GLOW -> glow;
+                };
+                part[c] = (map == null ? amount : amount * map[c]) * share.bodyWeight(kr, c);
+            }
+            color[c] = materials.isTransparent(hit.material())
+                    ? share.color(c, emitted, hit.diffuse()[c], diffuse,
+                            hit.specular()[c], sum(reports, c, LightReport::highlight), sum(reports, c, LightReport::sheen), kr,
+                            reflected == null ? 0 : reflected.color()[c], refracted == null ? 0 : refracted.color()[c])
+                    : LightingEquation.color(emitted, hit.diffuse()[c], diffuse,
+                            hit.specular()[c], sum(reports, c, LightReport::highlight), sum(reports, c, LightReport::sheen), kr,
+                            reflected == null ? 0 : reflected.color()[c]);
+            for (EmittedLight kind : EmittedLight.values()) {
+                color[c] = kind.isMapped(materials.texels(hit.material()))
+                        ? LightingEquation.addMapped(color[c], kind.amount(ka, ambience, ownLight),
+                                hit.maps().get(kind.map().orElseThrow())[c], share.bodyWeight(kr, c))
+                        : color[c];
+            }
+        }
+        return new PointReport(hit, passedCutouts(ray, geometry.distance(shape, ray)), normals, color, ambient, glow, bounced, reports,
+                reflected,
+                refracted);
+    }
+
+    /** Returns the primitives that the ray would hit before a distance if nothing were cut out of them. */
+    private List<Integer> passedCutouts(Ray ray, double before) {
+        return uncutGeometry == null ? List.of() : IntStream.range(0, uncutGeometry.primitiveCount())
+                .filter(s -> uncutGeometry.material(s).cutout() != geometry.material(s).cutout() && uncutGeometry.distance(s, ray) < before)
+                .filter(s -> uncutGeometry.distance(s, ray) < geometry.distance(s, ray)).boxed().toList();
+    }
+
+    /** Returns the geometry without cutouts; null if the scene has none. */
+    private static Geometry withoutCutouts(Scene scene) {
+        return scene.materials().stream().noneMatch(m -> m.cutout().isActive()) ? null : new Geometry(
+                scene.withMaterials(
+                        scene.materials().stream().map(m -> m.cutout().isActive() ? m.withCutout(AlphaCutout.NONE) : m).toList()));
+    }
+
+    private static float sum(List<LightReport> lights, int channel, Function<LightReport, float[]> part) {
+        float[] terms = new float[lights.size()];
+        for (int l = 0; l < terms.length; l++) {
+            terms[l] = part.apply(lights.get(l))[channel];
+        }
+        return LightingEquation.sum(terms, 0, terms.length);
+    }
+
+    private LightReport lightReport(WeightedLight light, SurfacePoint hit, NormalSteps normals) {
+        return light.source().isArea() && !light.isDark() ? areaReport(light, hit, normals)
+                : lightReport(light, light.source(), hit, normals);
+    }
+
+    /** Returns the means of a light's samples. If no sample reaches the point, the state is that of the sample that passed most tests. */
+    private LightReport areaReport(WeightedLight light, SurfacePoint hit, NormalSteps normals) {
+        int samples = light.source().centerSamples().samples();
+        double diffuse = 0;
+        double specular = 0;
+        double grazing = 0;
+        int visibleCount = 0;
+        int below = 0;
+        LightReport best = null;
+        LightReport blocked = null;
+        double[] tints = new double[3];
+        double[][] faces = new double[2][3];
+        double shine = 0;
+        AreaSamples area = light.source().centerSamples();
+        int freeCount = 0;
+        for (int s = 0; s < samples; s++) {
+            LightReport one =
+                    lightReport(light, sample(light.source(), hit, s), hit, normals);
+            // A visible sample counts even outside the cone, as in rows, whose shadow rays are not cast again when the cone moves. A surface has a
+            // half-space that does not.
+            LightSource sample = sample(light.source(), hit, s);
+            boolean isBehind = light.source().type().isSurface() && one.state() == LightReport.State.OUTSIDE;
+            if (one.state() != LightReport.State.AWAY && !isBehind && (one.state() == LightReport.State.LIT || blocker(sample, hit) < 0)) {
+                float[] passed = tint(sample, hit);
+                for (int c = 0; c < 3; c++) {
+                    tints[c] += passed[c];
+                }
+                freeCount++;
+            }
+            double diffuseTerm = (double) one.falloff() * (one.state() == LightReport.State.LIT ? one.cosine() : 0);
+            double specularTerm = (double) one.specular() * one.falloff();
+            double grazingTerm = (double) one.grazing() * one.falloff();
+            diffuse += diffuseTerm;
+            specular += specularTerm;
+            grazing += grazingTerm;
+            shine += specularTerm + grazingTerm;
+            for (int c = 0; area.color != null && c < 3; c++) {
+                float color = area.color[c][area.index(s, AreaSamples.rotation(hit.px(), hit.py(), hit.pz()))];
+                faces[0][c] += diffuseTerm * color;
+                faces[1][c] += (specularTerm + grazingTerm) * color;
+            }
+            visibleCount += one.state() == LightReport.State.LIT ? 1 : 0;
+            below += one.samplesBelowSurface();
+            best = best == null || one.state().compareTo(best.state()) > 0 ? one : best;
+            blocked = blocked == null && one.state() == LightReport.State.SHADOWED ? one : blocked;
+        }
+        float cosine = LightingEquation.mean(diffuse, samples);
+        float highlight = LightingEquation.mean(specular, samples);
+        float sheen = LightingEquation.mean(grazing, samples);
+        float[] tint =
+                freeCount == 0 ? ONE : new float[] {LightingEquation.mean(tints[0], freeCount), LightingEquation.mean(tints[1], freeCount),
+                    LightingEquation.mean(tints[2], freeCount)};
+        float gain = light.gain(hit.primitive());
+        float[] face = area.color == null ? ONE : weightedMeans(faces[0], diffuse);
+        float[] diffuseFactor = product(tint, face);
+        float[] specularFactor = area.color == null ? tint : product(tint, weightedMeans(faces[1], shine));
+        return new LightReport(light.light(), best.state(), blocked == null ? -1 : blocked.blocker(), visibleCount, samples, below,
+                visibleCount == 0 ? best.cosine() : cosine, highlight, sheen, visibleCount == 0 ? 0 : 1,
+                contribution(light.diffuse(), cosine, 1, diffuseFactor, gain),
+                contribution(light.specular(), highlight, 1, specularFactor, gain),
+                contribution(light.specular(), sheen, 1, specularFactor, gain), tint, face, gain);
+    }
+
+    private static float[] weightedMeans(double[] sums, double weight) {
+        return new float[] {LightingEquation.weightedMean(sums[0], weight), LightingEquation.weightedMean(sums[1], weight),
+            LightingEquation.weightedMean(sums[2], weight)};
+    }
+
+    private static float[] product(float[] a, float[] b) {
+        return new float[] {a[0] * b[0], a[1] * b[1], a[2] * b[2]};
+    }
+
+    private LightReport lightReport(WeightedLight light, LightSource source, SurfacePoint hit, NormalSteps normals) {
+        var equation = new LightingEquation(source);
+        equation.moveTo(hit.px(), hit.py(), hit.pz(), hit.nx(), hit.ny(), hit.nz());
+        float cosine = equation.cosine(hit.nx(), hit.ny(), hit.nz());
+        int below = cosine > 0 && normals != null && !light.isDark() && !(cosine(equation, normals.geometric()) > 0) ? 1 : 0;
+        int blocker = -1;
+        LightReport.State state;
+        if (light.isDark()) {
+            state = LightReport.State.DARK;
+        } else if (!(cosine > 0)) {
+            state = LightReport.State.AWAY;
+        } else if (!equation.insideCone()) {
+            state = LightReport.State.OUTSIDE;
+        } else if (!geometry.linkedPrimitives(light.light().illuminates())[hit.primitive()]) {
+            state = LightReport.State.UNLINKED;
+        } else {
+            blocker = blocker(source, hit);
+            state = blocker < 0 ? LightReport.State.LIT : LightReport.State.SHADOWED;
+        }
+        if (state != LightReport.State.LIT) {
+            return new LightReport(light.light(), state, blocker, 0, 1, below, cosine, 0, 0, 0, ZERO, ZERO, ZERO, ONE, ONE,
+                    light.gain(hit.primitive()));
+        }
+        boolean metallic = materials.isMetallic(hit.material());
+        double alpha = materials.alpha(hit.material());
+        float diffuse = metallic ? equation.metallicDiffuse(hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz()) : cosine;
+        float specular = metallic ? equation.metallicSpecular(hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz(), alpha)
+                : equation.specular(hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz(), materials.shininess(hit.material()));
+        float grazing = metallic ? equation.metallicGrazing(hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz(), alpha) : 0;
+        float falloff = equation.falloff();
+        float[] tint = tint(source, hit);
+        float gain = light.gain(hit.primitive());
+        return new LightReport(light.light(), state, blocker, 1, 1, below, diffuse, specular, grazing, falloff,
+                contribution(light.diffuse(), diffuse, falloff, tint, gain), contribution(light.specular(), specular, falloff, tint, gain),
+                contribution(light.specular(), grazing, falloff, tint, gain), tint, ONE, gain);
+    }
+
+    private static float cosine(LightingEquation equation, Vec3 normal) {
+        return equation.cosine((float) normal.x(), (float) normal.y(), (float) normal.z());
+    }
+
+    private static float[] contribution(LightWeight weight, float term, float falloff, float[] tint, float gain) {
+        return new float[] {
+            LightingEquation.contribution(weight.red(), term, falloff, tint[0] * gain),
+            LightingEquation.contribution(weight.green(), term, falloff, tint[1] * gain),
+            LightingEquation.contribution(weight.blue(), term, falloff, tint[2] * gain)};
+    }
+
+    /** Returns the transmittance of an unblocked shadow ray: red, green and blue. */
+    private float[] tint(LightSource source, SurfacePoint hit) {
+        ShadowRayTarget target = source.type().hasPosition()
+                ? shadowRayTargets.computeIfAbsent(source.position(), geometry::shadowRayTarget) : ShadowRayTarget.OFF_SURFACE;
+        return Transmittance.ofShadowRay(geometry, source, target, hit);
+    }
+
+    /** Returns the shape between the point and the light that is nearest to the point, or −1. */
+    private int blocker(LightSource source, SurfacePoint hit) {
+        Vec3 point = new Vec3(hit.px(), hit.py(), hit.pz());
+        Geometry casting = geometry.shadowGeometry(source.light().shadowCasters());
+        if (!casting.castsShadows()) {
+            return -1;
+        }
+        if (!source.type().hasPosition()) {
+            return casting.nearest(new Ray(point, source.position()));
+        }
+        return casting.blocker(point, shadowRayTargets.computeIfAbsent(source.position(), geometry::shadowRayTarget));
+    }
+
+    /** Returns a sample of an area light as a row of a pixel center uses it. */
+    private static LightSource sample(LightSource area, SurfacePoint hit, int s) {
+        return area.at(area.centerSamples().position(AreaSamples.rotation(hit.px(), hit.py(), hit.pz()), s));
+    }
+}

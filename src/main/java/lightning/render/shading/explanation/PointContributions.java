@@ -1,0 +1,85 @@
+package lightning.render.shading.explanation;
+
+import lightning.base.math.Rgb;
+import lightning.render.shading.SurfaceWeights;
+import lightning.render.trace.SurfacePoint;
+import lightning.scene.material.Material;
+
+/**
+ * Contributions of each term of the lighting equation to a point's color, for display: their sums are rounded once more.
+ *
+ * @param at           the point
+ * @param reflectivity of its material, {@code float[3]}
+ * @param surfaceShare weights of the surface and of what is behind it
+ */
+public record PointContributions(SurfacePoint at, float[] reflectivity, SurfaceWeights surfaceShare) {
+    /** Smallest share of a pixel's color for which rays through transparent surfaces are described. */
+    private static final double MIN_SHARE = 0.002;
+
+    /** Returns the contributions at a point of a material. */
+    public static PointContributions of(Material material, SurfacePoint point) {
+        return new PointContributions(point, toFloats(material.reflective()), new SurfaceWeights(point));
+    }
+
+    /**
+     * Returns kd·Idiff·(1 − kr) + (ks·Ispec + Igraz) of one light, linear, {@code float[3]}; scaled by the surface share of
+     * a transparent surface.
+     */
+    public float[] ofLight(LightReport light) {
+        float[] added = new float[3];
+        for (int c = 0; c < 3; c++) {
+            added[c] = at.diffuse()[c] * light.diffuse()[c] * surfaceShare.bodyWeight(reflectivity[c], c)
+                    + (at.specular()[c] * light.highlight()[c] + light.sheen()[c]) * surfaceShare.interiorTint(c);
+        }
+        return added;
+    }
+
+    /** Returns kd·Idiff·(1 − kr) of indirect light, linear, {@code float[3]}; scaled as above. */
+    public float[] ofIndirect(float[] light) {
+        float[] added = new float[3];
+        for (int c = 0; c < 3; c++) {
+            added[c] = at.diffuse()[c] * light[c] * surfaceShare.bodyWeight(reflectivity[c], c);
+        }
+        return added;
+    }
+
+    /** Returns the mirrored ray's contribution, kr·Cr for an opaque surface, linear, {@code float[3]}. */
+    public float[] reflectedPart(float[] color) {
+        return new float[] {surfaceShare.mirrorWeight(reflectivity[0], 0) * color[0],
+            surfaceShare.mirrorWeight(reflectivity[1], 1) * color[1],
+            surfaceShare.mirrorWeight(reflectivity[2], 2) * color[2]};
+    }
+
+    /** Returns the refracted ray's contribution, linear, {@code float[3]}. */
+    public float[] refractedPart(float[] color) {
+        return new float[] {surfaceShare.refractionWeight(reflectivity[0], 0) * color[0],
+            surfaceShare.refractionWeight(reflectivity[1], 1) * color[1],
+            surfaceShare.refractionWeight(reflectivity[2], 2) * color[2]};
+    }
+
+    /**
+     * Returns whether a description should follow a ray from the point: transparent surfaces split rays in two, recursively, hundreds for
+     * a pixel.
+     *
+     * @param part       the ray's part of the point's color
+     * @param color      the point's color
+     * @param pointShare approximate share of the pixel's color that the point contributes
+     */
+    public boolean shouldFollow(float[] part, float[] color, double pointShare) {
+        return at.backSide() == null || pointShare * sum(part) >= MIN_SHARE * sum(color);
+    }
+
+    /** Returns the approximate share of the pixel's color that a ray from the point contributes; parameters as above. */
+    public static double rayShare(float[] part, float[] color, double pointShare) {
+        return pointShare * sum(part) / Math.max(sum(color), Float.MIN_NORMAL);
+    }
+
+    /** Returns red + green + blue. */
+    public static double sum(float[] color) {
+        return (double) color[0] + color[1] + color[2];
+    }
+
+    private static float[] toFloats(Rgb c) {
+        return new float[] {(float) c.r(), (float) c.g(), (float) c.b()};
+    }
+}

@@ -1,0 +1,31 @@
+package lightning.render.shading.explanation;
+
+import java.util.List;
+import lightning.render.trace.NormalSteps;
+import lightning.render.trace.SurfacePoint;
+
+/**
+ * Lighting equation at one point with all its parts.
+ *
+ * @param hit           the hit; null if the ray hit nothing and shows the background
+ * @param passedCutouts primitives through whose cutouts the ray passed, each once; empty if not tested
+ * @param normals       steps from the geometric to the shading normal; null if both are equal
+ * @param color         the color of the ray, linear, {@code float[3]}
+ * @param ambient       ka·ambience·(1 − kr), linear, {@code float[3]}
+ * @param glow          glow·(1 − kr), linear, {@code float[3]}
+ * @param indirect      indirect light in the units of the lights' diffuse sum, linear, {@code float[3]}; null if there is none
+ * @param lights        one report for each light of the scene, in its order
+ * @param refracted     report of the refracted ray; null if the material is opaque, reflects totally, or the depth ends here
+ * @param reflected     report of the mirrored ray; null if the material does not mirror or the depth ends here
+ */
+public record PointReport(SurfacePoint hit, List<Integer> passedCutouts, NormalSteps normals, float[] color, float[] ambient,
+        float[] glow,
+        float[] indirect,
+        List<LightReport> lights,
+        PointReport reflected,
+        PointReport refracted) {
+    /** Returns whether the ray hit nothing. */
+    public boolean isBackground() {
+        return hit == null;
+    }
+}

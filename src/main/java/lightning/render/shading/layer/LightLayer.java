@@ -1,0 +1,28 @@
+package lightning.render.shading.layer;
+
+/** Layer of one light over the hit rows of one tile and level: terms, or finished contributions. */
+public sealed interface LightLayer permits LightRows, WeightedLayer {
+    /** Returns the state and shadow ray result of each row; see {@link LightRows}. */
+    byte[] states();
+
+    /** Returns for each row the set of visible light samples; see {@link LightRows#visibleSamples}. */
+    short[][] visibleSamples();
+
+    /** Returns the tints of unblocked shadow rays: red, green and blue columns; null if all are 1. */
+    float[][] tint();
+
+    /** Returns the number of lit rows. */
+    int litCount();
+
+    /** Returns the bytes of the columns, without array headers. */
+    long bytes();
+
+    /** Returns the bytes of the columns that are not shared with {@code before}, which may be null. */
+    long newBytes(LightLayer before);
+
+    /** Returns the bytes that compositing reads. */
+    long bytesReadByCompositing();
+
+    /** Returns the bytes per row that an update from {@code before}, which may be null, must read. */
+    long rowBytesRead(LightLayer before);
+}

@@ -1,0 +1,167 @@
+package lightning.render.shading.layer;
+
+import java.util.Arrays;
+import lightning.render.shading.AngularMask;
+import lightning.render.shading.LightSource;
+import lightning.render.shading.TermKernel;
+import lightning.render.trace.HitRows;
+import lightning.render.trace.MaterialTable;
+
+/**
+ * Writes the columns of a layer from terms that were aimed at the light: 0 for unlit rows. Holds scratch memory: use one instance
+ * per thread.
+ */
+final class TermColumnWriter {
+    private final MaterialTable materials;
+    private final TermKernel terms;
+    private final RequiredWork requiredWork;
+    private final boolean isDiffuseOnly;
+    private final int[] reused = RowBits.allocate();
+    private final int[] recomputed = RowBits.allocate();
+    private final double[] factors = new double[TermKernel.MAX_ROWS];
+
+    /** @param diffuseOnly whether rows get no specular terms */
+    TermColumnWriter(MaterialTable materials, TermKernel terms, RequiredWork required, boolean diffuseOnly) {
+        this.materials = materials;
+        this.terms = terms;
+        this.requiredWork = required;
+        isDiffuseOnly = diffuseOnly;
+    }
+
+    /** Returns the diffuse terms of lit rows: the cosine, except for metallic materials. */
+    float[] diffuseColumn(HitRows rows, float[] cosine, int[] lit, ColumnAllocator columns) {
+        float[] column = columns.floats(rows.count);
+        terms.select(cosine, lit, rows.count, column);
+        writeMetallicDiffuse(rows, lit, column);
+        return column;
+    }
+
+    /** Replaces the cosine of metallic rows of a set by their diffuse term. */
+    void writeMetallicDiffuse(HitRows rows, int[] queried, float[] column) {
+        for (int r = 0; r < rows.runCount; r++) {
+            if (materials.isMetallic(rows.runMaterial[r])) {
+                terms.metallicDiffuses(rows, rows.runStart(r), rows.runEnd[r], queried, column);
+            }
+        }
+    }
+
+    /** Specular and grazing columns of a layer, each null if no material needs it. */
+    record SpecularColumns(float[] specular, float[] grazing) {
+        static final SpecularColumns NONE = new SpecularColumns(null, null);
+
+        /** Returns the columns of a layer; none if there is no layer. */
+        static SpecularColumns of(LightRows layer) {
+            return layer == null ? NONE : new SpecularColumns(layer.specular, layer.grazing);
+        }
+    }
+
+    /**
+     * Returns the specular and grazing terms of lit rows.
+     *
+     * @param known rows whose terms are in {@code before}, as far as it has these columns; null for none
+     */
+    SpecularColumns specularColumns(HitRows rows, int[] lit, int[] known, SpecularColumns before, ColumnAllocator columns) {
+        if (!hasSpecular(rows)) {
+            return SpecularColumns.NONE;
+        }
+        boolean metallic = hasMetallic(rows);
+        int[] queried = lit;
+        if (known != null) {
+            queried = recomputed;
+            for (int b = 0; b < RowBits.words(rows.count); b++) {
+                reused[b] = lit[b] & known[b];
+                recomputed[b] = lit[b] & ~known[b];
+            }
+        }
+        float[] column = startColumn(rows, known, before.specular, columns);
+        float[] grazing = metallic ? startColumn(rows, known, before.grazing, columns) : null;
+        writeSpeculars(rows, queried, column, grazing);
+        return new SpecularColumns(column, grazing);
+    }
+
+    /** Returns a column with the terms of the rows in {@link #reused}, and 0 elsewhere. */
+    private float[] startColumn(HitRows rows, int[] known, float[] before, ColumnAllocator columns) {
+        float[] column = columns.floats(rows.count);
+        if (known == null || before == null) {
+            Arrays.fill(column, 0, rows.count, 0);
+        } else {
+            terms.select(before, reused, rows.count, column);
+        }
+        return column;
+    }
+
+    /**
+     * Writes the specular terms of the rows of a set whose material is specular.
+     *
+     * @param grazing receives the grazing terms of metallic rows; unread if there are none
+     */
+    void writeSpeculars(HitRows rows, int[] queried, float[] column, float[] grazing) {
+        for (int r = 0; r < rows.runCount; r++) {
+            int material = rows.runMaterial[r];
+            if (materials.isMetallic(material)) {
+                terms.metallicSpeculars(rows, rows.runStart(r), rows.runEnd[r], queried, materials.alpha(material), column, grazing);
+            } else if (isSpecular(material)) {
+                terms.speculars(rows, rows.runStart(r), rows.runEnd[r], queried, materials.shininess(material), column);
+            }
+        }
+    }
+
+    /** Adds the rows to a set that may have a specular term for any sample of a light. */
+    void addPossibleHighlights(HitRows rows, LightSource source, int[] candidates) {
+        for (int r = 0; r < rows.runCount; r++) {
+            int material = rows.runMaterial[r];
+            if (materials.isMetallic(material)) {
+                RowBits.add(candidates, rows.runStart(r), rows.runEnd[r]);
+            } else if (isSpecular(material)) {
+                terms.addPossibleHighlights(rows, rows.runStart(r), rows.runEnd[r], source, materials.shininess(material), candidates);
+            }
+        }
+    }
+
+    /** Returns whether any row's material has a specular term. */
+    boolean hasSpecular(HitRows rows) {
+        for (int r = 0; r < rows.runCount; r++) {
+            if (isSpecular(rows.runMaterial[r])) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Returns whether any row's material is metallic. */
+    boolean hasMetallic(HitRows rows) {
+        for (int r = 0; r < rows.runCount; r++) {
+            if (materials.isMetallic(rows.runMaterial[r])) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    boolean isMetallic(int material) {
+        return materials.isMetallic(material);
+    }
+
+    boolean isSpecular(int material) {
+        return !isDiffuseOnly && requiredWork.needsSpecular(materials, material);
+    }
+
+    /** Returns the falloff of all rows, lit or not; null if it is 1 everywhere. */
+    float[] falloffColumn(HitRows rows, LightSource source, ColumnAllocator columns) {
+        if (!requiredWork.needsFalloff(source)) {
+            return null;
+        }
+        float[] column = columns.floats(rows.count);
+        AngularMask mask = AngularMask.of(source);
+        if (mask == null) {
+            terms.falloffs(rows, source, column);
+        } else {
+            terms.unroundedFalloffs(rows, source, factors);
+            mask.multiply(rows, factors);
+            for (int i = 0; i < rows.count; i++) {
+                column[i] = (float) factors[i];
+            }
+        }
+        return column;
+    }
+}

@@ -1,0 +1,167 @@
+package lightning.render.shading.reference;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Function;
+import lightning.base.math.Rgb;
+import lightning.render.gather.CellKeys;
+import lightning.render.gather.DirectionTable;
+import lightning.render.gather.GlowShapes;
+import lightning.render.shading.IndirectSolver;
+import lightning.render.trace.Geometry;
+import lightning.render.trace.MaterialTable;
+import lightning.render.trace.SurfacePoint;
+import lightning.scene.IndirectSettings;
+import lightning.scene.Scene;
+
+/**
+ * Diffuse indirect light of a scene for {@link ReferenceTracer}: the oracle of {@link IndirectSolver} and of everything that it reads. It
+ * shares with them only the formulas of cells, directions and weights.
+ */
+final class ReferenceIndirect {
+    private final Scene scene;
+    private final Geometry geometry;
+    private final IndirectSettings settings;
+    private final CellKeys keys;
+    private final GlowShapes glows;
+    private final Function<SurfacePoint, float[]> directLight;
+    private final List<Surfel> surfels = new ArrayList<>();
+    /** Rays of the first surfels; further ones cast none. */
+    private final List<List<ReferenceGatherRay>> surfelRays = new ArrayList<>();
+    /** Light of each small glowing object at these surfels. */
+    private final List<List<float[]>> surfelGlow = new ArrayList<>();
+    private final Map<Long, Integer> surfelByCell = new HashMap<>();
+    private final ReferencePointLight light;
+
+    /**
+     * Small part of a surface, lit at one place.
+     *
+     * @param texel  mean texture color of its cell: red, green, blue
+     * @param direct lights' diffuse sum: red, green, blue
+     * @param glow   light that it emits itself: red, green, blue
+     */
+    private record Surfel(SurfacePoint at, float[] texel, float[] direct, float[] glow) {}
+
+    /** @param directLight returns the lights' diffuse sum at a surface: red, green, blue */
+    ReferenceIndirect(Scene scene, Geometry geometry, IndirectSettings settings, Function<SurfacePoint, float[]> directLight) {
+        this.scene = scene;
+        this.geometry = geometry;
+        this.settings = settings;
+        this.directLight = directLight;
+        keys = new CellKeys(scene, settings);
+        glows = GlowShapes.of(geometry);
+        List<ReferenceGatherPoints.GatherPoint> points = new ReferenceGatherPoints(scene, geometry, keys, glows, settings).place();
+        addSurfels(points.stream().flatMap(point -> point.rays().stream()).toList());
+        for (int bounce = 2; bounce <= settings.bounces(); bounce++) {
+            castSurfelRays();
+        }
+        light = new ReferencePointLight(points, points.stream().map(point -> point.rays().stream().map(this::target).toList()).toList(),
+                geometry, gather(points));
+    }
+
+    /** Returns the place of the surfel that a ray hits; null for none. */
+    private SurfacePoint target(ReferenceGatherRay ray) {
+        return ray.hit() == null ? null : surfels.get(surfelByCell.get(ray.cell())).at();
+    }
+
+    /** Returns the indirect light at a surface that the picture shows: red, green, blue. */
+    float[] at(SurfacePoint hit) {
+        return light.at(hit);
+    }
+
+    /** Adds a surfel for each new cell that some rays hit: the hit of the ray with the lowest rank. */
+    private void addSurfels(List<ReferenceGatherRay> rays) {
+        Map<Long, Integer> chosen = new LinkedHashMap<>();
+        for (int i = 0; i < rays.size(); i++) {
+            ReferenceGatherRay ray = rays.get(i);
+            if (ray.hit() != null && !surfelByCell.containsKey(ray.cell())) {
+                chosen.merge(ray.cell(), i, (a, b) -> rays.get(b).rank() < rays.get(a).rank() ? b : a);
+            }
+        }
+        chosen.values().stream().sorted().forEach(i -> addSurfel(rays.get(i)));
+    }
+
+    private void addSurfel(ReferenceGatherRay ray) {
+        MaterialTable materials = geometry.materials();
+        int material = ray.hit().material();
+        float[] glow = new float[3];
+        for (int c = 0; c < 3; c++) {
+            float emitted = (1 - materials.reflective(material, c)) * materials.ownGlow(material, c);
+            glow[c] = ray.glowTexel() == null ? emitted : emitted * ray.glowTexel()[c];
+        }
+        surfelByCell.put(ray.cell(), surfels.size());
+        surfels.add(new Surfel(ray.hit(), ray.texel(), directLight.apply(ray.hit()), glow));
+    }
+
+    /** Returns one channel of the share that a surfel sends back. */
+    private float albedo(Surfel surfel, int c) {
+        int material = surfel.at().material();
+        MaterialTable materials = geometry.materials();
+        return (1 - materials.reflective(material, c)) * materials.diffuse(material, c) * surfel.texel()[c];
+    }
+
+    /** Casts the rays of all surfels that have none, then adds a surfel for each new cell that they hit. */
+    private void castSurfelRays() {
+        DirectionTable directions = new DirectionTable(settings.raysPerSide() / 2);
+        int known = surfelRays.size();
+        for (Surfel surfel : surfels.subList(known, surfels.size())) {
+            SurfacePoint at = surfel.at();
+            long seed = keys.surfelSeed(at.px(), at.py(), at.pz(), at.nx(), at.ny(), at.nz());
+            surfelRays.add(ReferenceGatherRay.cast(geometry, keys, glows, directions, seed, at));
+            surfelGlow.add(new ReferenceGlow(geometry, keys, glows, directions.rays()).at(at, seed));
+        }
+        addSurfels(surfelRays.subList(known, surfelRays.size()).stream().flatMap(List::stream).toList());
+    }
+
+    /** Returns the light at each point: red, green, blue. */
+    private float[][] gather(List<ReferenceGatherPoints.GatherPoint> points) {
+        float[][] gathered = new float[points.size()][3];
+        for (int c = 0; c < 3; c++) {
+            float[] scattered = scattered(c);
+            for (int p = 0; p < points.size(); p++) {
+                gathered[p][c] = light(points.get(p).rays(), points.get(p).glow(), scattered, c);
+            }
+        }
+        return gathered;
+    }
+
+    /** Returns one channel of the light that each surfel scatters. */
+    private float[] scattered(int c) {
+        float[] sent = new float[surfels.size()];
+        for (int bounce = 1; bounce <= settings.bounces(); bounce++) {
+            float[] before = sent;
+            sent = new float[surfels.size()];
+            for (int s = 0; s < sent.length; s++) {
+                float met = bounce > 1 && s < surfelRays.size() ? light(surfelRays.get(s), surfelGlow.get(s), before, c) : 0;
+                sent[s] = albedo(surfels.get(s), c) * (surfels.get(s).direct()[c] + met);
+            }
+        }
+        return sent;
+    }
+
+    /** Returns one channel of the mean light that rays meet, plus that of small glowing objects. */
+    private float light(List<ReferenceGatherRay> rays, List<float[]> glow, float[] scattered, int c) {
+        float share = 1f / rays.size();
+        float sum = 0;
+        for (ReferenceGatherRay ray : rays) {
+            sum += (ray.hit() == null ? background(c) : sent(ray, scattered, c)) * share * ray.tint()[c];
+        }
+        for (float[] object : glow) {
+            sum += object[c];
+        }
+        return sum;
+    }
+
+    private float sent(ReferenceGatherRay ray, float[] scattered, int c) {
+        int surfel = surfelByCell.get(ray.cell());
+        return ray.dark() ? scattered[surfel] : surfels.get(surfel).glow()[c] + scattered[surfel];
+    }
+
+    private float background(int c) {
+        Rgb color = settings.background() && scene.world().environment().isEmpty() ? scene.world().background() : Rgb.BLACK;
+        return (float) (c == 0 ? color.r() : c == 1 ? color.g() : color.b());
+    }
+}

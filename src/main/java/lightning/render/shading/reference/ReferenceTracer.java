@@ -1,0 +1,406 @@
+package lightning.render.shading.reference;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import lightning.base.math.Ray;
+import lightning.base.math.Vec3;
+import lightning.render.image.Film;
+import lightning.render.shading.AreaSamples;
+import lightning.render.shading.BackgroundShader;
+import lightning.render.shading.EdgeColors;
+import lightning.render.shading.EmittedLight;
+import lightning.render.shading.LightSource;
+import lightning.render.shading.LightWeight;
+import lightning.render.shading.LightingEquation;
+import lightning.render.shading.SampleMean;
+import lightning.render.shading.SurfaceWeights;
+import lightning.render.shading.Transmittance;
+import lightning.render.shading.WeightedLight;
+import lightning.render.shading.layer.LightRows;
+import lightning.render.trace.Geometry;
+import lightning.render.trace.MaterialTable;
+import lightning.render.trace.PixelRays;
+import lightning.render.trace.SampleCells;
+import lightning.render.trace.SamplePattern;
+import lightning.render.trace.SurfacePoint;
+import lightning.render.trace.tree.ShadowRayTarget;
+import lightning.scene.PictureSettings;
+import lightning.scene.Scene;
+import lightning.scene.light.Light;
+import lightning.scene.node.NodeGroup;
+
+/**
+ * Reference tracer: traces every pixel from the scene alone, ray by ray, as in §2.1 of the paper.
+ *
+ * <p>It tests each ray against every shape, caches nothing, and is slow. Every other renderer must match it in every bit.
+ */
+public final class ReferenceTracer {
+    private static final int NO_PATTERN = -1;
+    /** Indices of a light's terms ({@link #terms(SurfacePoint, int)}). */
+    private static final int DIFFUSE = 0;
+    private static final int SPECULAR = 1;
+    private static final int GRAZING = 3;
+    /** Red factors of the diffuse and of the other terms: tint, color of the light's image and gain; then green and blue. */
+    private static final int DIFFUSE_FACTOR = 4;
+    private static final int SPECULAR_FACTOR = 7;
+    private static final int TERMS = 10;
+
+    private final Scene scene;
+    private final Geometry geometry;
+    private final MaterialTable materials;
+    private final WeightedLight[] lights;
+    private final boolean forEdges;
+    private final ShadowRayTarget[] targets;
+    /** Shadow ray targets of area light samples. */
+    private final Map<Vec3, ShadowRayTarget> sampleTargets = new HashMap<>();
+    private final ReferenceTracer mirrorTracer;
+    /** Computed on first use; null if the scene has none. */
+    private ReferenceIndirect indirect;
+    /** First samples of a pixel, and the further ones of some pixels. */
+    private final SampleCells firstCells;
+    private final SampleCells restCells;
+
+    public ReferenceTracer(Scene scene) {
+        this(scene, scene);
+    }
+
+    /**
+     * Creates a tracer of {@code scene} whose mirrors show {@code mirrored}: the reference for outdated reflections (paper §4.8).
+     * The two may differ in lights, world and materials.
+     */
+    public ReferenceTracer(Scene scene, Scene mirrored) {
+        this(scene, mirrored, false);
+    }
+
+    /** @param forEdges true for the colors by which anti-aliasing decides ({@link EdgeColors}) */
+    private ReferenceTracer(Scene scene, Scene mirrored, boolean forEdges) {
+        this.scene = scene;
+        this.forEdges = forEdges;
+        mirrorTracer = scene == mirrored ? this : new ReferenceTracer(mirrored, mirrored, forEdges);
+        geometry = new Geometry(scene);
+        materials = geometry.materials();
+        lights = forEdges ? WeightedLight.forEdges(WeightedLight.ofScene(scene)) : WeightedLight.ofScene(scene);
+        firstCells = SampleCells.first(scene.picture().sampling());
+        restCells = SampleCells.rest(scene.picture().sampling());
+        targets = Arrays.stream(lights).map(WeightedLight::source)
+                .map(source -> source.type().hasPosition() ? geometry.shadowRayTargetBruteForce(source.position()) : null)
+                .toArray(ShadowRayTarget[]::new);
+    }
+
+    /** Traces the whole picture. */
+    public Film trace() {
+        return trace(this);
+    }
+
+    /** Traces the whole picture with the sample positions of another picture of the same size. */
+    public Film trace(ReferenceTracer sampled) {
+        int width = scene.picture().width();
+        int height = scene.picture().height();
+        boolean[] fine = sampled.finePixels();
+        ReferenceTracer edges = sampled.edgeTracer();
+        float[] rgb = new float[3 * width * height];
+        for (int y = 0; y < height; y++) {
+            for (int x = 0; x < width; x++) {
+                float[] color = fine[y * width + x] ? finePixel(x, y, sampled, edges) : pixel(x, y);
+                System.arraycopy(color, 0, rgb, 3 * (y * width + x), 3);
+            }
+        }
+        return Film.ofScanlines(width, height, rgb);
+    }
+
+    private ReferenceTracer edgeTracer() {
+        return new ReferenceTracer(scene, mirrorTracer.scene, true);
+    }
+
+    /** Returns the linear color at the center of one pixel, {@code float[3]}. */
+    public float[] pixel(int x, int y) {
+        return color(new PixelRays(scene).ray(x, y), scene.picture().depth(), NO_PATTERN);
+    }
+
+    /** Returns the mean of a pixel's samples: the first ones, and if their colors differ visibly, the rest. */
+    private float[] finePixel(int x, int y, ReferenceTracer sampled, ReferenceTracer edges) {
+        float[] first = mean(samples(x, y, sampled.firstCells));
+        if (sampled.restCells.count() == 0 || !edges.differs(x, y, sampled.firstCells)) {
+            return first;
+        }
+        float[] rest = mean(samples(x, y, sampled.restCells));
+        float[] color = new float[3];
+        for (int c = 0; c < 3; c++) {
+            color[c] = SampleMean.combine(first[c], sampled.firstCells.count(), rest[c], sampled.restCells.count());
+        }
+        return color;
+    }
+
+    /** Returns whether the colors of some samples of a pixel differ visibly. */
+    private boolean differs(int x, int y, SampleCells cells) {
+        return EdgeColors.needMore(EdgeColors.pack(samples(x, y, cells)), 0, cells.count());
+    }
+
+    /** Returns the colors of some samples of a pixel: red, green and blue columns. */
+    private float[][] samples(int x, int y, SampleCells cells) {
+        float[][] samples = new float[3][cells.count()];
+        for (int s = 0; s < cells.count(); s++) {
+            int cell = cells.cells()[s];
+            int pattern = SamplePattern.of(x, y, cells.part(s), cells.grid()) & 0xFF;
+            float[] color = color(new PixelRays(scene).ray(x, y, cell, cells.grid()), scene.picture().depth(), pattern);
+            for (int c = 0; c < 3; c++) {
+                samples[c][s] = color[c];
+            }
+        }
+        return samples;
+    }
+
+    private static float[] mean(float[][] samples) {
+        return new float[] {mean(samples[0]), mean(samples[1]), mean(samples[2])};
+    }
+
+    private static float mean(float[] samples) {
+        float sum = LightingEquation.sum(samples, 0, samples.length);
+        return Float.isFinite(sum) ? sum / samples.length : SampleMean.meanOfLarge(samples, 0, samples.length);
+    }
+
+    /**
+     * Returns the color of a ray; {@code depth} more bounces may be followed.
+     *
+     * @param pattern pattern of area light samples, or {@link #NO_PATTERN} for a pixel center
+     */
+    private float[] color(Ray ray, int depth, int pattern) {
+        int primitive = geometry.nearestBruteForce(ray);
+        if (primitive < 0) {
+            return BackgroundShader.color(scene.world(), ray.direction());
+        }
+        SurfacePoint hit = geometry.surfaceBruteForce(primitive, ray);
+        int material = hit.material();
+        float[] mirrored = {0, 0, 0};
+        if (materials.isReflective(material) && depth > 0) {
+            mirrored = mirrorTracer.color(hit.reflectedRay(), depth - 1, pattern);
+        }
+        Ray through = materials.isTransparent(material) && depth > 0 ? hit.refractedRay() : null;
+        float[] refracted = through == null ? new float[3] : mirrorTracer.color(through, depth - 1, pattern);
+        float[] color = new float[3];
+        float[][] terms = terms(hit, pattern);
+        float[] diffuse = diffuse(hit, terms);
+        for (int c = 0; c < 3; c++) {
+            float specular = sum(terms, SPECULAR, c);
+            float grazing = sum(terms, GRAZING, c);
+            color[c] = materials.isTransparent(material) ? clearColor(hit, c, diffuse[c], specular, grazing, mirrored, refracted)
+                    : LightingEquation.color(emitted(hit, c), hit.diffuse()[c], diffuse[c],
+                            hit.specular()[c], specular, grazing, materials.reflective(material, c), mirrored[c]);
+            for (EmittedLight kind : EmittedLight.values()) {
+                if (kind.isMapped(materials.texels(material))) {
+                    float amount =
+                            kind.amount(materials.ambient(material, c), (float) scene.world().ambience(), materials.glow(material, c));
+                    color[c] = LightingEquation.addMapped(color[c], amount, hit.maps().get(kind.map().orElseThrow())[c],
+                            new SurfaceWeights(hit).bodyWeight(materials.reflective(material, c), c));
+                }
+            }
+        }
+        return color;
+    }
+
+    private float emitted(SurfacePoint hit, int c) {
+        int material = hit.material();
+        return EmittedLight.unmapped(materials.texels(material), materials.ambient(material, c), (float) scene.world().ambience(),
+                materials.glow(material, c));
+    }
+
+    /** Returns the lights' diffuse sum plus the indirect light: red, green, blue. */
+    private float[] diffuse(SurfacePoint hit, float[][] terms) {
+        float[] direct = {sum(terms, DIFFUSE, 0), sum(terms, DIFFUSE, 1), sum(terms, DIFFUSE, 2)};
+        if (scene.picture().indirect().isEmpty()) {
+            return direct;
+        }
+        indirect = indirect == null ? new ReferenceIndirect(scene, geometry, scene.picture().indirect().get(), this::directLight)
+                : indirect;
+        float[] more = indirect.at(hit);
+        return new float[] {direct[0] + more[0], direct[1] + more[1], direct[2] + more[2]};
+    }
+
+    /** Returns the lights' diffuse sum at a surface outside pixels: red, green, blue. */
+    private float[] directLight(SurfacePoint hit) {
+        float[][] terms = terms(hit, NO_PATTERN);
+        return new float[] {sum(terms, DIFFUSE, 0), sum(terms, DIFFUSE, 1), sum(terms, DIFFUSE, 2)};
+    }
+
+    /** Returns one channel of the sum of a term over all lights. */
+    private float sum(float[][] terms, int term, int c) {
+        float[] contributions = new float[lights.length];
+        for (int l = 0; l < lights.length; l++) {
+            LightWeight weight = term == DIFFUSE ? lights[l].diffuse() : lights[l].specular();
+            int factor = term == DIFFUSE ? DIFFUSE_FACTOR : SPECULAR_FACTOR;
+            contributions[l] = LightingEquation.contribution(weight.channel(c), terms[l][term], terms[l][2], terms[l][factor + c]);
+        }
+        return LightingEquation.sum(contributions, 0, lights.length);
+    }
+
+    /** Returns one channel of the color of a clear surface. */
+    private float clearColor(SurfacePoint hit, int c, float diffuse, float specular, float grazing, float[] mirrored,
+            float[] refracted) {
+        return new SurfaceWeights(hit).color(c, emitted(hit, c), hit.diffuse()[c], diffuse, hit.specular()[c], specular, grazing,
+                materials.reflective(hit.material(), c), mirrored[c],
+                refracted[c]);
+    }
+
+    /**
+     * Returns for each light its diffuse and specular term, falloff, grazing term, and factors of diffuse and other terms at a point; all 0 if
+     * it does not reach the point.
+     */
+    private float[][] terms(SurfacePoint hit, int pattern) {
+        float[][] terms = new float[lights.length][TERMS];
+        for (int l = 0; l < lights.length; l++) {
+            LightSource source = lights[l].source();
+            terms[l] = source.isArea() ? meanTerms(source, hit, pattern) : terms(source, hit, targets[l]);
+            if (!source.light().contribution().gains().isNone()) {
+                float gain = gain(source.light(), geometry.shape(hit.primitive()).name());
+                for (int c = DIFFUSE_FACTOR; c < TERMS; c++) {
+                    terms[l][c] *= gain;
+                }
+            }
+        }
+        return terms;
+    }
+
+    /** Returns the gain of a light on a shape: its own one, or that of the innermost group that has one. */
+    private float gain(Light light, String shape) {
+        List<String> names = new ArrayList<>(scene.stage().enclosingGroups(shape).stream().map(NodeGroup::name).toList());
+        names.add(shape);
+        return names.reversed().stream().flatMap(name -> light.contribution().gains().get(name).stream()).findFirst()
+                .map(gain -> (float) light.limitedGain(gain)).map(gain -> forEdges ? LightWeight.nearestPowerOfTwo(gain) : gain).orElse(1f);
+    }
+
+    /** Returns the terms of a point light. */
+    private float[] terms(LightSource source, SurfacePoint hit, ShadowRayTarget target) {
+        LightingEquation equation = equation(source, hit);
+        float cosine = equation.cosine(hit.nx(), hit.ny(), hit.nz());
+        if (state(source, hit, target, equation, cosine) != LightRows.LIT) {
+            return new float[TERMS];
+        }
+        float[] tint = Transmittance.ofShadowRay(geometry, source, target, hit);
+        return new float[] {diffuse(equation, hit, cosine), specular(equation, hit), equation.falloff(), grazing(equation, hit), tint[0],
+            tint[1], tint[2], tint[0], tint[1], tint[2]};
+    }
+
+    /** Returns the means over an area light's samples, falloff included. */
+    private float[] meanTerms(LightSource source, SurfacePoint hit, int pattern) {
+        AreaSamples area = pattern == NO_PATTERN ? source.centerSamples() : source.fineSamples();
+        int used = pattern == NO_PATTERN ? AreaSamples.rotation(hit.px(), hit.py(), hit.pz()) : pattern;
+        int samples = area.samples();
+        double diffuse = 0;
+        double specular = 0;
+        double grazing = 0;
+        double[] tint = new double[3];
+        double[] face = new double[3];
+        double[] highlight = new double[3];
+        double highlightWeight = 0;
+        int freeCount = 0;
+        for (int s = 0; s < samples; s++) {
+            LightSource sample = source.at(area.position(used, s));
+            // A visible sample counts even outside the cone, but not behind a surface.
+            if (equation(sample, hit).cosine(hit.nx(), hit.ny(), hit.nz()) > 0
+                    && (!source.type().isSurface() || equation(sample, hit).insideCone()) && isVisible(sample, sampleTarget(sample), hit)) {
+                float[] one = Transmittance.ofShadowRay(geometry, sample, sampleTarget(sample), hit);
+                tint[0] += one[0];
+                tint[1] += one[1];
+                tint[2] += one[2];
+                freeCount++;
+            }
+            float[] terms = terms(sample, hit, sampleTarget(sample));
+            diffuse += (double) terms[0] * terms[2];
+            specular += (double) terms[1] * terms[2];
+            grazing += (double) terms[3] * terms[2];
+            double shine = (double) terms[1] * terms[2] + (double) terms[3] * terms[2];
+            highlightWeight += shine;
+            for (int c = 0; area.color != null && c < 3; c++) {
+                face[c] += (double) terms[0] * terms[2] * area.color[c][area.index(s, used)];
+                highlight[c] += shine * area.color[c][area.index(s, used)];
+            }
+        }
+        float[] mean = new float[TERMS];
+        mean[0] = LightingEquation.mean(diffuse, samples);
+        mean[1] = LightingEquation.mean(specular, samples);
+        mean[2] = 1;
+        mean[3] = LightingEquation.mean(grazing, samples);
+        for (int c = 0; c < 3; c++) {
+            float tinted = LightingEquation.mean(tint[c], freeCount == 0 ? 1 : freeCount);
+            mean[DIFFUSE_FACTOR + c] = area.color == null ? tinted : tinted * LightingEquation.weightedMean(face[c], diffuse);
+            mean[SPECULAR_FACTOR + c] = area.color == null ? tinted : tinted * LightingEquation.weightedMean(highlight[c], highlightWeight);
+        }
+        return mean;
+    }
+
+    private ShadowRayTarget sampleTarget(LightSource sample) {
+        return sample.type().hasPosition() ? sampleTargets.computeIfAbsent(sample.position(), geometry::shadowRayTargetBruteForce) : null;
+    }
+
+    private static LightingEquation equation(LightSource source, SurfacePoint hit) {
+        LightingEquation equation = new LightingEquation(source);
+        equation.moveTo(hit.px(), hit.py(), hit.pz(), hit.nx(), hit.ny(), hit.nz());
+        return equation;
+    }
+
+    private float diffuse(LightingEquation equation, SurfacePoint hit, float cosine) {
+        return materials.isMetallic(hit.material()) ? equation.metallicDiffuse(hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz())
+                : cosine;
+    }
+
+    private float grazing(LightingEquation equation, SurfacePoint hit) {
+        return materials.isMetallic(hit.material())
+                ? equation.metallicGrazing(hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz(), materials.alpha(hit.material())) : 0;
+    }
+
+    private float specular(LightingEquation equation, SurfacePoint hit) {
+        if (materials.isMetallic(hit.material())) {
+            return equation.metallicSpecular(hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz(), materials.alpha(hit.material()));
+        }
+        return equation.specular(hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz(), materials.shininess(hit.material()));
+    }
+
+    private int state(LightSource source, SurfacePoint hit, ShadowRayTarget target, LightingEquation equation, float cosine) {
+        return !(cosine > 0) ? LightRows.FACING_AWAY
+                : !equation.insideCone() || !isLinked(source, hit) ? LightRows.OUTSIDE_CONE
+                : isVisible(source, target, hit) ? LightRows.LIT : LightRows.SHADOWED;
+    }
+
+    /** Returns whether a light illuminates the shape at a point. */
+    private boolean isLinked(LightSource source, SurfacePoint hit) {
+        return geometry.linkedPrimitives(source.light().illuminates())[hit.primitive()];
+    }
+
+    /** Returns whether no shape that casts shadows from the light is between it and a point. */
+    private boolean isVisible(LightSource source, ShadowRayTarget target, SurfacePoint hit) {
+        Vec3 point = new Vec3(hit.px(), hit.py(), hit.pz());
+        Geometry casting = geometry.shadowGeometry(source.light().shadowCasters());
+        return source.type().hasPosition()
+                ? !casting.isBlockedBruteForce(point, target)
+                : !casting.isBlockedBruteForce(new Ray(point, source.position()), Double.POSITIVE_INFINITY);
+    }
+
+    /** Returns the pixels that have several samples: {@code boolean[width * height]}, line by line. */
+    private boolean[] finePixels() {
+        PictureSettings picture = scene.picture();
+        boolean[] fine = new boolean[picture.width() * picture.height()];
+        switch (picture.sampling().antialias()) {
+            case OFF -> Arrays.fill(fine, false);
+            case EVERY -> Arrays.fill(fine, true);
+            case EDGES -> {
+                ReferenceTracer edges = edgeTracer();
+                int[] colors = new int[fine.length];
+                for (int i = 0; i < fine.length; i++) {
+                    float[] color = edges.pixel(i % picture.width(), i / picture.width());
+                    colors[i] = EdgeColors.pack(color[0], color[1], color[2]);
+                }
+                for (int i = 0; i < fine.length; i++) {
+                    int x = i % picture.width();
+                    fine[i] = x > 0 && EdgeColors.differ(colors[i], colors[i - 1])
+                            || x + 1 < picture.width() && EdgeColors.differ(colors[i], colors[i + 1])
+                            || i >= picture.width() && EdgeColors.differ(colors[i], colors[i - picture.width()])
+                            || i + picture.width() < fine.length && EdgeColors.differ(colors[i], colors[i + picture.width()]);
+                }
+            }
+        }
+        return fine;
+    }
+}

@@ -1,9 +1,0 @@
-package lightning.scene;
-
-/** Shading model of a material. */
-public enum ShadingModel {
-    /** Lambert and Phong, as in the paper (§2.2). */
-    PHONG,
-    /** Lambert and GGX with base color, metalness and roughness, as in glTF 2.0. */
-    METALLIC
-}

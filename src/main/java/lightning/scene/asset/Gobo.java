@@ -1,0 +1,14 @@
+package lightning.scene.asset;
+
+/**
+ * Image projected by a spot light: white passes the light, black blocks it.
+ *
+ * @param file  name as written in the scene file
+ * @param image the decoded image
+ */
+public record Gobo(String file, Texture image) implements FileAsset {
+    @Override
+    public Object content() {
+        return image;
+    }
+}

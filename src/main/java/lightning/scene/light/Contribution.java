@@ -1,0 +1,28 @@
+package lightning.scene.light;
+
+import io.soabase.recordbuilder.core.RecordBuilder;
+import lightning.scene.value.ShapeGains;
+
+/**
+ * Effect of a light on surfaces, apart from its own brightness.
+ *
+ * @param castsShadows false if no shape blocks or tints the light, so that it casts no shadow rays
+ * @param diffuse      factor of its diffuse contributions, also in indirect light
+ * @param specular     factor of its specular contributions
+ * @param gains        factors of all its contributions on single shapes and groups
+ */
+@RecordBuilder
+public record Contribution(boolean castsShadows, double diffuse, double specular, ShapeGains gains) implements ContributionBuilder.With {
+    /** Shadows of all shapes, and all factors 1. */
+    public static final Contribution DEFAULT = new Contribution(true, 1, 1, ShapeGains.NONE);
+
+    /** Returns whether any factor may differ from 1. */
+    public boolean isGained() {
+        return diffuse != 1 || specular != 1 || !gains.isNone();
+    }
+
+    /** Returns the larger factor of diffuse and specular contributions. */
+    double maxGain() {
+        return Math.max(diffuse, specular);
+    }
+}

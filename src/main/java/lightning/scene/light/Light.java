@@ -1,0 +1,210 @@
+package lightning.scene.light;
+
+import io.soabase.recordbuilder.core.RecordBuilder;
+import java.util.Optional;
+import java.util.function.Predicate;
+import java.util.function.UnaryOperator;
+import lightning.base.math.Rgb;
+import lightning.base.math.Transform;
+import lightning.base.math.Vec3;
+import lightning.scene.asset.Gobo;
+import lightning.scene.asset.IesProfile;
+import lightning.scene.asset.LightTexture;
+import lightning.scene.asset.Texture;
+import lightning.scene.value.Attenuation;
+import lightning.scene.value.BarnDoors;
+import lightning.scene.value.SceneLimits;
+import lightning.scene.value.ShapeGains;
+import lightning.scene.value.ShapeLinks;
+
+/**
+ * Light with the attributes of all types; its type decides which act (paper §4.5). {@link LightAttribute} has their ranges and units.
+ *
+ * @param name        unique among all shapes, groups and lights
+ * @param color       linear color
+ * @param emission    exposure, unit and temperature, which multiply color and intensity
+ * @param direction   direction in which it shines, any length
+ * @param falloff     law of its falloff with distance
+ * @param attenuation terms of the custom falloff
+ * @param angle       half-angle of a spot's cone
+ * @param dropoff     exponent of a spot's falloff from its axis
+ * @param area        size of an area light
+ * @param texture     image on the face of a rectangle or disc
+ * @param on          true if switched on
+ * @param solo        true if soloed: if any light is solo, all others are dark
+ * @param lightGroup  name of its light group; empty for none
+ * @param illuminates shapes that it illuminates
+ * @param shadowedBy  shapes that cast shadows in its light, if it casts shadows
+ * @param contribution its shadows and gains
+ */
+@RecordBuilder
+public record Light(String name, LightType type, Rgb color, double intensity, Emission emission, Vec3 position,
+        Vec3 direction, Falloff falloff, Attenuation attenuation, double angle, double dropoff, BarnDoors doors, double feather,
+        Optional<Gobo> gobo,
+        Optional<IesProfile> profile, AreaShape area, Optional<LightTexture> texture, boolean on,
+        boolean solo, String lightGroup, ShapeLinks illuminates, ShapeLinks shadowedBy, Contribution contribution)
+        implements LightBuilder.With {
+
+    public Light {
+        SceneLimits.checkName(name);
+        LightAttribute.COLOR.check(color);
+        LightAttribute.INTENSITY.check(intensity);
+        LightAttribute.EXPOSURE.check(emission.exposure());
+        LightAttribute.TEMPERATURE.check(emission.temperature());
+        LightAttribute.POSITION.check(position);
+        LightAttribute.DIRECTION.check(direction);
+        LightAttribute.ANGLE.check(angle);
+        LightAttribute.DROPOFF.check(dropoff);
+        LightAttribute.FEATHER.check(feather);
+        LightAttribute.RADIUS.check(area.radius());
+        LightAttribute.SPREAD.check(area.spread());
+        LightAttribute.WIDTH.check(area.width());
+        LightAttribute.HEIGHT.check(area.height());
+        LightAttribute.UP.check(area.up());
+        LightAttribute.SAMPLES.check(area.samples());
+        LightAttribute.LIGHT_GROUP.check(lightGroup);
+        LightAttribute.ILLUMINATES.check(illuminates);
+        LightAttribute.SHADOWED_BY.check(shadowedBy);
+        LightAttribute.DIFFUSE.check(contribution.diffuse());
+        LightAttribute.SPECULAR.check(contribution.specular());
+    }
+
+    /** Returns a light with initial values. */
+    public static Light of(String name, LightType type) {
+        return new Light(name, type, LightAttribute.COLOR.initial(), LightAttribute.INTENSITY.initial(),
+                Emission.DEFAULT, LightAttribute.POSITION.initial(), LightAttribute.DIRECTION.initial(), LightAttribute.FALLOFF.initial(),
+                LightAttribute.ATTENUATION.initial(),
+                LightAttribute.ANGLE.initial(), LightAttribute.DROPOFF.initial(), LightAttribute.DOORS.initial(),
+                LightAttribute.FEATHER.initial(), LightAttribute.GOBO.initial(), LightAttribute.PROFILE.initial(), AreaShape.DEFAULT,
+                LightAttribute.TEXTURE.initial(), LightAttribute.ON.initial(),
+                LightAttribute.SOLO.initial(), LightAttribute.LIGHT_GROUP.initial(), LightAttribute.ILLUMINATES.initial(),
+                LightAttribute.SHADOWED_BY.initial(), Contribution.DEFAULT);
+    }
+
+    /**
+     * Returns color times intensity, and of a wide directional light times {@link #wideningFactor}: of an effective light
+     * ({@link LightRig#effectiveLight}), the factor of all its contributions.
+     */
+    public Rgb weight() {
+        return color.times(intensity * wideningFactor());
+    }
+
+    /**
+     * Returns the factor of a wide directional light by which a surface that faces it is as bright as under a light without width: 2/(1 +
+     * cos spread), 1 for other lights. The mean cosine of directions that are uniform in a cone of this half-angle is (1 + cos spread)/2.
+     */
+    public double wideningFactor() {
+        return type == LightType.DIRECTIONAL && isArea() ? 2 / (1 + Transform.cosDegrees(area.spread())) : 1;
+    }
+
+    /** Returns the factor of all its diffuse contributions: color times intensity and gain, limited as the intensity. */
+    public Rgb diffuseWeight() {
+        return color.times(limitedIntensity(contribution.diffuse()));
+    }
+
+    /** Returns the factor of all its specular contributions. */
+    public Rgb specularWeight() {
+        return color.times(limitedIntensity(contribution.specular()));
+    }
+
+    /** Returns the largest factor of a contribution to any shape. */
+    public double maxWeight() {
+        return color.max() * limitedIntensity(contribution.maxGain() * contribution.gains().max());
+    }
+
+    private double limitedIntensity(double gain) {
+        return Math.min(intensity * wideningFactor() * gain, maxIntensity());
+    }
+
+    /** Returns the gain of one of its {@link Contribution#gains}, limited so that no contribution is larger than one without a gain may be. */
+    public double limitedGain(double gain) {
+        return Math.min(gain, maxIntensity() / Math.max(1, intensity * wideningFactor() * contribution.maxGain()));
+    }
+
+    /** Returns the shapes that cast shadows in its light. */
+    public ShapeLinks shadowCasters() {
+        return contribution.castsShadows() ? shadowedBy : ShapeLinks.NONE;
+    }
+
+    /** Returns this light with the shadows of another. */
+    public Light withShadowsOf(Light other) {
+        return withShadowedBy(other.shadowedBy).withContribution(contribution.withCastsShadows(other.contribution.castsShadows()));
+    }
+
+    /** Returns the terms of its falloff with distance. */
+    public Attenuation distanceTerms() {
+        return switch (falloff) {
+            case CUSTOM -> attenuation;
+            case INVERSE_SQUARE -> Attenuation.INVERSE_SQUARE;
+        };
+    }
+
+    /** Returns the largest falloff with distance, at least 0. */
+    public double maxFalloff() {
+        return falloff.max(type, area);
+    }
+
+    /** Returns the image on its face, if it has one and a face. */
+    public Optional<Texture> faceImage() {
+        return type.isSurface() && isArea() ? texture.map(LightTexture::image) : Optional.empty();
+    }
+
+    /** Returns a rectangle or disc light without its texture, in the texture's mean color; another light as it is. */
+    Light withMeanTexture() {
+        if (texture.isEmpty() || !type.isSurface()) {
+            return this;
+        }
+        Light plain = withTexture(Optional.empty());
+        Rgb mean = texture.get().image().areas().mean();
+        double max = mean.max();
+        return max == 0 ? plain.withIntensity(0)
+                : plain.withColor(color.times(mean.times(1 / max))).withIntensity(Math.min(intensity * max, SceneLimits.MAX_INTENSITY));
+    }
+
+    /** Returns the largest factor of a contribution by its falloff with distance and the image on its face, at least 1. */
+    public double maxFactor() {
+        return Math.max(1, maxFalloff()) * Math.max(1, faceImage().map(image -> image.areas().max()).orElse(1f));
+    }
+
+    /** Returns the largest effective intensity: times the largest falloff and image value it is one that any light may have. */
+    double maxIntensity() {
+        return SceneLimits.MAX_INTENSITY / maxFactor();
+    }
+
+    /** Returns whether its falloff with distance is 1 everywhere. */
+    public boolean hasNoAttenuation() {
+        return !type.hasPosition() || falloff == Falloff.CUSTOM && attenuation.isNone();
+    }
+
+    /** Returns whether it is larger than a point and shines from all of its area, so that its shadows are soft. */
+    public boolean isArea() {
+        return !area.hardShadows() && switch (type) {
+            case DIRECTIONAL -> area.spread() > 0;
+            case POINT, SPOT, DISC -> area.radius() > 0;
+            case RECT -> area.width() > 0 || area.height() > 0;
+        };
+    }
+
+    /** Returns whether it has a link or a gain to single shapes: illuminates some of them, is shadowed by some, or has a gain on some. */
+    public boolean isLinked() {
+        return !illuminates.isAll() || !shadowedBy.isAll() || !contribution.gains().isNone();
+    }
+
+    /** Returns this light with a shape or a group renamed in its links and gains. */
+    public Light renameLinks(String oldName, String newName) {
+        return mapLinks(links -> links.rename(oldName, newName), gains -> gains.rename(oldName, newName));
+    }
+
+    /** Returns this light with links and gains only of existing shapes and groups. */
+    public Light retainLinks(Predicate<String> exists) {
+        return mapLinks(links -> links.retain(exists), gains -> gains.retain(exists));
+    }
+
+    private Light mapLinks(UnaryOperator<ShapeLinks> links, UnaryOperator<ShapeGains> gains) {
+        ShapeLinks illuminated = links.apply(illuminates);
+        ShapeLinks shadowing = links.apply(shadowedBy);
+        ShapeGains gained = gains.apply(contribution.gains());
+        return illuminated == illuminates && shadowing == shadowedBy && gained == contribution.gains() ? this
+                : withIlluminates(illuminated).withShadowedBy(shadowing).withContribution(contribution.withGains(gained));
+    }
+}

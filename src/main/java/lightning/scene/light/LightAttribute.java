@@ -1,0 +1,258 @@
+package lightning.scene.light;
+
+import static lightning.scene.light.LightType.DIRECTIONAL;
+import static lightning.scene.light.LightType.DISC;
+import static lightning.scene.light.LightType.POINT;
+import static lightning.scene.light.LightType.RECT;
+import static lightning.scene.light.LightType.SPOT;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.BiFunction;
+import java.util.function.Function;
+import lightning.base.math.Rgb;
+import lightning.base.math.Vec3;
+import lightning.base.text.Messages;
+import lightning.scene.asset.Gobo;
+import lightning.scene.asset.IesProfile;
+import lightning.scene.asset.LightTexture;
+import lightning.scene.attribute.ChoiceKind;
+import lightning.scene.attribute.NumericKind;
+import lightning.scene.attribute.SceneAttribute;
+import lightning.scene.attribute.ValueKind;
+import lightning.scene.value.Attenuation;
+import lightning.scene.value.BarnDoors;
+import lightning.scene.value.ColorTemperature;
+import lightning.scene.value.SceneLimits;
+import lightning.scene.value.ShapeGains;
+import lightning.scene.value.ShapeLinks;
+
+/** Attributes of lights, in file order. The lighting equation defines their effect. */
+public final class LightAttribute<V> extends SceneAttribute<Light, V> {
+
+    /** Section of the attribute in the editor. */
+    public enum Section {
+        /** Type of the light. */
+        KIND(Messages.key("kind")),
+        /** On, solo and light group. */
+        SWITCHES(Messages.key("switches")),
+        COLOR(Messages.key("color")),
+        CONE(Messages.key("cone")),
+        AREA(Messages.key("area")),
+        ATTENUATION(Messages.key("attenuation")),
+        PLACE(Messages.key("Position and Direction")),
+        CONTRIBUTION(Messages.key("Contribution")),
+        LINKS(Messages.key("Light Linking"));
+
+        private final String title;
+
+        Section(String title) {
+            this.title = title;
+        }
+
+        public String title() {
+            return title;
+        }
+    }
+
+    private static final List<LightAttribute<?>> REGISTRY = new ArrayList<>();
+
+    public static final LightAttribute<LightType> TYPE = of("type", ChoiceKind.of(LightType.class), POINT, "",
+            Light::type, Light::withType, Section.KIND, Map.of());
+    public static final LightAttribute<Rgb> COLOR = of("color", NumericKind.color(SceneLimits.MAX_LIGHT_COLOR), Rgb.WHITE,
+            "linear red, green, blue", Light::color, Light::withColor, Section.COLOR, forAllTypes(LightTerm.WEIGHT));
+    public static final LightAttribute<Double> INTENSITY = of("intensity", NumericKind.number(0, SceneLimits.MAX_INTENSITY, 0.1), 1.0, "",
+            Light::intensity, Light::withIntensity, Section.COLOR, forAllTypes(LightTerm.WEIGHT));
+    public static final LightAttribute<Double> EXPOSURE = of("exposure",
+            NumericKind.stops(-Emission.MAX_EXPOSURE, Emission.MAX_EXPOSURE, 0.1), Emission.DEFAULT.exposure(), "stops",
+            l -> l.emission().exposure(), (l, v) -> l.withEmission(l.emission().withExposure(v)), Section.COLOR,
+            forAllTypes(LightTerm.WEIGHT));
+    public static final LightAttribute<IntensityUnit> UNIT = of("unit", "intensity unit", ChoiceKind.of(IntensityUnit.class),
+            Emission.DEFAULT.unit(), "", l -> l.emission().unit(), (l, v) -> l.withEmission(l.emission().withUnit(v)), Section.COLOR,
+            forAllTypes(LightTerm.WEIGHT));
+    public static final LightAttribute<Double> TEMPERATURE = of("temperature",
+            NumericKind.kelvin(ColorTemperature.MIN, ColorTemperature.MAX, 100), Emission.DEFAULT.temperature(), "kelvin",
+            l -> l.emission().temperature(), (l, v) -> l.withEmission(l.emission().withTemperature(v)), Section.COLOR,
+            forAllTypes(LightTerm.WEIGHT));
+    public static final LightAttribute<Vec3> POSITION = new LightAttribute<>("at", "position", "position", NumericKind.position(),
+            Vec3.ZERO, "scene units", Light::position, Light::withPosition, Section.PLACE,
+            Map.of(POINT, LightTerm.SOURCE, SPOT, LightTerm.SOURCE, RECT, LightTerm.SOURCE, DISC, LightTerm.SOURCE));
+    public static final LightAttribute<Vec3> DIRECTION = of("direction", NumericKind.direction(), new Vec3(0, -1, 0),
+            "any nonzero vector", Light::direction, Light::withDirection, Section.PLACE,
+            Map.of(DIRECTIONAL, LightTerm.SOURCE, SPOT, LightTerm.CONE_AXIS, RECT, LightTerm.SOURCE, DISC, LightTerm.SOURCE));
+    public static final LightAttribute<Falloff> FALLOFF = of("falloff", ChoiceKind.of(Falloff.class)
+            .withLabels(List.of(Messages.key("custom"), Messages.key("inverse square"))), Falloff.CUSTOM, "", Light::falloff,
+            Light::withFalloff, Section.ATTENUATION,
+            Map.of(POINT, LightTerm.FALLOFF, SPOT, LightTerm.FALLOFF, RECT, LightTerm.FALLOFF, DISC, LightTerm.FALLOFF));
+    public static final LightAttribute<Attenuation> ATTENUATION = of("attenuation", NumericKind.attenuation(), Attenuation.NONE,
+            "per scene unit to the power 0, 1, 2", Light::attenuation, Light::withAttenuation, Section.ATTENUATION,
+            Map.of(POINT, LightTerm.FALLOFF, SPOT, LightTerm.FALLOFF, RECT, LightTerm.FALLOFF, DISC, LightTerm.FALLOFF));
+    public static final LightAttribute<Double> ANGLE = of("angle", "cone half-angle", NumericKind.degrees(0, SceneLimits.MAX_ANGLE, 1),
+            30.0, "degrees, half-angle", Light::angle, Light::withAngle, Section.CONE, Map.of(SPOT, LightTerm.CONE_ANGLE));
+    public static final LightAttribute<Double> DROPOFF = of("dropoff", "edge falloff", NumericKind.number(0, SceneLimits.MAX_DROPOFF, 0.1),
+            0.0, "exponent", Light::dropoff, Light::withDropoff, Section.CONE, Map.of(SPOT, LightTerm.FALLOFF));
+    public static final LightAttribute<BarnDoors> DOORS =
+            of("doors", "barn doors", NumericKind.doors(), BarnDoors.OPEN, "degrees from the axis, 90 = open",
+                    Light::doors, Light::withDoors, Section.CONE, Map.of(SPOT, LightTerm.FALLOFF, RECT, LightTerm.FALLOFF));
+    public static final LightAttribute<Double> FEATHER = of("feather", NumericKind.degrees(0, SceneLimits.MAX_FEATHER, 1), 0.0,
+            "degrees inside the door's edge", Light::feather, Light::withFeather, Section.CONE,
+            Map.of(SPOT, LightTerm.FALLOFF, RECT, LightTerm.FALLOFF));
+    public static final LightAttribute<Optional<Gobo>> GOBO = of("gobo", new ValueKind.GoboKind(), Optional.empty(), "a PNG or JPEG file",
+            Light::gobo, Light::withGobo, Section.CONE, Map.of(SPOT, LightTerm.FALLOFF));
+    public static final LightAttribute<Optional<IesProfile>> PROFILE =
+            of("profile", "IES profile", new ValueKind.ProfileKind(), Optional.empty(), "an IES file",
+                    Light::profile, Light::withProfile, Section.CONE, Map.of(POINT, LightTerm.FALLOFF, SPOT, LightTerm.FALLOFF));
+    public static final LightAttribute<Double> RADIUS =
+            of("radius", NumericKind.number(0, SceneLimits.MAX_EXTENT, 0.1), AreaShape.DEFAULT.radius(),
+                    "scene units", l -> l.area().radius(), (l, v) -> l.withArea(l.area().withRadius(v)), Section.AREA,
+                    Map.of(POINT, LightTerm.SOURCE, SPOT, LightTerm.SOURCE, DISC, LightTerm.SOURCE));
+    public static final LightAttribute<Double> SPREAD =
+            of("spread", NumericKind.degrees(0, SceneLimits.MAX_SPREAD, 0.5), AreaShape.DEFAULT.spread(),
+                    "degrees, half-angle", l -> l.area().spread(), (l, v) -> l.withArea(l.area().withSpread(v)), Section.AREA,
+                    Map.of(DIRECTIONAL, LightTerm.SOURCE));
+    public static final LightAttribute<Double> WIDTH =
+            of("width", NumericKind.number(0, SceneLimits.MAX_EXTENT, 0.1), AreaShape.DEFAULT.width(),
+                    "scene units", l -> l.area().width(), (l, v) -> l.withArea(l.area().withWidth(v)), Section.AREA,
+                    Map.of(RECT, LightTerm.SOURCE));
+    public static final LightAttribute<Double> HEIGHT =
+            of("height", NumericKind.number(0, SceneLimits.MAX_EXTENT, 0.1), AreaShape.DEFAULT.height(),
+                    "scene units", l -> l.area().height(), (l, v) -> l.withArea(l.area().withHeight(v)), Section.AREA,
+                    Map.of(RECT, LightTerm.SOURCE));
+    public static final LightAttribute<Vec3> UP = of("up", "roll axis", NumericKind.direction(), AreaShape.DEFAULT.up(),
+            "any nonzero vector", l -> l.area().up(), (l, v) -> l.withArea(l.area().withUp(v)), Section.AREA,
+            Map.of(RECT, LightTerm.SOURCE, DISC, LightTerm.SOURCE));
+    public static final LightAttribute<Optional<LightTexture>> TEXTURE =
+            of("texture", new ValueKind.LightTextureKind(), Optional.empty(), "a PNG, JPEG, Radiance HDR or OpenEXR file",
+                    Light::texture, Light::withTexture, Section.AREA, Map.of(RECT, LightTerm.FALLOFF, DISC, LightTerm.FALLOFF));
+    public static final LightAttribute<Integer> SAMPLES =
+            of("samples", NumericKind.integer(SceneLimits.MIN_LIGHT_SAMPLES, SceneLimits.MAX_LIGHT_SAMPLES),
+                    AreaShape.DEFAULT.samples(), "soft shadow samples", l -> l.area().samples(),
+                    (l, v) -> l.withArea(l.area().withSamples(v)), Section.AREA, forAllTypes(LightTerm.SOURCE));
+    public static final LightAttribute<Boolean> VISIBLE =
+            of("visible", "visible to camera", ChoiceKind.YES_OR_NO, AreaShape.DEFAULT.visibility() != FaceVisibility.HIDDEN, "",
+                    l -> l.area().visibility() != FaceVisibility.HIDDEN,
+                    (l, v) -> l.withArea(l.area().withVisibility(v ? FaceVisibility.GLOWING : FaceVisibility.HIDDEN)), Section.AREA,
+                    Map.of(POINT, LightTerm.FACE, SPOT, LightTerm.FACE, RECT, LightTerm.FACE, DISC, LightTerm.FACE));
+    public static final LightAttribute<Boolean> ON = of("on", ChoiceKind.YES_OR_NO, true, "", Light::on, Light::withOn,
+            Section.SWITCHES, Map.of());
+    public static final LightAttribute<Boolean> SOLO = of("solo", ChoiceKind.YES_OR_NO, false, "", Light::solo, Light::withSolo,
+            Section.SWITCHES, Map.of());
+    public static final LightAttribute<String> LIGHT_GROUP =
+            of("bank", "light group", new ValueKind.NameKind(ValueKind.NameKind.Referent.LIGHT_GROUP,
+                    Messages.key("Light group of this light")), "", "name of a light group", Light::lightGroup, Light::withLightGroup,
+                    Section.SWITCHES, Map.of());
+    public static final LightAttribute<ShapeLinks> ILLUMINATES = of("illuminates", new ValueKind.LinksKind(
+            Messages.key("Illuminates"), Messages.key("Objects and groups that the light illuminates")),
+            ShapeLinks.ALL, "shapes and groups", Light::illuminates, Light::withIlluminates, Section.LINKS,
+            forAllTypes(LightTerm.ILLUMINATION_LINKS));
+    public static final LightAttribute<ShapeLinks> SHADOWED_BY = new LightAttribute<>("shadowed_by", "shadowed by", "shadowed by",
+            new ValueKind.LinksKind(Messages.key("Casts shadows from"),
+                    Messages.key("Objects and groups that cast shadows from this light")),
+            ShapeLinks.ALL, "shapes and groups", Light::shadowedBy, Light::withShadowedBy, Section.LINKS,
+            forAllTypes(LightTerm.SHADOW_LINKS));
+    public static final LightAttribute<Boolean> CASTS_SHADOWS =
+            new LightAttribute<>("casts_shadows", "casts shadows", "casts shadows", ChoiceKind.YES_OR_NO,
+                    Contribution.DEFAULT.castsShadows(), "", l -> l.contribution().castsShadows(),
+                    (l, v) -> l.withContribution(l.contribution().withCastsShadows(v)), Section.CONTRIBUTION,
+                    forAllTypes(LightTerm.SHADOW_LINKS));
+    public static final LightAttribute<Double> DIFFUSE =
+            of("diffuse", "diffuse gain", NumericKind.number(0, SceneLimits.MAX_GAIN, 0.1), Contribution.DEFAULT.diffuse(),
+                    "multiplies diffuse light", l -> l.contribution().diffuse(),
+                    (l, v) -> l.withContribution(l.contribution().withDiffuse(v)), Section.CONTRIBUTION, forAllTypes(LightTerm.WEIGHT));
+    public static final LightAttribute<Double> SPECULAR =
+            of("specular", "specular gain", NumericKind.number(0, SceneLimits.MAX_GAIN, 0.1), Contribution.DEFAULT.specular(),
+                    "multiplies highlights", l -> l.contribution().specular(),
+                    (l, v) -> l.withContribution(l.contribution().withSpecular(v)), Section.CONTRIBUTION, forAllTypes(LightTerm.WEIGHT));
+    public static final LightAttribute<ShapeGains> GAINS = of("gains", "gains on objects",
+            new ValueKind.GainsKind(Messages.key("Factors of this light on single objects and groups")),
+            ShapeGains.NONE, "shapes and groups, each with a factor", l -> l.contribution().gains(),
+            (l, v) -> l.withContribution(l.contribution().withGains(v)), Section.LINKS, forAllTypes(LightTerm.WEIGHT));
+
+    /** All attributes, in declaration order. */
+    public static final List<LightAttribute<?>> ALL = List.copyOf(REGISTRY);
+
+    private final ValueKind.LightKind<V> kind;
+    private final Section section;
+    private final Map<LightType, LightTerm> terms;
+
+    /**
+     * @param terms terms that it changes for each type of light that has it; none for attributes that only decide which others or which
+     *     lights act
+     */
+    private LightAttribute(String name, String id, String title, ValueKind.LightKind<V> kind, V initial, String unit,
+            Function<Light, V> get, BiFunction<Light, V, Light> with, Section section, Map<LightType, LightTerm> terms) {
+        super(name, id, title, kind, initial, unit, get, with);
+        this.kind = kind;
+        this.section = section;
+        this.terms = terms;
+        REGISTRY.add(this);
+    }
+
+    private static <V> LightAttribute<V> of(String name, ValueKind.LightKind<V> kind, V initial, String unit, Function<Light, V> get,
+            BiFunction<Light, V, Light> with, Section section, Map<LightType, LightTerm> terms) {
+        return of(name, name, kind, initial, unit, get, with, section, terms);
+    }
+
+    private static <V> LightAttribute<V> of(String name, String title, ValueKind.LightKind<V> kind, V initial, String unit,
+            Function<Light, V> get, BiFunction<Light, V, Light> with, Section section, Map<LightType, LightTerm> terms) {
+        return new LightAttribute<>(name, name, title, kind, initial, unit, get, with, section, terms);
+    }
+
+    private static Map<LightType, LightTerm> forAllTypes(LightTerm term) {
+        return Map.of(DIRECTIONAL, term, POINT, term, SPOT, term, RECT, term, DISC, term);
+    }
+
+    @Override
+    public ValueKind.LightKind<V> kind() {
+        return kind;
+    }
+
+    public Section section() {
+        return section;
+    }
+
+    /** Returns the term that it changes for this type of light; empty if it has no effect, or only decides about other attributes. */
+    public Optional<LightTerm> term(LightType type) {
+        return Optional.ofNullable(terms.get(type));
+    }
+
+    /**
+     * Returns the term that it changes for this light; the number of samples and an image have no effect on a point light, nor have custom terms on an
+     * inverse-square falloff.
+     */
+    public Optional<LightTerm> term(Light light) {
+        return (this == SAMPLES || this == TEXTURE) && !light.isArea() || isReplacedBy(light.falloff()) ? Optional.empty()
+                : term(light.type());
+    }
+
+    private boolean isReplacedBy(Falloff falloff) {
+        return this == ATTENUATION && falloff != Falloff.CUSTOM;
+    }
+
+    /** Returns whether it affects the image for this type of light. The value is kept in any case (paper §4.5). */
+    public boolean appliesTo(LightType type) {
+        return terms.isEmpty() || terms.containsKey(type);
+    }
+
+    /** Returns a clause that says why it has no effect for this light; empty if it has. */
+    public Optional<String> inactiveReason(Light light) {
+        return inactiveReason(light.type()).or(() -> isReplacedBy(light.falloff())
+                ? Optional.of(Messages.tr("the falloff of the light is inverse square")) : Optional.empty());
+    }
+
+    /** Returns a clause that says why it has no effect for this type of light; empty if it has. */
+    public Optional<String> inactiveReason(LightType type) {
+        return appliesTo(type) ? Optional.empty()
+                : Optional.of(Messages.tr("a {0} light has no {1}", TYPE.kind().format(type), Messages.tr(title())));
+    }
+
+    /** Returns whether copying a light's settings includes it: all except its placement and switches. */
+    public boolean isSetting() {
+        return switch (section) {
+            case KIND, COLOR, CONE, AREA, ATTENUATION, CONTRIBUTION -> true;
+            case PLACE, SWITCHES, LINKS -> false;
+        };
+    }
+}

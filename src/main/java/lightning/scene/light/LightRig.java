@@ -1,0 +1,253 @@
+package lightning.scene.light;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.UnaryOperator;
+import java.util.stream.Stream;
+import lightning.base.text.Quote;
+import lightning.scene.value.SceneLimits;
+
+/**
+ * Lights of a scene, in the order in which their contributions are summed, and their light groups. Immutable; an edit of one light or group
+ * shares the table of names.
+ */
+public final class LightRig {
+    /** No lights. */
+    public static final LightRig EMPTY = LightRig.of(List.of());
+    /** Meters per scene unit if a scene does not say. */
+    public static final double METERS = 1;
+
+    private final List<Light> lights;
+    private final List<LightGroup> lightGroups;
+    private final LightRigNames names;
+    /** Directional lights that represent the environment. */
+    private final List<Light> environmentLights;
+    /** Meters per scene unit. */
+    private final double meters;
+    private final List<Light> effectiveLights;
+    /** True if any light is solo and on, so that the others are dark. */
+    private final boolean anySolo;
+
+    private LightRig(List<Light> lights, List<LightGroup> lightGroups, LightRigNames names, List<Light> sky, double meters) {
+        this.lights = lights;
+        this.lightGroups = lightGroups;
+        this.names = names;
+        this.environmentLights = sky;
+        this.meters = meters;
+        List<Light> resolved = lights.stream().allMatch(l -> effectiveLight(l) == l) ? lights
+                : lights.stream().map(this::effectiveLight).toList();
+        effectiveLights = sky.isEmpty() ? resolved : Stream.concat(resolved.stream(), sky.stream()).toList();
+        anySolo = effectiveLights.stream().anyMatch(l -> l.solo() && l.on());
+    }
+
+    /** Creates a rig without light groups; see {@link #of(List, List)}. */
+    public static LightRig of(List<Light> lights) {
+        return of(lights, List.of());
+    }
+
+    /**
+     * @param lights lights with names unique among lights and groups; the group of each is one of {@code lightGroups}, or none
+     * @param lightGroups light groups with unique names
+     * @throws IllegalArgumentException if a name is taken or a group missing, or if there are more lights or groups than {@link
+     *     SceneLimits} allows
+     */
+    public static LightRig of(List<Light> lights, List<LightGroup> lightGroups) {
+        List<Light> lightList = List.copyOf(lights);
+        List<LightGroup> groups = List.copyOf(lightGroups);
+        SceneLimits.checkRange("the number of lights", lightList.size(), 0, SceneLimits.MAX_LIGHTS);
+        SceneLimits.checkRange("the number of light groups", groups.size(), 0, SceneLimits.MAX_LIGHT_GROUPS);
+        return new LightRig(lightList, groups, new LightRigNames(lightList, groups), List.of(), METERS);
+    }
+
+    public List<Light> lights() {
+        return lights;
+    }
+
+    public List<LightGroup> lightGroups() {
+        return lightGroups;
+    }
+
+    /**
+     * Returns this rig in the light of an environment, which comes last among the effective lights.
+     *
+     * @param environment directional lights with names that the rig does not use; empty for none
+     * @param unit        meters per scene unit
+     */
+    public LightRig withEnvironment(List<Light> environment, double unit) {
+        return environment.equals(environmentLights) && unit == meters ? this
+                : new LightRig(lights, lightGroups, names, environment, unit);
+    }
+
+    /**
+     * Returns the lights that are rendered: all lights in the same order as {@link #effectiveLight} returns them, then those of the
+     * environment.
+     */
+    public List<Light> effectiveLights() {
+        return effectiveLights;
+    }
+
+    /**
+     * Returns a light with its group, exposure, unit and temperature multiplied into its color and intensity; the light itself if it has
+     * none.
+     *
+     * @throws IllegalArgumentException if its group does not exist
+     */
+    public Light effectiveLight(Light light) {
+        Light resolved = Emission.resolve(light, meters);
+        if (light.lightGroup().isEmpty()) {
+            return resolved;
+        }
+        return lightGroup(light.lightGroup()).orElseThrow(() -> new IllegalArgumentException(
+                "light " + Quote.of(light.name()) + ": there is no light group " + Quote.of(light.lightGroup()))).applyTo(resolved);
+    }
+
+    /** Returns a light that shines the same where a scene unit is one meter. */
+    public Light inMeters(Light light) {
+        return meters == METERS ? light : Emission.withUnit(light, IntensityUnit.RELATIVE, meters);
+    }
+
+    public LightRigNames names() {
+        return names;
+    }
+
+    /** Returns the index of the light of that name, or −1. */
+    public int indexOf(String name) {
+        return names.lightIndex(name);
+    }
+
+    /** Returns the light of that name. */
+    public Optional<Light> light(String name) {
+        int index = indexOf(name);
+        return index < 0 ? Optional.empty() : Optional.of(lights.get(index));
+    }
+
+    /** Returns the light group of that name. */
+    public Optional<LightGroup> lightGroup(String name) {
+        int index = names.groupIndex(name);
+        return index < 0 ? Optional.empty() : Optional.of(lightGroups.get(index));
+    }
+
+    /** Returns whether a light or a light group has the name. */
+    public boolean isNameUsed(String name) {
+        return indexOf(name) >= 0 || names.groupIndex(name) >= 0;
+    }
+
+    /** Returns whether a light contributes: it is on, and solo if any light is, with its group applied. */
+    public boolean isActive(Light light) {
+        Light effective = effectiveLight(light);
+        return effective.on() && (effective.solo() || !anySolo);
+    }
+
+    /**
+     * Returns this rig with the light of the same name replaced.
+     *
+     * @throws IllegalArgumentException if no light has that name, or if its group is missing
+     */
+    public LightRig with(Light light) {
+        int index = indexOf(light.name());
+        if (index < 0) {
+            throw new IllegalArgumentException("there is no light " + Quote.of(light.name()));
+        }
+        List<Light> updated = new ArrayList<>(lights);
+        updated.set(index, light);
+        return new LightRig(List.copyOf(updated), lightGroups, names, environmentLights, meters);
+    }
+
+    /** Returns this rig with other lights and the same groups. */
+    public LightRig withLights(List<Light> v) {
+        return of(v, lightGroups);
+    }
+
+    /**
+     * Returns this rig with the light group of the same name replaced.
+     *
+     * @throws IllegalArgumentException if no group has that name
+     */
+    public LightRig with(LightGroup group) {
+        List<LightGroup> updated = new ArrayList<>(lightGroups);
+        updated.set(groupIndex(group.name()), group);
+        return new LightRig(lights, List.copyOf(updated), names, environmentLights, meters);
+    }
+
+    /** Returns this rig with one more light group, at the end. */
+    public LightRig addLightGroup(LightGroup group) {
+        List<LightGroup> updated = new ArrayList<>(lightGroups);
+        updated.add(group);
+        return of(lights, updated);
+    }
+
+    /**
+     * Returns this rig with a light group moved.
+     *
+     * @param before group that follows it afterwards; empty to move it to the end
+     * @throws IllegalArgumentException if no group has one of these names
+     */
+    public LightRig moveLightGroup(String group, Optional<String> before) {
+        List<LightGroup> updated = new ArrayList<>(lightGroups);
+        LightGroup moved = updated.get(groupIndex(group));
+        int index = before.map(this::groupIndex).orElse(updated.size());
+        updated.add(index, moved);
+        updated.remove(groupIndex(group) + (index <= groupIndex(group) ? 1 : 0));
+        return of(lights, updated);
+    }
+
+    /**
+     * Returns this rig with a light group renamed, also in its lights.
+     *
+     * @throws IllegalArgumentException if the group does not exist, or if the new name is taken
+     */
+    public LightRig renameLightGroup(String group, String newName) {
+        List<LightGroup> updated = new ArrayList<>(lightGroups);
+        int index = groupIndex(group);
+        updated.set(index, updated.get(index).withName(newName));
+        return of(reassign(group, newName), updated);
+    }
+
+    /**
+     * Returns this rig without a light group; its lights stay, without a group.
+     *
+     * @throws IllegalArgumentException if the group does not exist
+     */
+    public LightRig removeLightGroup(String group) {
+        List<LightGroup> updated = new ArrayList<>(lightGroups);
+        updated.remove(groupIndex(group));
+        return of(reassign(group, ""), updated);
+    }
+
+    /** Returns this rig with all its lights mapped that have links or gains. */
+    public LightRig mapLinked(UnaryOperator<Light> change) {
+        List<Light> updated = null;
+        for (int i = 0; i < lights.size(); i++) {
+            Light light = lights.get(i).isLinked() ? change.apply(lights.get(i)) : lights.get(i);
+            if (light != lights.get(i)) {
+                updated = updated == null ? new ArrayList<>(lights) : updated;
+                updated.set(i, light);
+            }
+        }
+        return updated == null ? this : new LightRig(List.copyOf(updated), lightGroups, names, environmentLights, meters);
+    }
+
+    private List<Light> reassign(String group, String newGroup) {
+        return lights.stream().map(l -> l.lightGroup().equals(group) ? l.withLightGroup(newGroup) : l).toList();
+    }
+
+    private int groupIndex(String group) {
+        int index = names.groupIndex(group);
+        if (index < 0) {
+            throw new IllegalArgumentException("there is no light group " + Quote.of(group));
+        }
+        return index;
+    }
+
+    @Override
+    public boolean equals(Object o) {
+        return this == o || o instanceof LightRig r && lights.equals(r.lights) && lightGroups.equals(r.lightGroups)
+                && environmentLights.equals(r.environmentLights) && meters == r.meters;
+    }
+
+    @Override
+    public int hashCode() {
+        return 31 * lights.hashCode() + lightGroups.hashCode();
+    }
+}

@@ -1,0 +1,271 @@
+package lightning.scene.material;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.function.BiFunction;
+import java.util.function.Function;
+import lightning.base.math.Rgb;
+import lightning.base.text.Messages;
+import lightning.scene.asset.TextureMap;
+import lightning.scene.asset.TextureUsage;
+import lightning.scene.attribute.ChoiceKind;
+import lightning.scene.attribute.NumericKind;
+import lightning.scene.attribute.SceneAttribute;
+import lightning.scene.attribute.ValueKind;
+import lightning.scene.light.Emission;
+import lightning.scene.value.SceneLimits;
+
+/** Attributes of materials, in file order. */
+public final class MaterialAttribute<V> extends SceneAttribute<Material, V> {
+
+    /** Section of the attribute in the editor, in this order. */
+    public enum Section {
+        MODEL,
+        DIFFUSE,
+        BASE,
+        TEXTURE,
+        CUTOUT,
+        RELIEF,
+        SPECULAR,
+        SURFACE,
+        REFLECTIVE,
+        CLEAR(Messages.key("transparency")),
+        AMBIENT,
+        GLOW;
+
+        private final String title;
+
+        Section() {
+            title = name().toLowerCase(Locale.ROOT);
+        }
+
+        Section(String title) {
+            this.title = title;
+        }
+
+        public String title() {
+            return title;
+        }
+    }
+
+    private static final List<MaterialAttribute<?>> REGISTRY = new ArrayList<>();
+
+    public static final MaterialAttribute<Rgb> AMBIENT = colorAttribute("ambient", SceneLimits.MAX_EMISSION, Rgb.BLACK, Material::ambient,
+            Material::withAmbient, null, Section.AMBIENT, "Color emitted without any light; multiplied by the scene's ambient light");
+    public static final MaterialAttribute<Rgb> GLOW = colorAttribute("glow", SceneLimits.MAX_EMISSION, Rgb.BLACK, Material::glow,
+            Material::withGlow, null, Section.GLOW, "Light that the surface emits itself, independent of the scene's ambient light");
+    public static final MaterialAttribute<Optional<TextureMap>> GLOW_MAP = new MaterialAttribute<>("glow_map", "glow map",
+            new ValueKind.TextureKind("glow_repeat", TextureUsage.COLOR), Optional.empty(), "", Material::glowMap, Material::withGlowMap,
+            MaterialTerm.TEXEL, null, Section.GLOW, "Image that multiplies the glow, and that of a bulb");
+    public static final MaterialAttribute<String> BULB = new MaterialAttribute<>("bulb", "bulb of",
+            new ValueKind.NameKind(ValueKind.NameKind.Referent.LIGHT,
+                    Messages.key("Light whose color and intensity the surface shows; the light itself lights the scene")),
+            "", "name of a light", m -> m.bulb().light(), (m, v) -> m.withBulb(m.bulb().withLight(v).withGlow(Rgb.BLACK)),
+            MaterialTerm.COLOR,
+            null, Section.GLOW,
+            "Light whose color and intensity the surface shows; the light itself lights the scene");
+    public static final MaterialAttribute<Double> BULB_EXPOSURE = new MaterialAttribute<>("bulb_exposure", "bulb exposure",
+            NumericKind.stops(-Emission.MAX_EXPOSURE, Emission.MAX_EXPOSURE, 0.1), Bulb.NONE.exposure(), "stops",
+            m -> m.bulb().exposure(), (m, v) -> m.withBulb(m.bulb().withExposure(v)), MaterialTerm.COLOR, null, Section.GLOW,
+            "Brightness of the bulb in stops, relative to the intensity of its light");
+    public static final MaterialAttribute<ShadingModel> MODEL = new MaterialAttribute<>("model", ChoiceKind.of(ShadingModel.class),
+            ShadingModel.PHONG, "", Material::model, Material::withModel, MaterialTerm.MODEL, null, Section.MODEL,
+            "Shading model: Phong, or base color with metalness and roughness");
+    public static final MaterialAttribute<Rgb> DIFFUSE = colorAttribute("diffuse", 1, Rgb.gray(0.8), Material::diffuse,
+            Material::withDiffuse, ShadingModel.PHONG, Section.DIFFUSE,
+            "Diffuse color; multiplied by the texture, if any");
+    public static final MaterialAttribute<Rgb> BASE = colorAttribute("base", 1, Rgb.gray(0.8), Material::base, Material::withBase,
+            ShadingModel.METALLIC, Section.BASE,
+            "Diffuse color, or reflection color of a metal; multiplied by the texture, if any");
+    public static final MaterialAttribute<Optional<TextureMap>> TEXTURE =
+            new MaterialAttribute<>("texture", new ValueKind.TextureKind("repeat", TextureUsage.COLOR),
+                    Optional.empty(), "", Material::texture, Material::withTexture, MaterialTerm.TEXEL, null, Section.TEXTURE,
+                    "Color texture of the surface");
+    public static final MaterialAttribute<Optional<TextureMap>> CUTOUT = cutoutAttribute("cutout",
+            new ValueKind.TextureKind("cutout_repeat", TextureUsage.OPACITY), Optional.empty(), "", AlphaCutout::map, AlphaCutout::withMap,
+            "Opacity map: uses alpha, or luminance if the image has no alpha");
+    public static final MaterialAttribute<Double> CUTOFF =
+            cutoutAttribute("cutoff", NumericKind.number(0, 1, 0.05), 0.5, "", AlphaCutout::cutoff,
+                    AlphaCutout::withCutoff, "Opacity below which the surface is cut out");
+    public static final MaterialAttribute<Optional<TextureMap>> BUMP =
+            bumpAttribute("bump", "bump", new ValueKind.TextureKind("bump_repeat", TextureUsage.DATA),
+                    Optional.empty(), "", BumpMapping::bump, BumpMapping::withBump, "Bump map: white is high, black is low");
+    public static final MaterialAttribute<Double> BUMP_HEIGHT = bumpAttribute("height", "height",
+            NumericKind.number(-SceneLimits.MAX_HEIGHT, SceneLimits.MAX_HEIGHT, 0.01), 0.05, "scene units, from black to white",
+            BumpMapping::height,
+            BumpMapping::withHeight, "Height difference between white and black in the bump map");
+    public static final MaterialAttribute<Optional<TextureMap>> NORMAL_MAP = bumpAttribute("normal_map", "normals",
+            new ValueKind.TextureKind("normal_repeat", TextureUsage.DATA), Optional.empty(), "", BumpMapping::normalMap,
+            BumpMapping::withNormalMap,
+            "Tangent-space normal map, as in glTF");
+    public static final MaterialAttribute<Double> NORMAL_STRENGTH = bumpAttribute("strength", "strength",
+            NumericKind.number(-SceneLimits.MAX_STRENGTH, SceneLimits.MAX_STRENGTH, 0.1), 1.0, "scales the normals' tilt",
+            BumpMapping::strength,
+            BumpMapping::withStrength, "Strength of the normal map");
+    public static final MaterialAttribute<Rgb> SPECULAR = colorAttribute("specular", 1, Rgb.BLACK, Material::specular,
+            Material::withSpecular, ShadingModel.PHONG, Section.SPECULAR, "Color of highlights; black for none");
+    public static final MaterialAttribute<Double> SHININESS = numberAttribute("shininess", SceneLimits.MAX_SHININESS, 1, 16, "exponent",
+            Material::shininess, Material::withShininess, MaterialTerm.HIGHLIGHT, ShadingModel.PHONG, Section.SPECULAR,
+            "Phong exponent; higher values give smaller highlights");
+    public static final MaterialAttribute<Double> METALNESS = numberAttribute("metalness", 1, 0.1, 0, "", Material::metalness,
+            Material::withMetalness, MaterialTerm.COLOR, ShadingModel.METALLIC, Section.SURFACE,
+            "0 for a nonmetal, 1 for a metal");
+    public static final MaterialAttribute<Double> ROUGHNESS = numberAttribute("roughness", 1, 0.05, 0.5, "", Material::roughness,
+            Material::withRoughness, MaterialTerm.HIGHLIGHT, ShadingModel.METALLIC, Section.SURFACE,
+            "Width of highlights; 0 for a smooth surface");
+    public static final MaterialAttribute<Double> F0 = numberAttribute("f0", 1, 0.01, 0.04, "reflectance at normal incidence", Material::f0,
+            Material::withF0, MaterialTerm.COLOR, ShadingModel.METALLIC, Section.SURFACE,
+            "Reflectance of a nonmetal at normal incidence: 0.02 for water, 0.04 for plastic, 0.17 for diamond");
+    public static final MaterialAttribute<Rgb> REFLECTIVE = colorAttribute("reflective", 1, Rgb.BLACK, Material::reflective,
+            Material::withReflective, null, Section.REFLECTIVE, "Mirror reflection per channel; black for none");
+
+    public static final MaterialAttribute<Rgb> TRANSMISSION_COLOR = new MaterialAttribute<>("clear", "transparency", NumericKind.color(1),
+            Rgb.BLACK, "linear red, green, blue", m -> m.transmission().color(),
+            (m, v) -> m.withTransmission(m.transmission().withColor(v)),
+            MaterialTerm.COLOR, null, Section.CLEAR, "Transmission color; black for an opaque surface");
+    public static final MaterialAttribute<Double> IOR =
+            transmissionAttribute("ior", "IOR", NumericKind.number(1, SceneLimits.MAX_IOR, 0.01), 1.5,
+                    "index of refraction", Transmission::ior, Transmission::withIor, MaterialTerm.REFRACTION,
+                    "Index of refraction: 1.33 for water, 1.5 for glass, 2.42 for diamond");
+    public static final MaterialAttribute<Boolean> THIN =
+            transmissionAttribute("thin", "thin", ChoiceKind.YES_OR_NO, false, "", Transmission::thin,
+                    Transmission::withThin, MaterialTerm.REFRACTION,
+                    "Thin sheet: does not refract and has no interior");
+    public static final MaterialAttribute<Rgb> TINT = colorAttribute("tint", 1, Rgb.WHITE, m -> m.transmission().tint(),
+            (m, v) -> m.withTransmission(m.transmission().withTint(v)), null, Section.CLEAR,
+            "Color of white light after the tint distance inside the material");
+    public static final MaterialAttribute<Double> TINT_DISTANCE = transmissionAttribute("tint_distance", "tint distance",
+            NumericKind.number(SceneLimits.MIN_TINT_DISTANCE, SceneLimits.MAX_TINT_DISTANCE, 0.1), 1.0, "scene units",
+            Transmission::tintDistance,
+            Transmission::withTintDistance, MaterialTerm.COLOR, "Distance inside the material after which white light has the tint color");
+    public static final MaterialAttribute<ShadowCasting> SHADOWS =
+            transmissionAttribute("shadows", "shadows",
+                    ChoiceKind.of(ShadowCasting.class)
+                            .withLabels(List.of(Messages.key("opaque"), Messages.key("tinted"), Messages.key("off"))),
+                    ShadowCasting.FULL, "", Transmission::shadows, Transmission::withShadows, MaterialTerm.SHADOW,
+                    "Shadows of objects with this material: opaque, tinted by the transmitted color, or off");
+
+    /** All attributes, in declaration order; the model comes before the attributes that depend on it. */
+    public static final List<MaterialAttribute<?>> ALL = List.copyOf(REGISTRY);
+    /** Attributes whose values are images. */
+    public static final List<MaterialAttribute<Optional<TextureMap>>> MAPS = ALL.stream().flatMap(a -> a.asMap().stream()).toList();
+
+    private final ValueKind.MaterialKind<V> kind;
+    private final MaterialTerm term;
+    /** The only shading model that has it; null if all have it. */
+    private final ShadingModel model;
+    private final Section section;
+    private final String help;
+
+    private MaterialAttribute(String name, ValueKind.MaterialKind<V> kind, V initial, String unit, Function<Material, V> get,
+            BiFunction<Material, V, Material> with, MaterialTerm term, ShadingModel model, Section section, String help) {
+        this(name, name, kind, initial, unit, get, with, term, model, section, help);
+    }
+
+    private MaterialAttribute(String name, String title, ValueKind.MaterialKind<V> kind, V initial, String unit, Function<Material, V> get,
+            BiFunction<Material, V, Material> with, MaterialTerm term, ShadingModel model, Section section, String help) {
+        super(name, title, kind, initial, unit, get, with);
+        this.kind = kind;
+        this.term = term;
+        this.model = model;
+        this.section = section;
+        this.help = help;
+        REGISTRY.add(this);
+    }
+
+    private static MaterialAttribute<Rgb> colorAttribute(String name, double max, Rgb initial, Function<Material, Rgb> get,
+            BiFunction<Material, Rgb, Material> with, ShadingModel model, Section section, String help) {
+        return new MaterialAttribute<>(name, NumericKind.color(max), initial, "linear red, green, blue", get, with, MaterialTerm.COLOR,
+                model, section, help);
+    }
+
+    private static MaterialAttribute<Double> numberAttribute(String name, double max, double step, double initial, String unit,
+            Function<Material, Double> get, BiFunction<Material, Double, Material> with, MaterialTerm term, ShadingModel model,
+            Section section, String help) {
+        return new MaterialAttribute<>(name, NumericKind.number(0, max, step), initial, unit, get, with, term, model, section, help);
+    }
+
+    /** Returns itself if its values are images. */
+    // The only kind of images has one type of values.
+    @SuppressWarnings("unchecked")
+    public Optional<MaterialAttribute<Optional<TextureMap>>> asMap() {
+        return kind instanceof ValueKind.TextureKind ? Optional.of((MaterialAttribute<Optional<TextureMap>>) this) : Optional.empty();
+    }
+
+    /** Returns the meaning of the samples of its image; empty if its values are no images. */
+    public Optional<TextureUsage> usage() {
+        return kind instanceof ValueKind.TextureKind map ? Optional.of(map.usage()) : Optional.empty();
+    }
+
+    /** Returns whether it acts on materials of this model; otherwise it has its initial value there. */
+    public boolean appliesTo(ShadingModel materialModel) {
+        return model == null || model == materialModel;
+    }
+
+    /** Returns a clause that says why materials of this model do not have it; empty if they do. */
+    public Optional<String> inactiveReason(ShadingModel materialModel) {
+        return appliesTo(materialModel) ? Optional.empty()
+                : Optional.of(Messages.tr("a material of model {0} has no {1}", MODEL.kind().format(materialModel), Messages.tr(title())));
+    }
+
+    /**
+     * Returns the value for a material of this model.
+     *
+     * @throws IllegalArgumentException if no material may have the value; the message says why
+     */
+    V checkFor(ShadingModel materialModel, V value) {
+        check(value);
+        return appliesTo(materialModel) ? value : initial();
+    }
+
+    private static <V> MaterialAttribute<V> bumpAttribute(String name, String title, ValueKind.MaterialKind<V> kind, V initial, String unit,
+            Function<BumpMapping, V> get, BiFunction<BumpMapping, V, BumpMapping> with, String help) {
+        return new MaterialAttribute<>(name, title, kind, initial, unit, m -> get.apply(m.bumpMapping()),
+                (m, v) -> m.withBumpMapping(with.apply(m.bumpMapping(), v)), MaterialTerm.NORMAL, null, Section.RELIEF, help);
+    }
+
+    private static <V> MaterialAttribute<V> cutoutAttribute(String name, ValueKind.MaterialKind<V> kind, V initial, String unit,
+            Function<AlphaCutout, V> get,
+            BiFunction<AlphaCutout, V, AlphaCutout> with, String help) {
+        return new MaterialAttribute<>(name, kind, initial, unit, m -> get.apply(m.cutout()),
+                (m, v) -> m.withCutout(with.apply(m.cutout(), v)), MaterialTerm.COVERAGE, null, Section.CUTOUT, help);
+    }
+
+    private static <V> MaterialAttribute<V> transmissionAttribute(String name, String title, ValueKind.MaterialKind<V> kind, V initial,
+            String unit,
+            Function<Transmission, V> get, BiFunction<Transmission, V, Transmission> with, MaterialTerm term, String help) {
+        return new MaterialAttribute<>(name, title, kind, initial, unit, m -> get.apply(m.transmission()),
+                (m, v) -> m.withTransmission(with.apply(m.transmission(), v)), term, null, Section.CLEAR, help);
+    }
+
+    /** Colors are equivalent if equal as floats, the precision of shading. */
+    @Override
+    public boolean isEquivalent(Material a, Material b) {
+        return super.isEquivalent(a, b) || get(a) instanceof Rgb before && get(b) instanceof Rgb after && equalsAsFloat(before, after);
+    }
+
+    private static boolean equalsAsFloat(Rgb a, Rgb b) {
+        return (float) a.r() == (float) b.r() && (float) a.g() == (float) b.g() && (float) a.b() == (float) b.b();
+    }
+
+    @Override
+    public ValueKind.MaterialKind<V> kind() {
+        return kind;
+    }
+
+    /** Returns the term that it changes. */
+    public MaterialTerm term() {
+        return term;
+    }
+
+    public Section section() {
+        return section;
+    }
+
+    /** Returns its help text, a sentence without a full stop. */
+    public String help() {
+        return help;
+    }
+}

@@ -1,0 +1,2 @@
+/** Materials and their attributes. */
+package lightning.scene.material;

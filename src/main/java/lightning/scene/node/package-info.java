@@ -1,0 +1,2 @@
+/** The tree of shapes and groups: geometry without materials. */
+package lightning.scene.node;
