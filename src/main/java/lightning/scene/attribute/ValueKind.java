@@ -33,10 +33,14 @@ public sealed interface ValueKind<V> permits ValueKind.LightKind, ValueKind.Mate
      * @param name the attribute's name in the message
      * @throws IllegalArgumentException if it is out of range; the message has the expected and the actual value
      */
-    void check(String name, V value);
+    default void check(String name, V value) {
+        // Most values are checked when they are made or read.
+    }
 
     /** Returns whether two values have the same effect. */
-    boolean isEquivalent(V a, V b);
+    default boolean isEquivalent(V a, V b) {
+        return a.equals(b);
+    }
 
     /** Formats a value for the user. */
     String format(V value);
@@ -85,11 +89,6 @@ public sealed interface ValueKind<V> permits ValueKind.LightKind, ValueKind.Mate
         }
 
         @Override
-        public boolean isEquivalent(String a, String b) {
-            return a.equals(b);
-        }
-
-        @Override
         public String format(String value) {
             return value.isEmpty() ? "none" : value;
         }
@@ -103,16 +102,6 @@ public sealed interface ValueKind<V> permits ValueKind.LightKind, ValueKind.Mate
      */
     record LinksKind(String caption, String help) implements LightKind<ShapeLinks> {
         @Override
-        public void check(String name, ShapeLinks value) {
-            // The constructor of the links checks them.
-        }
-
-        @Override
-        public boolean isEquivalent(ShapeLinks a, ShapeLinks b) {
-            return a.equals(b);
-        }
-
-        @Override
         public String format(ShapeLinks value) {
             return value.format();
         }
@@ -125,16 +114,6 @@ public sealed interface ValueKind<V> permits ValueKind.LightKind, ValueKind.Mate
      */
     record GainsKind(String help) implements LightKind<ShapeGains> {
         @Override
-        public void check(String name, ShapeGains value) {
-            // The constructor of the gains checks them.
-        }
-
-        @Override
-        public boolean isEquivalent(ShapeGains a, ShapeGains b) {
-            return a.equals(b);
-        }
-
-        @Override
         public String format(ShapeGains value) {
             return value.format();
         }
@@ -142,11 +121,6 @@ public sealed interface ValueKind<V> permits ValueKind.LightKind, ValueKind.Mate
 
     /** Optional file with its content. */
     sealed interface AssetKind<F extends FileAsset> extends LightKind<Optional<F>> {
-        @Override
-        default void check(String name, Optional<F> value) {
-            // Every file is checked when it is read.
-        }
-
         @Override
         default boolean isEquivalent(Optional<F> a, Optional<F> b) {
             return a.map(FileAsset::content).equals(b.map(FileAsset::content));
@@ -210,11 +184,6 @@ public sealed interface ValueKind<V> permits ValueKind.LightKind, ValueKind.Mate
      * @param usage      meaning of its samples
      */
     record TextureKind(String repeatName, TextureUsage usage) implements MaterialKind<Optional<TextureMap>> {
-        @Override
-        public void check(String name, Optional<TextureMap> value) {
-            // The constructor of the map checks it.
-        }
-
         @Override
         public boolean isEquivalent(Optional<TextureMap> a, Optional<TextureMap> b) {
             return a.isPresent() == b.isPresent() && (a.isEmpty() || a.get().hasSameTexels(b.get()));
