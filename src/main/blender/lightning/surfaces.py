@@ -10,10 +10,6 @@ SOCKETS = {"base": ("Base Color",), "metalness": ("Metallic",), "roughness": ("R
            "ior": ("IOR",)}
 
 
-# Attributes that name files or lights, which the import cannot edit.
-NAMES = ("texture", "cutout", "bump", "normal_map", "glow_map", "bulb")
-
-
 def send(remembered: dict) -> list[dict]:
     """Returns the edits of materials in Lightning that Blender cannot hold, each with the value before and after.
 
@@ -52,6 +48,8 @@ def receive(exported: dict, remembered: dict, messages: list[str], lost: list[st
         the edits that Blender cannot hold
     """
     kept = {name: dict(edits) for name, edits in remembered.get("kept", {}).items()}
+    # Attributes that name files or lights, which the import cannot edit.
+    names = exported.get("materialNames", ())
     for after in exported["materials"] if remembered else ():
         name = after["name"]
         before = remembered["values"].get(name)
@@ -62,9 +60,9 @@ def receive(exported: dict, remembered: dict, messages: list[str], lost: list[st
         hidden = sorted(key for key in edited if not _show(bpy.data.materials.get(name), key, after.get(key)))
         for key in edited:
             edit = kept.setdefault(name, {}).pop(key, [before.get(key)])
-            if key in hidden and key not in NAMES and edit[0] != after[key]:
+            if key in hidden and key not in names and edit[0] != after[key]:
                 kept[name][key] = [edit[0], after[key]]
-        for target, keys in ((lost, [key for key in hidden if key in NAMES]), (messages, [key for key in hidden if key not in NAMES])):
+        for target, keys in ((lost, [key for key in hidden if key in names]), (messages, [key for key in hidden if key not in names])):
             if keys:
                 target.append(f"{name}: edits of the material stay in Lightning: {', '.join(keys)}")
     return kept

@@ -6,25 +6,24 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import com.tngtech.archunit.core.domain.JavaClasses;
 import com.tngtech.archunit.core.importer.ClassFileImporter;
-import com.tngtech.archunit.core.importer.ImportOption;
 import com.tngtech.archunit.lang.ArchRule;
 import java.io.IOException;
 import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import javax.tools.ToolProvider;
 import lightning.sample.Slow;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Checks that the program follows {@link ArchitectureRules}, and that the rules detect violations. */
+/** Checks that the program follows {@link PackageTable} and {@link ArchitectureRules}, and that the rules detect violations. */
 @Slow
 class ArchitectureTest {
-    private static final JavaClasses PROGRAM = new ClassFileImporter()
-            .withImportOption(ImportOption.Predefined.DO_NOT_INCLUDE_TESTS)
-            .importPackages("lightning");
+    private static final JavaClasses PROGRAM = PackageTable.program();
+    private static final PackageTable PACKAGES = PackageTable.read();
 
     @TempDir
     private Path folder;
@@ -37,18 +36,27 @@ class ArchitectureTest {
     }
 
     @Test
-    void program_layersDependOnlyOnLowerLayers() {
-        ArchitectureRules.layersDependOnlyOnLowerLayers().check(PROGRAM);
+    void packages_importWhatTheTableAllows() {
+        assertNone(PACKAGES.violations(PROGRAM));
     }
 
     @Test
-    void layers_haveNoForwardDependencies() {
-        assertThat(ArchitectureRules.layersWithForwardDependency()).isEmpty();
+    void packages_importAllThatTheTableAllows() {
+        assertNone(PACKAGES.unused(PROGRAM));
     }
 
     @Test
-    void layers_areInGroupOrder() {
-        assertThat(ArchitectureRules.layersOutOfOrder()).isEmpty();
+    void packages_areBelowTheirImports() {
+        assertNone(PACKAGES.forwardImports());
+    }
+
+    @Test
+    void packages_areInGroupOrder() {
+        assertNone(PACKAGES.outOfOrder());
+    }
+
+    private static void assertNone(List<String> messages) {
+        assertThat(messages).as("\n" + String.join("\n", messages) + "\n").isEmpty();
     }
 
     @Test
@@ -105,59 +113,54 @@ class ArchitectureTest {
                 "package lightning.editor.window.property; class Bad { Object item = new javafx.scene.control.RadioMenuItem(); }");
     }
 
-    @Test
-    void lowerLayerUsingHigher_isReported() throws IOException {
-        assertReported(ArchitectureRules.layersDependOnlyOnLowerLayers(), "lightning.base.math depends only on rows above it",
-                "package lightning.scene; public class Thing {}",
-                "package lightning.base.math; class Bad { lightning.scene.Thing thing; }");
+    /** A table of which the tests change one row. */
+    private static PackageTable table(String... rows) {
+        return new PackageTable(Arrays.stream(rows).map(PackageTable.Row::parse).toList());
+    }
+
+    private JavaClasses sceneUsingMath() throws IOException {
+        return compile("package lightning.base.math; public class Number {}",
+                "package lightning.scene; class Thing { lightning.base.math.Number[] numbers; }");
     }
 
     @Test
-    void undeclaredDependency_isReported() throws IOException {
-        assertReported(ArchitectureRules.layersDependOnlyOnLowerLayers(), "lightning.render.image depends only on rows above it",
-                "package lightning.scene; public class Thing {}",
-                "package lightning.render.image; class Bad { lightning.scene.Thing thing; }");
+    void allowedImport_isAllowed() throws IOException {
+        PackageTable table = table("base.math:", "scene: base.math");
+        assertThat(table.violations(sceneUsingMath())).isEmpty();
+        assertThat(table.unused(sceneUsingMath())).isEmpty();
+        assertThat(table.forwardImports()).isEmpty();
     }
 
     @Test
-    void commandUsingEditor_isReported() throws IOException {
-        assertReported(ArchitectureRules.layersDependOnlyOnLowerLayers(), "lightning.cli depends only on rows above it",
-                "package lightning.editor.window; public class Window {}",
-                "package lightning.cli; class Bad { lightning.editor.window.Window window; }");
+    void otherImport_isReportedWithTheRow() throws IOException {
+        assertThat(table("base.math:", "scene:").violations(sceneUsingMath())).singleElement().asString()
+                .startsWith("package scene imports base.math,").contains("Thing → Number").endsWith("\n    scene: base.math");
     }
 
     @Test
-    void planUsingTiles_isReported() throws IOException {
-        assertReported(ArchitectureRules.layersDependOnlyOnLowerLayers(), "lightning.render.relight.plan depends only on rows above it",
-                "package lightning.render.relight.tile; public class Worker {}",
-                "package lightning.render.relight.plan; class Bad { lightning.render.relight.tile.Worker worker; }");
+    void unusedImport_isReportedWithTheRow() throws IOException {
+        PackageTable table = table("base.math:", "base.text:", "scene: base.math base.text", "scene.shot:");
+        assertThat(table.unused(sceneUsingMath())).containsExactly("package base.text is gone; remove its row",
+                "package scene does not import base.text; the row is\n    scene: base.math", "package scene.shot is gone; remove its row");
     }
 
     @Test
-    void paneUsingOtherPane_isReported() throws IOException {
-        assertReported(ArchitectureRules.layersDependOnlyOnLowerLayers(), "lightning.editor.window.traced depends only on rows above it",
-                "package lightning.editor.window.preview; public class Pane {}",
-                "package lightning.editor.window.traced; class Bad { lightning.editor.window.preview.Pane pane; }");
+    void packageWithoutRow_isReportedWithTheRow() throws IOException {
+        assertThat(table("base.math:").violations(sceneUsingMath())).singleElement().asString()
+                .startsWith("package scene has no row").endsWith("\n    scene: base.math");
     }
 
     @Test
     void packageUsingMain_isReported() throws IOException {
-        assertReported(ArchitectureRules.layersDependOnlyOnLowerLayers(), "lightning.cli depends only on rows above it",
-                "package lightning; public class Main {}",
-                "package lightning.cli; class Bad { lightning.Main main; }");
+        JavaClasses classes =
+                compile("package lightning; public class Main {}", "package lightning.cli; class Bad { lightning.Main main; }");
+        assertThat(PACKAGES.violations(classes)).singleElement().asString().startsWith("package cli imports (root),");
     }
 
     @Test
-    void packageWithoutLayer_isReported() throws IOException {
-        assertReported(ArchitectureRules.layersDependOnlyOnLowerLayers(), "is in a package that has a row",
-                "package lightning.util; class Bad {}");
-    }
-
-    @Test
-    void higherLayerUsingLower_isAllowed() throws IOException {
-        JavaClasses classes = compile("package lightning.base.math; public class Number {}",
-                "package lightning.render.trace; class Good { lightning.base.math.Number number; }");
-        assertThatCode(() -> ArchitectureRules.layersDependOnlyOnLowerLayers().check(classes)).doesNotThrowAnyException();
+    void rowsInWrongOrder_areReported() {
+        assertThat(table("scene: base.math", "base.math:", "util:").forwardImports()).containsExactly("scene → base.math");
+        assertThat(table("scene: base.math", "base.math:", "util:").outOfOrder()).containsExactly("base.math", "util");
     }
 
     @Test

@@ -7,9 +7,13 @@ import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
 import java.util.List;
 import java.util.Set;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import lightning.DocCommands.Command;
 import org.junit.jupiter.api.Test;
@@ -98,6 +102,17 @@ class DocsTest {
             String links = Files.readString(index);
             assertThat(decisions.filter(page -> page.toString().endsWith(".md") && !page.equals(index))).isNotEmpty()
                     .allSatisfy(page -> assertThat(links).contains("](" + page.getFileName() + ")"));
+        }
+    }
+
+    @Test
+    void unusedNumbers_areThoseWithoutAPage() throws IOException {
+        try (Stream<Path> decisions = Files.list(DECISIONS)) {
+            Set<Integer> used = decisions.map(page -> page.getFileName().toString()).filter(name -> name.matches("\\d{4}-.*"))
+                    .map(name -> Integer.parseInt(name.substring(0, 4))).collect(Collectors.toSet());
+            List<Integer> missing = IntStream.range(1, Collections.max(used)).boxed().filter(n -> !used.contains(n)).toList();
+            String text = Files.readString(DECISIONS.resolve("README.md")).replaceFirst("(?s).*Unused numbers:([\\d,\\s]+)\\..*", "$1");
+            assertThat(Arrays.stream(text.strip().split(",\\s*")).map(Integer::parseInt)).isEqualTo(missing);
         }
     }
 

@@ -95,7 +95,8 @@ public final class KernelReferenceRows {
         MaterialTable m = geometry.materials();
         float texel = !m.isTextured(material) ? 1 : c == 0 ? rows.texelRed[i] : c == 1 ? rows.texelGreen[i] : rows.texelBlue[i];
         float kd = m.diffuse(material, c) * texel;
-        return LightingEquation.color(LightingEquation.emitted(m.ambient(material, c), kernels.ambience(), m.glow(material, c)), kd,
+        float emitted = EmittedLight.unmapped(m.texels(material), m.ambient(material, c), kernels.ambience(), m.glow(material, c));
+        return LightingEquation.color(emitted, kd,
                 LightingEquation.sum(diffuse, 0, lights.length), m.specular(material, c),
                 LightingEquation.sum(specular, 0, lights.length), 0, m.reflective(material, c), kernels.mirrored()[c][i]);
     }

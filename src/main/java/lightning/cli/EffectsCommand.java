@@ -148,10 +148,10 @@ final class EffectsCommand implements Callable<Integer> {
         return switch (part) {
             case HIT -> "point, normal, view, position";
             case TEXEL -> "texture colors";
-            case GLOW_TEXEL -> "colors of glow maps";
             case PATTERN -> "anti-aliasing";
             case OWNER -> "shape of each row";
             case TRANSPARENT -> "seen through transparent surfaces";
+            default -> "colors of " + part.map().orElseThrow().title() + "s";
         };
     }
 

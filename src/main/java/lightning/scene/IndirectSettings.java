@@ -1,5 +1,6 @@
 package lightning.scene;
 
+import io.soabase.recordbuilder.core.RecordBuilder;
 import java.util.List;
 import lightning.base.text.Messages;
 import lightning.scene.attribute.ChoiceKind;
@@ -16,7 +17,8 @@ import lightning.scene.value.SceneLimits;
  *                   picture of that size, so that they do not become finer than anyone sees
  * @param background true if the background lights the scene where a ray leaves it
  */
-public record IndirectSettings(int bounces, int rays, int spacing, boolean background) {
+@RecordBuilder
+public record IndirectSettings(int bounces, int rays, int spacing, boolean background) implements IndirectSettingsBuilder.With {
     /** Shorter side of a picture, pixels, up to which {@link #spacing} counts its pixels. */
     public static final int FULL_HD = 1080;
     public static final int MAX_BOUNCES = 8;
@@ -50,22 +52,6 @@ public record IndirectSettings(int bounces, int rays, int spacing, boolean backg
         if (!RAY_COUNTS.contains(rays)) {
             throw new IllegalArgumentException(name + " must be 16, 64, 256 or 1024, was " + rays);
         }
-    }
-
-    public IndirectSettings withBounces(int v) {
-        return new IndirectSettings(v, rays, spacing, background);
-    }
-
-    public IndirectSettings withRays(int v) {
-        return new IndirectSettings(bounces, v, spacing, background);
-    }
-
-    public IndirectSettings withSpacing(int v) {
-        return new IndirectSettings(bounces, rays, v, background);
-    }
-
-    public IndirectSettings withBackground(boolean v) {
-        return new IndirectSettings(bounces, rays, spacing, v);
     }
 
     /** Returns the distance of gather points in a picture, in its own pixels. */

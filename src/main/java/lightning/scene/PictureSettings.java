@@ -1,5 +1,6 @@
 package lightning.scene;
 
+import io.soabase.recordbuilder.core.RecordBuilder;
 import java.util.Optional;
 import lightning.scene.attribute.NumericKind;
 import lightning.scene.attribute.SceneAttribute;
@@ -15,8 +16,9 @@ import lightning.scene.value.SceneLimits;
  * @param indirect diffuse indirect light; empty for none
  * @param view     view transform, which does not affect the linear image
  */
+@RecordBuilder
 public record PictureSettings(int width, int height, int depth, SamplingSettings sampling, Optional<IndirectSettings> indirect,
-        ViewSettings view) {
+        ViewSettings view) implements PictureSettingsBuilder.With {
     public static final SceneAttribute<PictureSettings, Integer> DEPTH = new SceneAttribute<>("depth", "depth", "reflection bounces",
             NumericKind.integer(0, SceneLimits.MAX_DEPTH), 3, "reflection bounces", PictureSettings::depth, PictureSettings::withDepth);
 
@@ -45,22 +47,6 @@ public record PictureSettings(int width, int height, int depth, SamplingSettings
 
     public PictureSettings withSize(int newWidth, int newHeight) {
         return new PictureSettings(newWidth, newHeight, depth, sampling, indirect, view);
-    }
-
-    public PictureSettings withDepth(int newDepth) {
-        return new PictureSettings(width, height, newDepth, sampling, indirect, view);
-    }
-
-    public PictureSettings withSampling(SamplingSettings newSampling) {
-        return new PictureSettings(width, height, depth, newSampling, indirect, view);
-    }
-
-    public PictureSettings withIndirect(Optional<IndirectSettings> newIndirect) {
-        return new PictureSettings(width, height, depth, sampling, newIndirect, view);
-    }
-
-    public PictureSettings withView(ViewSettings newView) {
-        return new PictureSettings(width, height, depth, sampling, indirect, newView);
     }
 
     /** Returns whether both give the same linear image: they differ in the view at most. */

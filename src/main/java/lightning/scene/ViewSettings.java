@@ -1,5 +1,6 @@
 package lightning.scene;
 
+import io.soabase.recordbuilder.core.RecordBuilder;
 import lightning.scene.value.SceneLimits;
 
 /**
@@ -7,20 +8,13 @@ import lightning.scene.value.SceneLimits;
  *
  * @param exposure stops, −64 to 64; one more doubles the brightness
  */
-public record ViewSettings(ViewCurve curve, double exposure) {
+@RecordBuilder
+public record ViewSettings(ViewCurve curve, double exposure) implements ViewSettingsBuilder.With {
     /** Largest absolute exposure, stops. */
     public static final double MAX_EXPOSURE = 64;
     public static final ViewSettings DEFAULT = new ViewSettings(ViewCurve.SRGB, 0);
 
     public ViewSettings {
         SceneLimits.checkRange("exposure", exposure, -MAX_EXPOSURE, MAX_EXPOSURE);
-    }
-
-    public ViewSettings withCurve(ViewCurve v) {
-        return new ViewSettings(v, exposure);
-    }
-
-    public ViewSettings withExposure(double v) {
-        return new ViewSettings(curve, v);
     }
 }

@@ -9,6 +9,7 @@ import lightning.scene.material.AlphaCutout;
 import lightning.scene.material.Bulb;
 import lightning.scene.material.BumpMapping;
 import lightning.scene.material.Material;
+import lightning.scene.material.MaterialAttribute;
 import lightning.scene.material.ShadingModel;
 import lightning.scene.material.ShadowCasting;
 import lightning.scene.material.Transmission;
@@ -19,13 +20,28 @@ import net.jqwik.api.Tuple;
 
 /** Arbitrary materials: matte and glossy, glowing and not, reflective and black, plain and textured. */
 final class MaterialArbitraries {
+    /** Images besides those that {@link #phong}, {@link #metallic} and {@link #cutouts} set. */
+    private static final List<MaterialAttribute<Optional<TextureMap>>> OTHER_MAPS = MaterialAttribute.MAPS.stream()
+            .filter(map -> !List
+                    .of(MaterialAttribute.TEXTURE, MaterialAttribute.CUTOUT, MaterialAttribute.BUMP, MaterialAttribute.NORMAL_MAP)
+                    .contains(map))
+            .toList();
+
     private MaterialArbitraries() {}
 
     static Arbitrary<Material> materials(String name) {
         Arbitrary<Material> opaque = Arbitraries.frequencyOf(Tuple.of(2, phong(name)), Tuple.of(1, metallic(name)));
-        return Combinators.combine(opaque, transmissions(), cutouts(), glows(), textures(), bulbs())
-                .as((material, clarity, cutout, glow, glowMap, bulb) -> material
-                        .withTransmission(clarity).withCutout(cutout).withGlow(glow).withGlowMap(glowMap).withBulb(bulb));
+        return Combinators.combine(opaque, transmissions(), cutouts(), glows(), textures().list().ofSize(OTHER_MAPS.size()), bulbs())
+                .as((material, clarity, cutout, glow, maps, bulb) -> withOtherMaps(material, maps)
+                        .withTransmission(clarity).withCutout(cutout).withGlow(glow).withBulb(bulb));
+    }
+
+    private static Material withOtherMaps(Material material, List<Optional<TextureMap>> maps) {
+        Material result = material;
+        for (int i = 0; i < OTHER_MAPS.size(); i++) {
+            result = OTHER_MAPS.get(i).with(result, maps.get(i));
+        }
+        return result;
     }
 
     /** Returns bulbs of lights that scenes may have, three of four none. */
@@ -75,8 +91,8 @@ final class MaterialArbitraries {
                 ambient().map(MaterialChange.Ambient::new),
                 ambient().map(MaterialChange.Glow::new),
                 Arbitraries.of(Rgb.BLACK).map(MaterialChange.Glow::new),
-                textures().map(MaterialChange.GlowMap::new),
-                maps().map(Optional::of).map(MaterialChange.GlowMap::new),
+                otherMaps().flatMap(map -> textures().map(to -> new MaterialChange.SetAttribute<>(map, to))),
+                otherMaps().flatMap(map -> maps().map(to -> new MaterialChange.SetAttribute<>(map, Optional.of(to)))),
                 NumberArbitraries.colors().map(MaterialChange.Diffuse::new),
                 colorsOrBlack().map(MaterialChange.Specular::new),
                 colorsOrBlack().map(MaterialChange.Specular::new),
@@ -104,6 +120,10 @@ final class MaterialArbitraries {
                 cutouts().map(MaterialChange.SetCutout::new),
                 Arbitraries.of(AlphaCutout.NONE).map(MaterialChange.SetCutout::new),
                 materials("any").map(MaterialChange.ReplaceMaterial::new)));
+    }
+
+    private static Arbitrary<MaterialAttribute<Optional<TextureMap>>> otherMaps() {
+        return Arbitraries.of(OTHER_MAPS);
     }
 
     private static Arbitrary<Rgb> ambient() {

@@ -31,13 +31,6 @@ sealed interface MaterialChange {
         }
     }
 
-    record GlowMap(Optional<TextureMap> to) implements MaterialChange {
-        @Override
-        public Material on(Material material) {
-            return material.withGlowMap(to);
-        }
-    }
-
     record Diffuse(Rgb to) implements MaterialChange {
         @Override
         public Material on(Material material) {

@@ -101,8 +101,7 @@ public record EditorState(Scene scene, Optional<Frame> frame, Optional<Scene> sc
 
     /** Tests if the traced image shows the scene, but not its indirect light, which is rendered after direct light. */
     public boolean lacksIndirectLight() {
-        return scene.picture().indirect().isPresent()
-                && frame.filter(f -> VisibleState.isSame(scene.withoutIndirect(), f.scene())).isPresent();
+        return frame.filter(f -> f.showsDirectLightOf(scene)).isPresent();
     }
 
     /** Tests if the traced image has one sample per pixel center and its anti-aliasing samples are pending. */

@@ -121,9 +121,7 @@ public final class Workbench implements AutoCloseable {
         if (newState.frame() != null && newState.frame() != renderState.frame()) {
             Optional<Scene> shownScene = frame().map(Frame::scene).filter(_ -> !isFrameStep);
             previousScene = shownScene.filter(s -> !VisibleState.isSame(s, newState.frame().scene())).or(() -> previousScene);
-            isFrameStep =
-                    sceneInProgress.filter(s -> s.picture().indirect().isPresent() && s.withoutIndirect().equals(newState.frame().scene()))
-                            .isPresent();
+            isFrameStep = newState.frame().step() == Frame.Step.DIRECT_LIGHT;
         }
         renderState = newState;
     }

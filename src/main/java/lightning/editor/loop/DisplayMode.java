@@ -1,5 +1,6 @@
 package lightning.editor.loop;
 
+import io.soabase.recordbuilder.core.RecordBuilder;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -14,20 +15,13 @@ import lightning.scene.effects.ViewEffects;
  * @param light   name of the isolated light; empty for all lights
  * @param effects effects that are shown
  */
-public record DisplayMode(Optional<String> light, ViewEffects effects) {
+@RecordBuilder
+public record DisplayMode(Optional<String> light, ViewEffects effects) implements DisplayModeBuilder.With {
     /** Full image with all lights and effects. */
     public static final DisplayMode FULL_PICTURE = new DisplayMode(Optional.empty(), ViewEffects.ALL);
 
     public boolean isFullPicture() {
         return equals(FULL_PICTURE);
-    }
-
-    public DisplayMode withLight(Optional<String> v) {
-        return new DisplayMode(v, effects);
-    }
-
-    public DisplayMode withEffects(ViewEffects v) {
-        return new DisplayMode(light, v);
     }
 
     /** Returns a label of the view, {@code Only key, no shadows}; empty for the full image. */

@@ -8,6 +8,7 @@ import lightning.render.shading.RenderedScenes;
 import lightning.render.trace.Geometry;
 import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
+import lightning.scene.VisibleState;
 import lightning.scene.effects.ViewEffects;
 
 /**
@@ -21,12 +22,29 @@ import lightning.scene.effects.ViewEffects;
  * @param update        update that rendered it
  * @param geometry      primitives and BVH of the update
  * @param indirect      indirect light of the scene; null if it has none
+ * @param step          step of the scene's rendering that it is the result of
  * @param isFinished    whether it has all anti-aliasing samples; otherwise one sample per pixel center
  */
 public record Frame(Film film, Film displayed, DisplayMode displayMode, Scene scene, Scene mirroredScene, UpdateResult update,
         Geometry geometry,
-        IndirectLight indirect,
+        IndirectLight indirect, Step step,
         boolean isFinished) {
+
+    /** Step of the rendering of a scene. A step with finer samples adds no other light. */
+    public enum Step {
+        /** All light at once. */
+        ALL_LIGHT,
+        /** Direct light alone, since the scene's indirect light follows in a second step. */
+        DIRECT_LIGHT,
+        /** Indirect light, added to an image of direct light. */
+        INDIRECT_LIGHT
+    }
+
+    /** Returns whether it shows a scene, but not the scene's indirect light. */
+    public boolean showsDirectLightOf(Scene other) {
+        return other.picture().indirect().isPresent() && VisibleState.isSame(other.withoutIndirect(), scene);
+    }
+
     /** Returns the accuracy guarantee of the film. */
     public AccuracyGuarantee guarantee() {
         RenderedScenes seenScenes =

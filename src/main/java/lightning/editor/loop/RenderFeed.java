@@ -29,8 +29,6 @@ public final class RenderFeed implements RenderListener {
     private final Object canvasLock = new Object();
     private final RayCounter rays = new RayCounter(System::nanoTime);
     private RenderState state = RenderState.NONE;
-    /** True from the start of the step that adds indirect light until the next update. */
-    private volatile boolean isAddingIndirect;
     /** Number of the open document, and of the document for which the loop has dropped all earlier ones. */
     private long openDocument;
     private long currentDocument;
@@ -105,7 +103,6 @@ public final class RenderFeed implements RenderListener {
     @Override
     public void started(UpdatePlan plan) {
         lastReportNs.set(System.nanoTime());
-        isAddingIndirect = false;
         rays.start(RenderActivity.Stage.CENTERS);
         canvas.started(plan);
         publish(s -> s.withPlan(plan).withActivity(rays.activity()));
@@ -114,7 +111,6 @@ public final class RenderFeed implements RenderListener {
     @Override
     public void indirectStarted() {
         canvas.indirectStarted();
-        isAddingIndirect = true;
         startStage(RenderActivity.Stage.INDIRECT);
     }
 
@@ -168,7 +164,7 @@ public final class RenderFeed implements RenderListener {
     @Override
     public void rendered(Frame frame) {
         updateCanvas(() -> canvas.rendered(frame));
-        changeState(s -> s.withFrame(frame, isAddingIndirect));
+        changeState(s -> s.withFrame(frame));
     }
 
     @Override
@@ -179,7 +175,7 @@ public final class RenderFeed implements RenderListener {
     @Override
     public void savingMeasured(WarmSaving saving) {
         canvas.savingMeasured(saving);
-        publish(s -> s.withSaving(saving));
+        publish(s -> s.withMeasuredSaving(saving));
     }
 
     @Override

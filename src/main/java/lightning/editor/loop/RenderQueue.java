@@ -1,5 +1,8 @@
 package lightning.editor.loop;
 
+import java.util.EnumMap;
+import java.util.EnumSet;
+import java.util.Map;
 import lightning.base.work.Progress;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Scene;
@@ -27,6 +30,30 @@ final class RenderQueue {
 
         /** Switches the renderer's options, then renders {@code scene}; null if nothing was rendered yet. */
         record ChangeOptions(RenderOptions options, Scene scene) implements RenderJob {}
+
+        /** Returns the slot in which it waits. */
+        private Slot slot() {
+            return switch (this) {
+                case DropPicture _ -> Slot.DROP;
+                case ChangeOptions _ -> Slot.OPTIONS;
+                case Render _ -> Slot.SCENE;
+                case UpdateReflections _ -> Slot.REFLECTIONS;
+                case Redisplay _ -> Slot.DISPLAY;
+                case RenderSamples _ -> Slot.SAMPLES;
+                case Verify _ -> Slot.VERIFICATION;
+            };
+        }
+    }
+
+    /** Places of waiting jobs, one for each kind, in the order in which they run. */
+    private enum Slot {
+        DROP,
+        OPTIONS,
+        SCENE,
+        REFLECTIONS,
+        DISPLAY,
+        SAMPLES,
+        VERIFICATION
     }
 
     /** Listener for the progress of a job. */
@@ -79,31 +106,36 @@ final class RenderQueue {
         }
     }
 
-    private Scene scene;
-    private RenderOptions options;
-    private boolean reflectionsRequested;
-    private boolean samplesRequested;
-    private boolean verificationRequested;
-    private boolean redisplayRequested;
-    private boolean dropRequested;
-    private long openedDocument;
+    /** Newest waiting job of each kind. A change of options gets its scene when it starts. */
+    private final Map<Slot, RenderJob> waiting = new EnumMap<>(Slot.class);
     private boolean closed;
     private RenderJob running;
     private Scene rendered;
     private CancelSignal cancelSignal;
 
+    private void add(RenderJob job) {
+        waiting.put(job.slot(), job);
+        notifyAll();
+    }
+
+    /** Returns the scene that waits; null if none does. */
+    private Scene waitingScene() {
+        return waiting.get(Slot.SCENE) instanceof RenderJob.Render r ? r.scene() : null;
+    }
+
     synchronized void render(Scene requested) {
-        scene = requested;
+        add(new RenderJob.Render(requested));
         if (requested != rendered) {
             postponeSamples();
         }
         if (isObsoleteFor(requested)) {
-            // Reflections of the newer scene are still requested.
-            reflectionsRequested |= running instanceof RenderJob.UpdateReflections;
+            if (running instanceof RenderJob.UpdateReflections) {
+                // Reflections of the newer scene are still requested.
+                add(running);
+            }
             cancelSignal.cancel();
         }
         replaceRunning();
-        notifyAll();
     }
 
     /**
@@ -119,8 +151,8 @@ final class RenderQueue {
     }
 
     private void replaceRunning() {
-        if (scene != null && cancelSignal != null && cancelSignal.isReplaceable
-                && !(running instanceof RenderJob.ChangeOptions || isRunning(scene))) {
+        if (waiting.containsKey(Slot.SCENE) && cancelSignal != null && cancelSignal.isReplaceable
+                && !(running instanceof RenderJob.ChangeOptions || isRunning(waitingScene()))) {
             cancelSignal.preempt();
         }
     }
@@ -144,47 +176,41 @@ final class RenderQueue {
     }
 
     synchronized void requestReflections() {
-        reflectionsRequested = true;
-        notifyAll();
+        add(new RenderJob.UpdateReflections());
     }
 
     /** Requests the missing samples of the image, at the lowest priority. */
     synchronized void requestSamples() {
-        samplesRequested = true;
-        notifyAll();
+        add(new RenderJob.RenderSamples());
     }
 
     /** Lets other jobs run before samples, whose start is not visible. */
     private void postponeSamples() {
         if (running instanceof RenderJob.RenderSamples) {
-            samplesRequested = true;
+            add(running);
             cancelSignal.preempt();
         }
     }
 
     synchronized void requestVerification() {
-        verificationRequested = true;
-        notifyAll();
+        add(new RenderJob.Verify());
     }
 
     synchronized void requestRedisplay() {
-        redisplayRequested = true;
+        add(new RenderJob.Redisplay());
         postponeSamples();
-        notifyAll();
     }
 
     /** Drops all pending work, running work and the cache for another document. */
     synchronized void open(Scene requested, long number) {
         cancel();
-        dropRequested = true;
-        openedDocument = number;
+        add(new RenderJob.DropPicture(number));
         render(requested);
     }
 
     synchronized void changeOptions(RenderOptions requested) {
-        options = requested;
+        add(new RenderJob.ChangeOptions(requested, null));
         postponeSamples();
-        notifyAll();
     }
 
     /** Changes options and scene in one job, so that the old scene never appears with the new options. */
@@ -195,11 +221,8 @@ final class RenderQueue {
 
     /** Drops pending jobs and stops the running one. Returns true if a scene was pending; its cancellation is not reported elsewhere. */
     synchronized boolean cancel() {
-        boolean wasWaiting = scene != null;
-        scene = null;
-        reflectionsRequested = false;
-        samplesRequested = false;
-        verificationRequested = false;
+        boolean wasWaiting = waiting.containsKey(Slot.SCENE);
+        waiting.keySet().removeAll(EnumSet.of(Slot.SCENE, Slot.REFLECTIONS, Slot.SAMPLES, Slot.VERIFICATION));
         if (cancelSignal != null) {
             cancelSignal.cancel();
         }
@@ -213,22 +236,17 @@ final class RenderQueue {
     }
 
     synchronized boolean isBusy() {
-        return running != null || isWaiting();
+        return running != null || !waiting.isEmpty();
     }
 
     /** Tests if a verification is pending or about to start. */
     synchronized boolean isVerifying() {
-        return verificationRequested || running instanceof RenderJob.Verify;
-    }
-
-    private boolean isWaiting() {
-        return scene != null || options != null || reflectionsRequested || redisplayRequested || samplesRequested || verificationRequested
-                || dropRequested;
+        return waiting.containsKey(Slot.VERIFICATION) || running instanceof RenderJob.Verify;
     }
 
     /** Waits for a job. Returns null when the queue is closed. */
     synchronized RenderJob take(CancelSignal newSignal) throws InterruptedException {
-        while (!closed && !isWaiting()) {
+        while (!closed && waiting.isEmpty()) {
             wait();
         }
         if (closed) {
@@ -240,35 +258,13 @@ final class RenderQueue {
     }
 
     private RenderJob next() {
-        if (dropRequested) {
-            dropRequested = false;
-            return new RenderJob.DropPicture(openedDocument);
+        RenderJob first = waiting.remove(waiting.keySet().iterator().next());
+        if (first instanceof RenderJob.ChangeOptions change) {
+            Scene scene = waitingScene();
+            waiting.remove(Slot.SCENE);
+            return new RenderJob.ChangeOptions(change.options(), scene == null ? rendered : scene);
         }
-        if (options != null) {
-            var job = new RenderJob.ChangeOptions(options, scene == null ? rendered : scene);
-            options = null;
-            scene = null;
-            return job;
-        }
-        if (scene != null) {
-            var job = new RenderJob.Render(scene);
-            scene = null;
-            return job;
-        }
-        if (reflectionsRequested) {
-            reflectionsRequested = false;
-            return new RenderJob.UpdateReflections();
-        }
-        if (redisplayRequested) {
-            redisplayRequested = false;
-            return new RenderJob.Redisplay();
-        }
-        if (samplesRequested) {
-            samplesRequested = false;
-            return new RenderJob.RenderSamples();
-        }
-        verificationRequested = false;
-        return new RenderJob.Verify();
+        return first;
     }
 
     /**
@@ -281,6 +277,6 @@ final class RenderQueue {
         running = null;
         cancelSignal = null;
         rendered = nowRendered;
-        return !isWaiting();
+        return waiting.isEmpty();
     }
 }

@@ -1,5 +1,6 @@
 package lightning.editor.loop;
 
+import io.soabase.recordbuilder.core.RecordBuilder;
 import java.util.Optional;
 import lightning.render.measure.Verification;
 import lightning.render.measure.WarmSaving;
@@ -18,12 +19,12 @@ import lightning.render.relight.plan.UpdatePlan;
  * @param problem        failure of the last job; null if it succeeded
  * @param canceled       whether the last job was canceled
  * @param activity       work since the current stage of the image started
- * @param addedIndirect  whether the update of the last image added indirect light to a picture of direct light
  */
+@RecordBuilder
 public record RenderState(UpdatePlan plan, int done, int total, int verifiedTiles, int tilesToVerify, Frame frame,
         WarmSaving measuredSaving,
-        Verification verification, Throwable problem, boolean canceled, RenderActivity activity, boolean addedIndirect) {
-    public static final RenderState NONE = new RenderState(null, 0, 0, 0, 0, null, null, null, null, false, RenderActivity.NONE, false);
+        Verification verification, Throwable problem, boolean canceled, RenderActivity activity) implements RenderStateBuilder.With {
+    public static final RenderState NONE = new RenderState(null, 0, 0, 0, 0, null, null, null, null, false, RenderActivity.NONE);
 
     /** Returns the progress, 0…1. */
     public double progress() {
@@ -35,53 +36,35 @@ public record RenderState(UpdatePlan plan, int done, int total, int verifiedTile
         return Optional.ofNullable(measuredSaving).filter(m -> frame != null && m.isOf(frame.update()));
     }
 
+    /** Sets the plan of an update that starts. */
+    @Override
     public RenderState withPlan(UpdatePlan next) {
-        return new RenderState(next, 0, 0, verifiedTiles, tilesToVerify, frame, measuredSaving, verification, null, false, activity,
-                addedIndirect);
-    }
-
-    public RenderState withSaving(WarmSaving saving) {
-        return new RenderState(plan, done, total, verifiedTiles, tilesToVerify, frame, saving, verification, problem, canceled, activity,
-                addedIndirect);
-    }
-
-    public RenderState withActivity(RenderActivity now) {
-        return new RenderState(plan, done, total, verifiedTiles, tilesToVerify, frame, measuredSaving, verification, problem, canceled,
-                now, addedIndirect);
+        return with(s -> s.plan(next).done(0).total(0).problem(null).canceled(false));
     }
 
     public RenderState withProgress(int tiles, int tileCount) {
-        return new RenderState(plan, tiles, tileCount, verifiedTiles, tilesToVerify, frame, measuredSaving, verification, problem,
-                canceled, activity, addedIndirect);
+        return with(s -> s.done(tiles).total(tileCount));
     }
 
     public RenderState withVerificationProgress(int tiles, int tileCount) {
-        return new RenderState(plan, done, total, tiles, tileCount, frame, measuredSaving, verification, null, false, activity,
-                addedIndirect);
+        return with(s -> s.verifiedTiles(tiles).tilesToVerify(tileCount).problem(null).canceled(false));
     }
 
     /** Sets the image and drops a verification of another one. */
+    @Override
     public RenderState withFrame(Frame newFrame) {
-        return withFrame(newFrame, false);
-    }
-
-    /**
-     * Sets the image as {@link #withFrame(Frame)} does.
-     *
-     * @param wasIndirectAdded whether its update added indirect light to a picture of direct light
-     */
-    public RenderState withFrame(Frame newFrame, boolean wasIndirectAdded) {
         Verification validVerification = verification != null && verification.appliesTo(newFrame.guarantee()) ? verification : null;
-        return new RenderState(plan, done, total, verifiedTiles, tilesToVerify, newFrame, measuredSaving, validVerification, problem,
-                canceled, activity, wasIndirectAdded);
+        return with(s -> s.frame(newFrame).verification(validVerification));
     }
 
+    /** Sets the result of a verification, which has ended. */
+    @Override
     public RenderState withVerification(Verification result) {
-        return new RenderState(plan, done, total, 0, 0, frame, measuredSaving, result, problem, canceled, activity, addedIndirect);
+        return with(s -> s.verification(result).verifiedTiles(0).tilesToVerify(0));
     }
 
+    /** Sets the failure of the last job, or that it was canceled if null. */
     public RenderState withStop(Throwable failure) {
-        return new RenderState(plan, done, total, 0, 0, frame, measuredSaving, verification, failure, failure == null, activity,
-                addedIndirect);
+        return with(s -> s.verifiedTiles(0).tilesToVerify(0).problem(failure).canceled(failure == null));
     }
 }

@@ -41,6 +41,8 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
     /** Startup preview of the first scene; null afterwards. */
     private volatile Future<Optional<CoarsePicture>> startupPreview = CompletableFuture.completedFuture(Optional.empty());
     private UpdateResult lastUpdate;
+    /** Step of the image. */
+    private Frame.Step lastStep;
     private Accuracy lastAccuracy;
     private Scene renderedScene;
     /** Description of the last update if it was slow; else empty. Written by the thread that finds out. */
@@ -131,7 +133,7 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
         if (adds || pathsCache != null) {
             renderDirectFirst(scene, signal);
         } else {
-            double seconds = renderStep(scene, scene, planned, signal);
+            double seconds = renderStep(scene, scene, planned, Frame.Step.ALL_LIGHT, signal);
             if (repeats) {
                 pathTimes.recordUpdate(seconds);
             }
@@ -146,11 +148,11 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
      * @param scene     scene of this step: the same, or without its indirect light
      * @return time in seconds
      */
-    private double renderStep(Scene requested, Scene scene, PlannedUpdate planned, RenderQueue.CancelSignal signal) {
+    private double renderStep(Scene requested, Scene scene, PlannedUpdate planned, Frame.Step step, RenderQueue.CancelSignal signal) {
         ProgressiveDisplay display = planned.update() instanceof UpdatePlan.FirstPass ? startFirstPass(requested, scene, signal)
                 : startUpdate(requested, scene, planned, signal);
         long start = System.nanoTime();
-        update((r, _) -> r.renderCenters(planned, display), startCache(), (r, progress) -> r.render(scene, progress), signal);
+        update((r, _) -> r.renderCenters(planned, display), step, startCache(), (r, progress) -> r.render(scene, progress), signal);
         long nanoseconds = System.nanoTime() - start;
         if (nanoseconds < ProgressiveDisplay.SLOW_NS) {
             slowUpdate = "";
@@ -191,7 +193,7 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
                 && renderer.scene().withoutIndirect().equals(renderer.options().view().apply(direct));
         double directSeconds = 0;
         if (!isShown) {
-            directSeconds = renderStep(scene, direct, renderer.plan(direct), signal);
+            directSeconds = renderStep(scene, direct, renderer.plan(direct), Frame.Step.DIRECT_LIGHT, signal);
         } else {
             renderer.requireMemory(scene, 0, signal, _ -> {});
         }
@@ -199,7 +201,7 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
         queue.setReplaceable(signal, true);
         PlannedUpdate planned = renderer.planFrom(pathsCache, scene);
         long start = System.nanoTime();
-        update((r, progress) -> r.renderCenters(planned, progress), pathsCache,
+        update((r, progress) -> r.renderCenters(planned, progress), Frame.Step.INDIRECT_LIGHT, pathsCache,
                 pathsCache == null ? null : (r, progress) -> r.render(scene, progress), signal);
         double seconds = (System.nanoTime() - start) / 1e9;
         if (repeatsPaths(planned.update())) {
@@ -274,7 +276,7 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
             if (renderer.lastFinishedCache() == null) {
                 display.showingTiles(false);
             }
-            update((r, _) -> r.finish(display), startCache(), (r, progress) -> r.render(scene, progress), signal);
+            update((r, _) -> r.finish(display), lastStep, startCache(), (r, progress) -> r.render(scene, progress), signal);
         }
     }
 
@@ -307,10 +309,12 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
     /**
      * Updates the image.
      *
+     * @param result     step of the rendering that the image is then the result of
      * @param start      cache that the update starts from; null if unknown
      * @param repeatStep repeats the update from the start, planning included, to measure its saving; null if its saving is not measured
      */
-    private void update(WarmSaving.UpdateStep step, PixelCache start, WarmSaving.UpdateStep repeatStep, RenderQueue.CancelSignal signal) {
+    private void update(WarmSaving.UpdateStep step, Frame.Step result, PixelCache start, WarmSaving.UpdateStep repeatStep,
+            RenderQueue.CancelSignal signal) {
         ViewTransform usedView = view;
         renderer.setView(usedView.exposure(), usedView.steepestCurve());
         UpdateResult update = step.run(renderer, signal);
@@ -320,6 +324,7 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
                     return repeatStep.run(r, progress);
                 }));
         lastAccuracy = renderer.options().accuracy();
+        lastStep = result;
         show(update, signal);
     }
 
@@ -335,7 +340,7 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
 
     private void updateReflections(RenderQueue.CancelSignal signal) {
         if (renderedScene != null && !renderer.hasCurrentReflections()) {
-            update(Renderer::updateReflections, startCache(), Renderer::updateReflections, signal);
+            update(Renderer::updateReflections, lastStep, startCache(), Renderer::updateReflections, signal);
         }
     }
 
@@ -365,7 +370,7 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
         publishedCache = new WeakReference<>(renderer.cache());
         listener.rendered(new Frame(renderer.film(), displayed, mode, renderedScene, renderer.cache().mirroredScene(), lastUpdate,
                 renderer.cache().geometry(), renderer.cache().indirect() == null ? null : renderer.cache().indirect().light(),
-                renderer.isFinished()));
+                lastStep, renderer.isFinished()));
     }
 
     private Optional<CoarsePicture> takeStartupPreview() {

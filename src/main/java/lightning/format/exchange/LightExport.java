@@ -8,6 +8,7 @@ import java.util.Map;
 import lightning.base.work.Progress;
 import lightning.format.exchange.assembly.LightUnits;
 import lightning.format.exchange.json.AttributeJson;
+import lightning.format.exchange.json.MaterialExtras;
 import lightning.format.exchange.json.PictureJson;
 import lightning.format.exchange.json.TransformJson;
 import lightning.format.gltf.GltfLightWriter;
@@ -83,7 +84,8 @@ public record LightExport(byte[] bytes, Map<String, Integer> notes) {
 
     /**
      * Returns JSON with all lights, light groups and materials of a scene, its picture, world and camera, with all their attributes, the
-     * transforms of its objects and outermost groups, and what is animated at each frame.
+     * transforms of its objects and outermost groups, what is animated at each frame, and the keywords of the materials' attributes that
+     * cannot come back as edits.
      */
     public static LightExport toJson(AnimatedScene animated) {
         Scene scene = animated.base();
@@ -110,6 +112,7 @@ public record LightExport(byte[] bytes, Map<String, Integer> notes) {
         for (Material material : scene.materials()) {
             AttributeJson.write(materials.addObject().put("name", material.name()), material, MaterialAttribute.ALL);
         }
+        MaterialExtras.NAMES.forEach(root.putArray("materialNames")::add);
         var notes = new ConversionNotes();
         animated.shot().ifPresent(shot -> new ShotValues(animated, shot, notes).write(root.putObject("shot")));
         return new LightExport(JSON.writerWithDefaultPrettyPrinter().writeValueAsBytes(root), Map.copyOf(notes.counts()));

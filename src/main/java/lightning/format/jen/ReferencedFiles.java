@@ -17,8 +17,10 @@ import lightning.format.jen.asset.MeshFolder;
 import lightning.format.jen.asset.TextureFolder;
 import lightning.format.jen.asset.UnusableFileException;
 import lightning.scene.Scene;
-import lightning.scene.asset.FileAsset;
-import lightning.scene.material.Material;
+import lightning.scene.World;
+import lightning.scene.attribute.SceneAttribute;
+import lightning.scene.light.LightAttribute;
+import lightning.scene.material.MaterialAttribute;
 import lightning.scene.node.NodeGroup;
 import lightning.scene.node.SceneNode;
 import lightning.scene.node.Shape;
@@ -86,23 +88,16 @@ public final class ReferencedFiles {
 
     /** Returns the names of the images of materials and on the faces of lights, without gobos and environments; names may repeat. */
     public static Stream<String> textures(Scene scene) {
-        return Stream.concat(scene.materials().stream().flatMap(ReferencedFiles::textures),
-                scene.lights().stream().flatMap(l -> l.texture().stream()).map(FileAsset::file));
+        return Stream.concat(files(scene.materials(), MaterialAttribute.ALL), files(scene.lights(), List.of(LightAttribute.TEXTURE)));
     }
 
     private static Stream<String> texturesAndProfiles(Scene scene) {
-        Stream<String> materials = scene.materials().stream().flatMap(ReferencedFiles::textures);
-        Stream<FileAsset> lights = scene.lights().stream()
-                .flatMap(l -> Stream.<Optional<? extends FileAsset>>of(l.gobo(), l.profile(), l.texture()).flatMap(Optional::stream));
-        return Stream.concat(materials, Stream.concat(lights, scene.world().environment().stream()).map(FileAsset::file));
+        return Stream.of(files(scene.materials(), MaterialAttribute.ALL), files(scene.lights(), LightAttribute.ALL),
+                files(List.of(scene.world()), World.ATTRIBUTES)).flatMap(names -> names);
     }
 
-    private static Stream<String> textures(Material material) {
-        return Stream
-                .of(material.texture(), material.glowMap(), material.bumpMapping().bump(), material.bumpMapping().normalMap(),
-                        material.cutout().map())
-                .flatMap(map -> map.stream())
-                .map(map -> map.file());
+    private static <T> Stream<String> files(List<T> records, List<? extends SceneAttribute<T, ?>> attributes) {
+        return records.stream().flatMap(record -> attributes.stream().flatMap(attribute -> attribute.file(record).stream()));
     }
 
     private void put(String name, AssetSearchPath folders) throws IOException {

@@ -20,8 +20,8 @@ import lightning.scene.asset.LightTexture;
 import lightning.scene.asset.Texture;
 import lightning.scene.asset.TextureMap;
 import lightning.scene.asset.TextureUsage;
-import lightning.scene.material.BumpMapping;
 import lightning.scene.material.Material;
+import lightning.scene.material.MaterialAttribute;
 import lightning.scene.node.Mesh;
 import lightning.scene.node.NodeGroup;
 import lightning.scene.node.SceneNode;
@@ -49,13 +49,8 @@ record SceneAssets(Scene scene, Optional<Path> folder) implements AssetSource {
     }
 
     private static Stream<TextureMap> maps(Material material, TextureUsage samples) {
-        BumpMapping relief = material.bumpMapping();
-        return switch (samples) {
-            case COLOR -> Stream.concat(material.texture().stream(), material.glowMap().stream());
-            case EMISSION -> Stream.empty();
-            case DATA -> Stream.concat(relief.bump().stream(), relief.normalMap().stream());
-            case OPACITY -> material.cutout().map().stream();
-        };
+        return MaterialAttribute.MAPS.stream().filter(map -> map.usage().equals(Optional.of(samples)))
+                .flatMap(map -> map.get(material).stream());
     }
 
     @Override

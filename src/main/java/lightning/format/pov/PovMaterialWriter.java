@@ -9,6 +9,7 @@ import lightning.scene.asset.TextureMap;
 import lightning.scene.material.Bulb;
 import lightning.scene.material.BumpMapping;
 import lightning.scene.material.Material;
+import lightning.scene.material.MaterialAttribute;
 import lightning.scene.material.ShadingModel;
 import lightning.scene.material.ShadowCasting;
 import lightning.scene.material.Transmission;
@@ -24,6 +25,10 @@ final class PovMaterialWriter {
 
     /** POV-Ray's bump amount for a height of 1. */
     private static final double BUMP_SCALE = 7.5;
+    /** Images that this class writes, or warns of. */
+    private static final List<MaterialAttribute<Optional<TextureMap>>> WRITTEN =
+            List.of(MaterialAttribute.TEXTURE, MaterialAttribute.CUTOUT,
+                    MaterialAttribute.BUMP, MaterialAttribute.NORMAL_MAP, MaterialAttribute.GLOW_MAP);
 
     private final List<String> warnings;
 
@@ -69,6 +74,8 @@ final class PovMaterialWriter {
     }
 
     private String text(Material material, Solid solid, String image) {
+        MaterialAttribute.MAPS.stream().filter(map -> !WRITTEN.contains(map) && map.get(material).isPresent())
+                .forEach(map -> warn("material " + material.name() + ": its " + map.title() + " is left out"));
         Material m = withMeanGlow(material.isMetallic() ? phong(material) : material);
         if (m.transmission().isTransparent()) {
             return transparent(m) + shadows(m);

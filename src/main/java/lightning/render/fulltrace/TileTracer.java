@@ -27,7 +27,6 @@ import lightning.render.trace.HitRows;
 import lightning.render.trace.MaterialTable;
 import lightning.render.trace.SampleCells;
 import lightning.render.trace.SamplePositions;
-import lightning.render.trace.TexelColumns;
 import lightning.render.trace.TileVisibility;
 import lightning.render.trace.Tracer;
 import lightning.scene.AntialiasMode;
@@ -257,7 +256,7 @@ final class TileTracer {
     private HitRows levelRows(int k) {
         if (levels[k] == null) {
             levels[k] = new HitRows(Film.TILE_PIXELS,
-                    TexelColumns.ofAny(eyeLevel.materials).or(TexelColumns.ofAny(mirrorLevels.materials)),
+                    eyeLevel.materials.anyTexels().or(mirrorLevels.materials.anyTexels()),
                     eyeLevel.materials.transparentCount() > 0 || mirrorLevels.materials.transparentCount() > 0,
                     levels == sampleLevels,
                     WeightedLight.needOwners(eyeLevel.lights) || WeightedLight.needOwners(mirrorLevels.lights));

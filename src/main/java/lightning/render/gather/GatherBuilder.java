@@ -12,7 +12,6 @@ import lightning.render.trace.Geometry;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.HitRows.ColumnGroup;
 import lightning.render.trace.ShapeChange;
-import lightning.render.trace.TexelColumns;
 import lightning.render.trace.Tracer;
 import lightning.scene.IndirectSettings;
 import lightning.scene.PictureSettings;
@@ -87,7 +86,7 @@ public final class GatherBuilder {
     /** Returns the maximum bytes of a surfel without rays: its row, its cell, and what lights and solving need. */
     private long surfelBytes() {
         int columns =
-                ColumnGroup.HIT.bytesPerRow() + TexelColumns.ofAny(geometry.materials()).bytesPerRow() + ColumnGroup.OWNER.bytesPerRow()
+                ColumnGroup.HIT.bytesPerRow() + geometry.materials().anyTexels().bytesPerRow() + ColumnGroup.OWNER.bytesPerRow()
                         + ColumnGroup.TRANSPARENT.bytesPerRow();
         return columns + BYTES_BESIDE_ROW + BYTES_PER_LIGHT * scene.rig().effectiveLights().size();
     }

@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.stream.IntStream;
 import lightning.base.math.Rgb;
 import lightning.render.trace.Geometry;
+import lightning.render.trace.HitRows.ColumnGroup;
 import lightning.render.trace.MaterialTable;
 import lightning.render.trace.tree.Bvh;
 import lightning.scene.asset.TextureMap;
@@ -68,7 +69,7 @@ public final class GlowShapes {
     /** Returns one channel of the light that a material emits, with the mean of its glow map. */
     private static float glow(MaterialTable materials, int m, int c) {
         float emitted = (1 - materials.reflective(m, c)) * materials.ownGlow(m, c);
-        TextureMap map = materials.glowMap(m);
+        TextureMap map = materials.map(ColumnGroup.GLOW_TEXEL, m);
         if (map == null) {
             return emitted;
         }

@@ -48,8 +48,7 @@ public final class MemoryEstimate {
         boolean metallic = scene.materials().stream().anyMatch(Material::isMetallic);
         long lights =
                 scene.rig().effectiveLights().stream().mapToLong(light -> options.method().bytesPerRow(light, metallic, tinted)).sum();
-        boolean glowMaps = scene.stage().rendered().materials().stream().anyMatch(m -> m.glowMap().isPresent());
-        int texelBytes = new TexelColumns(true, glowMaps).bytesPerRow();
+        int texelBytes = TexelColumns.ofAny(scene.stage().rendered().materials()).bytesPerRow();
         long row = ColumnGroup.HIT.bytesPerRow() + texelBytes
                 + (sampling.isSupersampled() ? ColumnGroup.PATTERN.bytesPerRow() : 0)
                 + (scene.lights().stream().allMatch(l -> l.illuminates().isAll() && l.contribution().gains().isNone()) ? 0

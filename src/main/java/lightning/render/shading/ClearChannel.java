@@ -3,7 +3,7 @@ package lightning.render.shading;
 /**
  * Factors of one color channel of a clear material, as {@link LightingEquation#clearColor} needs them.
  *
- * @param emitted    {@link LightingEquation#emitted}
+ * @param emitted    {@link EmittedLight#unmapped}
  * @param diffuse    k<sub>diffuse</sub> before the texture
  * @param specular   k<sub>specular</sub>, or the part of F0 that no texture multiplies
  * @param texturedF0 the part of F0 that texels multiply; 0 if the material is not metallic

@@ -3,6 +3,7 @@ package lightning.render.shading;
 import java.util.Arrays;
 import lightning.base.math.Rgb;
 import lightning.render.trace.HitRows;
+import lightning.render.trace.HitRows.ColumnGroup;
 import lightning.render.trace.Refraction;
 import lightning.scene.material.Transmission;
 
@@ -30,7 +31,7 @@ public final class ClearMaterialShader {
     /**
      * Shades a run of rows, as {@link SumKernel#shade}, including refraction.
      *
-     * @param emitted {@link LightingEquation#emitted} of red, green and blue
+     * @param emitted {@link EmittedLight#unmapped} of red, green and blue
      * @param cached  terms of the level's clear rows; computed if null
      */
     public void shade(HitRows rows, int run, ShadingMaterial material, float[] emitted, float[][] diffuse, float[][] specular,
@@ -60,20 +61,23 @@ public final class ClearMaterialShader {
     }
 
     /**
-     * Adds the glow of a run of rows that were just shaded and whose material has a glow map, by {@link SurfaceWeights#bodyWeight}.
+     * Adds emitted light to a run of rows that were just shaded, by {@link SurfaceWeights#bodyWeight}.
      *
+     * @param amount light before its image: red, green, blue
+     * @param map    columns of its image
      * @param cached terms of the level's clear rows; those of {@link #shade} if null
      */
-    public void addGlow(HitRows rows, int run, ShadingMaterial material, ClearTerms cached, float[][] to) {
+    public void addMapped(HitRows rows, int run, ShadingMaterial material, float[] amount, ColumnGroup map, ClearTerms cached,
+            float[][] to) {
         float body = material.bodyShare();
         // Without a body there may be no terms.
         ClearTerms terms = cached == null ? scratch : cached;
         for (int c = 0; body > 0 && c < 3; c++) {
-            float[] texel = rows.glowTexel(c);
+            float[] texel = rows.texel(map, c);
             float kr = material.reflective()[c];
             for (int i = rows.runStart(run); i < rows.runEnd[run]; i++) {
                 float weight = (1 - Refraction.mirrorShare(kr, terms.share[i])) * body * terms.tint[c][i];
-                to[c][i] = LightingEquation.addGlow(to[c][i], material.glow()[c], texel[i], weight);
+                to[c][i] = LightingEquation.addMapped(to[c][i], amount[c], texel[i], weight);
             }
         }
     }

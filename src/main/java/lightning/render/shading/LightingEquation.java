@@ -223,27 +223,20 @@ public final class LightingEquation {
     }
 
     /**
-     * Returns one channel of the light that a surface sends even if no light reaches it: ambient light and its glow. A glow of 0 changes
-     * no bit of a product that is at least +0.
-     */
-    public static float emitted(float ka, float ambience, float glow) {
-        return ka * ambience + glow;
-    }
-
-    /**
-     * Adds the glow of a surface with a glow map to one channel of its color. Its {@link #emitted} light has no glow.
+     * Adds an {@link EmittedLight} that an image multiplies to one channel of a surface's color.
      *
-     * @param texel  color of the map
+     * @param amount light before the image
+     * @param texel  color of the image
      * @param weight factor of emitted light: {@link SurfaceWeights#bodyWeight}
      */
-    public static float addGlow(float color, float glow, float texel, float weight) {
-        return color + weight * (glow * texel);
+    public static float addMapped(float color, float amount, float texel, float weight) {
+        return color + weight * (amount * texel);
     }
 
     /**
      * Returns one channel of the light that a clear surface itself sends, before the interior tint.
      *
-     * @param emitted {@link #emitted}
+     * @param emitted {@link EmittedLight#unmapped}
      */
     public static float clearSurface(float emitted, float kd, float diffuse, float ks, float specular, float grazing, float kr, float body,
             float share) {
@@ -261,7 +254,7 @@ public final class LightingEquation {
      * Returns one channel of the whole equation of a clear surface, at most the sum of its parts: {@code left·body}, {@code mirror}
      * and {@code left·kt} add up to at most 1.
      *
-     * @param emitted {@link #emitted}
+     * @param emitted {@link EmittedLight#unmapped}
      * @param share   F
      * @param tint    T
      */
@@ -275,7 +268,7 @@ public final class LightingEquation {
      * Returns one channel of the whole equation of an opaque surface; {@code diffuse}, {@code specular} and {@code grazing} are the
      * lights' sums.
      *
-     * @param emitted {@link #emitted}
+     * @param emitted {@link EmittedLight#unmapped}
      */
     public static float color(float emitted, float kd, float diffuse, float ks, float specular, float grazing, float kr,
             float mirrored) {

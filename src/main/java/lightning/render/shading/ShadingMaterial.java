@@ -1,6 +1,7 @@
 package lightning.render.shading;
 
 import lightning.render.trace.MaterialTable;
+import lightning.render.trace.TexelColumns;
 import lightning.scene.material.Transmission;
 
 /**
@@ -17,7 +18,7 @@ import lightning.scene.material.Transmission;
  * @param bodyShare    body share of a clear surface
  * @param isTextured   true if its rows' texels multiply k<sub>diffuse</sub>
  * @param hasImage     true if an image is among these factors
- * @param hasGlowMap   true if its rows have colors of a glow map
+ * @param texels       colors of images that its rows have
  * @param hasSpecular  true if it has specular terms: k<sub>specular</sub> is above 0 in any channel, or the material is metallic
  * @param isReflective true if k<sub>reflective</sub> is above 0 in any channel
  */
@@ -25,7 +26,7 @@ public record ShadingMaterial(float[] ambient, float[] glow, float[] diffuse, fl
         Transmission clarity, InteriorTint interior, float bodyShare,
         boolean isTextured,
         boolean hasImage,
-        boolean hasGlowMap,
+        TexelColumns texels,
         boolean hasSpecular,
         boolean isReflective) {
     // Arrays in a record: written once by their creator, never after.
@@ -49,7 +50,7 @@ public record ShadingMaterial(float[] ambient, float[] glow, float[] diffuse, fl
                 t.isTransparent(m) ? t.transmission(m) : null, t.isTransparent(m) ? new InteriorTint(t.transmission(m)) : null,
                 ClearMaterialShader.bodyShare(t.transmission(m)), t.isTextured(m),
                 t.texture(m) != null,
-                t.glowMap(m) != null,
+                t.texels(m),
                 t.isSpecular(m),
                 reflective[0] > 0 || reflective[1] > 0 || reflective[2] > 0);
     }

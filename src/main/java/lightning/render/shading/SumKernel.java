@@ -17,7 +17,7 @@ public interface SumKernel {
      * are red, green and blue columns.
      *
      * @param material the run's material
-     * @param emitted  {@link LightingEquation#emitted} of red, green and blue
+     * @param emitted  {@link EmittedLight#unmapped} of red, green and blue
      * @param diffuse  the lights' diffuse sum
      * @param specular their specular sum; null if there is none, or none is shown
      * @param grazing  their grazing sum; null if there is none, or the material is not metallic

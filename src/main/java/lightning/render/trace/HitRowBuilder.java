@@ -44,7 +44,7 @@ final class HitRowBuilder {
         }
         TexelColumns columns = TexelColumns.NONE;
         for (int r = 0; r < materials.count(); r++) {
-            columns = withTexels && starts[r + 1] > 0 ? columns.or(TexelColumns.of(materials, materials.materialAtRank(r))) : columns;
+            columns = withTexels && starts[r + 1] > 0 ? columns.or(materials.texels(materials.materialAtRank(r))) : columns;
             starts[r + 1] += starts[r];
         }
         rays.hitCount = starts[materials.count()];

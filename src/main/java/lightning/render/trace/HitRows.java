@@ -3,6 +3,8 @@ package lightning.render.trace;
 import java.io.IOException;
 import java.util.Arrays;
 import java.util.EnumSet;
+import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import lightning.render.column.ColumnKind;
 import lightning.render.column.ColumnReader;
@@ -10,6 +12,9 @@ import lightning.render.column.ColumnSet;
 import lightning.render.column.ColumnWriter;
 import lightning.render.column.ElementType;
 import lightning.render.trace.tree.PointBox;
+import lightning.scene.asset.TextureMap;
+import lightning.scene.material.Material;
+import lightning.scene.material.MaterialAttribute;
 
 /**
  * Hits of one tile at one level as columns that share one index: the cached result of the visibility pass.
@@ -23,15 +28,39 @@ public final class HitRows {
         /** Always present. */
         HIT,
         /** Present if any row's material is textured. */
-        TEXEL,
+        TEXEL(MaterialAttribute.TEXTURE),
         /** Present if any row's material has a glow map. */
-        GLOW_TEXEL,
+        GLOW_TEXEL(MaterialAttribute.GLOW_MAP),
         /** Present in rows of finer samples. */
         PATTERN,
         /** Present if a light of the scene illuminates only some shapes. */
         OWNER,
         /** Present if any row's material is transparent. */
         TRANSPARENT;
+
+        /** Groups for the colors of images of the materials: red, green and blue each. */
+        public static final List<ColumnGroup> TEXELS = Arrays.stream(values()).filter(group -> group.map != null).toList();
+
+        /** Image whose colors the columns contain; null if they contain something else. */
+        private final MaterialAttribute<Optional<TextureMap>> map;
+
+        ColumnGroup() {
+            this(null);
+        }
+
+        ColumnGroup(MaterialAttribute<Optional<TextureMap>> map) {
+            this.map = map;
+        }
+
+        /** Returns the attribute whose image the columns contain; empty if they contain something else. */
+        public Optional<MaterialAttribute<Optional<TextureMap>>> map() {
+            return Optional.ofNullable(map);
+        }
+
+        /** Returns a material's image for the columns of one of {@link #TEXELS}. */
+        Optional<TextureMap> map(Material material) {
+            return map.get(material);
+        }
 
         /** Returns the columns of this group. */
         Set<Column> columns() {
@@ -85,6 +114,10 @@ public final class HitRows {
         }
     }
 
+    /** Columns of each group, by its ordinal. */
+    private static final Column[][] COLUMNS =
+            Arrays.stream(ColumnGroup.values()).map(group -> group.columns().toArray(Column[]::new)).toArray(Column[][]::new);
+
     /** Columns that often have one value for all rows of a tile. */
     private static final Set<Column> OFTEN_UNIFORM = EnumSet.of(Column.PX, Column.PY, Column.PZ, Column.NX, Column.NY, Column.NZ);
 
@@ -106,10 +139,6 @@ public final class HitRows {
     public final float[] texelRed;
     public final float[] texelGreen;
     public final float[] texelBlue;
-    /** Color of the glow map, ≥ 0, of rows whose materials have one; null if the tile has none. */
-    public final float[] glowTexelRed;
-    public final float[] glowTexelGreen;
-    public final float[] glowTexelBlue;
     /** Destination of the row's color: a pixel of the tile at the first level, a row of the previous level at others. */
     public final short[] parent;
     /** Pattern of area light samples of each row of finer samples, unsigned ({@link SamplePattern}); null for pixel centers. */
@@ -162,9 +191,6 @@ public final class HitRows {
         texelRed = (float[]) columns.get(Column.TEXEL_RED);
         texelGreen = (float[]) columns.get(Column.TEXEL_GREEN);
         texelBlue = (float[]) columns.get(Column.TEXEL_BLUE);
-        glowTexelRed = (float[]) columns.get(Column.GLOW_TEXEL_RED);
-        glowTexelGreen = (float[]) columns.get(Column.GLOW_TEXEL_GREEN);
-        glowTexelBlue = (float[]) columns.get(Column.GLOW_TEXEL_BLUE);
         parent = (short[]) columns.get(Column.PARENT);
         pattern = (byte[]) columns.get(Column.PATTERN);
         owner = (int[]) columns.get(Column.OWNER);
@@ -191,12 +217,7 @@ public final class HitRows {
 
     private static Set<Column> columns(TexelColumns texels) {
         Set<Column> columns = EnumSet.noneOf(Column.class);
-        if (texels.colors()) {
-            columns.addAll(ColumnGroup.TEXEL.columns());
-        }
-        if (texels.glow()) {
-            columns.addAll(ColumnGroup.GLOW_TEXEL.columns());
-        }
+        texels.groups().forEach(group -> columns.addAll(group.columns()));
         return columns;
     }
 
@@ -221,14 +242,18 @@ public final class HitRows {
 
     /** Returns which texels these rows have. */
     TexelColumns texels() {
-        return new TexelColumns(texelRed != null, glowTexelRed != null);
+        TexelColumns found = TexelColumns.NONE;
+        for (ColumnGroup group : ColumnGroup.TEXELS) {
+            found = texel(group, 0) == null ? found : found.with(group);
+        }
+        return found;
     }
 
     /** Returns these rows with copies of some texels, 0 where these rows have none, and without the others. */
     HitRows withCopiedTexels(TexelColumns texels) {
         ColumnSet<Column> copies = ColumnSet.allocate(Column.class, columns(texels), count);
         copies.copy(columns, 0, 0, count);
-        return withColumns(columns.without(columns(new TexelColumns(true, true))).with(copies), reflectiveCount);
+        return withColumns(columns.without(columns(TexelColumns.ALL)).with(copies), reflectiveCount);
     }
 
     /** Returns these rows with other owners, or null for none. */
@@ -262,21 +287,21 @@ public final class HitRows {
         return ElementType.FLOAT.length(rows);
     }
 
-    /** Returns the red, green or blue colors of glow maps for channel 0, 1, 2; null if the tile has none. */
-    public float[] glowTexel(int channel) {
-        return channel(channel, glowTexelRed, glowTexelGreen, glowTexelBlue);
+    /**
+     * Returns red, green or blue of an image for channel 0, 1, 2, ≥ 0, in the rows whose materials have it; null if the tile has none.
+     *
+     * @param group one of {@link ColumnGroup#TEXELS}
+     */
+    public float[] texel(ColumnGroup group, int channel) {
+        return (float[]) columns.get(COLUMNS[group.ordinal()][channel]);
     }
 
     /** Returns the red, green or blue texels for channel 0, 1, 2; null if the tile has none. */
     public float[] texel(int channel) {
-        return channel(channel, texelRed, texelGreen, texelBlue);
-    }
-
-    private static float[] channel(int channel, float[] red, float[] green, float[] blue) {
         return switch (channel) {
-            case 0 -> red;
-            case 1 -> green;
-            case 2 -> blue;
+            case 0 -> texelRed;
+            case 1 -> texelGreen;
+            case 2 -> texelBlue;
             default -> throw new IllegalArgumentException("channel " + channel);
         };
     }

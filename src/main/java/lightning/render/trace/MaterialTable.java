@@ -9,6 +9,7 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import lightning.base.math.Rgb;
+import lightning.render.trace.HitRows.ColumnGroup;
 import lightning.scene.Scene;
 import lightning.scene.asset.TextureMap;
 import lightning.scene.material.Material;
@@ -39,7 +40,9 @@ public final class MaterialTable {
     private final float[] glow;
     /** Glow without that of bulbs; the same array if there are none. */
     private final float[] ownGlow;
-    private final boolean hasGlowMaps;
+    /** Columns of images by material, and of any of them. */
+    private final TexelColumns[] texels;
+    private final TexelColumns anyTexels;
     private final float[] diffuse;
     private final float[] specular;
     private final float[] reflective;
@@ -65,7 +68,8 @@ public final class MaterialTable {
         ambient = new float[3 * count];
         glow = new float[3 * count];
         ownGlow = materials.stream().allMatch(m -> m.bulb().glow().isBlack()) ? glow : new float[3 * count];
-        hasGlowMaps = materials.stream().anyMatch(m -> m.glowMap().isPresent());
+        texels = new TexelColumns[count];
+        anyTexels = TexelColumns.ofAny(materials);
         diffuse = new float[3 * count];
         specular = new float[3 * count];
         reflective = new float[3 * count];
@@ -77,6 +81,7 @@ public final class MaterialTable {
         for (int m = 0; m < count; m++) {
             Material material = materials.get(m);
             this.vertexColored[m] = vertexColorMaterials.contains(material.name());
+            texels[m] = vertexColored[m] ? TexelColumns.of(material).or(TexelColumns.COLORS) : TexelColumns.of(material);
             store(material.ambient(), ambient, 3 * m);
             store(material.glow(), ownGlow, 3 * m);
             store(material.emission(), glow, 3 * m);
@@ -204,7 +209,7 @@ public final class MaterialTable {
      * Returns true if rows of material {@code m} have texture colors, from its texture or from vertex colors of any shape that uses it.
      */
     public boolean isTextured(int m) {
-        return vertexColored[m] || materials.get(m).texture().isPresent();
+        return texels[m].has(ColumnGroup.TEXEL);
     }
 
     /** Returns the texture of material {@code m}; null if it has none. */
@@ -241,23 +246,32 @@ public final class MaterialTable {
         return ambient[3 * m + channel];
     }
 
-    /** Returns the light that the surface emits itself, before its {@link #glowMap}. */
+    /** Returns the light that the surface emits itself, before its glow map. */
     public float glow(int m, int channel) {
         return glow[3 * m + channel];
     }
 
-    /** Returns the image that multiplies the glow of material {@code m}; null if it has none. */
-    public TextureMap glowMap(int m) {
-        return materials.get(m).glowMap().orElse(null);
+    /**
+     * Returns the image of material {@code m} whose colors its rows have in some columns; null if it has none.
+     *
+     * @param group one of {@link ColumnGroup#TEXELS}
+     */
+    public TextureMap map(ColumnGroup group, int m) {
+        return group.map(materials.get(m)).orElse(null);
     }
 
-    /** Returns whether any material has a {@link #glowMap}. */
-    public boolean hasGlowMaps() {
-        return hasGlowMaps;
+    /** Returns which colors of images rows of material {@code m} have. */
+    public TexelColumns texels(int m) {
+        return texels[m];
+    }
+
+    /** Returns which colors of images rows of any material may have. */
+    public TexelColumns anyTexels() {
+        return anyTexels;
     }
 
     /**
-     * Returns one channel of the glow that lights other surfaces, before its {@link #glowMap}: without that of a bulb, whose light does so
+     * Returns one channel of the glow that lights other surfaces, before its glow map: without that of a bulb, whose light does so
      * itself.
      */
     public float ownGlow(int m, int channel) {

@@ -70,7 +70,7 @@ public final class RowSplice {
     private HitRows allocateRows(int[] ends, MaterialTable materials) {
         TexelColumns needed = TexelColumns.NONE;
         for (int r = 0; r < materials.count(); r++) {
-            needed = ends[r + 1] > ends[r] ? needed.or(TexelColumns.of(materials, materials.materialAtRank(r))) : needed;
+            needed = ends[r + 1] > ends[r] ? needed.or(materials.texels(materials.materialAtRank(r))) : needed;
         }
         TexelColumns known = added == null ? old.texels() : old.texels().or(added.texels());
         HitRows allocated = new HitRows(source.length, needed.and(known), transparentCount > 0, old.pattern != null, old.owner != null);

@@ -1,7 +1,9 @@
 package lightning.render.trace;
 
+import java.util.Map;
 import lightning.base.math.Ray;
 import lightning.base.math.Vec3;
+import lightning.render.trace.HitRows.ColumnGroup;
 import lightning.scene.material.Transmission;
 
 /**
@@ -16,10 +18,10 @@ import lightning.scene.material.Transmission;
  * @param specular k<sub>specular</sub>, or F0 including the texture, linear RGB, {@code float[3]}
  * @param backSide start of the refracted ray; null for opaque materials
  * @param texel texture color alone, linear RGB, {@code float[3]}; white if there is none
- * @param glowTexel color of the glow map, linear RGB, {@code float[3]}; null if there is none
+ * @param maps colors of the material's other images, linear RGB, {@code float[3]} each; none for images that it lacks
  */
 public record SurfacePoint(int primitive, int material, float px, float py, float pz, float nx, float ny, float nz,
-        float vx, float vy, float vz, float[] diffuse, float[] specular, float[] texel, float[] glowTexel,
+        float vx, float vy, float vz, float[] diffuse, float[] specular, float[] texel, Map<ColumnGroup, float[]> maps,
         BackSide backSide) {
 
     /**

@@ -1,7 +1,10 @@
 package lightning.render.trace;
 
+import java.util.EnumMap;
+import java.util.Map;
 import lightning.base.math.Ray;
 import lightning.base.math.Vec3;
+import lightning.render.trace.HitRows.ColumnGroup;
 import lightning.render.trace.primitive.PrimitiveTable;
 import lightning.render.trace.primitive.SurfaceHit;
 import lightning.render.trace.primitive.TextureFootprint;
@@ -43,17 +46,20 @@ record SurfacePointBuilder(PrimitiveTable primitives, MaterialTable materials) {
                     insideDistance(materials.transmission(material), surface, t));
         }
         return new SurfacePoint(primitive, material, surface.px, surface.py, surface.pz, surface.nx, surface.ny, surface.nz,
-                (float) d.x(), (float) d.y(), (float) d.z(), diffuse, specular, texel, glowTexel(surface, primitive, part), backSide);
+                (float) d.x(), (float) d.y(), (float) d.z(), diffuse, specular, texel, maps(surface, primitive, part), backSide);
     }
 
-    private float[] glowTexel(SurfaceHit surface, int primitive, int part) {
-        TextureMap map = materials.glowMap(primitives.material[primitive]);
-        if (map == null) {
-            return null;
+    private Map<ColumnGroup, float[]> maps(SurfaceHit surface, int primitive, int part) {
+        Map<ColumnGroup, float[]> texels = new EnumMap<>(ColumnGroup.class);
+        for (ColumnGroup group : ColumnGroup.TEXELS) {
+            TextureMap map = materials.map(group, primitives.material[primitive]);
+            if (map != null && group != ColumnGroup.TEXEL) {
+                float[] texel = new float[3];
+                new TextureLookup().lookUpMap(primitives, primitive, part, map, surface.localX, surface.localY, surface.localZ, texel);
+                texels.put(group, texel);
+            }
         }
-        float[] texel = new float[3];
-        new TextureLookup().lookUpMap(primitives, primitive, part, map, surface.localX, surface.localY, surface.localZ, texel);
-        return texel;
+        return texels;
     }
 
     /** Returns the point behind the surface that a ray hits at a distance. */
@@ -65,14 +71,14 @@ record SurfacePointBuilder(PrimitiveTable primitives, MaterialTable materials) {
 
     /** Returns the mean color of the glow map in a square around a ray's hit; null if the material has none. */
     float[] meanGlowTexel(int primitive, int part, Ray ray, double t, double side) {
-        int material = primitives.material[primitive];
-        if (materials.glowMap(material) == null) {
+        TextureMap map = materials.map(ColumnGroup.GLOW_TEXEL, primitives.material[primitive]);
+        if (map == null) {
             return null;
         }
         SurfaceHit surface = hit(primitive, part, ray, t);
         float[] texel = new float[3];
-        new TextureFootprint().lookUpMap(primitives, primitive, part, materials.glowMap(material), surface.localX, surface.localY,
-                surface.localZ, surface.nx, surface.ny, surface.nz, side, texel);
+        new TextureFootprint().lookUpMap(primitives, primitive, part, map, surface.localX, surface.localY, surface.localZ, surface.nx,
+                surface.ny, surface.nz, side, texel);
         return texel;
     }
 

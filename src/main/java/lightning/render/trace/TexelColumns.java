@@ -1,57 +1,76 @@
 package lightning.render.trace;
 
+import java.util.Collection;
+import java.util.List;
+import lightning.render.trace.HitRows.ColumnGroup;
+import lightning.scene.material.Material;
+
 /**
- * Which texture colors rows have.
+ * Which colors of images rows have: some of {@link ColumnGroup#TEXELS}.
  *
- * @param colors colors of textures and of vertices, which multiply the main color
- * @param glow   colors of glow maps, which multiply the glow
+ * @param bits bit i is set for group i of {@link ColumnGroup#TEXELS}
  */
-public record TexelColumns(boolean colors, boolean glow) {
-    public static final TexelColumns NONE = new TexelColumns(false, false);
-    public static final TexelColumns COLORS = new TexelColumns(true, false);
-    private static final TexelColumns GLOW = new TexelColumns(false, true);
-    private static final TexelColumns BOTH = new TexelColumns(true, true);
+public record TexelColumns(int bits) {
+    public static final TexelColumns NONE = new TexelColumns(0);
+    /** Colors of textures and of vertices, which multiply the main color. */
+    public static final TexelColumns COLORS = NONE.with(ColumnGroup.TEXEL);
+    public static final TexelColumns ALL = new TexelColumns((1 << ColumnGroup.TEXELS.size()) - 1);
 
-    private static TexelColumns of(boolean colors, boolean glow) {
-        return glow ? colors ? BOTH : GLOW : colors ? COLORS : NONE;
-    }
-
-    /** Returns what rows of material {@code m} have. */
-    static TexelColumns of(MaterialTable materials, int m) {
-        return of(materials.isTextured(m), materials.glowMap(m) != null);
+    /** Returns these and the columns of a group. */
+    TexelColumns with(ColumnGroup group) {
+        return new TexelColumns(bits | 1 << ColumnGroup.TEXELS.indexOf(group));
     }
 
     /** Returns what the runs of some rows have. */
     static TexelColumns of(MaterialTable materials, HitRows rows) {
         TexelColumns found = NONE;
         for (int r = 0; r < rows.runCount; r++) {
-            found = found.or(of(materials, rows.runMaterial[r]));
+            found = found.or(materials.texels(rows.runMaterial[r]));
         }
         return found;
     }
 
-    /** Returns what rows of any material may have, besides the colors that each of them may have. */
-    public static TexelColumns ofAny(MaterialTable materials) {
-        return of(true, materials.hasGlowMaps());
+    /** Returns which images a material has. */
+    static TexelColumns of(Material material) {
+        TexelColumns found = NONE;
+        for (ColumnGroup group : ColumnGroup.TEXELS) {
+            found = group.map(material).isPresent() ? found.with(group) : found;
+        }
+        return found;
+    }
+
+    /** Returns what rows of any material may have: colors of vertices, and its images. */
+    public static TexelColumns ofAny(Collection<Material> materials) {
+        return materials.stream().map(TexelColumns::of).reduce(COLORS, TexelColumns::or);
     }
 
     /** Returns what either has. */
     public TexelColumns or(TexelColumns o) {
-        return of(colors || o.colors, glow || o.glow);
+        return new TexelColumns(bits | o.bits);
     }
 
     /** Returns what both have. */
     TexelColumns and(TexelColumns o) {
-        return of(colors && o.colors, glow && o.glow);
+        return new TexelColumns(bits & o.bits);
+    }
+
+    /** Returns whether rows have the columns of a group. */
+    public boolean has(ColumnGroup group) {
+        return (bits >> ColumnGroup.TEXELS.indexOf(group) & 1) != 0;
+    }
+
+    /** Returns the groups of columns. */
+    List<ColumnGroup> groups() {
+        return ColumnGroup.TEXELS.stream().filter(this::has).toList();
     }
 
     /** Returns the bytes of a row. */
     public int bytesPerRow() {
-        return (colors ? HitRows.ColumnGroup.TEXEL.bytesPerRow() : 0) + (glow ? HitRows.ColumnGroup.GLOW_TEXEL.bytesPerRow() : 0);
+        return groups().stream().mapToInt(ColumnGroup::bytesPerRow).sum();
     }
 
-    /** Returns whether rows have neither. */
+    /** Returns whether rows have none. */
     public boolean isNone() {
-        return !colors && !glow;
+        return bits == 0;
     }
 }

@@ -74,7 +74,7 @@ public final class TexelUpdater {
         HitRows updated = rows.withCopiedTexels(needed);
         for (int r = 0; r < rows.runCount; r++) {
             int material = rows.runMaterial[r];
-            if (changed.contains(material) && !TexelColumns.of(materials, material).isNone()) {
+            if (changed.contains(material) && !materials.texels(material).isNone()) {
                 updateRun(updated, r, parentRows, bounce, positions);
             }
         }

@@ -1,11 +1,12 @@
 package lightning.render.trace;
 
+import lightning.render.trace.HitRows.ColumnGroup;
 import lightning.render.trace.primitive.PrimitiveTable;
 import lightning.render.trace.primitive.TextureFootprint;
 import lightning.render.trace.primitive.TextureLookup;
 import lightning.scene.asset.TextureMap;
 
-/** Writes the colors of textures, vertices and glow maps of rows whose surfaces were just computed. Holds scratch memory: use one per thread. */
+/** Writes the colors of vertices and of the materials' images of rows whose surfaces were just computed. Holds scratch memory: use one per thread. */
 final class TexelWriter {
     private final PrimitiveTable primitives;
     private final MaterialTable materials;
@@ -22,29 +23,38 @@ final class TexelWriter {
      * Writes texels from {@code row} on. The rows are the rays' hits in order; consecutive ones often have the same primitive.
      */
     void write(HitRows rows, int row, RayColumns rays) {
+        for (ColumnGroup group : ColumnGroup.TEXELS) {
+            if (rows.texel(group, 0) != null) {
+                write(group, rows, row, rays);
+            }
+        }
+    }
+
+    private void write(ColumnGroup group, HitRows rows, int row, RayColumns rays) {
+        float[] red = rows.texel(group, 0);
+        float[] green = rows.texel(group, 1);
+        float[] blue = rows.texel(group, 2);
         int lastPrimitive = -1;
-        boolean textured = false;
+        boolean isMapped = false;
         TextureMap map = null;
-        TextureMap glowMap = null;
         for (int i = 0; i < rays.hitCount; i++) {
             int ray = rays.order[i];
             int primitive = rays.primitive[ray];
             if (primitive != lastPrimitive) {
                 lastPrimitive = primitive;
                 int material = primitives.material[primitive];
-                textured = materials.isTextured(material);
-                map = materials.texture(material);
-                glowMap = materials.glowMap(material);
+                isMapped = materials.texels(material).has(group);
+                map = materials.map(group, material);
             }
-            if (textured) {
-                lookup.lookUp(primitives, primitive, rays.part[ray], map, rays.localX[i], rays.localY[i], rays.localZ[i], texel);
-                rows.texelRed[row + i] = texel[0];
-                rows.texelGreen[row + i] = texel[1];
-                rows.texelBlue[row + i] = texel[2];
-            }
-            if (glowMap != null) {
-                lookup.lookUpMap(primitives, primitive, rays.part[ray], glowMap, rays.localX[i], rays.localY[i], rays.localZ[i], texel);
-                writeGlow(rows, row + i);
+            if (isMapped) {
+                if (group == ColumnGroup.TEXEL) {
+                    lookup.lookUp(primitives, primitive, rays.part[ray], map, rays.localX[i], rays.localY[i], rays.localZ[i], texel);
+                } else {
+                    lookup.lookUpMap(primitives, primitive, rays.part[ray], map, rays.localX[i], rays.localY[i], rays.localZ[i], texel);
+                }
+                red[row + i] = texel[0];
+                green[row + i] = texel[1];
+                blue[row + i] = texel[2];
             }
         }
     }
@@ -56,28 +66,35 @@ final class TexelWriter {
      * @param sides side of each row's square, scene units
      */
     void writeMeans(HitRows rows, RayColumns rays, double[] sides) {
-        for (int row = 0; row < rows.count; row++) {
-            int ray = rays.order[row];
-            int primitive = rays.primitive[ray];
-            int material = primitives.material[primitive];
-            if (materials.isTextured(material)) {
-                footprint.lookUp(primitives, primitive, rays.part[ray], materials.texture(material), rays.localX[row], rays.localY[row],
-                        rays.localZ[row], rows.nx[row], rows.ny[row], rows.nz[row], sides[row], texel);
-                rows.texelRed[row] = texel[0];
-                rows.texelGreen[row] = texel[1];
-                rows.texelBlue[row] = texel[2];
-            }
-            if (materials.glowMap(material) != null) {
-                footprint.lookUpMap(primitives, primitive, rays.part[ray], materials.glowMap(material), rays.localX[row], rays.localY[row],
-                        rays.localZ[row], rows.nx[row], rows.ny[row], rows.nz[row], sides[row], texel);
-                writeGlow(rows, row);
+        for (ColumnGroup group : ColumnGroup.TEXELS) {
+            if (rows.texel(group, 0) != null) {
+                writeMeans(group, rows, rays, sides);
             }
         }
     }
 
-    private void writeGlow(HitRows rows, int row) {
-        rows.glowTexelRed[row] = texel[0];
-        rows.glowTexelGreen[row] = texel[1];
-        rows.glowTexelBlue[row] = texel[2];
+    private void writeMeans(ColumnGroup group, HitRows rows, RayColumns rays, double[] sides) {
+        for (int row = 0; row < rows.count; row++) {
+            int ray = rays.order[row];
+            int primitive = rays.primitive[ray];
+            int material = primitives.material[primitive];
+            if (materials.texels(material).has(group)) {
+                writeMean(group, primitive, rays.part[ray], rays, rows, row, sides[row]);
+                rows.texel(group, 0)[row] = texel[0];
+                rows.texel(group, 1)[row] = texel[1];
+                rows.texel(group, 2)[row] = texel[2];
+            }
+        }
+    }
+
+    private void writeMean(ColumnGroup group, int primitive, int part, RayColumns rays, HitRows rows, int row, double side) {
+        TextureMap map = materials.map(group, primitives.material[primitive]);
+        if (group == ColumnGroup.TEXEL) {
+            footprint.lookUp(primitives, primitive, part, map, rays.localX[row], rays.localY[row], rays.localZ[row], rows.nx[row],
+                    rows.ny[row], rows.nz[row], side, texel);
+        } else {
+            footprint.lookUpMap(primitives, primitive, part, map, rays.localX[row], rays.localY[row], rays.localZ[row], rows.nx[row],
+                    rows.ny[row], rows.nz[row], side, texel);
+        }
     }
 }

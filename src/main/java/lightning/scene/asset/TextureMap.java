@@ -1,5 +1,6 @@
 package lightning.scene.asset;
 
+import io.soabase.recordbuilder.core.RecordBuilder;
 import lightning.scene.value.SceneLimits;
 
 /**
@@ -11,7 +12,8 @@ import lightning.scene.value.SceneLimits;
  * @param image   the decoded image
  * @param isClamped true if pixels at the edges do not blend with the opposite edge: the image covers the surface once, so the repetitions are 1 or −1
  */
-public record TextureMap(String file, double repeatU, double repeatV, Texture image, boolean isClamped) {
+@RecordBuilder
+public record TextureMap(String file, double repeatU, double repeatV, Texture image, boolean isClamped) implements TextureMapBuilder.With {
     public TextureMap {
         checkRepeat("repeat u", repeatU);
         checkRepeat("repeat v", repeatV);

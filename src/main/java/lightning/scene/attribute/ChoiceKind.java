@@ -46,11 +46,6 @@ public record ChoiceKind<V>(List<V> values, List<String> words, List<String> lab
     }
 
     @Override
-    public boolean isEquivalent(V a, V b) {
-        return a.equals(b);
-    }
-
-    @Override
     public String format(V value) {
         return words.get(values.indexOf(value));
     }

@@ -1,7 +1,9 @@
 package lightning.scene.attribute;
 
+import java.util.Optional;
 import java.util.function.BiFunction;
 import java.util.function.Function;
+import java.util.function.UnaryOperator;
 
 /**
  * Descriptor of one attribute of a scene record: name, kind, initial value, unit and access. The file format, the command line's edits, the
@@ -85,6 +87,20 @@ public class SceneAttribute<T, V> {
     /** Returns {@code to} with the value of {@code from}. */
     public final T copy(T from, T to) {
         return with(to, get(from));
+    }
+
+    /** Returns the name of the file that the value refers to, as in the scene file; empty if there is none. */
+    public final Optional<String> file(T record) {
+        return kind.file(get(record));
+    }
+
+    /**
+     * Returns the record with another name of the file that the value refers to.
+     *
+     * @param newName returns the new name for the old one
+     */
+    public final T renameFile(T record, UnaryOperator<String> newName) {
+        return file(record).isEmpty() ? record : with(record, kind.renameFile(get(record), newName));
     }
 
     /** Returns whether the values of both records have the same effect. */

@@ -1,6 +1,7 @@
 package lightning.scene.attribute;
 
 import java.util.Optional;
+import java.util.function.UnaryOperator;
 import lightning.base.text.Messages;
 import lightning.scene.asset.Environment;
 import lightning.scene.asset.FileAsset;
@@ -32,13 +33,31 @@ public sealed interface ValueKind<V> permits ValueKind.LightKind, ValueKind.Mate
      * @param name the attribute's name in the message
      * @throws IllegalArgumentException if it is out of range; the message has the expected and the actual value
      */
-    void check(String name, V value);
+    default void check(String name, V value) {
+        // Most values are checked when they are made or read.
+    }
 
     /** Returns whether two values have the same effect. */
-    boolean isEquivalent(V a, V b);
+    default boolean isEquivalent(V a, V b) {
+        return a.equals(b);
+    }
 
     /** Formats a value for the user. */
     String format(V value);
+
+    /** Returns the name of the file that a value refers to, as in the scene file; empty if there is none. */
+    default Optional<String> file(V value) {
+        return Optional.empty();
+    }
+
+    /**
+     * Returns a value that refers to its file by another name.
+     *
+     * @param newName returns the new name for the old one
+     */
+    default V renameFile(V value, UnaryOperator<String> newName) {
+        return value;
+    }
 
     /** Returns the behavior of values of this kind between keyframes. */
     default KeyframeSupport keyframeSupport() {
@@ -70,11 +89,6 @@ public sealed interface ValueKind<V> permits ValueKind.LightKind, ValueKind.Mate
         }
 
         @Override
-        public boolean isEquivalent(String a, String b) {
-            return a.equals(b);
-        }
-
-        @Override
         public String format(String value) {
             return value.isEmpty() ? "none" : value;
         }
@@ -88,16 +102,6 @@ public sealed interface ValueKind<V> permits ValueKind.LightKind, ValueKind.Mate
      */
     record LinksKind(String caption, String help) implements LightKind<ShapeLinks> {
         @Override
-        public void check(String name, ShapeLinks value) {
-            // The constructor of the links checks them.
-        }
-
-        @Override
-        public boolean isEquivalent(ShapeLinks a, ShapeLinks b) {
-            return a.equals(b);
-        }
-
-        @Override
         public String format(ShapeLinks value) {
             return value.format();
         }
@@ -110,16 +114,6 @@ public sealed interface ValueKind<V> permits ValueKind.LightKind, ValueKind.Mate
      */
     record GainsKind(String help) implements LightKind<ShapeGains> {
         @Override
-        public void check(String name, ShapeGains value) {
-            // The constructor of the gains checks them.
-        }
-
-        @Override
-        public boolean isEquivalent(ShapeGains a, ShapeGains b) {
-            return a.equals(b);
-        }
-
-        @Override
         public String format(ShapeGains value) {
             return value.format();
         }
@@ -127,11 +121,6 @@ public sealed interface ValueKind<V> permits ValueKind.LightKind, ValueKind.Mate
 
     /** Optional file with its content. */
     sealed interface AssetKind<F extends FileAsset> extends LightKind<Optional<F>> {
-        @Override
-        default void check(String name, Optional<F> value) {
-            // Every file is checked when it is read.
-        }
-
         @Override
         default boolean isEquivalent(Optional<F> a, Optional<F> b) {
             return a.map(FileAsset::content).equals(b.map(FileAsset::content));
@@ -141,19 +130,52 @@ public sealed interface ValueKind<V> permits ValueKind.LightKind, ValueKind.Mate
         default String format(Optional<F> value) {
             return value.map(FileAsset::file).orElse("none");
         }
+
+        @Override
+        default Optional<String> file(Optional<F> value) {
+            return value.map(FileAsset::file);
+        }
+
+        @Override
+        default Optional<F> renameFile(Optional<F> value, UnaryOperator<String> newName) {
+            return value.map(asset -> withFile(asset, newName.apply(asset.file())));
+        }
+
+        /** Returns an asset of another file name with the same content. */
+        F withFile(F asset, String file);
     }
 
     /** Optional gobo image. */
-    record GoboKind() implements AssetKind<Gobo> {}
+    record GoboKind() implements AssetKind<Gobo> {
+        @Override
+        public Gobo withFile(Gobo asset, String file) {
+            return new Gobo(file, asset.image());
+        }
+    }
 
     /** Optional IES profile; without it the light is uniform. */
-    record ProfileKind() implements AssetKind<IesProfile> {}
+    record ProfileKind() implements AssetKind<IesProfile> {
+        @Override
+        public IesProfile withFile(IesProfile asset, String file) {
+            return new IesProfile(file, asset.photometry());
+        }
+    }
 
     /** Optional image on the face of an area light. */
-    record LightTextureKind() implements AssetKind<LightTexture> {}
+    record LightTextureKind() implements AssetKind<LightTexture> {
+        @Override
+        public LightTexture withFile(LightTexture asset, String file) {
+            return new LightTexture(file, asset.image());
+        }
+    }
 
     /** Optional environment map. */
-    record EnvironmentKind() implements AssetKind<Environment> {}
+    record EnvironmentKind() implements AssetKind<Environment> {
+        @Override
+        public Environment withFile(Environment asset, String file) {
+            return new Environment(file, asset.map());
+        }
+    }
 
     /**
      * Optional texture.
@@ -163,11 +185,6 @@ public sealed interface ValueKind<V> permits ValueKind.LightKind, ValueKind.Mate
      */
     record TextureKind(String repeatName, TextureUsage usage) implements MaterialKind<Optional<TextureMap>> {
         @Override
-        public void check(String name, Optional<TextureMap> value) {
-            // The constructor of the map checks it.
-        }
-
-        @Override
         public boolean isEquivalent(Optional<TextureMap> a, Optional<TextureMap> b) {
             return a.isPresent() == b.isPresent() && (a.isEmpty() || a.get().hasSameTexels(b.get()));
         }
@@ -176,6 +193,16 @@ public sealed interface ValueKind<V> permits ValueKind.LightKind, ValueKind.Mate
         public String format(Optional<TextureMap> value) {
             return value.map(t -> t.file() + " " + SceneLimits.formatShort(t.repeatU()) + " × " + SceneLimits.formatShort(t.repeatV()))
                     .orElse("none");
+        }
+
+        @Override
+        public Optional<String> file(Optional<TextureMap> value) {
+            return value.map(TextureMap::file);
+        }
+
+        @Override
+        public Optional<TextureMap> renameFile(Optional<TextureMap> value, UnaryOperator<String> newName) {
+            return value.map(map -> map.withFile(newName.apply(map.file())));
         }
     }
 }

@@ -1,5 +1,6 @@
 package lightning.scene.material;
 
+import io.soabase.recordbuilder.core.RecordBuilder;
 import java.util.Optional;
 import lightning.scene.Camera;
 import lightning.scene.asset.TextureMap;
@@ -11,7 +12,8 @@ import lightning.scene.asset.TextureMap;
  * @param cutoff opacity below which a point is removed
  * @param clip   part of a plane that is removed: always {@link Clip#NONE} in materials of the document
  */
-public record AlphaCutout(Optional<TextureMap> map, double cutoff, Clip clip) {
+@RecordBuilder
+public record AlphaCutout(Optional<TextureMap> map, double cutoff, Clip clip) implements AlphaCutoutBuilder.With {
 
     /** Part of a plane that is removed to make the face of a light. */
     public enum Clip {
@@ -33,18 +35,6 @@ public record AlphaCutout(Optional<TextureMap> map, double cutoff, Clip clip) {
     /** Creates a cutout by a map. */
     public AlphaCutout(Optional<TextureMap> map, double cutoff) {
         this(map, cutoff, Clip.NONE);
-    }
-
-    public AlphaCutout withMap(Optional<TextureMap> v) {
-        return new AlphaCutout(v, cutoff, clip);
-    }
-
-    public AlphaCutout withCutoff(double v) {
-        return new AlphaCutout(map, v, clip);
-    }
-
-    public AlphaCutout withClip(Clip v) {
-        return new AlphaCutout(map, cutoff, v);
     }
 
     /** Returns whether any point may be removed. */

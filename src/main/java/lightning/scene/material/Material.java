@@ -79,13 +79,17 @@ public record Material(String name, Rgb ambient, Rgb glow, Optional<TextureMap> 
 
     /** Returns whether the images that rows of both look up are the same. */
     public boolean hasSameTextures(Material o) {
-        return texture.equals(o.texture) && glowMap.equals(o.glowMap);
+        return MaterialAttribute.MAPS.stream().filter(map -> map.term() == MaterialTerm.TEXEL)
+                .allMatch(map -> map.get(this).equals(map.get(o)));
     }
 
     /** Returns this material without any image; where an image says which parts glow, none does. */
     public Material withoutImages() {
-        return with(m -> m.glow(glowMap.isPresent() ? Rgb.BLACK : glow).texture(Optional.empty()).glowMap(Optional.empty())
-                .bumpMapping(BumpMapping.NONE).cutout(AlphaCutout.NONE));
+        Material plain = with(m -> m.glow(glowMap.isPresent() ? Rgb.BLACK : glow).bumpMapping(BumpMapping.NONE).cutout(AlphaCutout.NONE));
+        for (MaterialAttribute<Optional<TextureMap>> map : MaterialAttribute.MAPS) {
+            plain = map.with(plain, Optional.empty());
+        }
+        return plain;
     }
 
     /** Returns whether its shading model is {@link ShadingModel#METALLIC}. */

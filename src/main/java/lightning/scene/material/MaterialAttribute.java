@@ -149,6 +149,8 @@ public final class MaterialAttribute<V> extends SceneAttribute<Material, V> {
 
     /** All attributes, in declaration order; the model comes before the attributes that depend on it. */
     public static final List<MaterialAttribute<?>> ALL = List.copyOf(REGISTRY);
+    /** Attributes whose values are images. */
+    public static final List<MaterialAttribute<Optional<TextureMap>>> MAPS = ALL.stream().flatMap(a -> a.asMap().stream()).toList();
 
     private final ValueKind.MaterialKind<V> kind;
     private final MaterialTerm term;
@@ -183,6 +185,18 @@ public final class MaterialAttribute<V> extends SceneAttribute<Material, V> {
             Function<Material, Double> get, BiFunction<Material, Double, Material> with, MaterialTerm term, ShadingModel model,
             Section section, String help) {
         return new MaterialAttribute<>(name, NumericKind.number(0, max, step), initial, unit, get, with, term, model, section, help);
+    }
+
+    /** Returns itself if its values are images. */
+    // The only kind of images has one type of values.
+    @SuppressWarnings("unchecked")
+    public Optional<MaterialAttribute<Optional<TextureMap>>> asMap() {
+        return kind instanceof ValueKind.TextureKind ? Optional.of((MaterialAttribute<Optional<TextureMap>>) this) : Optional.empty();
+    }
+
+    /** Returns the meaning of the samples of its image; empty if its values are no images. */
+    public Optional<TextureUsage> usage() {
+        return kind instanceof ValueKind.TextureKind map ? Optional.of(map.usage()) : Optional.empty();
     }
 
     /** Returns whether it acts on materials of this model; otherwise it has its initial value there. */

@@ -52,7 +52,7 @@ class CommandTest {
         frame = Optional
                 .of(new Frame(renderer.film(), renderer.film(), DisplayMode.FULL_PICTURE, renderer.scene(),
                         renderer.cache().mirroredScene(), update,
-                        renderer.cache().geometry(), null, renderer.isFinished()));
+                        renderer.cache().geometry(), null, Frame.Step.ALL_LIGHT, renderer.isFinished()));
     }
 
     private void updateReflections() {
@@ -60,7 +60,7 @@ class CommandTest {
         frame = Optional
                 .of(new Frame(renderer.film(), renderer.film(), DisplayMode.FULL_PICTURE, renderer.scene(),
                         renderer.cache().mirroredScene(), update,
-                        renderer.cache().geometry(), null, renderer.isFinished()));
+                        renderer.cache().geometry(), null, Frame.Step.ALL_LIGHT, renderer.isFinished()));
     }
 
     private EditorState editorState() {
@@ -132,7 +132,7 @@ class CommandTest {
         go();
         frame = frame.map(
                 f -> new Frame(f.film(), f.displayed(), f.displayMode(), f.scene(), f.mirroredScene(), f.update(), f.geometry(),
-                        f.indirect(), false));
+                        f.indirect(), f.step(), false));
         assertEnabled(Command.GO);
         assertThat(editorState().pendingMessage()).contains("the image is not anti-aliased yet");
         assertThat(Command.GO.disabledReason(editorState().withSceneInProgress(Optional.of(document.scene()))))

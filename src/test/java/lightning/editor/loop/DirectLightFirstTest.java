@@ -51,10 +51,15 @@ class DirectLightFirstTest {
     @Test
     void firstPass_showsDirectLightThenAddsIndirectLight() throws InterruptedException {
         loop.render(scene);
-        assertShows(next(), scene.withoutIndirect());
+        RecordingRenderListener.Shown direct = next();
+        assertShows(direct, scene.withoutIndirect());
+        assertThat(direct.frame().step()).isEqualTo(Frame.Step.DIRECT_LIGHT);
+        assertThat(direct.frame().showsDirectLightOf(scene)).isTrue();
         RecordingRenderListener.Shown shown = next();
         assertShows(shown, scene);
         assertThat(shown.frame().mirrorsAreCurrent()).isTrue();
+        assertThat(shown.frame().step()).isEqualTo(Frame.Step.INDIRECT_LIGHT);
+        assertThat(shown.frame().showsDirectLightOf(scene)).isFalse();
         listener.expectNext(RecordingRenderListener.Event.IDLE);
     }
 
@@ -63,7 +68,9 @@ class DirectLightFirstTest {
         loop.render(scene);
         listener.expectNext(RecordingRenderListener.Event.IDLE);
         loop.render(dimmed(0.5));
-        assertThat(next().frame().scene()).isEqualTo(dimmed(0.5));
+        Frame edited = next().frame();
+        assertThat(edited.scene()).isEqualTo(dimmed(0.5));
+        assertThat(edited.step()).isEqualTo(Frame.Step.ALL_LIGHT);
     }
 
     @Test
@@ -162,7 +169,9 @@ class DirectLightFirstTest {
         hold.awaitReached();
         loop.cancel();
         hold.release();
-        assertShows(next(), scene.withoutIndirect());
+        RecordingRenderListener.Shown direct = next();
+        assertShows(direct, scene.withoutIndirect());
+        assertThat(direct.frame().step()).isEqualTo(Frame.Step.DIRECT_LIGHT);
         listener.expectNext(RecordingRenderListener.Event.CANCELLED);
         listener.expectNext(RecordingRenderListener.Event.IDLE);
         loop.render(scene);

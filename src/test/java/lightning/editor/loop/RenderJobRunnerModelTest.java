@@ -78,7 +78,8 @@ class RenderJobRunnerModelTest {
         private void show(Scene scene, boolean isFinished) {
             renderedScene = scene;
             this.isFinished = isFinished;
-            listener.rendered(new Frame(null, null, DisplayMode.FULL_PICTURE, scene, scene, null, null, null, isFinished));
+            listener.rendered(
+                    new Frame(null, null, DisplayMode.FULL_PICTURE, scene, scene, null, null, null, Frame.Step.ALL_LIGHT, isFinished));
         }
 
         @Override

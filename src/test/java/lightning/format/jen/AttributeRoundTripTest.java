@@ -9,6 +9,7 @@ import lightning.sample.AttributeArbitraries;
 import lightning.sample.AttributeArbitraries.Changed;
 import lightning.sample.StudioScene;
 import lightning.scene.Scene;
+import lightning.scene.asset.TextureMap;
 import lightning.scene.attribute.ValueKind;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightType;
@@ -43,9 +44,11 @@ class AttributeRoundTripTest {
     }
 
     private static Material withoutFiles(Material material) {
-        return material.withTexture(Optional.empty()).withGlowMap(Optional.empty())
-                .withBumpMapping(material.bumpMapping().withBump(Optional.empty()).withNormalMap(Optional.empty()))
-                .withCutout(material.cutout().withMap(Optional.empty()));
+        Material result = material;
+        for (MaterialAttribute<Optional<TextureMap>> map : MaterialAttribute.MAPS) {
+            result = map.with(result, Optional.empty());
+        }
+        return result;
     }
 
     @Property

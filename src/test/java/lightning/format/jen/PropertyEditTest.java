@@ -5,14 +5,17 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.nio.file.Path;
 import java.util.List;
+import java.util.stream.Stream;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
+import lightning.scene.attribute.ValueKind;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightGroup;
 import lightning.scene.light.LightType;
 import lightning.scene.material.Material;
+import lightning.scene.material.MaterialAttribute;
 import lightning.scene.node.NodeGroup;
 import lightning.scene.node.Shape;
 import lightning.scene.value.Attenuation;
@@ -167,7 +170,6 @@ class PropertyEditTest {
         "floor.texture=\"a.png\" | material 'floor': texture must be one that the scene already has, was 'a.png'",
         "material:flor.shininess=1 | there is no material 'flor', did you mean 'floor'?",
         "material:key.shininess=1 | there is no material 'key'",
-        "material:floor.shinines=1 | material 'floor': unknown property 'shinines', expected one of ambient, glow, glow_map, glow_repeat, bulb, bulb_exposure, model, diffuse, base, texture, repeat, cutout, cutout_repeat, cutoff, bump, bump_repeat, height, normal_map, normal_repeat, strength, specular, shininess, metalness, roughness, f0, reflective, clear, ior, thin, tint, tint_distance, shadows, did you mean 'shininess'?",
         "material:floor.shininess=-1 | material 'floor': shininess must be ≥ 0, was -1",
         "material:floor.diffuse=1 1 2 | material 'floor': diffuse blue must be from 0 to 1, was 2",
         "camera.from=0 0 0 | camera: from and to must be different points",
@@ -175,6 +177,16 @@ class PropertyEditTest {
     })
     void invalidEdit_isReported(String edit, String message) {
         assertThatThrownBy(() -> PropertyEdit.apply(scene, edit)).isInstanceOf(IllegalArgumentException.class).hasMessage(message);
+    }
+
+    @Test
+    void unknownProperty_isReportedWithThoseOfTheTable() {
+        List<String> names = MaterialAttribute.ALL.stream().flatMap(a -> a.kind() instanceof ValueKind.TextureKind map
+                ? Stream.of(a.name(), map.repeatName()) : Stream.of(a.name())).toList();
+        assertThat(names).contains("texture", "repeat", "glow_map", "glow_repeat", "shininess", "shadows");
+        assertThatThrownBy(() -> PropertyEdit.apply(scene, "material:floor.shinines=1")).hasMessage(
+                "material 'floor': unknown property 'shinines', expected one of " + String.join(", ", names)
+                        + ", did you mean 'shininess'?");
     }
 
     @ParameterizedTest

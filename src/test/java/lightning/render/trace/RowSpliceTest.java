@@ -6,10 +6,12 @@ import java.lang.reflect.Array;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
+import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Optional;
 import java.util.Random;
 import java.util.Set;
+import java.util.stream.IntStream;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.scene.Camera;
@@ -19,6 +21,8 @@ import lightning.scene.World;
 import lightning.scene.asset.Texture;
 import lightning.scene.asset.TextureMap;
 import lightning.scene.material.Material;
+import lightning.scene.material.MaterialAttribute;
+import lightning.scene.material.MaterialTerm;
 import lightning.scene.material.Transmission;
 import lightning.scene.node.Shape;
 import lightning.scene.node.Solid;
@@ -69,16 +73,22 @@ class RowSpliceTest {
 
     @Test
     void eachRowArray_isColumn() {
-        HitRows rows = new HitRows(1, new TexelColumns(true, true), true, true, true);
+        HitRows rows = new HitRows(1, TexelColumns.ALL, true, true, true);
         long arrays = Arrays.stream(HitRows.class.getFields()).filter(f -> f.getType().isArray())
                 .filter(f -> !f.getName().startsWith("run")).count();
-        assertThat(arrays).isEqualTo(HitRows.Column.values().length);
+        Set<float[]> texels = Collections.newSetFromMap(new IdentityHashMap<>());
+        for (HitRows.ColumnGroup group : HitRows.ColumnGroup.TEXELS) {
+            IntStream.range(0, 3).forEach(c -> texels.add(rows.texel(group, c)));
+        }
+        assertThat(texels).hasSize(3 * HitRows.ColumnGroup.TEXELS.size()).contains(rows.texelRed, rows.texelGreen, rows.texelBlue);
+        // Only textures have fields, of all texels.
+        assertThat(arrays).isEqualTo(HitRows.Column.values().length - texels.size() + 3);
         assertThat(HitRows.Column.values()).allMatch(column -> rows.columns().has(column));
     }
 
     /** Returns rows of random materials with random values in all columns. */
     private static HitRows rows(Random random, List<Short> parents, MaterialTable materials) {
-        HitRows rows = new HitRows(parents.size(), new TexelColumns(true, true), true, true, true);
+        HitRows rows = new HitRows(parents.size(), TexelColumns.ALL, true, true, true);
         rows.count = parents.size();
         for (HitRows.Column column : HitRows.Column.values()) {
             Object array = rows.columns().get(column);
@@ -133,8 +143,12 @@ class RowSpliceTest {
             names.add("m" + m);
             materials.add(Material.of("m" + m).withDiffuse(Rgb.WHITE).withShininess(1).withReflective(Rgb.gray(random.nextInt(2)))
                     .withTransmission(m == 1 ? Transmission.NONE.withColor(Rgb.WHITE) : Transmission.NONE)
-                    .withTexture(Optional.of(new TextureMap("t.png", 1, 1, texture)))
-                    .withGlowMap(Optional.of(new TextureMap("t.png", 1, 1, texture))));
+                    .withTexture(Optional.of(new TextureMap("t.png", 1, 1, texture))));
+            for (MaterialAttribute<Optional<TextureMap>> map : MaterialAttribute.MAPS) {
+                if (map.term() == MaterialTerm.TEXEL) {
+                    materials.set(m, map.with(materials.get(m), Optional.of(new TextureMap("t.png", 1, 1, texture))));
+                }
+            }
         }
         var plane = new Shape(Solid.PLANE, "p", "m0", Placement.IDENTITY);
         Camera camera = new Camera(Vec3.ZERO, new Vec3(0, 0, -1), Vec3.Y, 40);

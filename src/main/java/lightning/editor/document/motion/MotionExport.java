@@ -4,15 +4,16 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.concurrent.CancellationException;
+import java.util.function.IntConsumer;
+import java.util.stream.IntStream;
 import lightning.base.work.Progress;
 import lightning.format.image.ImageFile;
 import lightning.render.image.ViewTransform;
-import lightning.render.relight.Renderer;
 import lightning.render.relight.plan.ReflectionMode;
 import lightning.render.relight.tile.RenderOptions;
-import lightning.render.warmup.DelayedWarmUp;
 import lightning.scene.Scene;
 import lightning.scene.value.SceneLimits;
+import lightning.shot.movie.FrameSequenceRenderer;
 
 /**
  * Export of a recorded shot as numbered images, evenly spaced from start to end. Each is exact, reflections included.
@@ -31,15 +32,6 @@ public record MotionExport(Scene scene, RecordedShot recordedShot, int pictureCo
         recordedShot.shot().check(scene);
     }
 
-    /** Listener that receives the export's progress and can cancel it. Called on the exporting thread. */
-    public interface Listener {
-        /** Reports the number of written images. */
-        void pictureWritten(int pictures);
-
-        /** Tests if the export is canceled. Called often. */
-        boolean isCanceled();
-    }
-
     /** Returns the scene of one image, 0 ≤ {@code number} &lt; {@link #pictureCount}. */
     public Scene scene(int number) {
         double share = pictureCount == 1 ? 0 : (double) number / (pictureCount - 1);
@@ -55,19 +47,17 @@ public record MotionExport(Scene scene, RecordedShot recordedShot, int pictureCo
     /**
      * Renders and writes all images; blocks until they are written.
      *
-     * @param name prefix of the file names, before the number
+     * @param name     prefix of the file names, before the number
+     * @param progress receives the tiles of each image, and can cancel
+     * @param listener receives the number of written images
      * @throws IOException           if an image cannot be written; earlier ones are kept
-     * @throws CancellationException if the listener canceled; finished images are kept
+     * @throws CancellationException if the progress canceled; finished images are kept
      */
-    public void write(Path folder, String name, Listener listener) throws IOException {
-        Progress cancellation = Progress.cancellation(listener::isCanceled);
-        try (var _ = new DelayedWarmUp(scene(0));
-                var renderer = new Renderer(RenderOptions.DEFAULT.withReflections(ReflectionMode.CURRENT))) {
-            for (int i = 0; i < pictureCount; i++) {
-                renderer.render(scene(i), cancellation);
-                ImageFile.write(folder.resolve(file(name, i)), renderer.film(), view);
-                listener.pictureWritten(i + 1);
-            }
-        }
+    public void write(Path folder, String name, Progress progress, IntConsumer listener) throws IOException {
+        FrameSequenceRenderer.render(IntStream.range(0, pictureCount).boxed().toList(), this::scene,
+                RenderOptions.DEFAULT.withReflections(ReflectionMode.CURRENT), progress, (number, cache, _) -> {
+                    ImageFile.write(folder.resolve(file(name, number)), cache.film(), view);
+                    listener.accept(number + 1);
+                });
     }
 }

@@ -1,5 +1,6 @@
 package lightning.editor.window.animation;
 
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -22,6 +23,7 @@ import lightning.editor.document.motion.RecordedShot;
 import lightning.editor.window.command.PathPrompt;
 import lightning.editor.window.model.ErrorMessage;
 import lightning.editor.window.widget.DisabledReason;
+import lightning.editor.window.widget.ExportTask;
 import org.kordamp.ikonli.Ikon;
 import org.kordamp.ikonli.javafx.FontIcon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignC;
@@ -208,13 +210,14 @@ final class AnimationPane extends VBox {
     private void export() {
         pathPrompt.folder(Messages.tr("Export Images To")).ifPresent(folder -> {
             animation.stop();
-            ExportTask task = new ExportTask(animation.export(pictures.get()), folder, sceneName);
+            MotionExport motion = animation.export(pictures.get());
+            var task = new ExportTask(motion.pictureCount(), (progress, written) -> motion.write(folder, sceneName, progress, written));
             export = task;
             bar.progressProperty().bind(task.progressProperty());
             bar.setVisible(true);
             reasonUpdates.forEach(Runnable::run);
             task.valueProperty().subscribe(written -> showProgress(task, written));
-            task.stateProperty().addListener((_, _, now) -> finishExport(task, now));
+            task.stateProperty().addListener((_, _, now) -> finishExport(task, folder, now));
             task.start();
         });
     }
@@ -222,17 +225,17 @@ final class AnimationPane extends VBox {
     /** An export may report its last images after it was canceled. */
     private void showProgress(ExportTask task, int written) {
         if (export == task) {
-            status.setText(Messages.tr("Exporting: {0} of {1}", written, task.pictures()));
+            status.setText(Messages.tr("Exporting: {0} of {1}", written, task.frames()));
         }
     }
 
-    private void finishExport(ExportTask task, Worker.State state) {
+    private void finishExport(ExportTask task, Path folder, Worker.State state) {
         switch (state) {
             case READY, SCHEDULED, RUNNING -> {
                 return;
             }
-            case SUCCEEDED -> status.setText(Messages.tr("Exported {0} images to {1}", task.pictures(), task.folder()));
-            case CANCELLED -> status.setText(Messages.tr("Export canceled after {0} of {1} images", task.getValue(), task.pictures()));
+            case SUCCEEDED -> status.setText(Messages.tr("Exported {0} images to {1}", task.frames(), folder));
+            case CANCELLED -> status.setText(Messages.tr("Export canceled after {0} of {1} images", task.getValue(), task.frames()));
             case FAILED -> status.setText(Messages.tr("Export failed: {0}", task.getException().getMessage()));
         }
         export = null;

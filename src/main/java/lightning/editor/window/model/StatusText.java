@@ -58,7 +58,7 @@ public final class StatusText {
         Frame frame = state.frame();
         UpdateResult update = frame.update();
         String time = time(update.milliseconds());
-        String prefix = state.addedIndirect() ? Messages.tr("Indirect light in {0}", time)
+        String prefix = frame.step() == Frame.Step.INDIRECT_LIGHT ? Messages.tr("Indirect light in {0}", time)
                 : update.plan() instanceof UpdatePlan.Relight ? Messages.tr("Updated in {0}", time) : Messages.tr("Traced in {0}", time);
         return prefix + ", " + (frame.isFinished() ? frame.guarantee().text(update) : Messages.tr("not anti-aliased yet"));
     }

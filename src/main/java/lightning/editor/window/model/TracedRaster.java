@@ -75,9 +75,7 @@ public final class TracedRaster implements RenderListener {
 
     /** Returns whether a frame shows the remote scene, or its direct light. */
     private boolean isOfRemoteScene(Frame frame) {
-        return remoteScene != null
-                && (frame.scene() == remoteScene
-                        || remoteScene.picture().indirect().isPresent() && remoteScene.withoutIndirect().equals(frame.scene()));
+        return remoteScene != null && (frame.scene() == remoteScene || frame.showsDirectLightOf(remoteScene));
     }
 
     @Override

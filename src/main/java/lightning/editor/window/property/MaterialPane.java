@@ -166,7 +166,7 @@ final class MaterialPane extends VBox {
                 case INDEPENDENT -> IntStream.range(0, q.labels().size()).mapToObj(i -> number(attribute, q, i)).toList();
                 case POSITION, DIRECTION -> List.of(vector(attribute, q));
             };
-            case ValueKind.TextureKind _ -> List.of(texture(textureAttribute(attribute)));
+            case ValueKind.TextureKind _ -> List.of(texture(attribute.asMap().orElseThrow()));
             case ChoiceKind<V> c -> List.of(choice(attribute, c));
             case ValueKind.NameKind kind -> List.of(bulb(kind));
         };
@@ -227,12 +227,6 @@ final class MaterialPane extends VBox {
         var row = new HBox(label, gap, box);
         row.setAlignment(Pos.CENTER_LEFT);
         return row;
-    }
-
-    /** Casts an attribute whose kind is {@link ValueKind.TextureKind}, which the compiler cannot infer. */
-    @SuppressWarnings("unchecked")
-    private static MaterialAttribute<Optional<TextureMap>> textureAttribute(MaterialAttribute<?> attribute) {
-        return (MaterialAttribute<Optional<TextureMap>>) attribute;
     }
 
     private Row texture(MaterialAttribute<Optional<TextureMap>> attribute) {

@@ -3,6 +3,7 @@ package lightning.editor.window.timeline;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.function.IntConsumer;
 import java.util.stream.IntStream;
 import lightning.base.file.AtomicFile;
 import lightning.base.work.HeapBudget;
@@ -30,17 +31,12 @@ import lightning.shot.movie.MovieWriter;
  */
 record ShotExport(AnimatedScene scene, int first, int last, ShotFormat format, ViewTransform view, Path target, String name,
         InputFiles inputs) {
-    /** Receives the number of frames written. */
-    interface Listener {
-        void framesWritten(int frames);
-    }
-
     int frames() {
         return last - first + 1;
     }
 
     /** Writes all frames; blocks until done. Canceling keeps finished images, but no video. */
-    void write(Progress progress, Listener listener) throws IOException {
+    void write(Progress progress, IntConsumer listener) throws IOException {
         // Checks all frames first, so that invalid keyframes fail before the first render.
         try {
             IntStream.rangeClosed(first, last).forEach(scene::sceneAt);
@@ -71,14 +67,14 @@ record ShotExport(AnimatedScene scene, int first, int last, ShotFormat format, V
         return scene.base().picture();
     }
 
-    private void renderFrames(Progress progress, Listener listener, long reservedBytes, FrameSequenceRenderer.Listener sink)
+    private void renderFrames(Progress progress, IntConsumer listener, long reservedBytes, FrameSequenceRenderer.Listener sink)
             throws IOException {
         List<Integer> frameNumbers = IntStream.rangeClosed(first, last).boxed().toList();
         RenderOptions options =
                 RenderOptions.DEFAULT.withReflections(ReflectionMode.CURRENT).withMemory(HeapBudget.availableBytes() - reservedBytes);
         FrameSequenceRenderer.render(frameNumbers, scene::sceneAt, options, progress, (frame, cache, update) -> {
             sink.frameRendered(frame, cache, update);
-            listener.framesWritten(frame - first + 1);
+            listener.accept(frame - first + 1);
         });
     }
 }

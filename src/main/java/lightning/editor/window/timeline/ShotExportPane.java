@@ -23,6 +23,7 @@ import lightning.editor.window.model.ErrorMessage;
 import lightning.editor.window.model.RemainingTime;
 import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.DisabledReason;
+import lightning.editor.window.widget.ExportTask;
 import lightning.editor.window.widget.NumberField;
 import lightning.editor.window.widget.NumberSetting;
 import lightning.format.jen.JenFile;
@@ -50,7 +51,7 @@ final class ShotExportPane extends VBox {
     private int firstFrame;
     private int lastFrame;
     private boolean hasFfmpeg;
-    private ShotExportTask task;
+    private ExportTask task;
 
     ShotExportPane(SceneEditor editor, FileThread files, ObservableValue<ViewTransform> viewProperty, PathPrompt pathPrompt) {
         this.editor = editor;
@@ -169,27 +170,27 @@ final class ShotExportPane extends VBox {
     }
 
     private void startExport(Path target, String name) {
-        task = new ShotExportTask(new ShotExport(editor.document().content(), firstFrame, lastFrame, format.getValue(),
-                viewProperty.getValue().forOutput(), target, name, editor.document().inputs()));
+        var export = new ShotExport(editor.document().content(), firstFrame, lastFrame, format.getValue(),
+                viewProperty.getValue().forOutput(), target, name, editor.document().inputs());
+        task = new ExportTask(export.frames(), export::write);
         bar.progressProperty().bind(task.progressProperty());
         bar.setVisible(true);
         cancel.setDisable(false);
-        ShotExportTask running = task;
+        ExportTask running = task;
         running.progressProperty().addListener((_, _, share) -> showProgress(running, share.doubleValue()));
-        running.stateProperty().addListener((_, _, now) -> finish(running, now));
+        running.stateProperty().addListener((_, _, now) -> finish(running, export, now));
         running.start();
         update();
     }
 
-    private void showProgress(ShotExportTask running, double share) {
+    private void showProgress(ExportTask running, double share) {
         if (running == task) {
             status.setText(remaining.describe(Messages.tr("Exporting"), share, System.nanoTime()) + " · "
-                    + Messages.tr("{0} of {1} frames", running.getValue(), running.export().frames()));
+                    + Messages.tr("{0} of {1} frames", running.getValue(), running.frames()));
         }
     }
 
-    private void finish(ShotExportTask running, Worker.State state) {
-        ShotExport export = running.export();
+    private void finish(ExportTask running, ShotExport export, Worker.State state) {
         switch (state) {
             case READY, SCHEDULED, RUNNING -> {
                 return;

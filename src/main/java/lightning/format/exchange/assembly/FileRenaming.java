@@ -1,18 +1,13 @@
 package lightning.format.exchange.assembly;
 
 import java.util.List;
-import java.util.Optional;
 import java.util.Set;
 import java.util.function.UnaryOperator;
 import lightning.scene.Scene;
 import lightning.scene.World;
-import lightning.scene.asset.Environment;
-import lightning.scene.asset.Gobo;
-import lightning.scene.asset.IesProfile;
-import lightning.scene.asset.LightTexture;
-import lightning.scene.asset.TextureMap;
-import lightning.scene.light.Light;
-import lightning.scene.material.Material;
+import lightning.scene.attribute.SceneAttribute;
+import lightning.scene.light.LightAttribute;
+import lightning.scene.material.MaterialAttribute;
 import lightning.scene.node.NodeGroup;
 import lightning.scene.node.SceneNode;
 import lightning.scene.node.Shape;
@@ -31,8 +26,10 @@ record FileRenaming(UnaryOperator<String> newName) {
 
     /** Returns a scene that references its files by the new names. */
     Scene applyTo(Scene scene) {
-        return scene.withNodes(nodes(scene.nodes())).withMaterials(scene.materials().stream().map(this::material).toList())
-                .withLights(scene.lights().stream().map(this::light).toList()).withWorld(world(scene.world()));
+        return scene.withNodes(nodes(scene.nodes()))
+                .withMaterials(scene.materials().stream().map(m -> rename(m, MaterialAttribute.ALL)).toList())
+                .withLights(scene.lights().stream().map(l -> rename(l, LightAttribute.ALL)).toList())
+                .withWorld(rename(scene.world(), World.ATTRIBUTES));
     }
 
     private List<SceneNode> nodes(List<SceneNode> nodes) {
@@ -44,22 +41,11 @@ record FileRenaming(UnaryOperator<String> newName) {
         }).toList();
     }
 
-    private Material material(Material m) {
-        return m.withTexture(map(m.texture())).withGlowMap(map(m.glowMap())).withCutout(m.cutout().withMap(map(m.cutout().map())))
-                .withBumpMapping(m.bumpMapping().withBump(map(m.bumpMapping().bump())).withNormalMap(map(m.bumpMapping().normalMap())));
-    }
-
-    private Optional<TextureMap> map(Optional<TextureMap> map) {
-        return map.map(m -> new TextureMap(newName.apply(m.file()), m.repeatU(), m.repeatV(), m.image(), m.isClamped()));
-    }
-
-    private Light light(Light light) {
-        return light.withGobo(light.gobo().map(g -> new Gobo(newName.apply(g.file()), g.image())))
-                .withProfile(light.profile().map(p -> new IesProfile(newName.apply(p.file()), p.photometry())))
-                .withTexture(light.texture().map(t -> new LightTexture(newName.apply(t.file()), t.image())));
-    }
-
-    private World world(World world) {
-        return world.withEnvironment(world.environment().map(e -> new Environment(newName.apply(e.file()), e.map())));
+    private <T> T rename(T record, List<? extends SceneAttribute<T, ?>> attributes) {
+        T renamed = record;
+        for (SceneAttribute<T, ?> attribute : attributes) {
+            renamed = attribute.renameFile(renamed, newName);
+        }
+        return renamed;
     }
 }

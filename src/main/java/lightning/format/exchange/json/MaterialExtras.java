@@ -13,13 +13,19 @@ import tools.jackson.databind.node.ObjectNode;
  * after. They belong to materials that went to another program and came back, and which that program cannot hold. An edit counts only if the
  * file still gives the value before, so that a later change in the other program wins. Files and names of lights cannot be edited.
  */
-final class MaterialExtras {
+public final class MaterialExtras {
     private static final JsonMapper JSON = JsonMapper.builder().build();
-    private static final List<MaterialAttribute<?>> EDITABLE = MaterialAttribute.ALL.stream()
-            .filter(attribute -> !(attribute.kind() instanceof ValueKind.TextureKind || attribute.kind() instanceof ValueKind.NameKind))
-            .toList();
+    private static final List<MaterialAttribute<?>> EDITABLE =
+            MaterialAttribute.ALL.stream().filter(attribute -> !hasNames(attribute)).toList();
+    /** Keywords of the attributes that cannot be edited, because their values are names of files or lights. */
+    public static final List<String> NAMES =
+            MaterialAttribute.ALL.stream().filter(MaterialExtras::hasNames).map(MaterialAttribute::name).toList();
 
     private MaterialExtras() {}
+
+    private static boolean hasNames(MaterialAttribute<?> attribute) {
+        return attribute.kind() instanceof ValueKind.TextureKind || attribute.kind() instanceof ValueKind.NameKind;
+    }
 
     /**
      * Changes the materials.

@@ -1,6 +1,7 @@
 package lightning.format.exchange.usd;
 
 import java.io.IOException;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import lightning.base.math.Rgb;
@@ -19,8 +20,8 @@ import lightning.scene.value.SceneLimits;
 
 /** Converter from UsdPreviewSurface to metallic materials. */
 final class UsdMaterialImport {
-    /** Inputs whose textures the scene shows. */
-    static final List<String> MAPPED = List.of("diffuseColor", "normal", "opacity");
+    /** Inputs whose textures the scene shows, besides the emission. */
+    private static final List<String> MAPPED = List.of("diffuseColor", "normal", "opacity");
     private static final double HALF = 0.5;
 
     private final SceneAssembler assembler;
@@ -46,6 +47,20 @@ final class UsdMaterialImport {
         noteLosses(in);
         return withOpacity(
                 withNormals(MirrorMetals.reflect(withHighlights(withGlow(material, in), in), assembler.notes), images.get("normal")), in);
+    }
+
+    /** Returns the textures of a material that the scene shows. */
+    List<JsonValue> maps(JsonValue in) throws MeshException {
+        JsonValue images = in.get("textures");
+        List<JsonValue> maps = new ArrayList<>();
+        for (String input : MAPPED) {
+            maps.add(images.get(input));
+        }
+        JsonValue emission = images.get("emissiveColor");
+        if (!textures.hasHighRange(emission)) {
+            maps.add(emission);
+        }
+        return maps;
     }
 
     private void noteLosses(JsonValue in) throws MeshException {

@@ -53,9 +53,7 @@ final class UsdParts {
         JsonValue all = stage.root().get("materials");
         List<JsonValue> images = new ArrayList<>();
         for (int i = 0; i < all.size(); i++) {
-            for (String input : UsdMaterialImport.MAPPED) {
-                images.add(all.element(i).get("textures").get(input));
-            }
+            images.addAll(converter.maps(all.element(i)));
         }
         textures.fit(images);
         for (int i = 0; i < all.size(); i++) {

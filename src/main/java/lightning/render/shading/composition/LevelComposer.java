@@ -1,9 +1,11 @@
 package lightning.render.shading.composition;
 
 import java.util.Arrays;
+import java.util.List;
 import lightning.render.shading.BounceImages;
 import lightning.render.shading.ClearMaterialShader;
 import lightning.render.shading.ClearTerms;
+import lightning.render.shading.EmittedLight;
 import lightning.render.shading.IndirectRows;
 import lightning.render.shading.LightingEquation;
 import lightning.render.shading.ShadingMaterial;
@@ -12,6 +14,7 @@ import lightning.render.shading.TermKernel;
 import lightning.render.shading.WeightedLight;
 import lightning.render.shading.layer.LightLayer;
 import lightning.render.trace.HitRows;
+import lightning.render.trace.HitRows.ColumnGroup;
 import lightning.render.trace.MaterialTable;
 import lightning.scene.World;
 import lightning.scene.effects.ViewEffects;
@@ -22,6 +25,8 @@ import lightning.scene.effects.ViewEffects;
  */
 final class LevelComposer {
     private static final int ROWS = TermKernel.MAX_ROWS;
+    private static final List<EmittedLight> MAPPED_KINDS =
+            Arrays.stream(EmittedLight.values()).filter(kind -> kind.map().isPresent()).toList();
 
     private final boolean litTextures;
     private final SumKernel sumKernel;
@@ -38,6 +43,8 @@ final class LevelComposer {
     private boolean showsGlow = true;
     /** Emitted light of the run that is being shaded: red, green, blue. */
     private final float[] emitted = new float[3];
+    /** Emitted light that an image multiplies: red, green, blue. */
+    private final float[] mapped = new float[3];
 
     LevelComposer(MaterialTable materials, SumKernel sums, ViewEffects view) {
         this.sumKernel = sums;
@@ -134,16 +141,20 @@ final class LevelComposer {
             float[][] to) {
         ShadingMaterial material = shadingMaterials[rows.runMaterial[run]];
         for (int c = 0; c < 3; c++) {
-            emitted[c] =
-                    LightingEquation.emitted(material.ambient()[c], ambience, showsGlow && !material.hasGlowMap() ? material.glow()[c] : 0);
+            emitted[c] = EmittedLight.unmapped(material.texels(), material.ambient()[c], ambience, showsGlow ? material.glow()[c] : 0);
         }
         if (material.hasImage() && !litTextures) {
             shadeUnlit(rows, run, material, to);
         } else {
             shadeLit(rows, run, material, sum, allDiffuse, terms, images, to);
         }
-        if (showsGlow && material.hasGlowMap()) {
-            addGlow(rows, run, material, terms, to);
+        for (EmittedLight kind : MAPPED_KINDS) {
+            if (kind.isMapped(material.texels()) && (showsGlow || kind != EmittedLight.GLOW)) {
+                for (int c = 0; c < 3; c++) {
+                    mapped[c] = kind.amount(material.ambient()[c], ambience, material.glow()[c]);
+                }
+                addMapped(rows, run, material, kind.map().orElseThrow(), terms, to);
+            }
         }
     }
 
@@ -170,18 +181,17 @@ final class LevelComposer {
         }
     }
 
-    /** Adds the glow of a run whose material has a glow map to the colors of its rows. */
-    private void addGlow(HitRows rows, int run, ShadingMaterial material, ClearTerms terms, float[][] to) {
+    /** Adds emitted light that an image multiplies to the colors of a run's rows. */
+    private void addMapped(HitRows rows, int run, ShadingMaterial material, ColumnGroup map, ClearTerms terms, float[][] to) {
         if (material.clarity() != null) {
-            clearShader().addGlow(rows, run, material, terms, to);
+            clearShader().addMapped(rows, run, material, mapped, map, terms, to);
             return;
         }
         for (int c = 0; c < 3; c++) {
-            float[] texel = rows.glowTexel(c);
-            float glow = material.glow()[c];
+            float[] texel = rows.texel(map, c);
             float weight = 1 - material.reflective()[c];
             for (int i = rows.runStart(run); i < rows.runEnd[run]; i++) {
-                to[c][i] = LightingEquation.addGlow(to[c][i], glow, texel[i], weight);
+                to[c][i] = LightingEquation.addMapped(to[c][i], mapped[c], texel[i], weight);
             }
         }
     }

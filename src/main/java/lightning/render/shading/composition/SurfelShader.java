@@ -6,6 +6,7 @@ import lightning.render.shading.SumKernel;
 import lightning.render.shading.WeightedLight;
 import lightning.render.shading.layer.LightLayer;
 import lightning.render.trace.HitRows;
+import lightning.render.trace.HitRows.ColumnGroup;
 import lightning.render.trace.MaterialTable;
 
 /** Computes the direct light, the albedo and the glow of surfels. Holds scratch columns: use one instance per thread. */
@@ -49,7 +50,7 @@ public final class SurfelShader {
             ShadingMaterial material = materials[rows.runMaterial[run]];
             for (int c = 0; c < 3; c++) {
                 float emitted = (1 - material.reflective()[c]) * table.ownGlow(rows.runMaterial[run], c);
-                float[] map = material.hasGlowMap() ? rows.glowTexel(c) : null;
+                float[] map = material.texels().has(ColumnGroup.GLOW_TEXEL) ? rows.texel(ColumnGroup.GLOW_TEXEL, c) : null;
                 float share = (1 - material.reflective()[c]) * material.diffuse()[c];
                 for (int row = rows.runStart(run); row < rows.runEnd[run]; row++) {
                     albedo[c][numbers[rows.parent[row]]] = material.isTextured() ? share * rows.texel(c)[row] : share;

@@ -11,6 +11,7 @@ import lightning.base.math.Vec3;
 import lightning.render.gather.RowWeigher;
 import lightning.render.shading.AreaSamples;
 import lightning.render.shading.BackgroundShader;
+import lightning.render.shading.EmittedLight;
 import lightning.render.shading.IndirectLight;
 import lightning.render.shading.LightSource;
 import lightning.render.shading.LightWeight;
@@ -123,12 +124,18 @@ public final class PixelExplainer {
         for (int c = 0; c < 3; c++) {
             float ka = materials.ambient(hit.material(), c);
             float kr = materials.reflective(hit.material(), c);
-            boolean hasMap = hit.glowTexel() != null;
             float ownLight = materials.glow(hit.material(), c);
-            float emitted = LightingEquation.emitted(ka, ambience, hasMap ? 0 : ownLight);
+            float emitted = EmittedLight.unmapped(materials.texels(hit.material()), ka, ambience, ownLight);
             float diffuse = sum(reports, c, LightReport::diffuse) + (bounced == null ? 0 : bounced[c]);
-            ambient[c] = ka * ambience * share.bodyWeight(kr, c);
-            glow[c] = (hasMap ? ownLight * hit.glowTexel()[c] : ownLight) * share.bodyWeight(kr, c);
+            for (EmittedLight kind : EmittedLight.values()) {
+                float amount = kind.amount(ka, ambience, ownLight);
+                float[] map = kind.map().map(hit.maps()::get).orElse(null);
+                float[] part = switch (kind) {
+                    case AMBIENT -> ambient;
+                    case GLOW -> glow;
+                };
+                part[c] = (map == null ? amount : amount * map[c]) * share.bodyWeight(kr, c);
+            }
             color[c] = materials.isTransparent(hit.material())
                     ? share.color(c, emitted, hit.diffuse()[c], diffuse,
                             hit.specular()[c], sum(reports, c, LightReport::highlight), sum(reports, c, LightReport::sheen), kr,
@@ -136,7 +143,12 @@ public final class PixelExplainer {
                     : LightingEquation.color(emitted, hit.diffuse()[c], diffuse,
                             hit.specular()[c], sum(reports, c, LightReport::highlight), sum(reports, c, LightReport::sheen), kr,
                             reflected == null ? 0 : reflected.color()[c]);
-            color[c] = hasMap ? LightingEquation.addGlow(color[c], ownLight, hit.glowTexel()[c], share.bodyWeight(kr, c)) : color[c];
+            for (EmittedLight kind : EmittedLight.values()) {
+                color[c] = kind.isMapped(materials.texels(hit.material()))
+                        ? LightingEquation.addMapped(color[c], kind.amount(ka, ambience, ownLight),
+                                hit.maps().get(kind.map().orElseThrow())[c], share.bodyWeight(kr, c))
+                        : color[c];
+            }
         }
         return new PointReport(hit, passedCutouts(ray, geometry.distance(shape, ray)), normals, color, ambient, glow, bounced, reports,
                 reflected,

@@ -11,6 +11,7 @@ import lightning.render.image.Film;
 import lightning.render.shading.AreaSamples;
 import lightning.render.shading.BackgroundShader;
 import lightning.render.shading.EdgeColors;
+import lightning.render.shading.EmittedLight;
 import lightning.render.shading.LightSource;
 import lightning.render.shading.LightWeight;
 import lightning.render.shading.LightingEquation;
@@ -188,16 +189,22 @@ public final class ReferenceTracer {
             color[c] = materials.isTransparent(material) ? clearColor(hit, c, diffuse[c], specular, grazing, mirrored, refracted)
                     : LightingEquation.color(emitted(hit, c), hit.diffuse()[c], diffuse[c],
                             hit.specular()[c], specular, grazing, materials.reflective(material, c), mirrored[c]);
-            color[c] = hit.glowTexel() == null ? color[c] : LightingEquation.addGlow(color[c], materials.glow(material, c),
-                    hit.glowTexel()[c], new SurfaceWeights(hit).bodyWeight(materials.reflective(material, c), c));
+            for (EmittedLight kind : EmittedLight.values()) {
+                if (kind.isMapped(materials.texels(material))) {
+                    float amount =
+                            kind.amount(materials.ambient(material, c), (float) scene.world().ambience(), materials.glow(material, c));
+                    color[c] = LightingEquation.addMapped(color[c], amount, hit.maps().get(kind.map().orElseThrow())[c],
+                            new SurfaceWeights(hit).bodyWeight(materials.reflective(material, c), c));
+                }
+            }
         }
         return color;
     }
 
     private float emitted(SurfacePoint hit, int c) {
         int material = hit.material();
-        return LightingEquation.emitted(materials.ambient(material, c), (float) scene.world().ambience(),
-                hit.glowTexel() == null ? materials.glow(material, c) : 0);
+        return EmittedLight.unmapped(materials.texels(material), materials.ambient(material, c), (float) scene.world().ambience(),
+                materials.glow(material, c));
     }
 
     /** Returns the lights' diffuse sum plus the indirect light: red, green, blue. */

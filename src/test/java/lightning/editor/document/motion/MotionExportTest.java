@@ -27,19 +27,6 @@ class MotionExportTest {
     @TempDir
     private Path folder;
 
-    /** Cancels after a number of images. */
-    private record StopAfter(int most, List<Integer> written) implements MotionExport.Listener {
-        @Override
-        public void pictureWritten(int pictures) {
-            written.add(pictures);
-        }
-
-        @Override
-        public boolean isCanceled() {
-            return written.size() >= most;
-        }
-    }
-
     @Test
     void pictures_areEvenlySpaced() {
         MotionExport export = export(3);
@@ -61,7 +48,7 @@ class MotionExportTest {
     @Test
     void everyPicture_equalsFullTrace() throws Exception {
         MotionExport export = export(3);
-        export.write(folder, "desk", new StopAfter(Integer.MAX_VALUE, new ArrayList<>()));
+        export.write(folder, "desk", Progress.NONE, _ -> {});
         Scene last = export.scene(2);
         try (var workers = new WorkerPool(1)) {
             ImageFile.write(folder.resolve("full.png"), new TraditionalTracer(last).trace(workers, Progress.NONE).film(),
@@ -72,9 +59,10 @@ class MotionExportTest {
 
     @Test
     void canceled_keepsFinishedPictures() {
-        var listener = new StopAfter(1, new ArrayList<>());
-        assertThatThrownBy(() -> export(3).write(folder, "desk", listener)).isInstanceOf(CancellationException.class);
-        assertThat(listener.written()).containsExactly(1);
+        List<Integer> written = new ArrayList<>();
+        Progress stopAfterOne = Progress.cancellation(() -> !written.isEmpty());
+        assertThatThrownBy(() -> export(3).write(folder, "desk", stopAfterOne, written::add)).isInstanceOf(CancellationException.class);
+        assertThat(written).containsExactly(1);
         assertThat(folder.resolve("desk-0001.png")).exists();
         assertThat(Files.exists(folder.resolve("desk-0002.png"))).isFalse();
     }

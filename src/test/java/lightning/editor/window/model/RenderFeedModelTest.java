@@ -89,7 +89,7 @@ class RenderFeedModelTest {
                     () -> check(feeds[0].state().frame() == null || raster.pixels() != null, "a reported picture can be shown"));
             feeds[0] = feed;
             ScheduleExplorer.ConcurrentRun loop = ScheduleExplorer.startConcurrently(() -> {
-                feed.rendered(new Frame(FILM, FILM, DisplayMode.FULL_PICTURE, null, null, null, null, null, true));
+                feed.rendered(new Frame(FILM, FILM, DisplayMode.FULL_PICTURE, null, null, null, null, null, Frame.Step.ALL_LIGHT, true));
                 feed.workRemaining();
             });
             window.runAll();
@@ -100,7 +100,7 @@ class RenderFeedModelTest {
 
     @Test
     void pictureAndRemainingWork_areReportedTogether() {
-        Frame frame = new Frame(FILM, FILM, DisplayMode.FULL_PICTURE, null, null, null, null, null, true);
+        Frame frame = new Frame(FILM, FILM, DisplayMode.FULL_PICTURE, null, null, null, null, null, Frame.Step.ALL_LIGHT, true);
         explore(() -> {
             var window = new Window();
             var feeds = new RenderFeed[1];
@@ -122,7 +122,7 @@ class RenderFeedModelTest {
     void pictureBeforeMoreWork_isReported() {
         var window = new Window();
         var feed = new RenderFeed(window, new TracedRaster(), () -> {});
-        feed.rendered(new Frame(FILM, FILM, DisplayMode.FULL_PICTURE, null, null, null, null, null, true));
+        feed.rendered(new Frame(FILM, FILM, DisplayMode.FULL_PICTURE, null, null, null, null, null, Frame.Step.ALL_LIGHT, true));
         feed.workRemaining();
         assertThat(window.executedCount).isEqualTo(1);
     }
@@ -130,8 +130,8 @@ class RenderFeedModelTest {
     @Test
     void pictureOfClosedDocument_isNeitherReportedNorShown() {
         Film large = Film.black(2, 1);
-        Frame old = new Frame(FILM, FILM, DisplayMode.FULL_PICTURE, null, null, null, null, null, true);
-        Frame fresh = new Frame(large, large, DisplayMode.FULL_PICTURE, null, null, null, null, null, true);
+        Frame old = new Frame(FILM, FILM, DisplayMode.FULL_PICTURE, null, null, null, null, null, Frame.Step.ALL_LIGHT, true);
+        Frame fresh = new Frame(large, large, DisplayMode.FULL_PICTURE, null, null, null, null, null, Frame.Step.ALL_LIGHT, true);
         explore(() -> {
             var window = new Window();
             var raster = new TracedRaster();

@@ -6,8 +6,6 @@ import java.util.List;
 import java.util.Optional;
 import lightning.editor.loop.DisplayMode;
 import lightning.editor.loop.Frame;
-import lightning.editor.loop.RenderFeed;
-import lightning.editor.loop.RenderListener;
 import lightning.editor.loop.RenderState;
 import lightning.render.image.Film;
 import lightning.render.measure.Timing;
@@ -35,8 +33,12 @@ class RenderStateTest {
 
     /** Frame of an update that took 60 ms in a cold JVM. */
     private static Frame frame(UpdatePlan plan) {
+        return frame(plan, Frame.Step.ALL_LIGHT);
+    }
+
+    private static Frame frame(UpdatePlan plan, Frame.Step step) {
         return new Frame(FILM, FILM, DisplayMode.FULL_PICTURE, SCENE, SCENE,
-                new UpdateResult(plan, 0, 0, 0, RayCounts.NONE, 60_000_000, 0, false), null, null,
+                new UpdateResult(plan, 0, 0, 0, RayCounts.NONE, 60_000_000, 0, false), null, null, step,
                 true);
     }
 
@@ -53,13 +55,13 @@ class RenderStateTest {
         Frame edit = frame(SAMPLES);
         RenderState state = RenderState.NONE.withFrame(edit);
         assertThat(text(state)).contains("60 ms (measuring the saving…)").doesNotContain("%");
-        assertThat(text(state.withSaving(saving(edit)))).contains("60 ms · median 2.0 ms, full trace 29 ms · 93.1 % saved");
+        assertThat(text(state.withMeasuredSaving(saving(edit)))).contains("60 ms · median 2.0 ms, full trace 29 ms · 93.1 % saved");
     }
 
     @Test
     void pictureOfCenters_isShownAsUnfinished() {
         Frame edit = frame(SAMPLES);
-        var centers = new Frame(FILM, FILM, DisplayMode.FULL_PICTURE, SCENE, SCENE, edit.update(), null, null, false);
+        var centers = new Frame(FILM, FILM, DisplayMode.FULL_PICTURE, SCENE, SCENE, edit.update(), null, null, Frame.Step.ALL_LIGHT, false);
         assertThat(text(RenderState.NONE.withFrame(centers))).endsWith("60 ms · not anti-aliased yet").doesNotContain("exact");
     }
 
@@ -67,37 +69,29 @@ class RenderStateTest {
     void savingOfOlderUpdate_isNotShown() {
         Frame older = frame(SAMPLES);
         Frame newer = frame(SAMPLES);
-        RenderState behind = RenderState.NONE.withFrame(older).withSaving(saving(older)).withPlan(SAMPLES).withFrame(newer);
+        RenderState behind = RenderState.NONE.withFrame(older).withMeasuredSaving(saving(older)).withPlan(SAMPLES).withFrame(newer);
         assertThat(behind.saving()).isEmpty();
         assertThat(text(behind)).doesNotContain("%", "slower");
-        RenderState late = RenderState.NONE.withFrame(newer).withSaving(saving(older));
+        RenderState late = RenderState.NONE.withFrame(newer).withMeasuredSaving(saving(older));
         assertThat(late.saving()).as("saving of an earlier edit").isEmpty();
     }
 
     @Test
-    void stepOfIndirectLight_isNamedUntilTheNextUpdate() {
-        var feed = new RenderFeed(Runnable::run, new RenderListener() {}, () -> {});
-        feed.started(SAMPLES);
-        feed.rendered(frame(SAMPLES));
-        assertThat(StatusText.shortText(feed.state())).startsWith("Updated in 60 ms");
-        feed.indirectStarted();
-        assertThat(StatusText.shortText(feed.state())).startsWith("Updated in 60 ms");
-        feed.rendered(frame(SAMPLES));
-        assertThat(StatusText.shortText(feed.state())).startsWith("Indirect light in 60 ms");
-        feed.samplesStarted();
-        feed.rendered(frame(SAMPLES));
-        assertThat(StatusText.shortText(feed.state())).startsWith("Indirect light in 60 ms");
-        feed.started(SAMPLES);
-        feed.rendered(frame(SAMPLES));
-        assertThat(StatusText.shortText(feed.state())).startsWith("Updated in 60 ms");
+    void stepOfIndirectLight_isNamed() {
+        assertThat(StatusText.shortText(RenderState.NONE.withFrame(frame(SAMPLES)))).startsWith("Updated in 60 ms");
+        Frame direct = frame(SAMPLES, Frame.Step.DIRECT_LIGHT);
+        assertThat(StatusText.shortText(RenderState.NONE.withFrame(direct))).startsWith("Updated in 60 ms");
+        Frame indirect = frame(SAMPLES, Frame.Step.INDIRECT_LIGHT);
+        assertThat(StatusText.shortText(RenderState.NONE.withFrame(indirect))).startsWith("Indirect light in 60 ms");
     }
 
     @Test
     void otherDisplayMode_keepsMeasuredSaving() {
         Frame edit = frame(SAMPLES);
         Frame look = new Frame(FILM, FILM, DisplayMode.FULL_PICTURE.withLight(Optional.of("key")), SCENE, SCENE, edit.update(), null, null,
+                Frame.Step.ALL_LIGHT,
                 true);
-        assertThat(RenderState.NONE.withFrame(edit).withSaving(saving(edit)).withFrame(look).saving()).isPresent();
+        assertThat(RenderState.NONE.withFrame(edit).withMeasuredSaving(saving(edit)).withFrame(look).saving()).isPresent();
     }
 
     @Test

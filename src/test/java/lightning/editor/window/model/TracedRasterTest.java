@@ -114,7 +114,7 @@ class TracedRasterTest {
     }
 
     private static Frame frame(Film film, Scene scene, boolean finished) {
-        return new Frame(film, film, DisplayMode.FULL_PICTURE, scene, scene, null, null, null, finished);
+        return new Frame(film, film, DisplayMode.FULL_PICTURE, scene, scene, null, null, null, Frame.Step.ALL_LIGHT, finished);
     }
 
     private void assertShows(Film film) {
