@@ -95,7 +95,7 @@ final class PictureRequest {
         if (file.isPresent()) {
             if (hasLayers) {
                 new LayeredExrWriter(renderer.cache(), renderer.options().engines(), bits == Short.SIZE ? ExrType.HALF : ExrType.FLOAT)
-                        .write(file.get(), renderer.options().memory() - renderer.bytes(), session.server().writers(), canceled);
+                        .write(file.get(), renderer.options().memory() - renderer.state().bytes(), session.server().writers(), canceled);
             } else {
                 ImageFile.write(file.get(), rows.toFilm(), SceneView.of(scene), bits, session.server().writers());
             }
@@ -107,7 +107,7 @@ final class PictureRequest {
     private void writePlanes(Renderer renderer, Progress canceled, ObjectNode node) throws IOException {
         var planes = new LayerPlanes(renderer.cache(), renderer.options().engines());
         SharedMemoryFile memory = session.sharedPictures().layersFile(request.client(), memoryPath, planes.bytes());
-        planes.write(memory, renderer.options().memory() - renderer.bytes(), session.server().writers(), canceled);
+        planes.write(memory, renderer.options().memory() - renderer.state().bytes(), session.server().writers(), canceled);
         node.put("path", memory.path().toString()).put("bytes", memory.bytes()).put("type", "float32").put("order", "little");
         node.putArray("shape").add(planes.channels().size()).add(scene.picture().height()).add(scene.picture().width());
         ArrayNode channels = node.putArray("channels");

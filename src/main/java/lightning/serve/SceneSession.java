@@ -136,7 +136,7 @@ final class SceneSession {
 
     /** Takes milliseconds for large pictures, so an edit must not wait for it. */
     private long countBytes() {
-        return description == null ? 0 : MeshMemory.bytes(description.scene) + renderer.bytes();
+        return description == null ? 0 : MeshMemory.bytes(description.scene) + renderer.state().bytes();
     }
 
     /**

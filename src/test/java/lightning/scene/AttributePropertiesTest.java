@@ -20,11 +20,14 @@ import lightning.sample.Slow;
 import lightning.sample.StudioScene;
 import lightning.scene.attribute.SceneAttribute;
 import lightning.scene.light.AreaShape;
+import lightning.scene.light.Cone;
 import lightning.scene.light.Contribution;
+import lightning.scene.light.DistanceFalloff;
 import lightning.scene.light.Emission;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightAttribute;
 import lightning.scene.light.LightType;
+import lightning.scene.light.Switches;
 import lightning.scene.material.AlphaCutout;
 import lightning.scene.material.Bulb;
 import lightning.scene.material.BumpMapping;
@@ -101,7 +104,9 @@ class AttributePropertiesTest {
             // Only a view without soft shadows has it.
             return Stream.empty();
         }
-        return component.getType() == AreaShape.class || component.getType() == Emission.class || component.getType() == BumpMapping.class
+        return component.getType() == AreaShape.class || component.getType() == Cone.class || component.getType() == Switches.class
+                || component.getType() == DistanceFalloff.class || component.getType() == Emission.class
+                || component.getType() == BumpMapping.class
                 || component.getType() == Transmission.class
                 || component.getType() == Contribution.class
                         ? components(component.getType().asSubclass(Record.class)).stream() : Stream.of(keyword(component));

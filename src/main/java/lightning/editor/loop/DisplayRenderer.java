@@ -28,17 +28,17 @@ final class DisplayRenderer implements AutoCloseable {
     /** Renders the image without some effects. Its reflections show the scene that the full image's reflections show. */
     private Renderer renderWithEffects(Renderer renderer, ViewEffects effects, Progress progress) {
         var options = renderer.options().withReflections(ReflectionMode.STALE).withView(effects)
-                .withMemory(renderer.options().memory() - renderer.bytes());
+                .withMemory(renderer.options().memory() - renderer.state().bytes());
         if (effectRenderer == null) {
             effectRenderer = new Renderer(options);
         }
         effectRenderer.setOptions(options);
         Scene mirrored = renderer.cache().mirroredScene();
-        update(mirrored, renderer.isFinished(), progress);
-        if (!effectRenderer.hasCurrentReflections()) {
+        update(mirrored, renderer.state().isFinished(), progress);
+        if (!effectRenderer.cache().hasCurrentReflections()) {
             effectRenderer.updateReflections(progress);
         }
-        update(renderer.scene(), renderer.isFinished(), progress);
+        update(renderer.scene(), renderer.state().isFinished(), progress);
         return effectRenderer;
     }
 
@@ -53,7 +53,7 @@ final class DisplayRenderer implements AutoCloseable {
 
     /** Returns the additional bytes of the second renderer. */
     long bytes() {
-        return effectRenderer == null ? 0 : effectRenderer.bytes();
+        return effectRenderer == null ? 0 : effectRenderer.state().bytes();
     }
 
     /** Returns the full image and frees the second renderer. */

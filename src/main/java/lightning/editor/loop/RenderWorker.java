@@ -111,7 +111,7 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
     private void changeOptions(RenderQueue.RenderJob.ChangeOptions job, RenderQueue.CancelSignal signal) {
         renderer.setOptions(job.options());
         pathsCache = null;
-        if (!renderer.hasPicture()) {
+        if (!renderer.state().hasPicture()) {
             dropPicture();
         }
         if (job.scene() != null) {
@@ -124,7 +124,7 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
         listener.started(planned.update());
         boolean adds = addsIndirectLight(scene, planned.update());
         boolean repeats = !adds && repeatsPaths(planned.update());
-        if (!adds || renderer.hasPicture() && renderer.cache().indirect() != null) {
+        if (!adds || renderer.state().hasPicture() && renderer.cache().indirect() != null) {
             pathsCache = null;
         }
         if (repeats && pathTimes.areSlow() && canKeepPicture()) {
@@ -138,7 +138,7 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
                 pathTimes.recordUpdate(seconds);
             }
         }
-        if (!renderer.isFinished()) {
+        if (!renderer.state().isFinished()) {
             queue.requestSamples();
         }
     }
@@ -167,7 +167,7 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
 
     /** Returns whether the image has all samples, and there is memory for a direct and a new one even if they share nothing with it. */
     private boolean canKeepPicture() {
-        return renderer.isFinished() && 3 * renderer.bytes() <= renderer.options().memory();
+        return renderer.state().isFinished() && 3 * renderer.state().bytes() <= renderer.options().memory();
     }
 
     /** Returns whether an update traces the paths of indirect light, and the image without it can be kept. */
@@ -176,7 +176,7 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
         if (shown.picture().indirect().isEmpty()) {
             return false;
         }
-        PixelCache cache = renderer.hasPicture() ? renderer.cache() : null;
+        PixelCache cache = renderer.state().hasPicture() ? renderer.cache() : null;
         return update instanceof UpdatePlan.FirstPass || cache.indirect() == null
                 || !shown.picture().indirect().equals(cache.scene().picture().indirect())
                         && shown.withoutIndirect().equals(cache.scene().withoutIndirect());
@@ -189,7 +189,7 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
      */
     private void renderDirectFirst(Scene scene, RenderQueue.CancelSignal signal) {
         Scene direct = scene.withoutIndirect();
-        boolean isShown = renderer.hasPicture()
+        boolean isShown = renderer.state().hasPicture()
                 && renderer.scene().withoutIndirect().equals(renderer.options().view().apply(direct));
         double directSeconds = 0;
         if (!isShown) {
@@ -269,11 +269,11 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
 
     /** Renders the missing samples of the image, if any. */
     private void renderSamples(RenderQueue.CancelSignal signal) {
-        if (!renderer.isFinished()) {
+        if (!renderer.state().isFinished()) {
             Scene scene = renderer.scene();
             listener.samplesStarted();
             var display = new ProgressiveDisplay(signal, scene, listener, _ -> {}, _ -> {}, displayMode.isFullPicture());
-            if (renderer.lastFinishedCache() == null) {
+            if (renderer.state().lastFinished() == null) {
                 display.showingTiles(false);
             }
             update((r, _) -> r.finish(display), lastStep, startCache(), (r, progress) -> r.render(scene, progress), signal);
@@ -288,7 +288,7 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
      */
     private void freeMemory(Scene scene, RenderQueue.CancelSignal signal, Consumer<Film> previews) {
         renderer.requireMemory(scene, 0, signal, previews);
-        long usedBytes = renderer.bytes() + displayRenderer.bytes();
+        long usedBytes = renderer.state().bytes() + displayRenderer.bytes();
         try {
             renderer.requireMemory(scene, usedBytes, signal, previews);
         } catch (PictureTooLargeException e) {
@@ -318,7 +318,7 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
         ViewTransform usedView = view;
         renderer.setView(usedView.exposure(), usedView.steepestCurve());
         UpdateResult update = step.run(renderer, signal);
-        verifier.setLastEdit(!renderer.isFinished() || repeatStep == null ? Optional.empty()
+        verifier.setLastEdit(!renderer.state().isFinished() || repeatStep == null ? Optional.empty()
                 : WarmSaving.RepeatableEdit.of(update, start, renderer.options(), (r, progress) -> {
                     r.setView(usedView.exposure(), usedView.steepestCurve());
                     return repeatStep.run(r, progress);
@@ -330,7 +330,7 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
 
     /** Returns the cache that the update starts from; null if a repetition cannot start from it, as its accuracy differs. */
     private PixelCache startCache() {
-        return renderer.hasPicture() && renderer.options().accuracy() == lastAccuracy ? renderer.lastFinishedCache() : null;
+        return renderer.state().hasPicture() && renderer.options().accuracy() == lastAccuracy ? renderer.state().lastFinished() : null;
     }
 
     private void dropDocument(long number) {
@@ -339,7 +339,7 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
     }
 
     private void updateReflections(RenderQueue.CancelSignal signal) {
-        if (renderedScene != null && !renderer.hasCurrentReflections()) {
+        if (renderedScene != null && !renderer.cache().hasCurrentReflections()) {
             update(Renderer::updateReflections, lastStep, startCache(), Renderer::updateReflections, signal);
         }
     }
@@ -370,7 +370,7 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
         publishedCache = new WeakReference<>(renderer.cache());
         listener.rendered(new Frame(renderer.film(), displayed, mode, renderedScene, renderer.cache().mirroredScene(), lastUpdate,
                 renderer.cache().geometry(), renderer.cache().indirect() == null ? null : renderer.cache().indirect().light(),
-                lastStep, renderer.isFinished()));
+                lastStep, renderer.state().isFinished()));
     }
 
     private Optional<CoarsePicture> takeStartupPreview() {

@@ -94,6 +94,11 @@ public final class PixelCache {
         return scenes.scene();
     }
 
+    /** Returns whether mirror images show the same scene as the rest. */
+    public boolean hasCurrentReflections() {
+        return mirroredScene().equals(scene());
+    }
+
     /** Returns the scene of the reflections. */
     public Scene mirroredScene() {
         return scenes.mirrored();

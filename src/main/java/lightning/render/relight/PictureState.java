@@ -4,7 +4,7 @@ import lightning.render.cache.PixelCache;
 import lightning.render.relight.plan.Accuracy;
 
 /** What a renderer holds of its picture. Immutable: an update makes the next state, and the renderer replaces its state in one assignment. */
-sealed interface PictureState {
+public sealed interface PictureState {
 
     /** No picture. */
     record Empty() implements PictureState {}
@@ -22,6 +22,16 @@ sealed interface PictureState {
      * @param accuracy accuracy of its layers; it differs from the renderer's options after a change, until the next update
      */
     record Finished(PixelCache cache, Accuracy accuracy) implements PictureState {}
+
+    /** Returns whether no sample is missing that the scene requires; true without a picture. */
+    default boolean isFinished() {
+        return !(this instanceof CentersOnly);
+    }
+
+    /** Returns whether there is a picture. */
+    default boolean hasPicture() {
+        return !(this instanceof Empty);
+    }
 
     /** Returns the state that shows a cache, or no picture if it is null. */
     static PictureState of(PixelCache finished, Accuracy accuracy) {

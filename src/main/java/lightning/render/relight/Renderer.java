@@ -63,7 +63,7 @@ public final class Renderer implements AutoCloseable {
      * cache only if the view or the mirror storage changes.
      */
     public void setOptions(RenderOptions to) {
-        if (!isFinished() && (to.accuracy() != options.accuracy() || to.reflections() != options.reflections())) {
+        if (!state.isFinished() && (to.accuracy() != options.accuracy() || to.reflections() != options.reflections())) {
             // Samples cannot follow centers of another accuracy.
             restore(state.lastFinished());
         }
@@ -85,8 +85,8 @@ public final class Renderer implements AutoCloseable {
     }
 
     /** Plans the update of the film to the target scene, with mirror images if they show the scene rendered last. */
-    public PlannedUpdate planKeepingReflectionsCurrent(Scene target) {
-        return plan(options.view().apply(target), options.reflections() == ReflectionMode.CURRENT || hasCurrentReflections());
+    private PlannedUpdate planKeepingReflectionsCurrent(Scene target) {
+        return plan(options.view().apply(target), options.reflections() == ReflectionMode.CURRENT || cache().hasCurrentReflections());
     }
 
     /**
@@ -141,7 +141,7 @@ public final class Renderer implements AutoCloseable {
         try {
             return render(target, progress);
         } catch (PictureTooLargeException e) {
-            if (!hasPicture()) {
+            if (state instanceof PictureState.Empty) {
                 throw e;
             }
             clear();
@@ -170,11 +170,6 @@ public final class Renderer implements AutoCloseable {
      */
     public UpdateResult renderCenters(PlannedUpdate planned, Progress progress) {
         return finishStep(updateWith(progress).run(state, replanIfStale(planned), true));
-    }
-
-    /** Returns whether the film has all samples that its scene requires. */
-    public boolean isFinished() {
-        return !(state instanceof PictureState.CentersOnly);
     }
 
     /**
@@ -215,11 +210,6 @@ public final class Renderer implements AutoCloseable {
         return render(plan(cache().scene(), true), progress);
     }
 
-    /** Returns whether the mirror images show the scene rendered last. */
-    public boolean hasCurrentReflections() {
-        return cache().mirroredScene().equals(cache().scene());
-    }
-
     /**
      * Composes the contribution of one light from the cache. Casts no ray and changes nothing. Equals the picture of {@link
      * LightImage#scene}, mirrors included, over the samples of this picture.
@@ -232,6 +222,11 @@ public final class Renderer implements AutoCloseable {
         return LightImage.film(cache(), options, light, workers, progress);
     }
 
+    /** Returns what it holds of its picture; later updates make new states. */
+    public PictureState state() {
+        return state;
+    }
+
     /** Returns the current picture; later updates create new films. */
     public Film film() {
         return cache().film();
@@ -240,11 +235,6 @@ public final class Renderer implements AutoCloseable {
     /** Returns the scene rendered last, as the view shows it. */
     public Scene scene() {
         return cache().scene();
-    }
-
-    /** Returns whether a picture is cached. */
-    public boolean hasPicture() {
-        return !(state instanceof PictureState.Empty);
     }
 
     /**
@@ -258,16 +248,6 @@ public final class Renderer implements AutoCloseable {
             throw new IllegalStateException("no scene was rendered yet");
         }
         return newest;
-    }
-
-    /** Returns the cache of the last picture with all its samples, from which {@link #finish} starts; null if there is none. */
-    public PixelCache lastFinishedCache() {
-        return state.lastFinished();
-    }
-
-    /** Returns the bytes of all cached data. */
-    public long bytes() {
-        return state.bytes();
     }
 
     /** Discards the cache: the next picture is a first pass. */

@@ -2,10 +2,8 @@ package lightning.render.trace;
 
 import java.lang.ref.SoftReference;
 import java.lang.ref.WeakReference;
-import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Set;
 import java.util.WeakHashMap;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Predicate;
@@ -37,8 +35,8 @@ public final class Geometry {
     /** More meshes have no light buffers. */
     private static final int MAX_BUFFERED_MESHES = 64;
 
-    private final Surfaces surfaces;
-    private final Blockers blockers;
+    private final ShapeSurfaces surfaces;
+    private final ShadowBlockers blockers;
     /** Parts of these, for hot code. */
     private final Scene scene;
     private final List<Shape> shapes;
@@ -66,65 +64,7 @@ public final class Geometry {
      */
     private volatile WeakReference<ShapeChange> lastChange;
 
-    /**
-     * Shapes with the materials of a scene.
-     *
-     * @param materialNames        names of all materials that a shape has or had, in the order of their indices
-     * @param vertexColorMaterials names of materials of meshes with vertex colors
-     * @param castsReflections     selects the materials that cast reflected rays: all reflective ones, and possibly others
-     */
-    private record Surfaces(Scene scene, List<Shape> shapes, List<String> materialNames, Set<String> vertexColorMaterials,
-            Predicate<Material> castsReflections, MaterialTable materials) {
-
-        static Surfaces of(Scene scene, Predicate<Material> castsReflections) {
-            List<Shape> shapes = scene.stage().rendered().shapes();
-            return of(scene, shapes, MaterialTable.materialNames(shapes), null, castsReflections);
-        }
-
-        /** @param known table of materials to reuse, or null */
-        private static Surfaces of(Scene scene, List<Shape> shapes, List<String> names, MaterialTable known,
-                Predicate<Material> castsReflections) {
-            Set<String> vertexColors = MaterialTable.vertexColorMaterials(shapes);
-            return new Surfaces(scene, shapes, names, vertexColors, castsReflections,
-                    new MaterialTable(names, vertexColors, scene, known, castsReflections));
-        }
-
-        /** Returns the same shapes with the materials of another scene. */
-        Surfaces withMaterialsOf(Scene other, Predicate<Material> newCastsReflections) {
-            return new Surfaces(other, shapes, materialNames, vertexColorMaterials, newCastsReflections,
-                    new MaterialTable(materialNames, vertexColorMaterials, other, materials, newCastsReflections));
-        }
-
-        /** Returns the shapes of another scene; materials keep their indices. */
-        Surfaces withShapesOf(Scene other) {
-            List<Shape> others = other.stage().rendered().shapes();
-            return of(other, others, MaterialTable.materialNames(materialNames, others), materials, castsReflections);
-        }
-
-        PrimitiveTable.BoxedPrimitives primitives() {
-            Map<String, Integer> index = new HashMap<>();
-            materialNames.forEach(name -> index.put(name, index.size()));
-            int[] materialIndices = shapes.stream().mapToInt(s -> index.get(s.material())).toArray();
-            return PrimitiveTable.of(scene.stage().rendered(), materialIndices, scene.camera().origin());
-        }
-    }
-
-    /**
-     * Primitives that block or tint shadow rays.
-     *
-     * @param shadowCasters those that cast shadows; null if all do
-     * @param tintCasters   those that transmit and tint light; null if none does
-     * @param tintBvh       BVH over these; null if there are none
-     */
-    private record Blockers(boolean[] shadowCasters, boolean[] tintCasters, Bvh tintBvh) {
-        static final Blockers ALL = new Blockers(null, null, null);
-
-        boolean castShadows() {
-            return shadowCasters == null || IntStream.range(0, shadowCasters.length).anyMatch(s -> shadowCasters[s]);
-        }
-    }
-
-    private Geometry(Surfaces surfaces, Bvh bvh, PrimitiveTable primitives, Blockers blockers) {
+    private Geometry(ShapeSurfaces surfaces, Bvh bvh, PrimitiveTable primitives, ShadowBlockers blockers) {
         this.surfaces = surfaces;
         scene = surfaces.scene();
         shapes = surfaces.shapes();
@@ -141,8 +81,8 @@ public final class Geometry {
         hasShadowlessMaterials = materials.hasShadowlessMaterials();
     }
 
-    private Geometry(Surfaces surfaces, Bvh bvh) {
-        this(surfaces, bvh, bvh.primitives, Blockers.ALL);
+    private Geometry(ShapeSurfaces surfaces, Bvh bvh) {
+        this(surfaces, bvh, bvh.primitives, ShadowBlockers.ALL);
     }
 
     /** Prepares the shapes of a scene. */
@@ -156,7 +96,7 @@ public final class Geometry {
      * @param castsReflections selects the materials that cast reflected rays: all reflective ones, and possibly others
      */
     public static Geometry of(Scene scene, Predicate<Material> castsReflections) {
-        Surfaces surfaces = Surfaces.of(scene, castsReflections);
+        ShapeSurfaces surfaces = ShapeSurfaces.of(scene, castsReflections);
         return new Geometry(surfaces, new Bvh(surfaces.primitives()));
     }
 
@@ -166,7 +106,7 @@ public final class Geometry {
 
     /** Returns a version in which only some primitives cast shadows; the BVH contains only these. */
     private Geometry withBlockers(boolean[] newShadowCasters, boolean[] newTintCasters) {
-        var changed = new Blockers(newShadowCasters, newTintCasters, newTintCasters == null ? null : bvh.subset(newTintCasters));
+        var changed = new ShadowBlockers(newShadowCasters, newTintCasters, newTintCasters == null ? null : bvh.subset(newTintCasters));
         return new Geometry(surfaces, changed.castShadows() ? bvh.subset(newShadowCasters) : bvh, primitives, changed);
     }
 
@@ -178,7 +118,7 @@ public final class Geometry {
 
     /** Returns other shapes seen from the same camera position; materials keep their indices. */
     private Geometry withShapes(Scene other) {
-        Surfaces changed = surfaces.withShapesOf(other);
+        ShapeSurfaces changed = surfaces.withShapesOf(other);
         return new Geometry(changed, Bvh.refitOrRebuild(changed.primitives(), bvh));
     }
 

@@ -2,6 +2,8 @@ package lightning.scene.light;
 
 import io.soabase.recordbuilder.core.RecordBuilder;
 import lightning.base.math.Vec3;
+import lightning.scene.attribute.NumericKind;
+import lightning.scene.value.SceneLimits;
 
 /**
  * Size of an area light. The light's type decides which values act; {@link LightAttribute} has their ranges and units.
@@ -18,8 +20,22 @@ import lightning.base.math.Vec3;
 @RecordBuilder
 public record AreaShape(double radius, double spread, double width, double height, Vec3 up, int samples,
         FaceVisibility visibility, boolean hardShadows) implements AreaShapeBuilder.With {
+    static final NumericKind<Double> EXTENTS = NumericKind.number(0, SceneLimits.MAX_EXTENT, 0.1);
+    static final NumericKind<Double> SPREADS = NumericKind.degrees(0, SceneLimits.MAX_SPREAD, 0.5);
+    static final NumericKind<Integer> SAMPLE_COUNTS = NumericKind.integer(SceneLimits.MIN_LIGHT_SAMPLES, SceneLimits.MAX_LIGHT_SAMPLES);
+
     /** Initial values of a light. */
     public static final AreaShape DEFAULT = new AreaShape(0, 0, 1, 1, Vec3.Y, 16);
+
+    /** @throws IllegalArgumentException if a value is out of range; the message says which */
+    public AreaShape {
+        EXTENTS.check("radius", radius);
+        SPREADS.check("spread", spread);
+        EXTENTS.check("width", width);
+        EXTENTS.check("height", height);
+        NumericKind.direction().check("up", up);
+        SAMPLE_COUNTS.check("samples", samples);
+    }
 
     /** Creates the size of a light that the camera does not see. */
     public AreaShape(double radius, double spread, double width, double height, Vec3 up, int samples) {

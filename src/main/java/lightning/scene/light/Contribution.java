@@ -1,6 +1,8 @@
 package lightning.scene.light;
 
 import io.soabase.recordbuilder.core.RecordBuilder;
+import lightning.scene.attribute.NumericKind;
+import lightning.scene.value.SceneLimits;
 import lightning.scene.value.ShapeGains;
 
 /**
@@ -13,8 +15,16 @@ import lightning.scene.value.ShapeGains;
  */
 @RecordBuilder
 public record Contribution(boolean castsShadows, double diffuse, double specular, ShapeGains gains) implements ContributionBuilder.With {
+    static final NumericKind<Double> GAINS = NumericKind.number(0, SceneLimits.MAX_GAIN, 0.1);
+
     /** Shadows of all shapes, and all factors 1. */
     public static final Contribution DEFAULT = new Contribution(true, 1, 1, ShapeGains.NONE);
+
+    /** @throws IllegalArgumentException if a gain is out of range; the message says which */
+    public Contribution {
+        GAINS.check("diffuse", diffuse);
+        GAINS.check("specular", specular);
+    }
 
     /** Returns whether any factor may differ from 1. */
     public boolean isGained() {

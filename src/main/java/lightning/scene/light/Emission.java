@@ -3,6 +3,7 @@ package lightning.scene.light;
 import io.soabase.recordbuilder.core.RecordBuilder;
 import java.util.Optional;
 import lightning.base.math.Rgb;
+import lightning.scene.attribute.NumericKind;
 import lightning.scene.value.ColorTemperature;
 import lightning.scene.value.SceneLimits;
 
@@ -15,10 +16,19 @@ import lightning.scene.value.SceneLimits;
  */
 @RecordBuilder
 public record Emission(double exposure, IntensityUnit unit, double temperature) implements EmissionBuilder.With {
-    /** Initial values of a light: color and intensity as they are. */
-    public static final Emission DEFAULT = new Emission(0, IntensityUnit.RELATIVE, ColorTemperature.NEUTRAL);
     /** Largest absolute exposure, stops. */
     public static final double MAX_EXPOSURE = 64;
+    static final NumericKind<Double> EXPOSURES = NumericKind.stops(-MAX_EXPOSURE, MAX_EXPOSURE, 0.1);
+    static final NumericKind<Double> TEMPERATURES = NumericKind.kelvin(ColorTemperature.MIN, ColorTemperature.MAX, 100);
+
+    /** Initial values of a light: color and intensity as they are. */
+    public static final Emission DEFAULT = new Emission(0, IntensityUnit.RELATIVE, ColorTemperature.NEUTRAL);
+
+    /** @throws IllegalArgumentException if a value is out of range; the message says which */
+    public Emission {
+        EXPOSURES.check("exposure", exposure);
+        TEMPERATURES.check("temperature", temperature);
+    }
 
     /** Returns a color with the temperature's hue and its own brightness. */
     public Rgb tinted(Rgb color) {

@@ -24,61 +24,34 @@ import lightning.scene.value.ShapeLinks;
  * @param color       linear color
  * @param emission    exposure, unit and temperature, which multiply color and intensity
  * @param direction   direction in which it shines, any length
- * @param falloff     law of its falloff with distance
- * @param attenuation terms of the custom falloff
- * @param angle       half-angle of a spot's cone
- * @param dropoff     exponent of a spot's falloff from its axis
+ * @param distanceFalloff how it loses strength with distance
+ * @param cone        directions in which it shines
  * @param area        size of an area light
  * @param texture     image on the face of a rectangle or disc
- * @param on          true if switched on
- * @param solo        true if soloed: if any light is solo, all others are dark
- * @param lightGroup  name of its light group; empty for none
+ * @param switches    whether it shines, and its light group
  * @param illuminates shapes that it illuminates
  * @param shadowedBy  shapes that cast shadows in its light, if it casts shadows
  * @param contribution its shadows and gains
  */
 @RecordBuilder
-public record Light(String name, LightType type, Rgb color, double intensity, Emission emission, Vec3 position,
-        Vec3 direction, Falloff falloff, Attenuation attenuation, double angle, double dropoff, BarnDoors doors, double feather,
-        Optional<Gobo> gobo,
-        Optional<IesProfile> profile, AreaShape area, Optional<LightTexture> texture, boolean on,
-        boolean solo, String lightGroup, ShapeLinks illuminates, ShapeLinks shadowedBy, Contribution contribution)
-        implements LightBuilder.With {
+public record Light(String name, LightType type, Rgb color, double intensity, Emission emission, Vec3 position, Vec3 direction,
+        DistanceFalloff distanceFalloff, Cone cone, AreaShape area, Optional<LightTexture> texture, Switches switches,
+        ShapeLinks illuminates, ShapeLinks shadowedBy, Contribution contribution) implements LightBuilder.With {
 
+    /** @throws IllegalArgumentException if a value is out of range; the message says which. Its records check theirs. */
     public Light {
         SceneLimits.checkName(name);
         LightAttribute.COLOR.check(color);
         LightAttribute.INTENSITY.check(intensity);
-        LightAttribute.EXPOSURE.check(emission.exposure());
-        LightAttribute.TEMPERATURE.check(emission.temperature());
         LightAttribute.POSITION.check(position);
         LightAttribute.DIRECTION.check(direction);
-        LightAttribute.ANGLE.check(angle);
-        LightAttribute.DROPOFF.check(dropoff);
-        LightAttribute.FEATHER.check(feather);
-        LightAttribute.RADIUS.check(area.radius());
-        LightAttribute.SPREAD.check(area.spread());
-        LightAttribute.WIDTH.check(area.width());
-        LightAttribute.HEIGHT.check(area.height());
-        LightAttribute.UP.check(area.up());
-        LightAttribute.SAMPLES.check(area.samples());
-        LightAttribute.LIGHT_GROUP.check(lightGroup);
-        LightAttribute.ILLUMINATES.check(illuminates);
-        LightAttribute.SHADOWED_BY.check(shadowedBy);
-        LightAttribute.DIFFUSE.check(contribution.diffuse());
-        LightAttribute.SPECULAR.check(contribution.specular());
     }
 
     /** Returns a light with initial values. */
     public static Light of(String name, LightType type) {
-        return new Light(name, type, LightAttribute.COLOR.initial(), LightAttribute.INTENSITY.initial(),
-                Emission.DEFAULT, LightAttribute.POSITION.initial(), LightAttribute.DIRECTION.initial(), LightAttribute.FALLOFF.initial(),
-                LightAttribute.ATTENUATION.initial(),
-                LightAttribute.ANGLE.initial(), LightAttribute.DROPOFF.initial(), LightAttribute.DOORS.initial(),
-                LightAttribute.FEATHER.initial(), LightAttribute.GOBO.initial(), LightAttribute.PROFILE.initial(), AreaShape.DEFAULT,
-                LightAttribute.TEXTURE.initial(), LightAttribute.ON.initial(),
-                LightAttribute.SOLO.initial(), LightAttribute.LIGHT_GROUP.initial(), LightAttribute.ILLUMINATES.initial(),
-                LightAttribute.SHADOWED_BY.initial(), Contribution.DEFAULT);
+        return new Light(name, type, LightAttribute.COLOR.initial(), LightAttribute.INTENSITY.initial(), Emission.DEFAULT,
+                LightAttribute.POSITION.initial(), LightAttribute.DIRECTION.initial(), DistanceFalloff.DEFAULT, Cone.DEFAULT,
+                AreaShape.DEFAULT, Optional.empty(), Switches.DEFAULT, ShapeLinks.ALL, ShapeLinks.ALL, Contribution.DEFAULT);
     }
 
     /**
@@ -133,15 +106,12 @@ public record Light(String name, LightType type, Rgb color, double intensity, Em
 
     /** Returns the terms of its falloff with distance. */
     public Attenuation distanceTerms() {
-        return switch (falloff) {
-            case CUSTOM -> attenuation;
-            case INVERSE_SQUARE -> Attenuation.INVERSE_SQUARE;
-        };
+        return distanceFalloff.terms();
     }
 
     /** Returns the largest falloff with distance, at least 0. */
     public double maxFalloff() {
-        return falloff.max(type, area);
+        return falloff().max(type, area);
     }
 
     /** Returns the image on its face, if it has one and a face. */
@@ -173,7 +143,7 @@ public record Light(String name, LightType type, Rgb color, double intensity, Em
 
     /** Returns whether its falloff with distance is 1 everywhere. */
     public boolean hasNoAttenuation() {
-        return !type.hasPosition() || falloff == Falloff.CUSTOM && attenuation.isNone();
+        return !type.hasPosition() || falloff() == Falloff.CUSTOM && attenuation().isNone();
     }
 
     /** Returns whether it is larger than a point and shines from all of its area, so that its shadows are soft. */
@@ -206,5 +176,115 @@ public record Light(String name, LightType type, Rgb color, double intensity, Em
         ShapeGains gained = gains.apply(contribution.gains());
         return illuminated == illuminates && shadowing == shadowedBy && gained == contribution.gains() ? this
                 : withIlluminates(illuminated).withShadowedBy(shadowing).withContribution(contribution.withGains(gained));
+    }
+
+    /** Returns {@link DistanceFalloff#falloff}. */
+    public Falloff falloff() {
+        return distanceFalloff.falloff();
+    }
+
+    /** Returns this light with another {@link DistanceFalloff#falloff}. */
+    public Light withFalloff(Falloff v) {
+        return withDistanceFalloff(distanceFalloff.withFalloff(v));
+    }
+
+    /** Returns {@link DistanceFalloff#attenuation}. */
+    public Attenuation attenuation() {
+        return distanceFalloff.attenuation();
+    }
+
+    /** Returns this light with another {@link DistanceFalloff#attenuation}. */
+    public Light withAttenuation(Attenuation v) {
+        return withDistanceFalloff(distanceFalloff.withAttenuation(v));
+    }
+
+    /** Returns {@link Cone#angle}. */
+    public double angle() {
+        return cone.angle();
+    }
+
+    /** Returns this light with another {@link Cone#angle}. */
+    public Light withAngle(double v) {
+        return withCone(cone.withAngle(v));
+    }
+
+    /** Returns {@link Cone#dropoff}. */
+    public double dropoff() {
+        return cone.dropoff();
+    }
+
+    /** Returns this light with another {@link Cone#dropoff}. */
+    public Light withDropoff(double v) {
+        return withCone(cone.withDropoff(v));
+    }
+
+    /** Returns {@link Cone#doors}. */
+    public BarnDoors doors() {
+        return cone.doors();
+    }
+
+    /** Returns this light with another {@link Cone#doors}. */
+    public Light withDoors(BarnDoors v) {
+        return withCone(cone.withDoors(v));
+    }
+
+    /** Returns {@link Cone#feather}. */
+    public double feather() {
+        return cone.feather();
+    }
+
+    /** Returns this light with another {@link Cone#feather}. */
+    public Light withFeather(double v) {
+        return withCone(cone.withFeather(v));
+    }
+
+    /** Returns {@link Cone#gobo}. */
+    public Optional<Gobo> gobo() {
+        return cone.gobo();
+    }
+
+    /** Returns this light with another {@link Cone#gobo}. */
+    public Light withGobo(Optional<Gobo> v) {
+        return withCone(cone.withGobo(v));
+    }
+
+    /** Returns {@link Cone#profile}. */
+    public Optional<IesProfile> profile() {
+        return cone.profile();
+    }
+
+    /** Returns this light with another {@link Cone#profile}. */
+    public Light withProfile(Optional<IesProfile> v) {
+        return withCone(cone.withProfile(v));
+    }
+
+    /** Returns {@link Switches#on}. */
+    public boolean on() {
+        return switches.on();
+    }
+
+    /** Returns this light with another {@link Switches#on}. */
+    public Light withOn(boolean v) {
+        return withSwitches(switches.withOn(v));
+    }
+
+    /** Returns {@link Switches#solo}. */
+    public boolean solo() {
+        return switches.solo();
+    }
+
+    /** Returns this light with another {@link Switches#solo}. */
+    public Light withSolo(boolean v) {
+        return withSwitches(switches.withSolo(v));
+    }
+
+    /** Returns {@link Switches#lightGroup}. */
+    public String lightGroup() {
+        return switches.lightGroup();
+    }
+
+    /** Returns this light with another {@link Switches#lightGroup}. */
+    public Light withLightGroup(String v) {
+        return withSwitches(switches.withLightGroup(v));
     }
 }

@@ -24,7 +24,6 @@ import lightning.scene.attribute.SceneAttribute;
 import lightning.scene.attribute.ValueKind;
 import lightning.scene.value.Attenuation;
 import lightning.scene.value.BarnDoors;
-import lightning.scene.value.ColorTemperature;
 import lightning.scene.value.SceneLimits;
 import lightning.scene.value.ShapeGains;
 import lightning.scene.value.ShapeLinks;
@@ -66,14 +65,14 @@ public final class LightAttribute<V> extends SceneAttribute<Light, V> {
     public static final LightAttribute<Double> INTENSITY = of("intensity", NumericKind.number(0, SceneLimits.MAX_INTENSITY, 0.1), 1.0, "",
             Light::intensity, Light::withIntensity, Section.COLOR, forAllTypes(LightTerm.WEIGHT));
     public static final LightAttribute<Double> EXPOSURE = of("exposure",
-            NumericKind.stops(-Emission.MAX_EXPOSURE, Emission.MAX_EXPOSURE, 0.1), Emission.DEFAULT.exposure(), "stops",
+            Emission.EXPOSURES, Emission.DEFAULT.exposure(), "stops",
             l -> l.emission().exposure(), (l, v) -> l.withEmission(l.emission().withExposure(v)), Section.COLOR,
             forAllTypes(LightTerm.WEIGHT));
     public static final LightAttribute<IntensityUnit> UNIT = of("unit", "intensity unit", ChoiceKind.of(IntensityUnit.class),
             Emission.DEFAULT.unit(), "", l -> l.emission().unit(), (l, v) -> l.withEmission(l.emission().withUnit(v)), Section.COLOR,
             forAllTypes(LightTerm.WEIGHT));
     public static final LightAttribute<Double> TEMPERATURE = of("temperature",
-            NumericKind.kelvin(ColorTemperature.MIN, ColorTemperature.MAX, 100), Emission.DEFAULT.temperature(), "kelvin",
+            Emission.TEMPERATURES, Emission.DEFAULT.temperature(), "kelvin",
             l -> l.emission().temperature(), (l, v) -> l.withEmission(l.emission().withTemperature(v)), Section.COLOR,
             forAllTypes(LightTerm.WEIGHT));
     public static final LightAttribute<Vec3> POSITION = new LightAttribute<>("at", "position", "position", NumericKind.position(),
@@ -83,20 +82,22 @@ public final class LightAttribute<V> extends SceneAttribute<Light, V> {
             "any nonzero vector", Light::direction, Light::withDirection, Section.PLACE,
             Map.of(DIRECTIONAL, LightTerm.SOURCE, SPOT, LightTerm.CONE_AXIS, RECT, LightTerm.SOURCE, DISC, LightTerm.SOURCE));
     public static final LightAttribute<Falloff> FALLOFF = of("falloff", ChoiceKind.of(Falloff.class)
-            .withLabels(List.of(Messages.key("custom"), Messages.key("inverse square"))), Falloff.CUSTOM, "", Light::falloff,
+            .withLabels(List.of(Messages.key("custom"), Messages.key("inverse square"))), DistanceFalloff.DEFAULT.falloff(), "",
+            Light::falloff,
             Light::withFalloff, Section.ATTENUATION,
             Map.of(POINT, LightTerm.FALLOFF, SPOT, LightTerm.FALLOFF, RECT, LightTerm.FALLOFF, DISC, LightTerm.FALLOFF));
-    public static final LightAttribute<Attenuation> ATTENUATION = of("attenuation", NumericKind.attenuation(), Attenuation.NONE,
-            "per scene unit to the power 0, 1, 2", Light::attenuation, Light::withAttenuation, Section.ATTENUATION,
-            Map.of(POINT, LightTerm.FALLOFF, SPOT, LightTerm.FALLOFF, RECT, LightTerm.FALLOFF, DISC, LightTerm.FALLOFF));
-    public static final LightAttribute<Double> ANGLE = of("angle", "cone half-angle", NumericKind.degrees(0, SceneLimits.MAX_ANGLE, 1),
-            30.0, "degrees, half-angle", Light::angle, Light::withAngle, Section.CONE, Map.of(SPOT, LightTerm.CONE_ANGLE));
-    public static final LightAttribute<Double> DROPOFF = of("dropoff", "edge falloff", NumericKind.number(0, SceneLimits.MAX_DROPOFF, 0.1),
-            0.0, "exponent", Light::dropoff, Light::withDropoff, Section.CONE, Map.of(SPOT, LightTerm.FALLOFF));
+    public static final LightAttribute<Attenuation> ATTENUATION =
+            of("attenuation", NumericKind.attenuation(), DistanceFalloff.DEFAULT.attenuation(),
+                    "per scene unit to the power 0, 1, 2", Light::attenuation, Light::withAttenuation, Section.ATTENUATION,
+                    Map.of(POINT, LightTerm.FALLOFF, SPOT, LightTerm.FALLOFF, RECT, LightTerm.FALLOFF, DISC, LightTerm.FALLOFF));
+    public static final LightAttribute<Double> ANGLE = of("angle", "cone half-angle", Cone.ANGLES, Cone.DEFAULT.angle(),
+            "degrees, half-angle", Light::angle, Light::withAngle, Section.CONE, Map.of(SPOT, LightTerm.CONE_ANGLE));
+    public static final LightAttribute<Double> DROPOFF = of("dropoff", "edge falloff", Cone.DROPOFFS, Cone.DEFAULT.dropoff(), "exponent",
+            Light::dropoff, Light::withDropoff, Section.CONE, Map.of(SPOT, LightTerm.FALLOFF));
     public static final LightAttribute<BarnDoors> DOORS =
-            of("doors", "barn doors", NumericKind.doors(), BarnDoors.OPEN, "degrees from the axis, 90 = open",
+            of("doors", "barn doors", NumericKind.doors(), Cone.DEFAULT.doors(), "degrees from the axis, 90 = open",
                     Light::doors, Light::withDoors, Section.CONE, Map.of(SPOT, LightTerm.FALLOFF, RECT, LightTerm.FALLOFF));
-    public static final LightAttribute<Double> FEATHER = of("feather", NumericKind.degrees(0, SceneLimits.MAX_FEATHER, 1), 0.0,
+    public static final LightAttribute<Double> FEATHER = of("feather", Cone.FEATHERS, Cone.DEFAULT.feather(),
             "degrees inside the door's edge", Light::feather, Light::withFeather, Section.CONE,
             Map.of(SPOT, LightTerm.FALLOFF, RECT, LightTerm.FALLOFF));
     public static final LightAttribute<Optional<Gobo>> GOBO = of("gobo", new ValueKind.GoboKind(), Optional.empty(), "a PNG or JPEG file",
@@ -105,19 +106,19 @@ public final class LightAttribute<V> extends SceneAttribute<Light, V> {
             of("profile", "IES profile", new ValueKind.ProfileKind(), Optional.empty(), "an IES file",
                     Light::profile, Light::withProfile, Section.CONE, Map.of(POINT, LightTerm.FALLOFF, SPOT, LightTerm.FALLOFF));
     public static final LightAttribute<Double> RADIUS =
-            of("radius", NumericKind.number(0, SceneLimits.MAX_EXTENT, 0.1), AreaShape.DEFAULT.radius(),
+            of("radius", AreaShape.EXTENTS, AreaShape.DEFAULT.radius(),
                     "scene units", l -> l.area().radius(), (l, v) -> l.withArea(l.area().withRadius(v)), Section.AREA,
                     Map.of(POINT, LightTerm.SOURCE, SPOT, LightTerm.SOURCE, DISC, LightTerm.SOURCE));
     public static final LightAttribute<Double> SPREAD =
-            of("spread", NumericKind.degrees(0, SceneLimits.MAX_SPREAD, 0.5), AreaShape.DEFAULT.spread(),
+            of("spread", AreaShape.SPREADS, AreaShape.DEFAULT.spread(),
                     "degrees, half-angle", l -> l.area().spread(), (l, v) -> l.withArea(l.area().withSpread(v)), Section.AREA,
                     Map.of(DIRECTIONAL, LightTerm.SOURCE));
     public static final LightAttribute<Double> WIDTH =
-            of("width", NumericKind.number(0, SceneLimits.MAX_EXTENT, 0.1), AreaShape.DEFAULT.width(),
+            of("width", AreaShape.EXTENTS, AreaShape.DEFAULT.width(),
                     "scene units", l -> l.area().width(), (l, v) -> l.withArea(l.area().withWidth(v)), Section.AREA,
                     Map.of(RECT, LightTerm.SOURCE));
     public static final LightAttribute<Double> HEIGHT =
-            of("height", NumericKind.number(0, SceneLimits.MAX_EXTENT, 0.1), AreaShape.DEFAULT.height(),
+            of("height", AreaShape.EXTENTS, AreaShape.DEFAULT.height(),
                     "scene units", l -> l.area().height(), (l, v) -> l.withArea(l.area().withHeight(v)), Section.AREA,
                     Map.of(RECT, LightTerm.SOURCE));
     public static final LightAttribute<Vec3> UP = of("up", "roll axis", NumericKind.direction(), AreaShape.DEFAULT.up(),
@@ -127,7 +128,7 @@ public final class LightAttribute<V> extends SceneAttribute<Light, V> {
             of("texture", new ValueKind.LightTextureKind(), Optional.empty(), "a PNG, JPEG, Radiance HDR or OpenEXR file",
                     Light::texture, Light::withTexture, Section.AREA, Map.of(RECT, LightTerm.FALLOFF, DISC, LightTerm.FALLOFF));
     public static final LightAttribute<Integer> SAMPLES =
-            of("samples", NumericKind.integer(SceneLimits.MIN_LIGHT_SAMPLES, SceneLimits.MAX_LIGHT_SAMPLES),
+            of("samples", AreaShape.SAMPLE_COUNTS,
                     AreaShape.DEFAULT.samples(), "soft shadow samples", l -> l.area().samples(),
                     (l, v) -> l.withArea(l.area().withSamples(v)), Section.AREA, forAllTypes(LightTerm.SOURCE));
     public static final LightAttribute<Boolean> VISIBLE =
@@ -135,10 +136,11 @@ public final class LightAttribute<V> extends SceneAttribute<Light, V> {
                     l -> l.area().visibility() != FaceVisibility.HIDDEN,
                     (l, v) -> l.withArea(l.area().withVisibility(v ? FaceVisibility.GLOWING : FaceVisibility.HIDDEN)), Section.AREA,
                     Map.of(POINT, LightTerm.FACE, SPOT, LightTerm.FACE, RECT, LightTerm.FACE, DISC, LightTerm.FACE));
-    public static final LightAttribute<Boolean> ON = of("on", ChoiceKind.YES_OR_NO, true, "", Light::on, Light::withOn,
+    public static final LightAttribute<Boolean> ON = of("on", ChoiceKind.YES_OR_NO, Switches.DEFAULT.on(), "", Light::on, Light::withOn,
             Section.SWITCHES, Map.of());
-    public static final LightAttribute<Boolean> SOLO = of("solo", ChoiceKind.YES_OR_NO, false, "", Light::solo, Light::withSolo,
-            Section.SWITCHES, Map.of());
+    public static final LightAttribute<Boolean> SOLO =
+            of("solo", ChoiceKind.YES_OR_NO, Switches.DEFAULT.solo(), "", Light::solo, Light::withSolo,
+                    Section.SWITCHES, Map.of());
     public static final LightAttribute<String> LIGHT_GROUP =
             of("bank", "light group", new ValueKind.NameKind(ValueKind.NameKind.Referent.LIGHT_GROUP,
                     Messages.key("Light group of this light")), "", "name of a light group", Light::lightGroup, Light::withLightGroup,
@@ -158,11 +160,11 @@ public final class LightAttribute<V> extends SceneAttribute<Light, V> {
                     (l, v) -> l.withContribution(l.contribution().withCastsShadows(v)), Section.CONTRIBUTION,
                     forAllTypes(LightTerm.SHADOW_LINKS));
     public static final LightAttribute<Double> DIFFUSE =
-            of("diffuse", "diffuse gain", NumericKind.number(0, SceneLimits.MAX_GAIN, 0.1), Contribution.DEFAULT.diffuse(),
+            of("diffuse", "diffuse gain", Contribution.GAINS, Contribution.DEFAULT.diffuse(),
                     "multiplies diffuse light", l -> l.contribution().diffuse(),
                     (l, v) -> l.withContribution(l.contribution().withDiffuse(v)), Section.CONTRIBUTION, forAllTypes(LightTerm.WEIGHT));
     public static final LightAttribute<Double> SPECULAR =
-            of("specular", "specular gain", NumericKind.number(0, SceneLimits.MAX_GAIN, 0.1), Contribution.DEFAULT.specular(),
+            of("specular", "specular gain", Contribution.GAINS, Contribution.DEFAULT.specular(),
                     "multiplies highlights", l -> l.contribution().specular(),
                     (l, v) -> l.withContribution(l.contribution().withSpecular(v)), Section.CONTRIBUTION, forAllTypes(LightTerm.WEIGHT));
     public static final LightAttribute<ShapeGains> GAINS = of("gains", "gains on objects",

@@ -85,7 +85,7 @@ class UpdateSavingMeterTest {
             UpdateSaving saving = meter.reflections(before, after, Progress.NONE);
             assertThat(saving.update().plan().description()).isEqualTo("reflections");
             assertThat(saving.isVerified()).isTrue();
-            assertThat(meter.renderer().hasCurrentReflections()).isTrue();
+            assertThat(meter.renderer().cache().hasCurrentReflections()).isTrue();
         }
     }
 

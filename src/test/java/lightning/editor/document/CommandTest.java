@@ -52,7 +52,7 @@ class CommandTest {
         frame = Optional
                 .of(new Frame(renderer.film(), renderer.film(), DisplayMode.FULL_PICTURE, renderer.scene(),
                         renderer.cache().mirroredScene(), update,
-                        renderer.cache().geometry(), null, Frame.Step.ALL_LIGHT, renderer.isFinished()));
+                        renderer.cache().geometry(), null, Frame.Step.ALL_LIGHT, renderer.state().isFinished()));
     }
 
     private void updateReflections() {
@@ -60,7 +60,7 @@ class CommandTest {
         frame = Optional
                 .of(new Frame(renderer.film(), renderer.film(), DisplayMode.FULL_PICTURE, renderer.scene(),
                         renderer.cache().mirroredScene(), update,
-                        renderer.cache().geometry(), null, Frame.Step.ALL_LIGHT, renderer.isFinished()));
+                        renderer.cache().geometry(), null, Frame.Step.ALL_LIGHT, renderer.state().isFinished()));
     }
 
     private EditorState editorState() {

@@ -503,7 +503,7 @@ class RenderLoopTest {
         long centerBytes;
         try (Renderer renderer = new Renderer(OPTIONS)) {
             renderer.renderCenters(renderer.plan(sampled), Progress.NONE);
-            centerBytes = renderer.bytes();
+            centerBytes = renderer.state().bytes();
         }
         try (RenderLoop small = loopWithMemory(centerBytes * 5 / 4)) {
             small.render(sampled);

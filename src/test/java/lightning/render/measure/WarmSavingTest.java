@@ -36,7 +36,7 @@ class WarmSavingTest {
     }
 
     private Optional<WarmSaving.RepeatableEdit> edit(Scene target, WarmSaving.UpdateStep step) {
-        PixelCache start = renderer.hasPicture() ? renderer.cache() : null;
+        PixelCache start = renderer.state().hasPicture() ? renderer.cache() : null;
         return WarmSaving.RepeatableEdit.of(renderer.render(target, Progress.NONE), start, OPTIONS, step);
     }
 

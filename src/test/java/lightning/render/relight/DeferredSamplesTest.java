@@ -60,19 +60,19 @@ class DeferredSamplesTest {
                         : session.scenes().get(step);
                 immediate.render(scene, Progress.NONE);
                 UpdateResult update = later.renderCenters(later.plan(scene), Progress.NONE);
-                boolean finished = later.isFinished();
+                boolean finished = later.state().isFinished();
                 followed += finished ? 0 : 1;
                 if (!finished) {
                     SessionAssert.assertSameBits(later.film(), centers(later.cache().scenes()), "centers-first", session, step,
                             update.plan().description());
                 }
                 apply(actions.get(step), immediate, later, scene);
-                if (later.isFinished()) {
+                if (later.state().isFinished()) {
                     SessionAssert.assertSameBits(later.film(), immediate.film(), "samples-later", session, step,
                             update.plan().description());
                 }
             }
-            if (!later.isFinished()) {
+            if (!later.state().isFinished()) {
                 later.finish(Progress.NONE);
             }
             SessionAssert.assertSameBits(later.film(), immediate.film(), "samples-last", session, session.scenes().size() - 1, "finish");
@@ -84,12 +84,12 @@ class DeferredSamplesTest {
         switch (action) {
             case LEAVE -> {}
             case FINISH -> {
-                if (!later.isFinished()) {
+                if (!later.state().isFinished()) {
                     later.finish(Progress.NONE);
                 }
             }
             case CANCEL -> {
-                if (!later.isFinished()) {
+                if (!later.state().isFinished()) {
                     Film before = later.film().copy();
                     assertThatThrownBy(() -> later.finish(new CancelingProgress(0))).isInstanceOf(CancellationException.class);
                     FilmAssert.assertSameBits(later.film(), before, "samples-canceled");
@@ -183,7 +183,7 @@ class DeferredSamplesTest {
             centers(renderer, key(0.5, true));
             UpdateResult back = centers(renderer, studio());
             assertThat(back.plan()).isInstanceOf(UpdatePlan.Nothing.class);
-            assertThat(renderer.isFinished()).isTrue();
+            assertThat(renderer.state().isFinished()).isTrue();
             assertThat(renderer.film().red(0)).isSameAs(before.red(0));
         }
     }
@@ -220,10 +220,10 @@ class DeferredSamplesTest {
                 centers(later, scene);
                 immediate.render(scene, Progress.NONE);
             }
-            if (!later.isFinished()) {
+            if (!later.state().isFinished()) {
                 later.finish(Progress.NONE);
             }
-            assertThat(later.hasCurrentReflections()).isEqualTo(immediate.hasCurrentReflections()).isTrue();
+            assertThat(later.cache().hasCurrentReflections()).isEqualTo(immediate.cache().hasCurrentReflections()).isTrue();
             FilmAssert.assertSameBits(later.film(), immediate.film(), "depth-and-back");
             FilmAssert.assertSameBits(later.film(), new ReferenceTracer(lit).trace(), "depth-and-back");
         }
@@ -237,7 +237,7 @@ class DeferredSamplesTest {
             renderer.setOptions(RenderOptions.DEFAULT.withAccuracy(Accuracy.RATIO));
             UpdateResult update = centers(renderer, key(0.5, true));
             assertThat(update.plan()).isInstanceOf(UpdatePlan.Relight.class);
-            assertThat(renderer.isFinished()).isTrue();
+            assertThat(renderer.state().isFinished()).isTrue();
         }
     }
 
@@ -246,7 +246,7 @@ class DeferredSamplesTest {
         try (Renderer renderer = new Renderer(RenderOptions.DEFAULT)) {
             for (AntialiasMode antialias : List.of(AntialiasMode.OFF, AntialiasMode.EVERY)) {
                 centers(renderer, sampled(studio(), new SamplingSettings(antialias, 2)));
-                assertThat(renderer.isFinished()).isTrue();
+                assertThat(renderer.state().isFinished()).isTrue();
             }
             assertThatThrownBy(() -> renderer.finish(Progress.NONE)).isInstanceOf(IllegalStateException.class);
         }

@@ -113,7 +113,8 @@ class ExactnessTest {
                             "updated-reflections", session, step, "reflections");
                     assertThat(AccuracyGuarantee.of(renderer, updated).text()).isEqualTo("exact");
                 }
-                assertThat(renderer.hasCurrentReflections()).isEqualTo(options.view().apply(mirrored).equals(options.view().apply(scene)));
+                assertThat(renderer.cache().hasCurrentReflections())
+                        .isEqualTo(options.view().apply(mirrored).equals(options.view().apply(scene)));
                 before = scene;
             }
         }

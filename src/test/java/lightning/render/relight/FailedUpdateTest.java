@@ -76,17 +76,17 @@ class FailedUpdateTest {
         renderer.render(sceneWith("left"), Progress.NONE);
         renderer.renderCenters(renderer.plan(centers), Progress.NONE);
         PixelCache known = renderer.cache();
-        PixelCache finished = renderer.lastFinishedCache();
+        PixelCache finished = renderer.state().lastFinished();
         Film film = renderer.film().copy();
-        assertThat(renderer.isFinished()).isFalse();
+        assertThat(renderer.state().isFinished()).isFalse();
         assertThat(renderer.plan(target).update()).isInstanceOf(UpdatePlan.FirstPass.class);
         renderer.setOptions(OPTIONS.withMemory(1));
         Stream.<Runnable>of(() -> renderer.render(target, Progress.NONE),
                 () -> renderer.renderCenters(renderer.plan(target), Progress.NONE)).forEach(refused -> {
                     assertThatThrownBy(refused::run).isInstanceOf(PictureTooLargeException.class);
                     assertThat(renderer.cache()).isSameAs(known);
-                    assertThat(renderer.lastFinishedCache()).isSameAs(finished);
-                    assertThat(renderer.isFinished()).isFalse();
+                    assertThat(renderer.state().lastFinished()).isSameAs(finished);
+                    assertThat(renderer.state().isFinished()).isFalse();
                     assertThat(renderer.film().hasSameBits(film)).isTrue();
                 });
         renderer.finish(Progress.NONE);

@@ -28,7 +28,7 @@ class MemoryCheckTest {
     private static long centerBytes(Scene scene) {
         try (var renderer = new Renderer(OPTIONS)) {
             renderer.renderCenters(renderer.plan(scene), Progress.NONE);
-            return renderer.bytes();
+            return renderer.state().bytes();
         }
     }
 
@@ -41,7 +41,7 @@ class MemoryCheckTest {
             Film centers = renderer.film();
             assertThatThrownBy(() -> renderer.finish(Progress.NONE)).isInstanceOf(PictureTooLargeException.class)
                     .hasMessageContaining("it would fit with");
-            assertThat(renderer.isFinished()).isFalse();
+            assertThat(renderer.state().isFinished()).isFalse();
             assertThat(renderer.film().hasSameBits(centers)).isTrue();
         }
     }
@@ -51,7 +51,7 @@ class MemoryCheckTest {
         Scene scene = scene(400, 300, AntialiasMode.EDGES, 8);
         try (var renderer = new Renderer(OPTIONS.withMemory(centerBytes(scene) * 5 / 4))) {
             assertThatThrownBy(() -> renderer.render(scene, Progress.NONE)).isInstanceOf(PictureTooLargeException.class);
-            assertThat(renderer.hasPicture()).isFalse();
+            assertThat(renderer.state().hasPicture()).isFalse();
         }
     }
 

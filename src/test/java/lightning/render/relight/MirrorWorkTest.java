@@ -99,10 +99,10 @@ class MirrorWorkTest {
             ReferenceRows reference = studio.referenceRows();
             assertWork(studio.edit(l -> l.withPosition(ELSEWHERE)), reference.rowsOfLevel(0).size(), reference.rowsOfLevel(0).size(), 0,
                     reference.count(0, studio.referenceRows().isReached(studio.key())));
-            assertThat(studio.renderer().hasCurrentReflections()).isFalse();
+            assertThat(studio.renderer().cache().hasCurrentReflections()).isFalse();
             assertWork(studio.renderer().updateReflections(Progress.NONE), reference.rowsFrom(1), reference.rowsFrom(0), 0,
                     reachedFrom(1, studio));
-            assertThat(studio.renderer().hasCurrentReflections()).isTrue();
+            assertThat(studio.renderer().cache().hasCurrentReflections()).isTrue();
         }
     }
 
@@ -187,9 +187,9 @@ class MirrorWorkTest {
         try (Renderer renderer = new Renderer(RenderOptions.DEFAULT.withReflections(ReflectionMode.STALE).withThreads(1))) {
             renderer.render(scene, Progress.NONE);
             renderer.render(edited, Progress.NONE);
-            assertThat(renderer.hasCurrentReflections()).isFalse();
+            assertThat(renderer.cache().hasCurrentReflections()).isFalse();
             renderer.render(edited.withPicture(after), Progress.NONE);
-            assertThat(renderer.hasCurrentReflections()).isTrue();
+            assertThat(renderer.cache().hasCurrentReflections()).isTrue();
             FilmAssert.assertSameBits(renderer.film(), new ReferenceTracer(edited.withPicture(after)).trace(), "refreshed-" + description);
         }
     }
