@@ -39,8 +39,10 @@ module lightning {
 
     exports lightning.editor.window to javafx.graphics;
     opens lightning.cli to info.picocli;
+    opens lightning.cli.option to info.picocli;
+    opens lightning.cli.output to info.picocli;
     opens lightning.format.json to tools.jackson.databind;
     opens lightning.cli.report to tools.jackson.databind;
     opens lightning.bench.accuracy to tools.jackson.databind;
-    opens lightning.bench to tools.jackson.databind;
+    opens lightning.bench.result to tools.jackson.databind;
 }

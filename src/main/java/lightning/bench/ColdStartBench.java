@@ -1,6 +1,7 @@
 package lightning.bench;
 
 import java.io.IOException;
+import lightning.bench.result.MeasurementFailure;
 import lightning.format.pov.PovRayRunner;
 import lightning.format.pov.PovSampling;
 

@@ -8,6 +8,8 @@ import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import lightning.base.file.TemporaryFolder;
 import lightning.base.work.Progress;
+import lightning.bench.result.ColdStart;
+import lightning.bench.result.TimeSamples;
 import lightning.format.pov.PovRayRunner;
 import lightning.format.pov.PovSampling;
 import lightning.format.pov.PovScene;

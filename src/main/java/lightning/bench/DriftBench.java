@@ -7,6 +7,8 @@ import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
 import lightning.bench.accuracy.PictureError;
 import lightning.bench.accuracy.RandomEdits;
+import lightning.bench.result.DriftCurve;
+import lightning.bench.result.DriftPoint;
 import lightning.render.fulltrace.TraditionalTracer;
 import lightning.render.image.Film;
 import lightning.render.relight.Renderer;

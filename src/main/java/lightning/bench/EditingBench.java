@@ -8,6 +8,8 @@ import java.util.function.IntFunction;
 import lightning.base.math.Vec3;
 import lightning.base.work.Progress;
 import lightning.bench.accuracy.Timing;
+import lightning.bench.result.EditingCost;
+import lightning.bench.result.TimeSamples;
 import lightning.format.jen.JenDocument;
 import lightning.format.jen.JenException;
 import lightning.format.jen.JenReader;

@@ -4,6 +4,11 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import lightning.bench.result.IndirectAbsence;
+import lightning.bench.result.IndirectAccuracy;
+import lightning.bench.result.IndirectCost;
+import lightning.bench.result.IndirectGrowth;
+import lightning.bench.result.IndirectResults;
 
 /** Collector of the results of indirect light so far. */
 final class IndirectCollector {

@@ -7,6 +7,8 @@ import lightning.base.work.Progress;
 import lightning.bench.accuracy.EditTurns;
 import lightning.bench.accuracy.ModernCases;
 import lightning.bench.accuracy.PaperCase;
+import lightning.bench.result.IndirectGrowth;
+import lightning.bench.result.TimeSamples;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.IndirectSettings;
 import lightning.scene.Scene;

@@ -13,6 +13,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import jdk.incubator.vector.FloatVector;
+import lightning.bench.result.MachineSpec;
 
 /** Information about the current machine and build. */
 final class MachineInfo {

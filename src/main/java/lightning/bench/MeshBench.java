@@ -11,6 +11,10 @@ import lightning.bench.mesh.Embree;
 import lightning.bench.mesh.LaneMeshTracer;
 import lightning.bench.mesh.RaySet;
 import lightning.bench.mesh.RaySetGenerator;
+import lightning.bench.result.MeasurementFailure;
+import lightning.bench.result.MeshPoint;
+import lightning.bench.result.RayThroughput;
+import lightning.bench.result.TimeSamples;
 import lightning.render.trace.mesh.MeshSolid;
 import lightning.scene.node.Mesh;
 

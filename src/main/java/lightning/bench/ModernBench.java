@@ -5,6 +5,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
 import lightning.base.work.Progress;
+import lightning.bench.result.MeasurementFailure;
+import lightning.bench.result.ModernSampling;
 import lightning.format.pov.PovRayRunner;
 import lightning.format.pov.PovScene;
 

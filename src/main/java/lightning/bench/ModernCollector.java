@@ -4,6 +4,13 @@ import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
+import lightning.bench.result.ColdStart;
+import lightning.bench.result.ErrorCurve;
+import lightning.bench.result.FirstPassResult;
+import lightning.bench.result.ModernEdit;
+import lightning.bench.result.ModernPicture;
+import lightning.bench.result.ModernSampling;
+import lightning.bench.result.ModernScene;
 
 /** Collector of one modern scene's results so far. */
 final class ModernCollector {

@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalDouble;
 import lightning.bench.accuracy.Timing;
+import lightning.bench.result.TimeSamples;
 
 /** Timer of whole processes that run one after the other. */
 final class ProcessTimer {

@@ -6,6 +6,20 @@ import java.util.List;
 import java.util.Map;
 import lightning.bench.accuracy.AccuracySetting;
 import lightning.bench.accuracy.FirstPassCost;
+import lightning.bench.result.BenchResults;
+import lightning.bench.result.BenchRun;
+import lightning.bench.result.ColdStart;
+import lightning.bench.result.DriftCurve;
+import lightning.bench.result.EditResult;
+import lightning.bench.result.EditingCost;
+import lightning.bench.result.EffectResult;
+import lightning.bench.result.FirstPassResult;
+import lightning.bench.result.GrowthCurve;
+import lightning.bench.result.GrowthPoint;
+import lightning.bench.result.MeasurementFailure;
+import lightning.bench.result.MeshPoint;
+import lightning.bench.result.PeerResult;
+import lightning.bench.result.SceneResult;
 
 /** Collector of a run's results so far. */
 final class ResultCollector {

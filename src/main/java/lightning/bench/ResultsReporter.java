@@ -2,6 +2,7 @@ package lightning.bench;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import lightning.bench.result.BenchResults;
 
 /** Reporter that presents results. */
 @FunctionalInterface

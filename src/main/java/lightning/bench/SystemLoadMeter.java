@@ -1,6 +1,7 @@
 package lightning.bench;
 
 import java.util.Optional;
+import lightning.bench.result.SystemLoad;
 
 /** Meter of other work on the machine since its creation. */
 final class SystemLoadMeter {

@@ -13,3 +13,6 @@
  * <p>Times are milliseconds and keep every raw sample. Compared tasks are measured in turns.
  */
 package lightning.bench;
+
+import lightning.bench.result.EditResult;
+import lightning.bench.result.SceneResult;

@@ -2,9 +2,9 @@ package lightning.cli;
 
 import java.io.IOException;
 import java.nio.file.Path;
-import lightning.bench.BenchResults;
-import lightning.bench.ResultsFile;
 import lightning.bench.ResultsReporter;
+import lightning.bench.result.BenchResults;
+import lightning.bench.result.ResultsFile;
 
 /** Output folder of a benchmark. */
 final class BenchOutput {

@@ -14,6 +14,9 @@ import java.util.zip.ZipEntry;
 import java.util.zip.ZipInputStream;
 import lightning.base.file.AtomicFile;
 import lightning.base.file.RegularFile;
+import lightning.cli.output.BadInputException;
+import lightning.cli.output.Console;
+import lightning.cli.output.ExitCode;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 

@@ -7,6 +7,8 @@ import java.util.TreeMap;
 import java.util.concurrent.Callable;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import lightning.cli.output.Console;
+import lightning.cli.output.ExitCode;
 import lightning.cli.report.CheckReport;
 import lightning.format.jen.InertProperties;
 import lightning.format.jen.ReferencedFiles;

@@ -2,6 +2,10 @@ package lightning.cli;
 
 import java.nio.file.Path;
 import java.util.concurrent.Callable;
+import lightning.cli.output.BadInputException;
+import lightning.cli.output.Console;
+import lightning.cli.output.ExitCode;
+import lightning.cli.output.PictureOutput;
 import lightning.cli.report.CompareReport;
 import lightning.format.hdr.HdrReader;
 import lightning.format.image.ImageFile;

@@ -3,6 +3,8 @@ package lightning.cli;
 import java.util.Locale;
 import java.util.concurrent.Callable;
 import java.util.regex.Pattern;
+import lightning.cli.output.Console;
+import lightning.cli.output.ExitCode;
 import picocli.AutoComplete;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Parameters;

@@ -3,6 +3,7 @@ package lightning.cli;
 import java.nio.file.Path;
 import java.util.concurrent.Callable;
 import lightning.base.text.Quote;
+import lightning.cli.output.BadInputException;
 import lightning.format.MeshFormat;
 import lightning.format.jen.JenFile;
 import picocli.CommandLine.Command;

@@ -6,6 +6,8 @@ import java.util.List;
 import lightning.base.text.Quote;
 import lightning.bench.accuracy.PaperCase;
 import lightning.bench.accuracy.PaperCases;
+import lightning.cli.output.BadInputException;
+import lightning.cli.output.Console;
 import lightning.format.jen.PropertyEdit;
 import lightning.scene.Scene;
 import picocli.CommandLine.Option;

@@ -3,6 +3,7 @@ package lightning.cli;
 import java.nio.file.Path;
 import java.util.concurrent.Callable;
 import lightning.base.text.ReleaseInfo;
+import lightning.cli.output.Console;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.IVersionProvider;
 import picocli.CommandLine.Model.CommandSpec;

@@ -7,7 +7,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import lightning.base.text.Quote;
-import lightning.format.jen.NameSuggestion;
+import lightning.format.jen.asset.NameSuggestion;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.node.ObjectNode;
 

@@ -6,7 +6,7 @@ import java.util.Locale;
 import java.util.Set;
 import java.util.stream.Collectors;
 import lightning.base.text.Quote;
-import lightning.format.jen.NameSuggestion;
+import lightning.format.jen.asset.NameSuggestion;
 
 /** Methods of the protocol with the fields that each allows. */
 enum Method {

@@ -3,6 +3,8 @@ package lightning.bench;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import lightning.base.work.Progress;
+import lightning.bench.result.DriftCurve;
+import lightning.bench.result.DriftPoint;
 import lightning.render.relight.plan.Accuracy;
 import org.junit.jupiter.api.Test;
 

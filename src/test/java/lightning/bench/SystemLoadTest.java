@@ -3,6 +3,9 @@ package lightning.bench;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import lightning.bench.result.SampleResults;
+import lightning.bench.result.SystemLoad;
+import lightning.bench.result.TimeSamples;
 import org.junit.jupiter.api.Test;
 
 class SystemLoadTest {

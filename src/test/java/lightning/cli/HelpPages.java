@@ -2,6 +2,7 @@ package lightning.cli;
 
 import java.util.ArrayList;
 import java.util.List;
+import lightning.cli.output.Console;
 import picocli.CommandLine;
 import picocli.CommandLine.Model.CommandSpec;
 

@@ -10,6 +10,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.function.Predicate;
 import lightning.base.work.Progress;
+import lightning.cli.output.Console;
+import lightning.cli.output.ErrorReporter;
 import lightning.format.jen.JenException;
 import lightning.format.jen.JenReader;
 import lightning.render.relight.MemoryEstimate;

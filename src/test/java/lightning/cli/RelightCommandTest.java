@@ -8,6 +8,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.stream.Stream;
 import lightning.bench.accuracy.PaperCases;
+import lightning.cli.output.ExitCode;
 import lightning.format.image.ImageFile;
 import lightning.format.jen.JenReader;
 import lightning.format.jen.PropertyEdit;

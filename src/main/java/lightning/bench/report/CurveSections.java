@@ -6,11 +6,11 @@ import java.util.List;
 import java.util.Locale;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Stream;
-import lightning.bench.BenchResults;
-import lightning.bench.DriftCurve;
-import lightning.bench.DriftPoint;
-import lightning.bench.GrowthCurve;
-import lightning.bench.GrowthPoint;
+import lightning.bench.result.BenchResults;
+import lightning.bench.result.DriftCurve;
+import lightning.bench.result.DriftPoint;
+import lightning.bench.result.GrowthCurve;
+import lightning.bench.result.GrowthPoint;
 import lightning.render.relight.plan.Accuracy;
 
 /** Report sections of image drift and growth of times. */

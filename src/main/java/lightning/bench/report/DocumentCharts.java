@@ -2,9 +2,9 @@ package lightning.bench.report;
 
 import java.util.LinkedHashMap;
 import java.util.Map;
-import lightning.bench.BenchResults;
-import lightning.bench.GrowthCurve;
-import lightning.bench.SceneResult;
+import lightning.bench.result.BenchResults;
+import lightning.bench.result.GrowthCurve;
+import lightning.bench.result.SceneResult;
 
 /** Charts of a run as files for documents; each names the measured build. */
 public final class DocumentCharts {

@@ -1,7 +1,7 @@
 package lightning.bench.report;
 
-import lightning.bench.BenchResults;
-import lightning.bench.EditingCost;
+import lightning.bench.result.BenchResults;
+import lightning.bench.result.EditingCost;
 
 /** Table of editing costs in large scenes, without a window. */
 final class EditingTable {

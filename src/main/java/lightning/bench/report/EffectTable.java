@@ -1,8 +1,8 @@
 package lightning.bench.report;
 
 import java.util.List;
-import lightning.bench.EffectResult;
-import lightning.bench.SceneResult;
+import lightning.bench.result.EffectResult;
+import lightning.bench.result.SceneResult;
 
 /** Table of a scene's effects: costs of used ones, savings from absent ones. */
 final class EffectTable {

@@ -3,10 +3,10 @@ package lightning.bench.report;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
-import lightning.bench.ErrorCurve;
-import lightning.bench.ErrorPoint;
-import lightning.bench.ModernSampling;
-import lightning.bench.ModernScene;
+import lightning.bench.result.ErrorCurve;
+import lightning.bench.result.ErrorPoint;
+import lightning.bench.result.ModernSampling;
+import lightning.bench.result.ModernScene;
 
 /**
  * Comparison of two programs at equal error: a setting of one, and the other's fastest measured setting whose error is not larger.

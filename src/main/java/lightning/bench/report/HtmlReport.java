@@ -5,7 +5,7 @@ import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import lightning.base.file.AtomicFile;
-import lightning.bench.BenchResults;
+import lightning.bench.result.BenchResults;
 
 /** Writer of a run's report as one self-contained HTML file, usable offline. */
 public final class HtmlReport {

@@ -1,9 +1,9 @@
 package lightning.bench.report;
 
-import lightning.bench.BenchResults;
-import lightning.bench.IndirectAbsence;
-import lightning.bench.IndirectCost;
-import lightning.bench.IndirectResults;
+import lightning.bench.result.BenchResults;
+import lightning.bench.result.IndirectAbsence;
+import lightning.bench.result.IndirectCost;
+import lightning.bench.result.IndirectResults;
 
 /** Report section of indirect light. */
 final class IndirectSection {

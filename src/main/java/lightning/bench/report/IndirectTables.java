@@ -9,11 +9,11 @@ import java.util.function.ToDoubleFunction;
 import java.util.function.ToIntFunction;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import lightning.bench.BenchResults;
-import lightning.bench.IndirectAccuracy;
-import lightning.bench.IndirectCost;
-import lightning.bench.IndirectGrowth;
-import lightning.bench.IndirectResults;
+import lightning.bench.result.BenchResults;
+import lightning.bench.result.IndirectAccuracy;
+import lightning.bench.result.IndirectCost;
+import lightning.bench.result.IndirectGrowth;
+import lightning.bench.result.IndirectResults;
 
 /** Named Markdown tables and lists of indirect light for documents, made from the results only. */
 public final class IndirectTables {

@@ -5,10 +5,10 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Stream;
-import lightning.bench.IndirectCost;
-import lightning.bench.IndirectGrowth;
-import lightning.bench.IndirectResults;
 import lightning.bench.accuracy.ModernCases;
+import lightning.bench.result.IndirectCost;
+import lightning.bench.result.IndirectGrowth;
+import lightning.bench.result.IndirectResults;
 
 /** Targets of indirect light at 1920×1080 pixels, with measured values. */
 final class IndirectTargets {

@@ -9,18 +9,18 @@ import java.util.Map;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import lightning.bench.BenchResults;
-import lightning.bench.BenchRun;
-import lightning.bench.ColdStart;
-import lightning.bench.DriftCurve;
-import lightning.bench.EditResult;
-import lightning.bench.EffectResult;
-import lightning.bench.GrowthCurve;
-import lightning.bench.GrowthPoint;
-import lightning.bench.SceneResult;
-import lightning.bench.SweepPointResult;
-import lightning.bench.TimeSamples;
 import lightning.bench.accuracy.AccuracySetting;
+import lightning.bench.result.BenchResults;
+import lightning.bench.result.BenchRun;
+import lightning.bench.result.ColdStart;
+import lightning.bench.result.DriftCurve;
+import lightning.bench.result.EditResult;
+import lightning.bench.result.EffectResult;
+import lightning.bench.result.GrowthCurve;
+import lightning.bench.result.GrowthPoint;
+import lightning.bench.result.SceneResult;
+import lightning.bench.result.SweepPointResult;
+import lightning.bench.result.TimeSamples;
 
 /** Named Markdown tables of a run for documents, made from the results only. */
 public final class MarkdownTables {

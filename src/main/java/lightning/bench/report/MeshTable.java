@@ -1,8 +1,8 @@
 package lightning.bench.report;
 
-import lightning.bench.BenchResults;
-import lightning.bench.MeshPoint;
-import lightning.bench.RayThroughput;
+import lightning.bench.result.BenchResults;
+import lightning.bench.result.MeshPoint;
+import lightning.bench.result.RayThroughput;
 
 /** Tables of ray throughput on meshes. */
 final class MeshTable {

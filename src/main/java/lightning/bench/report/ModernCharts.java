@@ -5,9 +5,9 @@ import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import lightning.bench.BenchResults;
-import lightning.bench.ErrorCurve;
-import lightning.bench.ModernScene;
+import lightning.bench.result.BenchResults;
+import lightning.bench.result.ErrorCurve;
+import lightning.bench.result.ModernScene;
 
 /** Charts of time against error of the modern set. */
 public final class ModernCharts {

@@ -7,10 +7,10 @@ import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
-import lightning.bench.ModernEdit;
-import lightning.bench.ModernPicture;
-import lightning.bench.ModernSampling;
-import lightning.bench.ModernScene;
+import lightning.bench.result.ModernEdit;
+import lightning.bench.result.ModernPicture;
+import lightning.bench.result.ModernSampling;
+import lightning.bench.result.ModernScene;
 
 /** Findings of the modern set as sentences with measured values, one per list item. */
 final class ModernFindings {

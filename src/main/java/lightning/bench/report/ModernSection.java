@@ -1,11 +1,11 @@
 package lightning.bench.report;
 
-import lightning.bench.BenchResults;
-import lightning.bench.ErrorCurve;
-import lightning.bench.ErrorPoint;
-import lightning.bench.ModernEdit;
-import lightning.bench.ModernPicture;
-import lightning.bench.ModernScene;
+import lightning.bench.result.BenchResults;
+import lightning.bench.result.ErrorCurve;
+import lightning.bench.result.ErrorPoint;
+import lightning.bench.result.ModernEdit;
+import lightning.bench.result.ModernPicture;
+import lightning.bench.result.ModernScene;
 
 /** Report section of the modern set. */
 final class ModernSection {

@@ -10,13 +10,13 @@ import java.util.function.Function;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import lightning.bench.BenchResults;
-import lightning.bench.ColdStart;
-import lightning.bench.ErrorPoint;
-import lightning.bench.ModernEdit;
-import lightning.bench.ModernPicture;
-import lightning.bench.ModernScene;
 import lightning.bench.accuracy.ModernCases;
+import lightning.bench.result.BenchResults;
+import lightning.bench.result.ColdStart;
+import lightning.bench.result.ErrorPoint;
+import lightning.bench.result.ModernEdit;
+import lightning.bench.result.ModernPicture;
+import lightning.bench.result.ModernScene;
 
 /** Named Markdown tables and lists of the modern set for documents, made from the results only. */
 public final class ModernTables {

@@ -11,15 +11,15 @@ import java.util.function.Supplier;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import lightning.bench.BenchResults;
-import lightning.bench.BenchRun;
-import lightning.bench.EditResult;
-import lightning.bench.FirstPassResult;
-import lightning.bench.MachineSpec;
-import lightning.bench.MeshPoint;
-import lightning.bench.SceneResult;
-import lightning.bench.ValueResult;
 import lightning.bench.accuracy.AccuracySetting;
+import lightning.bench.result.BenchResults;
+import lightning.bench.result.BenchRun;
+import lightning.bench.result.EditResult;
+import lightning.bench.result.FirstPassResult;
+import lightning.bench.result.MachineSpec;
+import lightning.bench.result.MeshPoint;
+import lightning.bench.result.SceneResult;
+import lightning.bench.result.ValueResult;
 
 /** Named phrases with measured values for documents, made from results only. */
 public final class ReportStatements {

@@ -1,11 +1,11 @@
 package lightning.bench.report;
 
-import lightning.bench.BenchResults;
-import lightning.bench.BenchRun;
-import lightning.bench.FirstPassResult;
-import lightning.bench.MachineSpec;
-import lightning.bench.SceneResult;
-import lightning.bench.SystemLoad;
+import lightning.bench.result.BenchResults;
+import lightning.bench.result.BenchRun;
+import lightning.bench.result.FirstPassResult;
+import lightning.bench.result.MachineSpec;
+import lightning.bench.result.SceneResult;
+import lightning.bench.result.SystemLoad;
 
 /** Head and foot of the report: machine and settings, failures, overview of all scenes, and method. */
 final class RunSection {

@@ -1,5 +1,5 @@
 /**
- * Report of a run: one self-contained HTML file, made from {@link lightning.bench.BenchResults} and its images.
+ * Report of a run: one self-contained HTML file, made from {@link lightning.bench.result.BenchResults} and its images.
  *
  * <pre>{@code
  * HtmlReport.write(results, folder);

@@ -1,5 +1,10 @@
 package lightning.editor.document;
 
+import lightning.editor.document.manipulation.DragRounding;
+import lightning.editor.document.manipulation.PreviewCamera;
+import lightning.editor.document.manipulation.ScenePicker;
+import lightning.editor.document.manipulation.Snapping;
+import lightning.editor.document.manipulation.Viewport;
 import lightning.scene.Scene;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightType;

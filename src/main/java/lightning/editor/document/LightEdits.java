@@ -6,6 +6,8 @@ import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
 import lightning.base.text.Messages;
 import lightning.base.text.Quote;
+import lightning.editor.document.manipulation.DuplicateOffset;
+import lightning.editor.document.manipulation.ViewFocus;
 import lightning.scene.Scene;
 import lightning.scene.light.Emission;
 import lightning.scene.light.Falloff;

@@ -2,6 +2,8 @@ package lightning.editor.document;
 
 import java.util.Locale;
 import lightning.base.math.Vec3;
+import lightning.editor.document.manipulation.PreviewCamera;
+import lightning.editor.document.manipulation.ViewFocus;
 import lightning.scene.Scene;
 import lightning.scene.light.Emission;
 import lightning.scene.light.Falloff;

@@ -6,6 +6,7 @@ import java.util.Set;
 import java.util.function.UnaryOperator;
 import lightning.base.text.Messages;
 import lightning.base.text.Quote;
+import lightning.editor.document.manipulation.DuplicateOffset;
 import lightning.scene.Scene;
 import lightning.scene.node.NodeGroup;
 import lightning.scene.node.SceneNode;

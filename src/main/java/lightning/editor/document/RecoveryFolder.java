@@ -17,7 +17,7 @@ import lightning.base.file.ProcessIdentity;
 import lightning.base.file.TemporaryFolder;
 import lightning.base.text.Messages;
 import lightning.base.text.Quote;
-import lightning.format.jen.JenLimits;
+import lightning.format.jen.asset.JenLimits;
 
 /**
  * Crash recovery folder with one file per open document: a header line with the process and the scene's path, followed by the scene text.

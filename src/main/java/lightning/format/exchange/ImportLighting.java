@@ -1,5 +1,7 @@
 package lightning.format.exchange;
 
+import lightning.format.exchange.assembly.ImportedScene;
+
 /** Lighting of an imported scene. */
 public enum ImportLighting {
     /** The lights of the file, or one light if it has none. */

@@ -11,6 +11,8 @@ import lightning.base.math.Rgb;
 import lightning.base.work.Progress;
 import lightning.base.work.ProgressPart;
 import lightning.base.work.WorkerPool;
+import lightning.format.exchange.assembly.ImportedScene;
+import lightning.format.exchange.assembly.LightUnits;
 import lightning.render.image.Film;
 import lightning.scene.ViewSettings;
 

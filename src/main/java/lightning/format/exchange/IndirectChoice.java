@@ -1,5 +1,7 @@
 package lightning.format.exchange;
 
+import lightning.format.exchange.assembly.ImportedScene;
+
 /** Choice whether an imported scene has indirect light. */
 public enum IndirectChoice {
     /** Only if the camera is in a closed room, or the file says so. */

@@ -8,6 +8,8 @@ import java.util.concurrent.CancellationException;
 import lightning.base.work.Progress;
 import lightning.base.work.ProgressPart;
 import lightning.base.work.WorkerPool;
+import lightning.format.exchange.assembly.ImportedScene;
+import lightning.format.exchange.assembly.LightUnits;
 import lightning.render.engine.choice.Engines;
 import lightning.render.fulltrace.TraditionalTracer;
 import lightning.render.image.Film;

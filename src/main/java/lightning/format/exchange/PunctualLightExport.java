@@ -1,6 +1,7 @@
 package lightning.format.exchange;
 
 import lightning.base.math.Rgb;
+import lightning.format.exchange.assembly.LightUnits;
 import lightning.format.gltf.GltfLight;
 import lightning.format.mesh.ConversionNotes;
 import lightning.scene.light.Light;

@@ -3,6 +3,8 @@ package lightning.format.exchange;
 import java.util.List;
 import java.util.function.BiConsumer;
 import java.util.stream.IntStream;
+import lightning.format.exchange.json.AttributeJson;
+import lightning.format.exchange.json.TransformJson;
 import lightning.format.mesh.ConversionNotes;
 import lightning.scene.Camera;
 import lightning.scene.Scene;

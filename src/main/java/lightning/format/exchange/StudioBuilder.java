@@ -7,6 +7,8 @@ import java.util.stream.IntStream;
 import lightning.base.math.Ray;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
+import lightning.format.exchange.assembly.ImportSubject;
+import lightning.format.exchange.assembly.ImportedScene;
 import lightning.format.mesh.UniqueNames;
 import lightning.render.trace.Geometry;
 import lightning.scene.Camera;

@@ -4,6 +4,7 @@ import java.math.BigDecimal;
 import java.math.MathContext;
 import java.math.RoundingMode;
 import lightning.base.math.Vec3;
+import lightning.format.exchange.assembly.ImportSubject;
 import lightning.scene.Camera;
 
 /**

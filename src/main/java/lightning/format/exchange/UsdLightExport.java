@@ -11,7 +11,10 @@ import java.util.Optional;
 import java.util.TreeMap;
 import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
-import lightning.format.jen.FileKind;
+import lightning.format.exchange.usd.SoftCones;
+import lightning.format.exchange.usd.UsdLightValues;
+import lightning.format.exchange.usd.UsdPaths;
+import lightning.format.jen.asset.FileKind;
 import lightning.format.mesh.ConversionNotes;
 import lightning.format.usd.UsdLayer;
 import lightning.scene.Scene;
@@ -27,7 +30,7 @@ import lightning.scene.shot.TrackTarget;
 import lightning.scene.value.ShapeLinks;
 
 /** Writer of a scene's lights as a layer over the stage that the scene was imported from. */
-final class UsdLightExport {
+public final class UsdLightExport {
     private static final String NEW_LIGHTS = "/lightning_lights";
 
     private final AnimatedScene animated;

@@ -11,6 +11,9 @@ import lightning.base.file.RegularFile;
 import lightning.base.text.Messages;
 import lightning.base.text.Quote;
 import lightning.format.MeshFormat;
+import lightning.format.jen.asset.AssetSearchPath;
+import lightning.format.jen.asset.MeshFolder;
+import lightning.format.jen.asset.TextureFolder;
 import lightning.scene.Scene;
 
 /** Copies the files that a scene references to where a copy of the scene finds them. */

@@ -6,6 +6,8 @@ import java.util.Optional;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import lightning.format.jen.asset.FileName;
+import lightning.format.jen.asset.MeshFolder;
 import lightning.scene.AntialiasMode;
 import lightning.scene.Camera;
 import lightning.scene.IndirectSettings;

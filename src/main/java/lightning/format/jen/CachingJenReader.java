@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.Map;
 import lightning.base.file.FileState;
+import lightning.format.jen.asset.AssetFolders;
 import lightning.scene.Stage;
 
 /** Reader for texts in one folder that caches the files they reference. Not thread-safe. */

@@ -3,6 +3,7 @@ package lightning.format.jen;
 import java.util.List;
 import java.util.stream.Collectors;
 import lightning.base.text.UserFacingException;
+import lightning.format.jen.asset.JenLimits;
 
 /** Invalid scene file, with all problems in file order. */
 public final class JenException extends Exception implements UserFacingException {

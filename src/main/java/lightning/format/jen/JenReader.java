@@ -7,6 +7,8 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import lightning.base.file.RegularFile;
+import lightning.format.jen.asset.AssetFolders;
+import lightning.format.jen.asset.JenLimits;
 import lightning.scene.Scene;
 import lightning.scene.Stage;
 import lightning.scene.shot.Shot;

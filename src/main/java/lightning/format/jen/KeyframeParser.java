@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.stream.Stream;
 import lightning.base.text.Quote;
 import lightning.format.jen.TokenList.Kind;
+import lightning.format.jen.asset.NameSuggestion;
 import lightning.scene.shot.Interpolation;
 import lightning.scene.shot.Keyframe;
 import lightning.scene.shot.KeyframeValue;

@@ -3,6 +3,7 @@ package lightning.format.jen;
 import java.util.Locale;
 import lightning.base.text.DecimalNumber;
 import lightning.base.text.Quote;
+import lightning.format.jen.asset.JenLimits;
 
 /** Tokenizer for scene files; comments run from {@code #} to the end of the line. */
 final class Lexer {

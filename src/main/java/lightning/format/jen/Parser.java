@@ -3,6 +3,7 @@ package lightning.format.jen;
 import java.util.ArrayList;
 import java.util.List;
 import lightning.format.jen.TokenList.Kind;
+import lightning.format.jen.asset.NameSuggestion;
 import lightning.scene.value.SceneLimits;
 
 /**

@@ -5,6 +5,7 @@ import java.util.Comparator;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
+import lightning.format.jen.asset.JenLimits;
 
 /** Problems of one file, at most one for each position. */
 final class ProblemList {

@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Set;
 import lightning.base.text.Quote;
 import lightning.format.jen.TokenList.Kind;
+import lightning.format.jen.asset.NameSuggestion;
 import lightning.scene.value.SceneLimits;
 import lightning.scene.value.ShapeGains;
 import lightning.scene.value.ShapeLinks;

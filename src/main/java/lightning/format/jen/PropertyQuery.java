@@ -2,6 +2,7 @@ package lightning.format.jen;
 
 import java.util.List;
 import lightning.base.text.Quote;
+import lightning.format.jen.asset.NameSuggestion;
 import lightning.scene.Scene;
 
 /** Values of a scene's properties in the syntax of edits: {@link PropertyEdit}. */

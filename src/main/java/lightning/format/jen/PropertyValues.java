@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
 import lightning.base.math.Vec3;
+import lightning.format.jen.asset.AssetSource;
 import lightning.scene.asset.Environment;
 import lightning.scene.asset.Gobo;
 import lightning.scene.asset.IesProfile;

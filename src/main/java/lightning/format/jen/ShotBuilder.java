@@ -5,6 +5,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import lightning.format.jen.asset.NameSuggestion;
 import lightning.scene.Scene;
 import lightning.scene.shot.Shot;
 import lightning.scene.shot.Track;

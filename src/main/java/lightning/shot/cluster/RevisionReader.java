@@ -8,7 +8,7 @@ import lightning.base.file.ContentHash;
 import lightning.format.jen.CachingJenReader;
 import lightning.format.jen.JenDocument;
 import lightning.format.jen.JenException;
-import lightning.format.jen.JenLimits;
+import lightning.format.jen.asset.JenLimits;
 import lightning.scene.shot.Shot;
 import lightning.shot.ShotRevision;
 import lightning.shot.cluster.wire.SceneManifest;

@@ -3,12 +3,12 @@ package lightning.bench.report;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
-import lightning.bench.BenchResults;
-import lightning.bench.ErrorCurve;
-import lightning.bench.ErrorPoint;
-import lightning.bench.ModernSampling;
-import lightning.bench.ModernScene;
-import lightning.bench.TimeSamples;
+import lightning.bench.result.BenchResults;
+import lightning.bench.result.ErrorCurve;
+import lightning.bench.result.ErrorPoint;
+import lightning.bench.result.ModernSampling;
+import lightning.bench.result.ModernScene;
+import lightning.bench.result.TimeSamples;
 import org.junit.jupiter.api.Test;
 
 class EqualErrorTest {

@@ -4,16 +4,16 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import java.util.Map;
-import lightning.bench.BenchResults;
-import lightning.bench.BenchRun;
-import lightning.bench.IndirectAccuracy;
-import lightning.bench.IndirectCost;
-import lightning.bench.IndirectGrowth;
-import lightning.bench.IndirectResults;
-import lightning.bench.MachineSpec;
-import lightning.bench.SystemLoad;
-import lightning.bench.TimeSamples;
 import lightning.bench.accuracy.IndirectError;
+import lightning.bench.result.BenchResults;
+import lightning.bench.result.BenchRun;
+import lightning.bench.result.IndirectAccuracy;
+import lightning.bench.result.IndirectCost;
+import lightning.bench.result.IndirectGrowth;
+import lightning.bench.result.IndirectResults;
+import lightning.bench.result.MachineSpec;
+import lightning.bench.result.SystemLoad;
+import lightning.bench.result.TimeSamples;
 import org.junit.jupiter.api.Test;
 
 class IndirectTablesTest {

@@ -51,11 +51,11 @@ public final class DeskScene {
         return NumericParameter.ALL.stream().filter(d -> d.id().equals(name) || d.title().equals(name)).findFirst().orElseThrow();
     }
 
-    static Light spot(Vec3 position, Vec3 direction) {
+    public static Light spot(Vec3 position, Vec3 direction) {
         return Light.of("spot", LightType.SPOT).withPosition(position).withDirection(direction);
     }
 
-    static List<String> names(Scene scene) {
+    public static List<String> names(Scene scene) {
         return scene.lights().stream().map(Light::name).toList();
     }
 }

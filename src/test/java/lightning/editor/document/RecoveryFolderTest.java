@@ -16,7 +16,7 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 import lightning.base.work.Await;
-import lightning.format.jen.JenLimits;
+import lightning.format.jen.asset.JenLimits;
 import lightning.sample.Slow;
 import lightning.scene.Scene;
 import lightning.scene.asset.Texture;

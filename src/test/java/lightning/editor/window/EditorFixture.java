@@ -21,7 +21,7 @@ import lightning.base.work.Await;
 import lightning.editor.document.Command;
 import lightning.editor.document.FileThread;
 import lightning.editor.document.RecoveryFolder;
-import lightning.editor.document.Viewport;
+import lightning.editor.document.manipulation.Viewport;
 import lightning.editor.window.command.FilePrompt;
 import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.model.PanelArrangement;

@@ -8,7 +8,7 @@ import javafx.scene.input.KeyCode;
 import lightning.base.math.Vec3;
 import lightning.editor.document.DeskScene;
 import lightning.editor.document.LightEdits;
-import lightning.editor.document.PreviewCamera;
+import lightning.editor.document.manipulation.PreviewCamera;
 import org.junit.jupiter.api.Test;
 
 class LightCameraToggleTest extends EditorFixture {

@@ -12,6 +12,8 @@ import java.util.Collections;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import lightning.base.work.Progress;
+import lightning.format.exchange.assembly.ImportedScene;
+import lightning.format.exchange.assembly.LightUnits;
 import lightning.format.gltf.GltfFixtures;
 import lightning.format.mesh.MeshException;
 import org.junit.jupiter.api.Test;

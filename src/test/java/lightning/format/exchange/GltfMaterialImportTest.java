@@ -17,6 +17,8 @@ import lightning.base.math.Rgb;
 import lightning.base.math.SrgbCurve;
 import lightning.base.math.Vec3;
 import lightning.base.work.Progress;
+import lightning.format.exchange.assembly.ImportedScene;
+import lightning.format.exchange.assembly.LightUnits;
 import lightning.format.gltf.GltfFixtures;
 import lightning.format.jen.JenException;
 import lightning.format.jen.JenReader;

@@ -13,6 +13,8 @@ import java.util.Map;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.base.work.Progress;
+import lightning.format.exchange.assembly.LightUnits;
+import lightning.format.exchange.json.PictureJson;
 import lightning.format.gltf.GltfFixtures;
 import lightning.format.jen.JenReader;
 import lightning.format.mesh.MeshException;

@@ -11,6 +11,8 @@ import java.util.stream.Stream;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.base.work.Progress;
+import lightning.format.exchange.assembly.ImportedScene;
+import lightning.format.exchange.assembly.LightUnits;
 import lightning.format.jen.JenReader;
 import lightning.format.mesh.MeshException;
 import lightning.format.nff.SpdScenes;

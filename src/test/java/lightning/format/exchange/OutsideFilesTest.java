@@ -11,6 +11,8 @@ import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 import lightning.base.file.TemporaryFolder;
 import lightning.base.work.Progress;
+import lightning.format.exchange.assembly.ImportedScene;
+import lightning.format.exchange.assembly.LightUnits;
 import lightning.format.jen.JenException;
 import lightning.format.jen.JenReader;
 import lightning.format.mesh.MeshException;

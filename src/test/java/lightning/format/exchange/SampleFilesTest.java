@@ -14,6 +14,8 @@ import lightning.base.text.PrintableText;
 import lightning.base.work.Await;
 import lightning.base.work.Progress;
 import lightning.format.MeshFormat;
+import lightning.format.exchange.assembly.ImportedScene;
+import lightning.format.exchange.assembly.LightUnits;
 import lightning.format.mesh.MeshException;
 import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.DynamicTest;

@@ -7,6 +7,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import lightning.base.work.Progress;
+import lightning.format.exchange.assembly.ImportedScene;
+import lightning.format.exchange.assembly.LightUnits;
 import lightning.format.mesh.MeshException;
 import lightning.sample.PythonPrograms;
 import org.junit.jupiter.api.BeforeEach;

@@ -10,6 +10,8 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import lightning.base.work.Progress;
+import lightning.format.exchange.assembly.ImportedScene;
+import lightning.format.exchange.assembly.LightUnits;
 import lightning.format.jen.JenDocument;
 import lightning.format.jen.JenReader;
 import lightning.sample.PythonPrograms;

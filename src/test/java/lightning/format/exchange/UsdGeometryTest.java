@@ -9,6 +9,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import lightning.base.work.Progress;
+import lightning.format.exchange.assembly.ImportedScene;
+import lightning.format.exchange.assembly.LightUnits;
 import lightning.sample.PythonPrograms;
 import lightning.scene.node.Mesh;
 import lightning.scene.node.Solid;

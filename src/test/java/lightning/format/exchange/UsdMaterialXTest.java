@@ -10,6 +10,8 @@ import java.util.Locale;
 import javax.imageio.ImageIO;
 import lightning.base.math.Rgb;
 import lightning.base.work.Progress;
+import lightning.format.exchange.assembly.ImportedScene;
+import lightning.format.exchange.assembly.LightUnits;
 import lightning.sample.PythonPrograms;
 import lightning.scene.asset.TextureMap;
 import lightning.scene.material.Material;

@@ -14,6 +14,8 @@ import javax.imageio.ImageIO;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.base.work.Progress;
+import lightning.format.exchange.assembly.ImportedScene;
+import lightning.format.exchange.assembly.LightUnits;
 import lightning.format.jen.JenDocument;
 import lightning.format.jen.JenReader;
 import lightning.sample.PythonPrograms;

@@ -12,6 +12,8 @@ import javax.imageio.ImageIO;
 import lightning.base.math.Rgb;
 import lightning.base.math.SrgbCurve;
 import lightning.base.work.Progress;
+import lightning.format.exchange.assembly.ImportedScene;
+import lightning.format.exchange.assembly.LightUnits;
 import lightning.format.image.ImageFile;
 import lightning.format.jen.JenReader;
 import lightning.render.image.Film;

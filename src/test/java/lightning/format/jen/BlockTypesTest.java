@@ -8,6 +8,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
+import lightning.format.jen.asset.AssetSource;
 import lightning.scene.asset.Texture;
 import lightning.scene.material.MaterialAttribute;
 import lightning.scene.node.Mesh;

@@ -11,6 +11,8 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import lightning.base.text.DecimalNumber;
+import lightning.format.jen.asset.JenLimits;
+import lightning.format.jen.asset.MeshBlockTest;
 import lightning.scene.light.LightAttribute;
 import lightning.scene.light.LightType;
 import lightning.scene.value.SceneLimits;

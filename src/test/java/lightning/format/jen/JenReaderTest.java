@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Locale;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
+import lightning.format.jen.asset.JenLimits;
 import lightning.scene.Camera;
 import lightning.scene.PictureSettings;
 import lightning.scene.Scene;

@@ -13,6 +13,7 @@ import java.util.Random;
 import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 import javax.imageio.ImageIO;
+import lightning.format.jen.asset.TextureFolder;
 import lightning.scene.Scene;
 import lightning.scene.asset.Texture;
 import lightning.scene.asset.TextureUsage;

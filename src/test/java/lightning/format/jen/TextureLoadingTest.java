@@ -16,6 +16,7 @@ import java.util.List;
 import java.util.Random;
 import java.util.zip.CRC32;
 import javax.imageio.ImageIO;
+import lightning.format.jen.asset.TextureDecoder;
 import lightning.scene.asset.Texture;
 import lightning.scene.asset.TextureUsage;
 import lightning.scene.material.Material;

@@ -13,8 +13,8 @@ import lightning.base.text.Messages;
 import lightning.format.exchange.SceneImporter;
 import lightning.format.image.CubeLutReader;
 import lightning.format.image.ImageFormat;
-import lightning.format.jen.FileKind;
 import lightning.format.jen.JenFile;
+import lightning.format.jen.asset.FileKind;
 
 /** Prompts for files; an empty result means that the user canceled. */
 public interface FilePrompt {

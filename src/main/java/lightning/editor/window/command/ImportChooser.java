@@ -16,7 +16,7 @@ import lightning.base.text.Messages;
 import lightning.editor.window.widget.PixelImage;
 import lightning.format.exchange.ImportPreviews.Choice;
 import lightning.format.exchange.ImportPreviews.Preview;
-import lightning.format.exchange.LightUnits;
+import lightning.format.exchange.assembly.LightUnits;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
 

@@ -20,7 +20,7 @@ import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.model.StatusMessage;
 import lightning.format.jen.JenFile;
-import lightning.format.jen.JenLimits;
+import lightning.format.jen.asset.JenLimits;
 import lightning.scene.shot.AnimatedScene;
 
 /** Saves the scene, and confirms before overwriting changes that the user may not have seen. */

@@ -6,9 +6,9 @@ import lightning.base.text.Messages;
 import lightning.editor.document.Command;
 import lightning.editor.document.FileThread;
 import lightning.editor.document.OpenDocument;
-import lightning.editor.document.PreviewCamera;
 import lightning.editor.document.RecoveryFolder;
 import lightning.editor.document.Workbench;
+import lightning.editor.document.manipulation.PreviewCamera;
 import lightning.render.image.ViewTransform;
 
 /**

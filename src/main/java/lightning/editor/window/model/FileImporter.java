@@ -7,8 +7,8 @@ import java.util.function.Consumer;
 import lightning.base.text.Messages;
 import lightning.base.text.Quote;
 import lightning.editor.document.FileThread;
-import lightning.format.jen.FileCopy;
-import lightning.format.jen.FileKind;
+import lightning.format.jen.asset.FileCopy;
+import lightning.format.jen.asset.FileKind;
 
 /** Copies external files to where the open scene finds them. Overwrites an existing file only if it is chosen twice. */
 public final class FileImporter {

@@ -4,7 +4,7 @@ import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.ObjectProperty;
 import javafx.beans.property.SimpleBooleanProperty;
 import lightning.editor.document.Command;
-import lightning.editor.document.PreviewCamera;
+import lightning.editor.document.manipulation.PreviewCamera;
 import lightning.scene.light.Light;
 
 /**

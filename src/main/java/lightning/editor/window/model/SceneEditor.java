@@ -16,9 +16,9 @@ import lightning.base.text.Messages;
 import lightning.editor.document.EditOutcome;
 import lightning.editor.document.EditorState;
 import lightning.editor.document.OpenDocument;
-import lightning.editor.document.PreviewCamera;
 import lightning.editor.document.Selection;
 import lightning.editor.document.Workbench;
+import lightning.editor.document.manipulation.PreviewCamera;
 import lightning.scene.Scene;
 import lightning.scene.shot.AnimatedScene;
 

@@ -5,7 +5,7 @@ import java.util.function.Consumer;
 import lightning.base.math.Vec3;
 import lightning.base.work.DedicatedThread;
 import lightning.base.work.Progress;
-import lightning.editor.document.PreviewCamera;
+import lightning.editor.document.manipulation.PreviewCamera;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
 import lightning.render.relight.PlannedUpdate;

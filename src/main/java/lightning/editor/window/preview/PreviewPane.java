@@ -13,7 +13,7 @@ import javafx.scene.layout.Region;
 import javafx.scene.layout.StackPane;
 import lightning.base.text.Messages;
 import lightning.editor.document.Command;
-import lightning.editor.document.PreviewCamera;
+import lightning.editor.document.manipulation.PreviewCamera;
 import lightning.editor.window.command.CommandButton;
 import lightning.editor.window.command.CommandMenuItems;
 import lightning.editor.window.command.SizeMenu;

@@ -2,7 +2,7 @@ package lightning.editor.window.property;
 
 import lightning.base.text.Messages;
 import lightning.editor.document.Command;
-import lightning.format.jen.FileKind;
+import lightning.format.jen.asset.FileKind;
 import lightning.scene.attribute.ValueKind;
 
 /**

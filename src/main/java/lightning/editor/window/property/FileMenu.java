@@ -18,7 +18,7 @@ import lightning.editor.document.Command;
 import lightning.editor.window.command.CommandMenuItems;
 import lightning.editor.window.model.CommandRegistry;
 import lightning.editor.window.model.FileImporter;
-import lightning.format.jen.FileKind;
+import lightning.format.jen.asset.FileKind;
 
 /**
  * Menu of the files of a kind next to the scene, with thumbnails, None and Browse. Shows gobos before other textures. Scans the folder in

@@ -9,11 +9,11 @@ import javafx.scene.image.ImageView;
 import javax.imageio.ImageReader;
 import lightning.base.file.RegularFile;
 import lightning.editor.window.widget.PixelImage;
-import lightning.format.jen.FileKind;
-import lightning.format.jen.JenLimits;
-import lightning.format.jen.LightTextureReader;
-import lightning.format.jen.TextureDecoder;
-import lightning.format.jen.UnusableFileException;
+import lightning.format.jen.asset.FileKind;
+import lightning.format.jen.asset.JenLimits;
+import lightning.format.jen.asset.LightTextureReader;
+import lightning.format.jen.asset.TextureDecoder;
+import lightning.format.jen.asset.UnusableFileException;
 import lightning.scene.asset.Texture;
 
 /**

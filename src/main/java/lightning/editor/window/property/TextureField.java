@@ -22,7 +22,7 @@ import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.ArrowWidget;
 import lightning.editor.window.widget.DisabledReason;
 import lightning.editor.window.widget.NumberSetting;
-import lightning.format.jen.FileKind;
+import lightning.format.jen.asset.FileKind;
 import lightning.scene.asset.TextureMap;
 import lightning.scene.attribute.ValueKind;
 import lightning.scene.material.Material;

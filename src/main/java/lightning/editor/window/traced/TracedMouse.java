@@ -21,7 +21,7 @@ import javafx.scene.layout.Pane;
 import javafx.scene.layout.StackPane;
 import javafx.scene.shape.Rectangle;
 import lightning.base.text.Messages;
-import lightning.editor.document.CameraDrag;
+import lightning.editor.document.manipulation.CameraDrag;
 import lightning.editor.loop.Frame;
 import lightning.editor.loop.RenderState;
 import lightning.editor.window.model.CameraNavigation;

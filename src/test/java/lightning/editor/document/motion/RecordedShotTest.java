@@ -6,7 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
 import lightning.base.math.Vec3;
-import lightning.editor.document.PreviewCameraTest;
+import lightning.editor.document.manipulation.PreviewCameraTest;
 import lightning.scene.Camera;
 import lightning.scene.PictureSettings;
 import lightning.scene.Scene;

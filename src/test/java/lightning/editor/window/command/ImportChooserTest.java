@@ -14,7 +14,7 @@ import lightning.editor.window.JavaFxRequirement;
 import lightning.editor.window.StageExtension;
 import lightning.format.exchange.ImportLighting;
 import lightning.format.exchange.ImportPreviews;
-import lightning.format.exchange.LightUnits;
+import lightning.format.exchange.assembly.LightUnits;
 import lightning.render.image.Film;
 import lightning.sample.Slow;
 import org.junit.jupiter.api.Test;

@@ -12,7 +12,7 @@ import lightning.base.math.Vec3;
 import lightning.base.work.Await;
 import lightning.base.work.Progress;
 import lightning.editor.document.DeskScene;
-import lightning.editor.document.PreviewCamera;
+import lightning.editor.document.manipulation.PreviewCamera;
 import lightning.format.jen.JenException;
 import lightning.format.jen.JenReader;
 import lightning.render.image.Film;

@@ -15,7 +15,7 @@ import javafx.scene.input.KeyCode;
 import javafx.scene.input.MouseButton;
 import javafx.stage.Window;
 import lightning.editor.document.Command;
-import lightning.editor.document.ScenePicker;
+import lightning.editor.document.manipulation.ScenePicker;
 import lightning.editor.window.EditorFixture;
 import lightning.editor.window.widget.PictureView;
 import lightning.render.shading.explanation.LightReport;

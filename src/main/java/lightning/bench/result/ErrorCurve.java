@@ -1,0 +1,30 @@
+package lightning.bench.result;
+
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * Time against error of a program's anti-aliasing settings on one scene.
+ *
+ * @param program   name and version
+ * @param referenceSamples samples per pixel of the program's own image from which errors are measured
+ * @param width     pixels
+ * @param height    pixels
+ * @param points    settings, from the roughest
+ */
+public record ErrorCurve(String program, int referenceSamples, int width, int height, List<ErrorPoint> points) {
+    public ErrorCurve {
+        points = List.copyOf(points);
+    }
+
+    /** Returns the point of a setting; empty if not measured. */
+    public Optional<ErrorPoint> find(String setting) {
+        return points.stream().filter(point -> point.setting().equals(setting)).findFirst();
+    }
+
+    /** Returns the fastest point whose error is at most that; empty if there is none. */
+    public Optional<ErrorPoint> fastestWithin(double error) {
+        return points.stream().filter(point -> point.error() <= error)
+                .min((a, b) -> Double.compare(a.time().median(), b.time().median()));
+    }
+}

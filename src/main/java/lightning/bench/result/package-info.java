@@ -1,0 +1,2 @@
+/** Results of a benchmark run, as records and as a CSV file. */
+package lightning.bench.result;

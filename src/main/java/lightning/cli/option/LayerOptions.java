@@ -1,0 +1,121 @@
+package lightning.cli.option;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Optional;
+import lightning.base.work.HeapBudget;
+import lightning.base.work.WorkerPool;
+import lightning.cli.output.BadInputException;
+import lightning.cli.output.Console;
+import lightning.cli.output.PictureOutput;
+import lightning.cli.output.ProgressBar;
+import lightning.format.exr.ExrType;
+import lightning.format.image.ImageFormat;
+import lightning.format.layer.ExrContent;
+import lightning.format.layer.FrameTime;
+import lightning.format.layer.LayeredExrWriter;
+import lightning.render.cache.PixelCache;
+import lightning.render.engine.EngineChoice;
+import lightning.render.relight.MemoryEstimate;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+
+/** Options for layers and mattes of written images. */
+public final class LayerOptions {
+    @Spec(Spec.Target.MIXEE)
+    private CommandSpec command;
+
+    @Option(names = "--layers",
+            description = "Also write layers to the .exr: background, ambient, emission, each light's diffuse and specular, reflections "
+                    + "(which add up to the image), normals, positions, depth, objects and materials.")
+    private boolean layers;
+
+    @Option(names = "--cryptomatte", paramLabel = "FILE",
+            description = "Also write mattes of objects, materials and assets (Cryptomatte) to an .exr file, named like that of -o; the "
+                    + "same name adds them to the image's file.")
+    private Path mattes;
+
+    private int levels = ExrContent.DEFAULT_MATTE_LEVELS;
+
+    @Option(names = "--cryptomatte-levels", paramLabel = "N",
+            description = "Objects per pixel that mattes have room for: even, 2 to " + ExrContent.MAX_MATTE_LEVELS + " (default: "
+                    + ExrContent.DEFAULT_MATTE_LEVELS + ").")
+    private void setLevels(int value) {
+        if (value < 2 || value > ExrContent.MAX_MATTE_LEVELS || value % 2 != 0) {
+            throw new ParameterException(command.commandLine(),
+                    "--cryptomatte-levels must be an even number from 2 to " + ExrContent.MAX_MATTE_LEVELS + ", was " + value);
+        }
+        levels = value;
+    }
+
+    /** Returns the file for mattes, or the pattern of its name. */
+    public Optional<Path> mattes() {
+        return Optional.ofNullable(mattes);
+    }
+
+    /** Returns an option that was used, for messages. */
+    public Optional<String> usedOption() {
+        return layers ? Optional.of("--layers") : mattes().map(_ -> "--cryptomatte");
+    }
+
+    /** Checks the options against the formats of the files, before a long computation. */
+    public void checkFormats(Path picture) throws IOException, BadInputException {
+        if (layers && !ImageFormat.of(picture).canHaveLayers()) {
+            throw new BadInputException(Console.text("%s: layers are written to .exr", picture));
+        }
+        if (mattes != null && !ImageFormat.find(mattes).map(ImageFormat::canHaveLayers).orElse(false)) {
+            throw new BadInputException(Console.text("%s: mattes are written to .exr", mattes));
+        }
+    }
+
+    /**
+     * Writes an image with its layers and mattes.
+     *
+     * @param cache  cache of the finished image
+     * @param picture file of the image; empty to write only mattes
+     * @param matteFile file of the mattes; empty to write none
+     */
+    public void write(PictureOutput output, PixelCache cache, EngineChoice engines, Optional<Path> picture, Optional<Path> matteFile,
+            Optional<FrameTime> time, WorkerPool workers, Console console) throws IOException {
+        boolean sameFile = picture.isPresent() && picture.map(LayerOptions::normalized).equals(matteFile.map(LayerOptions::normalized));
+        if (picture.isPresent()) {
+            if (layers || sameFile) {
+                ExrType type = output.bits(picture.get()) == Short.SIZE ? ExrType.HALF : ExrType.FLOAT;
+                // All frames of a shot have the same layers, because compositing programs read them from the first one.
+                ExrContent.Layers choice =
+                        !layers ? ExrContent.Layers.NONE : time.isPresent() ? ExrContent.Layers.ALL : ExrContent.Layers.LIT;
+                writeExr(picture.get(), cache, engines, new ExrContent(type, choice, sameFile ? levels : 0), time, workers, console);
+            } else {
+                output.write(cache.scene(), cache.film(), picture.get(), time, workers);
+            }
+        }
+        if (matteFile.isPresent() && !sameFile) {
+            writeExr(matteFile.get(), cache, engines, ExrContent.mattes(levels), time, workers, console);
+        }
+    }
+
+    private static Path normalized(Path file) {
+        return file.toAbsolutePath().normalize();
+    }
+
+    private void writeExr(Path file, PixelCache cache, EngineChoice engines, ExrContent content, Optional<FrameTime> time,
+            WorkerPool workers, Console console) throws IOException {
+        long start = System.nanoTime();
+        LayeredExrWriter writer = new LayeredExrWriter(cache, engines, content, time);
+        try (ProgressBar bar = new ProgressBar(console, "writing")) {
+            writer.write(file, HeapBudget.availableBytes() - MemoryEstimate.usedBytes(cache), workers, bar);
+        }
+        boolean hasLayers = content.layers() != ExrContent.Layers.NONE;
+        String parts = hasLayers ? Console.count(writer.layerCount(), "layer") : "mattes";
+        console.print("%s: %s%s of %d x %d pixels, written in %.1f ms", file, parts,
+                hasLayers && content.matteLevels() > 0 ? " and mattes" : "", cache.scene().picture().width(),
+                cache.scene().picture().height(), (System.nanoTime() - start) / 1e6);
+        if (writer.crowdedPixels() > 0) {
+            console.warn("%s: %s with too many objects or materials for %s; --cryptomatte-levels=%s has room for all", file,
+                    Console.count(writer.crowdedPixels(), "pixel"), Console.count(levels, "level"),
+                    writer.maxIds() + writer.maxIds() % 2);
+        }
+    }
+}

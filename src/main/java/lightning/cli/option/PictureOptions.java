@@ -1,0 +1,83 @@
+package lightning.cli.option;
+
+import java.util.Optional;
+import lightning.scene.AntialiasMode;
+import lightning.scene.IndirectSettings;
+import lightning.scene.PictureSettings;
+import lightning.scene.SamplingSettings;
+import lightning.scene.Scene;
+import lightning.scene.value.SceneLimits;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+
+/** Options that override the scene's image settings. */
+public final class PictureOptions {
+    @Spec(Spec.Target.MIXEE)
+    private CommandSpec command;
+
+    @Option(names = "--size", paramLabel = "WxH", converter = PictureDimensions.Converter.class,
+            description = "Image size in pixels (default: the scene's).")
+    private PictureDimensions size;
+
+    private Integer depth;
+
+    @Option(names = "--depth", paramLabel = "N",
+            description = "Maximum reflection depth, 0 to " + SceneLimits.MAX_DEPTH + " (default: the scene's).")
+    private void setDepth(int value) {
+        if (value < 0 || value > SceneLimits.MAX_DEPTH) {
+            throw new ParameterException(command.commandLine(), "--depth must be from 0 to " + SceneLimits.MAX_DEPTH + ", was " + value);
+        }
+        depth = value;
+    }
+
+    @Option(names = "--antialias", paramLabel = "MODE",
+            description = "Anti-aliasing: off, edges or every (default: the scene's).")
+    private AntialiasMode antialias;
+
+    private Integer samples;
+
+    @Option(names = "--samples", paramLabel = "N",
+            description = "Anti-aliasing samples per pixel side, " + SceneLimits.MIN_SAMPLES + " to " + SceneLimits.MAX_SAMPLES
+                    + " (default: the scene's).")
+    private void setSamples(int value) {
+        if (value < SceneLimits.MIN_SAMPLES || value > SceneLimits.MAX_SAMPLES) {
+            throw new ParameterException(command.commandLine(), "--samples must be from " + SceneLimits.MIN_SAMPLES + " to "
+                    + SceneLimits.MAX_SAMPLES + ", was " + value);
+        }
+        samples = value;
+    }
+
+    /** Choice of indirect light. */
+    enum Indirect {
+        ON, OFF
+    }
+
+    @Option(names = "--indirect", paramLabel = "on|off", description = "Indirect light: on or off (default: the scene's).")
+    private Indirect indirect;
+
+    @Option(names = "--no-indirect", description = "Same as --indirect=off.")
+    private void setNoIndirect(boolean off) {
+        if (off) {
+            indirect = Indirect.OFF;
+        }
+    }
+
+    /** Returns the scene with these options applied. */
+    public Scene apply(Scene scene) {
+        PictureSettings picture = scene.picture();
+        if (size != null) {
+            picture = picture.withSize(size.width(), size.height());
+        }
+        if (indirect == Indirect.OFF) {
+            picture = picture.withIndirect(Optional.empty());
+        } else if (indirect == Indirect.ON && picture.indirect().isEmpty()) {
+            picture = picture.withIndirect(Optional.of(IndirectSettings.DEFAULT));
+        }
+        SamplingSettings sceneSampling = picture.sampling();
+        SamplingSettings sampling = new SamplingSettings(antialias == null ? sceneSampling.antialias() : antialias,
+                samples == null ? sceneSampling.grid() : samples);
+        return scene.withPicture((depth == null ? picture : picture.withDepth(depth)).withSampling(sampling));
+    }
+}

@@ -1,0 +1,2 @@
+/** Options that several commands share, and their converters. */
+package lightning.cli.option;

@@ -1,0 +1,57 @@
+package lightning.cli.output;
+
+import java.io.PrintStream;
+import java.util.ArrayList;
+import java.util.List;
+import lightning.cli.report.ErrorReport;
+import lightning.cli.report.JsonOutput;
+
+/** Report of one run of the program: as lines, as one JSON object at its end ({@code --json}), or none ({@code --quiet}). */
+public final class CommandReport {
+    private boolean json;
+    private boolean quiet;
+    private Object result;
+    private final List<String> lines = new ArrayList<>();
+    private final List<String> notes = new ArrayList<>();
+    private final List<ErrorReport> errors = new ArrayList<>();
+
+    public synchronized void useJson() {
+        json = true;
+    }
+
+    public synchronized void beQuiet() {
+        quiet = true;
+    }
+
+    public synchronized boolean isJson() {
+        return json;
+    }
+
+    /** Returns true if lines are printed when they arise. */
+    synchronized boolean printsLines() {
+        return !json && !quiet;
+    }
+
+    synchronized void addLine(String line) {
+        lines.add(line);
+    }
+
+    synchronized void addNote(String note) {
+        notes.add(note);
+    }
+
+    synchronized void addError(ErrorReport error) {
+        errors.add(error);
+    }
+
+    /** Sets the record of the command, which {@code --json} prints. */
+    public synchronized void setResult(Object value) {
+        result = value;
+    }
+
+    /** Prints the JSON object. */
+    public synchronized void print(PrintStream out, String command, int exitCode) {
+        boolean hasText = result == null && !lines.isEmpty();
+        new JsonOutput(command, exitCode, result, hasText ? lines : null, notes, errors).print(out);
+    }
+}

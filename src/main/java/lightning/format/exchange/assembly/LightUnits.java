@@ -1,0 +1,53 @@
+package lightning.format.exchange.assembly;
+
+import java.util.Optional;
+import java.util.stream.Stream;
+import lightning.scene.light.LightType;
+
+/**
+ * Unit of the light intensities in a glTF file. The format defines candela and lux, but exporters differ and offer a choice.
+ *
+ * <p>In Lightning, a light of intensity 1 gives a white surface that faces it at distance 1 the brightness 1. A lamp of E
+ * watts per square meter gives E / π. Exporters assume 683 lumens per watt for every color.
+ */
+public enum LightUnits {
+    /** The glTF specification: candela for points and spots, lux for directional lights. */
+    CANDELA("candela and lux"),
+    /** Watts per steradian for points and spots, watts per square meter for directional lights; exporters call this unitless. */
+    UNITLESS("watts per steradian and per square meter"),
+    /** Total watts for points and spots, watts per square meter for directional lights. */
+    WATTS("watts, and watts per square meter");
+
+    private static final double LUMENS_PER_WATT = 683;
+
+    private final String description;
+
+    LightUnits(String description) {
+        this.description = description;
+    }
+
+    /** Returns the intensity in Lightning of a light with intensity 1 in the file. */
+    public double intensityOfOneUnit(LightType type) {
+        double watts = switch (this) {
+            case CANDELA -> 1 / LUMENS_PER_WATT;
+            case UNITLESS -> 1;
+            case WATTS -> type == LightType.DIRECTIONAL ? 1 : 1 / (4 * Math.PI);
+        };
+        return watts / Math.PI;
+    }
+
+    /** Returns the units in words. */
+    public String description() {
+        return description;
+    }
+
+    /** Returns the comment line that records the units in a scene file. */
+    String comment() {
+        return "# light units: the file's numbers were taken as " + description;
+    }
+
+    /** Returns the units recorded in a scene file's text; empty if none were chosen at import. */
+    public static Optional<LightUnits> findIn(String text) {
+        return Stream.of(values()).filter(units -> text.lines().anyMatch(units.comment()::equals)).findFirst();
+    }
+}

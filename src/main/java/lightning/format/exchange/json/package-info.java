@@ -1,0 +1,2 @@
+/** Attributes that other formats lack, as JSON inside their files. */
+package lightning.format.exchange.json;

@@ -1,0 +1,168 @@
+package lightning.format.exchange.usd;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Locale;
+import java.util.Optional;
+import lightning.base.file.RegularFile;
+import lightning.base.math.Rgb;
+import lightning.base.math.Transform;
+import lightning.base.math.Vec3;
+import lightning.format.exchange.assembly.SceneAssembler;
+import lightning.format.gltf.JsonValue;
+import lightning.format.image.ImageFile;
+import lightning.format.jen.asset.TextureDecoder;
+import lightning.format.jen.asset.UnusableFileException;
+import lightning.format.mesh.MeshException;
+import lightning.format.usd.UsdStage;
+import lightning.render.image.Film;
+import lightning.render.image.ViewTransform;
+import lightning.scene.World;
+import lightning.scene.asset.Environment;
+import lightning.scene.asset.EnvironmentMap;
+import lightning.scene.asset.Texture;
+import lightning.scene.value.ColorTemperature;
+import lightning.scene.value.SceneLimits;
+
+/** Converter from a dome light to the environment: an image in Radiance's format, which is written where the dome has another or none. */
+final class UsdDomeImport {
+    /** Largest number of pixels of an environment. */
+    private static final int MAX_PIXELS = 8 << 20;
+    private static final int MAX_BYTES = 64 << 20;
+    private static final int PLAIN_WIDTH = 16;
+    private static final double MAX_TILT = 1e-4;
+
+    private final SceneAssembler assembler;
+    private final Transform upright;
+    private final boolean hasZUp;
+
+    UsdDomeImport(SceneAssembler assembler, Transform upright, boolean hasZUp) {
+        this.assembler = assembler;
+        this.upright = upright;
+        this.hasZUp = hasZUp;
+    }
+
+    /** Sets the environment, and the comment that brings it back. */
+    void add(JsonValue in) throws IOException, MeshException {
+        double exposure = UsdNumbers.tidy(in.get("exposure").number(0));
+        double intensity = UsdNumbers.tidy(in.get("intensity").number(1));
+        double stops = Math.pow(2, exposure);
+        double wanted = in.get("hidden").bool(false) ? 0 : intensity * stops;
+        double strength = Math.clamp(wanted, 0, SceneLimits.MAX_GROUP_INTENSITY);
+        double[] c = in.get("color").numbers(1, 1, 1);
+        Rgb tint =
+                in.get("temperature").isPresent() ? UsdBlackbody.tint(in.get("temperature").number(ColorTemperature.NEUTRAL)) : Rgb.WHITE;
+        Rgb color = new Rgb(Math.max(c[0], 0), Math.max(c[1], 0), Math.max(c[2], 0)).times(tint);
+        Rgb factor = color.times(strength > 0 ? wanted / strength : 1);
+        JsonValue texture = in.get("texture");
+        String format = in.get("format").text().orElse("automatic");
+        assembler.notes.add("dome lights of format " + format, format.equals("automatic") || format.equals("latlong") ? 0 : 1);
+        assembler.notes.add("diffuse and specular factors of dome lights",
+                in.get("diffuse").number(1) == 1 && in.get("specular").number(1) == 1 ? 0 : 1);
+        Optional<Path> place = texture.isPresent() ? UsdStage.place(texture) : Optional.empty();
+        assembler.notes.add("dome lights whose image is missing or unreadable", texture.isPresent() && place.isEmpty() ? 1 : 0);
+        Environment environment = place.isPresent() ? image(place.get(), texture, factor) : plain(factor);
+        double rotation = rotation(in);
+        World before = assembler.world;
+        assembler.world = before.withEnvironment(Optional.of(environment)).withRotation(rotation).withIntensity(strength)
+                .withSoftLights(before);
+        // The intensity of the dome for one of the environment; its color and exposure stay as they are.
+        UsdPaths.addDome(assembler, in, strength > 0 ? intensity / strength : 1 / stops, rotation, environment.file());
+    }
+
+    private Environment image(Path place, JsonValue texture, Rgb factor) throws IOException, MeshException {
+        String name = texture.get("name").text().orElse("dome");
+        boolean isHdr = name.toLowerCase(Locale.ROOT).endsWith(".hdr");
+        Film film;
+        try {
+            film = SceneAssembler.isPngOrJpeg(place) ? decoded(place) : ImageFile.read(place);
+        } catch (IOException | UnusableFileException e) {
+            assembler.notes.add("dome lights whose image is missing or unreadable");
+            return plain(factor);
+        }
+        int size = 1;
+        while ((long) (film.width() / size) * (film.height() / size) > MAX_PIXELS) {
+            size++;
+        }
+        assembler.notes.add("images of dome lights of more than 8 million pixels, reduced", size == 1 ? 0 : 1);
+        if (isHdr && size == 1 && factor.equals(Rgb.WHITE)) {
+            return new Environment(assembler.addFile(place, name), map(film, 1, Rgb.WHITE));
+        }
+        assembler.notes.add("images of dome lights, written as Radiance HDR");
+        return written(name.replaceFirst("\\.[^.]*$", "") + ".dome.hdr", map(film, size, factor));
+    }
+
+    private static Film decoded(Path place) throws IOException, UnusableFileException {
+        Texture texture = TextureDecoder.decodeColors("dome", RegularFile.readBytes(place, "an image", MAX_BYTES));
+        float[] rgb = new float[3 * texture.width() * texture.height()];
+        for (int y = 0; y < texture.height(); y++) {
+            for (int x = 0; x < texture.width(); x++) {
+                for (int c = 0; c < 3; c++) {
+                    rgb[3 * (y * texture.width() + x) + c] = texture.channel(x, texture.height() - 1 - y, c);
+                }
+            }
+        }
+        return Film.ofScanlines(texture.width(), texture.height(), rgb);
+    }
+
+    /** Returns the map of an image, times a color; {@code size} × {@code size} pixels become one. */
+    private static EnvironmentMap map(Film film, int size, Rgb factor) {
+        int width = film.width() / size;
+        int height = film.height() / size;
+        float[] rgb = new float[3 * width * height];
+        for (int y = 0; y < height * size; y++) {
+            for (int x = 0; x < width * size; x++) {
+                int i = 3 * (y / size * width + x / size);
+                rgb[i] += (float) (film.red(x, y) * factor.r() / (size * size));
+                rgb[i + 1] += (float) (film.green(x, y) * factor.g() / (size * size));
+                rgb[i + 2] += (float) (film.blue(x, y) * factor.b() / (size * size));
+            }
+        }
+        for (int i = 0; i < rgb.length; i++) {
+            rgb[i] = rgb[i] >= 0 ? Math.min(rgb[i], (float) SceneLimits.MAX_EMISSION) : 0;
+        }
+        return new EnvironmentMap(width, height, rgb);
+    }
+
+    private Environment plain(Rgb color) throws IOException {
+        float[] rgb = new float[3 * PLAIN_WIDTH * PLAIN_WIDTH / 2];
+        for (int i = 0; i < rgb.length; i += 3) {
+            rgb[i] = (float) Math.min(color.r(), SceneLimits.MAX_EMISSION);
+            rgb[i + 1] = (float) Math.min(color.g(), SceneLimits.MAX_EMISSION);
+            rgb[i + 2] = (float) Math.min(color.b(), SceneLimits.MAX_EMISSION);
+        }
+        return written("dome.hdr", new EnvironmentMap(PLAIN_WIDTH, PLAIN_WIDTH / 2, rgb));
+    }
+
+    private Environment written(String name, EnvironmentMap map) throws IOException {
+        float[] rgb = new float[3 * map.width() * map.height()];
+        for (int i = 0; i < rgb.length; i++) {
+            rgb[i] = map.channel(i / 3 % map.width(), i / 3 / map.width(), i % 3);
+        }
+        Path file = Files.createTempFile("lightning-dome", ".hdr");
+        try {
+            ImageFile.write(file, Film.ofScanlines(map.width(), map.height(), rgb), ViewTransform.DEFAULT);
+            return new Environment(assembler.addFile(name, RegularFile.readBytes(file, "an image", MAX_BYTES)), map);
+        } finally {
+            Files.deleteIfExists(file);
+        }
+    }
+
+    /**
+     * Returns the rotation about y. A dome's image has +z in its center and x on its left, an environment −z and x on its right: half a turn
+     * apart.
+     */
+    private double rotation(JsonValue in) throws MeshException {
+        Transform m = upright.times(UsdStage.transform(in.get("matrix")));
+        String pole = in.get("pole").text().orElse("Y");
+        if (pole.equals("Z") || pole.equals("scene") && hasZUp) {
+            m = m.times(Transform.rotation(new Vec3(90, 0, 0)));
+        }
+        Vec3 up = m.transformVector(Vec3.Y).normalized();
+        Vec3 center = m.transformVector(new Vec3(0, 0, 1));
+        assembler.notes.add("tilted dome lights, imported upright", Math.abs(up.y() - 1) <= MAX_TILT ? 0 : 1);
+        double degrees = Math.toDegrees(Math.atan2(center.x(), center.z())) + 180;
+        return UsdNumbers.rounded(degrees > 180 ? degrees - 360 : degrees);
+    }
+}

@@ -1,0 +1,126 @@
+package lightning.format.exchange.usd;
+
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import lightning.base.math.Rgb;
+import lightning.base.math.Transform;
+import lightning.base.math.Vec3;
+import lightning.format.usd.UsdLayer;
+import lightning.scene.light.IntensityUnit;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightType;
+import lightning.scene.value.ColorTemperature;
+
+/**
+ * Attributes of UsdLux by their declarations, of one light: the inverse of {@link UsdLightImport}.
+ *
+ * @param type type of the prim
+ */
+public record UsdLightValues(String type, Light light, double meters, boolean hasZUp) {
+    private static final double SPHERE_FACTOR = 4;
+    private static final double FULL_ANGLE = 180;
+
+    /** Returns the type of prim for a light, that of the original where it can be the same. */
+    public static String typeOf(Light light, String original) {
+        return switch (light.type()) {
+            case DIRECTIONAL -> "DistantLight";
+            case POINT -> original.equals("CylinderLight") ? original : "SphereLight";
+            case SPOT -> original.equals("DiskLight") && light.dropoff() >= 1 ? original : "SphereLight";
+            case RECT -> "RectLight";
+            case DISC -> "DiskLight";
+        };
+    }
+
+    /** Returns the values of all attributes that a type has. */
+    public Map<String, String> values(boolean isOn) {
+        Map<String, String> result = new LinkedHashMap<>();
+        boolean isTinted = light.emission().temperature() != ColorTemperature.NEUTRAL;
+        Rgb color = isTinted ? usdColor() : light.color();
+        result.put("color3f inputs:color",
+                "(" + Stream.of(color.r(), color.g(), color.b()).map(UsdLayer::number).collect(Collectors.joining(", ")) + ")");
+        boolean hasLuminance = light.emission().unit() == IntensityUnit.NIT && light.isArea();
+        result.put("float inputs:intensity", UsdLayer.number(hasLuminance ? light.intensity() : power()));
+        result.put("float inputs:exposure", UsdLayer.number(light.emission().exposure()));
+        result.put("bool inputs:normalize", hasLuminance ? "0" : "1");
+        result.put("bool inputs:enableColorTemperature", isTinted ? "1" : "0");
+        result.put("float inputs:colorTemperature", UsdLayer.number(light.emission().temperature()));
+        result.put("float inputs:diffuse", UsdLayer.number(light.contribution().diffuse()));
+        result.put("float inputs:specular", UsdLayer.number(light.contribution().specular()));
+        result.put("bool inputs:shadow:enable", light.contribution().castsShadows() ? "1" : "0");
+        addSize(result);
+        result.put("token visibility", isOn ? "\"inherited\"" : "\"invisible\"");
+        result.put("matrix4d xformOp:transform:lightning", matrix());
+        return result;
+    }
+
+    /** Returns the color with which UsdLux shows the same light at this temperature. */
+    private Rgb usdColor() {
+        double kelvin = light.emission().temperature();
+        Rgb correction = UsdBlackbody.correction(kelvin, kelvin);
+        return new Rgb(ratio(light.color().r(), correction.r()), ratio(light.color().g(), correction.g()),
+                ratio(light.color().b(), correction.b()));
+    }
+
+    private static double ratio(double channel, double correction) {
+        return correction > 0 ? channel / correction : channel;
+    }
+
+    private void addSize(Map<String, String> result) {
+        switch (type) {
+            case "DistantLight" -> result.put("float inputs:angle", UsdLayer.number(2 * light.area().spread()));
+            case "RectLight" -> {
+                result.put("float inputs:width", UsdLayer.number(light.area().width()));
+                result.put("float inputs:height", UsdLayer.number(light.area().height()));
+            }
+            case "CylinderLight" -> {
+                // The ball that stands for it has its area; a ball of another size scales both.
+                double ball = Math.sqrt(light.area().width() * light.area().height() / 4);
+                double scale = ball > 0 && Math.abs(light.area().radius() - ball) > 1e-6 * ball ? light.area().radius() / ball : 1;
+                result.put("float inputs:length", UsdLayer.number(light.area().width() * scale));
+                result.put("float inputs:radius", UsdLayer.number(light.area().height() / 2 * scale));
+            }
+            default -> {
+                result.put("float inputs:radius", UsdLayer.number(light.area().radius()));
+                boolean isSpot = light.type() == LightType.SPOT;
+                if (type.equals("SphereLight")) {
+                    result.put("bool treatAsPoint", light.area().radius() == 0 ? "1" : "0");
+                }
+                result.put("float inputs:shaping:cone:angle", UsdLayer.number(isSpot ? light.angle() : FULL_ANGLE));
+                result.put("float inputs:shaping:cone:softness", UsdLayer.number(isSpot ? SoftCones.softness(light).orElse(0) : 0));
+                result.put("float inputs:shaping:focus",
+                        UsdLayer.number(!isSpot ? 0 : type.equals("DiskLight") ? light.dropoff() - 1 : light.dropoff()));
+            }
+        }
+    }
+
+    /** Returns the normalized intensity: luminance times area, in square units of the stage. */
+    private double power() {
+        double relative = light.emission().unit().relative(light, meters) * light.intensity();
+        if (light.type().hasPosition()) {
+            var terms = light.distanceTerms();
+            relative *= 1 / (terms.constant() + terms.linear() + terms.quadratic());
+        }
+        boolean isRound = type.equals("SphereLight") || type.equals("CylinderLight");
+        return Double.isFinite(relative) ? relative * Math.PI * (isRound ? SPHERE_FACTOR : 1) : 0;
+    }
+
+    private String matrix() {
+        boolean hangs = light.type() == LightType.POINT && light.profile().isPresent();
+        Vec3 direction = hangs ? new Vec3(0, -1, 0) : light.direction().normalized();
+        return matrix(light.area().right(direction), direction.times(-1), light.type().hasPosition() ? light.position() : Vec3.ZERO,
+                hasZUp);
+    }
+
+    /** Returns the text of a matrix with these x and z axes, unit vectors in the scene, and this place. */
+    public static String matrix(Vec3 x, Vec3 z, Vec3 place, boolean hasZUp) {
+        Transform tilt = hasZUp ? Transform.rotation(new Vec3(90, 0, 0)) : Transform.IDENTITY;
+        return Stream.of(row(tilt.transformVector(x), 0), row(tilt.transformVector(z.cross(x)), 0), row(tilt.transformVector(z), 0),
+                row(tilt.transformVector(place), 1)).collect(Collectors.joining(", ", "( ", " )"));
+    }
+
+    private static String row(Vec3 v, int last) {
+        return "(" + Stream.of(v.x(), v.y(), v.z()).map(c -> String.valueOf(c + 0.0)).collect(Collectors.joining(", ")) + ", " + last + ")";
+    }
+}

@@ -1,0 +1,176 @@
+package lightning.format.exchange.usd;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import lightning.base.math.Rgb;
+import lightning.format.exchange.assembly.MirrorMetals;
+import lightning.format.exchange.assembly.SceneAssembler;
+import lightning.format.exchange.assembly.TransmissionImport;
+import lightning.format.gltf.JsonValue;
+import lightning.format.mesh.MeshException;
+import lightning.scene.asset.TextureMap;
+import lightning.scene.asset.TextureUsage;
+import lightning.scene.material.AlphaCutout;
+import lightning.scene.material.BumpMapping;
+import lightning.scene.material.Material;
+import lightning.scene.material.ShadingModel;
+import lightning.scene.value.SceneLimits;
+
+/** Converter from UsdPreviewSurface to metallic materials. */
+final class UsdMaterialImport {
+    /** Inputs whose textures the scene shows, besides the emission. */
+    private static final List<String> MAPPED = List.of("diffuseColor", "normal", "opacity");
+    private static final double HALF = 0.5;
+
+    private final SceneAssembler assembler;
+    private final UsdTextures textures;
+
+    UsdMaterialImport(SceneAssembler assembler, UsdTextures textures) {
+        this.assembler = assembler;
+        this.textures = textures;
+    }
+
+    Material convert(JsonValue in) throws IOException, MeshException {
+        if (in.get("display").isPresent()) {
+            Material plain = Material.of("material").withDiffuse(color(in.get("display"), 1, "display colors"));
+            return new TransmissionImport(assembler).withOpacity(plain, SceneAssembler.clamp(in.get("opacity").number(1), 1));
+        }
+        JsonValue images = in.get("textures");
+        JsonValue baseImage = images.get("diffuseColor");
+        Optional<TextureMap> texture = textures.map(baseImage, TextureUsage.COLOR);
+        Rgb base = texture.isPresent() ? factor(baseImage) : color(in.get("diffuseColor"), 1, "colors of materials");
+        Material material = Material.of("material").withModel(ShadingModel.METALLIC).withBase(base).withTexture(texture)
+                .withMetalness(SceneAssembler.clamp(value(in, "metallic", 0), 1))
+                .withRoughness(SceneAssembler.clamp(value(in, "roughness", HALF), 1));
+        noteLosses(in);
+        return withOpacity(
+                withNormals(MirrorMetals.reflect(withHighlights(withGlow(material, in), in), assembler.notes), images.get("normal")), in);
+    }
+
+    /** Returns the textures of a material that the scene shows. */
+    List<JsonValue> maps(JsonValue in) throws MeshException {
+        JsonValue images = in.get("textures");
+        List<JsonValue> maps = new ArrayList<>();
+        for (String input : MAPPED) {
+            maps.add(images.get(input));
+        }
+        JsonValue emission = images.get("emissiveColor");
+        if (!textures.hasHighRange(emission)) {
+            maps.add(emission);
+        }
+        return maps;
+    }
+
+    private void noteLosses(JsonValue in) throws MeshException {
+        assembler.notes.add("clear coats of materials", in.get("clearcoat").number(0) > 0 ? 1 : 0);
+        assembler.notes.add("displacement of materials",
+                in.get("displacement").number(0) != 0 || in.get("textures").get("displacement").isPresent() ? 1 : 0);
+    }
+
+    private Material withHighlights(Material material, JsonValue in) throws MeshException {
+        if (in.get("useSpecularWorkflow").number(0) == 1) {
+            Rgb specular = color(in.get("specularColor"), 1, "specular colors of materials");
+            assembler.notes.add("colored highlights, imported as gray", specular.min() == specular.max() ? 0 : 1);
+            return material.withMetalness(0).withF0(Math.min(specular.luminance(), 1));
+        }
+        double ior = in.get("ior").number(1.5);
+        double f0 = Math.pow((1 - ior) / (1 + ior), 2);
+        return material.withF0(UsdNumbers.rounded(SceneAssembler.clamp(f0, 1)));
+    }
+
+    private Material withNormals(Material material, JsonValue image) throws IOException, MeshException {
+        Optional<TextureMap> normals = textures.map(image, TextureUsage.DATA);
+        if (normals.isEmpty()) {
+            return material;
+        }
+        double[] scale = image.get("scale").numbers(2, 2, 2, 1);
+        double strength = image.get("strength").number(scale[0] == 1 ? 1 : scale[0] / 2);
+        // A scale of 2 and a bias of −1 decode 0 … 1 to −1 … 1.
+        assembler.notes.add("normal maps with y downwards", scale[0] * scale[1] < 0 ? 1 : 0);
+        return material.withBumpMapping(BumpMapping.NONE.withNormalMap(normals)
+                .withStrength(Math.clamp(UsdNumbers.tidy(strength), -SceneLimits.MAX_STRENGTH, SceneLimits.MAX_STRENGTH)));
+    }
+
+    private Material withOpacity(Material material, JsonValue in) throws IOException, MeshException {
+        double threshold = in.get("opacityThreshold").number(0);
+        JsonValue image = in.get("textures").get("opacity");
+        if (image.isPresent()) {
+            Optional<TextureMap> map = textures.map(image, TextureUsage.OPACITY);
+            assembler.notes.add("opacity maps, imported as cutouts at half opacity", map.isPresent() && threshold <= 0 ? 1 : 0);
+            return material.withCutout(new AlphaCutout(map, threshold > 0 ? SceneAssembler.clamp(threshold, 1) : HALF));
+        }
+        double opacity = SceneAssembler.clamp(in.get("opacity").number(1), 1);
+        var transmission = new TransmissionImport(assembler);
+        double transmitted = in.get("transmission").number(0);
+        if (transmitted > 0) {
+            return transmission.withTransmission(material, SceneAssembler.clamp(transmitted, 1), material.base(),
+                    UsdNumbers.tidy(in.get("ior").number(1.5)),
+                    false, material.metalness());
+        }
+        if (threshold > 0) {
+            assembler.notes.add("materials invisible by their opacity threshold, imported as visible", opacity < threshold ? 1 : 0);
+            return material;
+        }
+        return transmission.withOpacity(material, opacity);
+    }
+
+    /** Adds the emission. A texture whose values may exceed 1 becomes its mean, because glow maps are limited to 1. */
+    private Material withGlow(Material material, JsonValue in) throws IOException, MeshException {
+        JsonValue image = in.get("textures").get("emissiveColor");
+        if (!image.isPresent()) {
+            return material.withGlow(color(in.get("emissiveColor"), SceneLimits.MAX_EMISSION, "emission of materials"));
+        }
+        Rgb factor = scale(image);
+        if (factor.isBlack()) {
+            return material;
+        }
+        if (textures.hasHighRange(image)) {
+            assembler.notes.add("OpenEXR textures of emission, averaged");
+            return material.withGlow(textures.mean(image, TextureUsage.COLOR)
+                    .map(mean -> emission(new Rgb(mean[0] * factor.r(), mean[1] * factor.g(), mean[2] * factor.b()))).orElse(Rgb.BLACK));
+        }
+        Optional<TextureMap> map = textures.map(image, TextureUsage.COLOR);
+        return map.isEmpty() ? material : material.withGlow(emission(factor)).withGlowMap(map);
+    }
+
+    private Rgb emission(Rgb color) {
+        return assembler.clampColor(color, SceneLimits.MAX_EMISSION, "emission of materials");
+    }
+
+    /** Returns a number, or the mean of its texture. */
+    private double value(JsonValue in, String name, double fallback) throws IOException, MeshException {
+        JsonValue image = in.get("textures").get(name);
+        if (!image.isPresent()) {
+            return UsdNumbers.tidy(in.get(name).number(fallback));
+        }
+        Optional<double[]> mean = textures.mean(image, TextureUsage.DATA);
+        if (mean.isEmpty()) {
+            assembler.notes.add(name + " textures of materials");
+            return fallback;
+        }
+        int channel = Math.max(0, "rgb".indexOf(image.get("channel").text().orElse("r")));
+        assembler.notes.add(name + " textures of materials, averaged");
+        double[] scale = image.get("scale").numbers(1, 1, 1, 1);
+        double[] bias = image.get("bias").numbers(0, 0, 0, 0);
+        return UsdNumbers.rounded(mean.get()[channel] * scale[channel] + bias[channel]);
+    }
+
+    /** Returns the factor of a color texture. */
+    private Rgb factor(JsonValue image) throws MeshException {
+        double[] bias = image.get("bias").numbers(0, 0, 0, 0);
+        assembler.notes.add("offsets (bias) of color textures", bias[0] == 0 && bias[1] == 0 && bias[2] == 0 ? 0 : 1);
+        return assembler.clampColor(scale(image), 1, "scales of color textures");
+    }
+
+    private static Rgb scale(JsonValue image) throws MeshException {
+        double[] scale = image.get("scale").numbers(1, 1, 1, 1);
+        return new Rgb(UsdNumbers.tidy(scale[0]), UsdNumbers.tidy(scale[1]), UsdNumbers.tidy(scale[2]));
+    }
+
+    private Rgb color(JsonValue in, double max, String label) throws MeshException {
+        double[] c = in.numbers(0, 0, 0);
+        return assembler.clampColor(new Rgb(UsdNumbers.tidy(c[0]), UsdNumbers.tidy(c[1]), UsdNumbers.tidy(c[2])), max, label);
+    }
+}

@@ -1,0 +1,114 @@
+package lightning.format.exchange.usd;
+
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import lightning.base.text.DecimalNumber;
+import lightning.format.exchange.assembly.SceneAssembler;
+import lightning.format.gltf.JsonValue;
+import lightning.format.mesh.MeshException;
+
+/**
+ * Paths of a scene's lights and objects in the stage that it was imported from. Comments of the scene file store them, because rendering
+ * does not use them.
+ *
+ * @param hasZUp  true if the z axis of the stage is up
+ * @param shift   time in the stage of frame 0
+ * @param lights  path and type of each light, by its name
+ * @param dome    the dome light that the environment stands for
+ * @param objects path of each shape and group, by its name
+ */
+public record UsdPaths(boolean hasZUp, int shift, Map<String, Prim> lights, Optional<Dome> dome, Map<String, String> objects) {
+    private static final String UP = "usd up: ";
+    private static final String SHIFT = "usd time of frame 0: ";
+    private static final Pattern LIGHT = Pattern.compile("# usd light: (\\w+) (/\\S*) (.+)");
+    private static final Pattern DOME = Pattern.compile("# usd dome: (\\w+) (/\\S*) (\\S+) (\\S+) (.+)");
+    private static final Pattern OBJECT = Pattern.compile("# usd prim: (/\\S*) (.+)");
+
+    /** Prim with its type. */
+    public record Prim(String type, String path) {}
+
+    /**
+     * Dome light.
+     *
+     * @param factor   its intensity for an intensity of 1 of the environment
+     * @param rotation rotation of the environment that it has
+     * @param file     file of the environment that it has
+     */
+    public record Dome(Prim prim, double factor, double rotation, String file) {}
+
+    /** Adds the comment of the up axis. */
+    static void addAxis(SceneAssembler assembler, boolean hasZUp) {
+        assembler.addComment(UP + (hasZUp ? "Z" : "Y"));
+    }
+
+    /** Adds the comment of a moved timeline. */
+    static void addShift(SceneAssembler assembler, int shift) {
+        if (shift != 0) {
+            assembler.addComment(SHIFT + shift);
+        }
+    }
+
+    /** Adds the comment of a light. */
+    static void addLight(SceneAssembler assembler, String name, JsonValue in) throws MeshException {
+        if (isPath(in)) {
+            assembler.closingComments.add("usd light: " + in.get("type").text().orElse("") + " " + path(in) + " " + name);
+        }
+    }
+
+    /** Adds the comment of the dome light. */
+    static void addDome(SceneAssembler assembler, JsonValue in, double factor, double rotation, String file) throws MeshException {
+        if (isPath(in)) {
+            assembler.closingComments.add(
+                    "usd dome: " + in.get("type").text().orElse("") + " " + path(in) + " " + factor + " " + rotation + " " + file);
+        }
+    }
+
+    /** Adds the comment of an object. */
+    static void addObject(SceneAssembler assembler, String name, JsonValue in) throws MeshException {
+        if (isPath(in)) {
+            assembler.closingComments.add("usd prim: " + path(in) + " " + name);
+        }
+    }
+
+    /** Returns whether a path can be written in a comment, and changed by a layer: not that of a part of an instance. */
+    private static boolean isPath(JsonValue in) throws MeshException {
+        return !in.get("proxy").bool(false) && path(in).matches("(/[\\p{L}\\p{N}_]+)+");
+    }
+
+    private static String path(JsonValue in) throws MeshException {
+        return in.get("path").text().orElse("");
+    }
+
+    /** Returns what the comments of a scene file say. */
+    public static UsdPaths findIn(String text) {
+        Map<String, Prim> lights = new LinkedHashMap<>();
+        Map<String, String> objects = new HashMap<>();
+        Optional<Dome> dome = Optional.empty();
+        boolean hasZUp = false;
+        int shift = 0;
+        for (String line : (Iterable<String>) text.lines().filter(s -> s.startsWith("# usd "))::iterator) {
+            hasZUp |= line.equals("# " + UP + "Z");
+            shift = line.startsWith("# " + SHIFT) ? (int) number(line.substring(SHIFT.length() + 2)) : shift;
+            Matcher light = LIGHT.matcher(line);
+            Matcher object = OBJECT.matcher(line);
+            Matcher environment = DOME.matcher(line);
+            if (light.matches()) {
+                lights.put(light.group(3), new Prim(light.group(1), light.group(2)));
+            } else if (object.matches()) {
+                objects.put(object.group(2), object.group(1));
+            } else if (environment.matches()) {
+                dome = Optional.of(new Dome(new Prim(environment.group(1), environment.group(2)), number(environment.group(3)),
+                        number(environment.group(4)), environment.group(5)));
+            }
+        }
+        return new UsdPaths(hasZUp, shift, lights, dome, objects);
+    }
+
+    private static double number(String text) {
+        return DecimalNumber.parse(text).orElse(1);
+    }
+}

@@ -1,0 +1,164 @@
+package lightning.format.exchange.usd;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.LongToDoubleFunction;
+import lightning.format.exchange.assembly.SceneAssembler;
+import lightning.format.exchange.assembly.TextureMeans;
+import lightning.format.gltf.JsonValue;
+import lightning.format.jen.asset.JenLimits;
+import lightning.format.jen.asset.UnusableFileException;
+import lightning.format.mesh.MeshException;
+import lightning.scene.asset.Texture;
+import lightning.scene.asset.TextureMap;
+import lightning.scene.asset.TextureUsage;
+import lightning.scene.value.SceneLimits;
+
+/**
+ * Image files of a stage. PNG and JPEG files are copied; OpenEXR files, images that are too large and tiles of one texture (UDIM) are
+ * written as PNG.
+ */
+final class UsdTextures {
+    private static final double MIN_REPEAT = 1e-6;
+
+    private final SceneAssembler assembler;
+    private final Map<String, Optional<String>> names = new HashMap<>();
+    private final Map<Path, Long> sizes = new HashMap<>();
+    private long maxPixels = JenLimits.TEXTURE_PIXELS;
+
+    UsdTextures(SceneAssembler assembler) {
+        this.assembler = assembler;
+    }
+
+    /** Chooses the largest size at which all textures fit into a scene; larger ones are reduced. */
+    void fit(List<JsonValue> images) throws IOException, MeshException {
+        Map<String, Long> pixels = new HashMap<>();
+        for (JsonValue image : images) {
+            Optional<UsdTiles> tiles = tiles(image);
+            if (tiles.isPresent()) {
+                long largest = 0;
+                for (UsdTiles.Tile tile : tiles.get().tiles()) {
+                    largest = Math.max(largest, size(tile.place()));
+                }
+                pixels.put(tiles.get().key(), largest * tiles.get().columns() * tiles.get().rows());
+            }
+        }
+        LongToDoubleFunction total = limit -> pixels.values().stream().mapToDouble(v -> Math.min(v, limit)).sum();
+        while (maxPixels > 1 && total.applyAsDouble(maxPixels) > JenLimits.TOTAL_TEXTURE_PIXELS) {
+            maxPixels /= 2;
+        }
+    }
+
+    private long size(Path place) throws IOException {
+        if (!sizes.containsKey(place)) {
+            try {
+                sizes.put(place, UsdImages.pixels(place));
+            } catch (UnusableFileException e) {
+                sizes.put(place, 0L);
+            }
+        }
+        return sizes.get(place);
+    }
+
+    /** Returns the image files of a texture that exist; empty if there are none. */
+    private Optional<UsdTiles> tiles(JsonValue image) throws MeshException {
+        return image.isPresent() ? UsdTiles.of(image) : Optional.empty();
+    }
+
+    /** Returns a texture; empty if absent, missing or of another format. */
+    Optional<TextureMap> map(JsonValue image, TextureUsage usage) throws IOException, MeshException {
+        Optional<UsdTiles> tiles = tiles(image);
+        assembler.notes.add("textures that are missing", image.isPresent() && tiles.isEmpty() ? 1 : 0);
+        if (tiles.isEmpty()) {
+            return Optional.empty();
+        }
+        UsdTiles all = tiles.get();
+        String key = usage + " " + all.key();
+        if (!names.containsKey(key)) {
+            names.put(key, name(image, all, usage));
+        }
+        double[] repeat = image.get("repeat").numbers(1, 1);
+        return names.get(key).map(file -> new TextureMap(file, repeat(repeat[0] / all.columns()), repeat(repeat[1] / all.rows()),
+                new Texture(1, 1, new float[3])));
+    }
+
+    private static double repeat(double v) {
+        double limited = Math.clamp(UsdNumbers.tidy(v), -SceneLimits.MAX_REPEAT, SceneLimits.MAX_REPEAT);
+        return Math.abs(limited) < MIN_REPEAT ? 1 : limited;
+    }
+
+    private Optional<String> name(JsonValue image, UsdTiles tiles, TextureUsage usage) throws IOException, MeshException {
+        if (names.values().stream().filter(Optional::isPresent).count() >= JenLimits.TEXTURES) {
+            assembler.notes.add("textures after the first " + JenLimits.TEXTURES);
+            return Optional.empty();
+        }
+        String name = image.get("name").text().orElse("texture");
+        Path first = tiles.tiles().getFirst().place();
+        try {
+            UsdImages.pixels(first);
+            if (tiles.isSingle() && !UsdImages.isExr(first) && size(first) <= maxPixels) {
+                return Optional.of(assembler.addFile(first, name));
+            }
+            return Optional.of(assembler.addFile(name.replaceFirst("\\.[^.]*$", "").replace("<UDIM>", "tiles") + ".png",
+                    converted(tiles, usage)));
+        } catch (UnusableFileException e) {
+            assembler.notes.add("textures that are not PNG, JPEG or OpenEXR without B44 and DWA, or have more than 64 MiB");
+            return Optional.empty();
+        }
+    }
+
+    private byte[] converted(UsdTiles tiles, TextureUsage usage) throws IOException, UnusableFileException {
+        Texture first = UsdImages.read(tiles.tiles().getFirst().place(), usage);
+        int step = 1;
+        while ((long) (first.width() / step) * (first.height() / step) * tiles.columns() * tiles.rows() > maxPixels
+                || Math.max(first.width() / step * tiles.columns(), first.height() / step * tiles.rows()) > JenLimits.TEXTURE_SIDE) {
+            step++;
+        }
+        assembler.notes.add("textures reduced to fit into a scene",
+                step > 1 || sizes.getOrDefault(tiles.tiles().getFirst().place(), 0L) > maxPixels ? 1 : 0);
+        boolean isExr = UsdImages.isExr(tiles.tiles().getFirst().place());
+        byte[] png = atlas(tiles, usage, first, step, isExr);
+        return png.length > JenLimits.TEXTURE_BYTES && isExr ? atlas(tiles, usage, first, step, false) : png;
+    }
+
+    private byte[] atlas(UsdTiles tiles, TextureUsage usage, Texture first, int step, boolean isDeep)
+            throws IOException, UnusableFileException {
+        var atlas = new TextureAtlas(tiles.columns(), tiles.rows(), Math.max(1, first.width() / step), Math.max(1, first.height() / step),
+                usage, isDeep);
+        for (UsdTiles.Tile tile : tiles.tiles()) {
+            boolean isFirst = tile == tiles.tiles().getFirst();
+            atlas.draw(isFirst ? first : UsdImages.read(tile.place(), usage), tile.column(), tile.row());
+        }
+        assembler.notes.add("values of OpenEXR textures above 1, limited to 1", atlas.isClamped() ? 1 : 0);
+        return atlas.png();
+    }
+
+    /** Returns whether the values of a texture may exceed 1. */
+    boolean hasHighRange(JsonValue image) throws MeshException {
+        return tiles(image).stream().flatMap(tiles -> tiles.tiles().stream()).anyMatch(tile -> UsdImages.isExr(tile.place()));
+    }
+
+    /** Returns the mean of each channel of a texture, in linear light; empty if it is missing or of another format. */
+    Optional<double[]> mean(JsonValue image, TextureUsage usage) throws IOException, MeshException {
+        Optional<UsdTiles> tiles = tiles(image);
+        if (tiles.isEmpty()) {
+            return Optional.empty();
+        }
+        double[] sums = new double[3];
+        try {
+            for (UsdTiles.Tile tile : tiles.get().tiles()) {
+                Texture texture = UsdImages.read(tile.place(), usage);
+                for (int c = 0; c < 3; c++) {
+                    sums[c] += TextureMeans.mean(texture, c) / tiles.get().tiles().size();
+                }
+            }
+            return Optional.of(sums);
+        } catch (UnusableFileException e) {
+            return Optional.empty();
+        }
+    }
+}

@@ -1,0 +1,40 @@
+package lightning.format.jen.asset;
+
+import lightning.scene.asset.EnvironmentMap;
+import lightning.scene.asset.Texture;
+import lightning.scene.asset.TextureUsage;
+import lightning.scene.node.Mesh;
+import lightning.scene.value.Photometry;
+
+/** Source of the assets that a scene references. */
+public interface AssetSource {
+    /**
+     * Returns a texture.
+     *
+     * @param samples meaning of the samples
+     * @throws IllegalArgumentException if it cannot be used; the message contains the cause
+     */
+    Texture texture(String file, TextureUsage samples);
+
+    /**
+     * Returns a photometric profile.
+     *
+     * @throws IllegalArgumentException if it cannot be used; the message contains the cause
+     */
+    Photometry profile(String file);
+
+    /**
+     * Returns an environment map.
+     *
+     * @throws IllegalArgumentException if it cannot be used; the message contains the cause
+     */
+    EnvironmentMap environment(String file);
+
+    /**
+     * Returns a mesh.
+     *
+     * @param part name of a part of the file; empty for all parts
+     * @throws IllegalArgumentException if it cannot be used; the message contains the cause
+     */
+    Mesh mesh(String file, String part);
+}

@@ -1,0 +1,129 @@
+package lightning.format.jen.asset;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.regex.Pattern;
+import lightning.base.file.RegularFile;
+import lightning.base.text.Messages;
+import lightning.base.text.Quote;
+import lightning.format.hdr.HdrReader;
+import lightning.format.ies.IesReader;
+import lightning.format.mesh.MeshException;
+
+/** Kind of asset file that a scene references next to it or in its texture folders. */
+public enum FileKind {
+    /** Image on a material, or gobo of a light. */
+    TEXTURE("texture", "a PNG or JPEG file", Messages.key("PNG, JPEG"), JenLimits.TEXTURE_BYTES, "png", "jpg", "jpeg") {
+        @Override
+        void read(String name, Path file) throws IOException, UnusableFileException {
+            TextureDecoder.decodeNumbers(name, RegularFile.readBytes(file, "a PNG or JPEG file", JenLimits.TEXTURE_BYTES));
+        }
+    },
+    /** Image on the face of a light. */
+    LIGHT_TEXTURE("texture", "a PNG, JPEG, Radiance HDR or OpenEXR file", Messages.key("PNG, JPEG, HDR, EXR"), JenLimits.TEXTURE_BYTES,
+            "png",
+            "jpg", "jpeg", "hdr", "exr") {
+        @Override
+        void read(String name, Path file) throws IOException, UnusableFileException {
+            LightTextureReader.read(name, file);
+        }
+    },
+    /** Photometric profile of a light. */
+    PROFILE("profile", "an IES file", Messages.key("IES profiles"), IesReader.MAX_BYTES, "ies") {
+        @Override
+        void read(String name, Path file) throws IOException, MeshException {
+            IesReader.read(file);
+        }
+    },
+    /** Environment map of a scene. */
+    ENVIRONMENT("environment", "a Radiance HDR file", Messages.key("Radiance HDR"), HdrReader.MAX_BYTES, "hdr") {
+        @Override
+        void read(String name, Path file) throws IOException, MeshException {
+            HdrReader.read(file);
+        }
+    };
+
+    private final String noun;
+    private final String description;
+    private final String title;
+    private final long maxBytes;
+    private final List<String> extensions;
+    private final Pattern pattern;
+
+    FileKind(String noun, String description, String title, long maxBytes, String... extensions) {
+        this.noun = noun;
+        this.description = description;
+        this.title = title;
+        this.maxBytes = maxBytes;
+        this.extensions = List.of(extensions);
+        pattern = Pattern.compile(".+\\.(" + String.join("|", extensions) + ")", Pattern.CASE_INSENSITIVE);
+    }
+
+    /** Reads a file as a scene would, with the same exceptions. */
+    abstract void read(String name, Path file) throws IOException, UnusableFileException, MeshException;
+
+    /** Returns the display name of the file formats. */
+    public String title() {
+        return Messages.tr(title);
+    }
+
+    /** Returns the file extensions, without the dot. */
+    public List<String> endings() {
+        return extensions;
+    }
+
+    /**
+     * Returns the names of available files, in alphabetical order; skips unreadable folders.
+     *
+     * @param scene folder of the scene file
+     */
+    public List<String> fileNames(Path scene) {
+        return searchPath(scene).fileNames(pattern);
+    }
+
+    /**
+     * Returns the file for a name; empty if it does not exist, or a link leads out of the folders.
+     *
+     * @param scene folder of the scene file
+     * @throws IOException if the folders cannot be read
+     * @throws IllegalArgumentException if the name is not valid in a scene
+     */
+    public Optional<Path> find(Path scene, String name) throws IOException {
+        try {
+            return Optional.of(searchPath(scene).find(name));
+        } catch (UnusableFileException e) {
+            return Optional.empty();
+        }
+    }
+
+    /** Returns the search path of a scene in a folder. */
+    AssetSearchPath searchPath(Path scene) {
+        return new AssetSearchPath(scene, noun, TextureFolder.NAME);
+    }
+
+    /**
+     * Checks that a scene could use a file if it were next to it.
+     *
+     * @throws IllegalArgumentException if its name or size is invalid, or it is damaged; the message contains the cause
+     */
+    void check(Path file) throws IOException {
+        String name = file.getFileName().toString();
+        FileName.check(noun, name, TextureFolder.NAME);
+        String article = noun.startsWith("e") ? "an " : "a ";
+        if (!pattern.matcher(name).matches()) {
+            throw new IllegalArgumentException(article + noun + " must be " + description + ", was " + Quote.of(name));
+        }
+        if (!Files.isRegularFile(file) || Files.size(file) > maxBytes) {
+            throw new IllegalArgumentException(
+                    article + noun + " must be a file of at most " + maxBytes + " bytes, was " + Quote.of(name));
+        }
+        try {
+            read(name, file);
+        } catch (UnusableFileException | MeshException e) {
+            throw new IllegalArgumentException(e.getMessage(), e);
+        }
+    }
+}

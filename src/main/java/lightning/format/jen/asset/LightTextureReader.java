@@ -1,0 +1,102 @@
+package lightning.format.jen.asset;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Locale;
+import lightning.base.text.Quote;
+import lightning.format.exr.ExrColorReader;
+import lightning.format.exr.ExrReader;
+import lightning.format.hdr.HdrReader;
+import lightning.format.mesh.MeshException;
+import lightning.scene.asset.EnvironmentMap;
+import lightning.scene.asset.Texture;
+import lightning.scene.asset.TextureUsage;
+import lightning.scene.value.SceneLimits;
+
+/** Reader for images on the faces of lights: PNG and JPEG files, and files of linear values above 1. */
+public final class LightTextureReader {
+    private LightTextureReader() {}
+
+    /**
+     * Reads an image in linear light, with the limits of textures.
+     *
+     * @param name name of the file in messages; its extension says the format
+     * @throws UnusableFileException if it is too large, damaged or of another format
+     */
+    public static Texture read(String name, Path path) throws IOException, UnusableFileException {
+        return read(name, path, JenLimits.TOTAL_TEXTURE_PIXELS);
+    }
+
+    /**
+     * Reads an image in linear light; values are limited to 0 … {@link SceneLimits#MAX_EMISSION}.
+     *
+     * @param name       name of the file in messages
+     * @param pixelsLeft maximum number of pixels, in addition to that of the format
+     * @throws UnusableFileException if it is too large, damaged or of another format
+     */
+    static Texture read(String name, Path path, long pixelsLeft) throws IOException, UnusableFileException {
+        if (!isLinear(name)) {
+            return TextureDecoder.decode(name, path, TextureUsage.COLOR, pixelsLeft);
+        }
+        Texture image = hasExtension(name, ".hdr") ? readHdr(path) : readExr(name, path);
+        if ((long) image.width() * image.height() > pixelsLeft) {
+            throw unusable(name,
+                    "exceeds the limit: all textures together must have at most " + JenLimits.TOTAL_TEXTURE_PIXELS + " pixels");
+        }
+        return image;
+    }
+
+    /** Returns whether a file of this name has linear values: Radiance HDR or OpenEXR. */
+    public static boolean isLinear(String name) {
+        return hasExtension(name, ".hdr") || hasExtension(name, ".exr");
+    }
+
+    private static boolean hasExtension(String name, String extension) {
+        return name.toLowerCase(Locale.ROOT).endsWith(extension);
+    }
+
+    private static Texture readHdr(Path path) throws IOException, UnusableFileException {
+        try {
+            EnvironmentMap image = HdrReader.read(path);
+            float[] rgb = new float[3 * image.width() * image.height()];
+            for (int i = 0; i < rgb.length; i++) {
+                rgb[i] = image.channel(i / 3 % image.width(), i / 3 / image.width(), i % 3);
+            }
+            return new Texture(image.width(), image.height(), rgb);
+        } catch (MeshException e) {
+            throw new UnusableFileException(e.getMessage());
+        }
+    }
+
+    private static Texture readExr(String name, Path path) throws IOException, UnusableFileException {
+        if (Files.size(path) > JenLimits.TEXTURE_BYTES) {
+            throw unusable(name, "must have at most " + JenLimits.TEXTURE_BYTES + " bytes, has " + Files.size(path));
+        }
+        try (ExrReader reader = new ExrReader(path)) {
+            int width = reader.header().width();
+            int height = reader.header().height();
+            if (width < 1 || height < 1 || (long) width * height > HdrReader.MAX_PIXELS) {
+                throw unusable(name, "must have from 1 to " + HdrReader.MAX_PIXELS + " pixels, has " + width + "×" + height);
+            }
+            float[] rgb = new float[3 * width * height];
+            ExrColorReader.read(reader, (x, y, values) -> {
+                for (int c = 0; c < 3; c++) {
+                    rgb[3 * (y * width + x) + c] = limited(values[c]);
+                }
+            });
+            return new Texture(width, height, rgb);
+        } catch (IOException e) {
+            throw unusable(name, e.getMessage());
+        }
+    }
+
+    /** Limits a value; not a number becomes 0. */
+    private static float limited(float value) {
+        return value > 0 ? Math.min(value, (float) SceneLimits.MAX_EMISSION) : 0;
+    }
+
+    private static UnusableFileException unusable(String name, String reason) {
+        return new UnusableFileException("texture " + Quote.of(name) + " " + reason);
+    }
+}

@@ -1,0 +1,308 @@
+package lightning.format.jen.asset;
+
+import java.awt.image.BufferedImage;
+import java.awt.image.IndexColorModel;
+import java.awt.image.Raster;
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Iterator;
+import java.util.Locale;
+import java.util.Set;
+import javax.imageio.ImageIO;
+import javax.imageio.ImageReadParam;
+import javax.imageio.ImageReader;
+import javax.imageio.stream.ImageInputStream;
+import javax.imageio.stream.MemoryCacheImageInputStream;
+import lightning.base.file.RegularFile;
+import lightning.base.math.SrgbCurve;
+import lightning.base.text.Quote;
+import lightning.scene.asset.Texture;
+import lightning.scene.asset.TextureUsage;
+
+/**
+ * Decoder for PNG and JPEG files to linear light.
+ *
+ * <p>Color samples s are interpreted as sRGB in 0…1, regardless of the file's color profile, and decoded by {@link
+ * SrgbCurve} in double, rounded once to float; numeric samples are not decoded. Transparency is ignored unless requested; a
+ * gray sample applies to all channels.
+ */
+public final class TextureDecoder {
+    private static final Set<String> FORMATS = Set.of("png", "jpeg");
+    private static final int CODE_BITS = 8;
+
+    private TextureDecoder() {}
+
+    /**
+     * Checks the header of the file, then decodes it.
+     *
+     * @param name name of the file in messages
+     * @param samples meaning of the samples
+     * @param pixelsLeft maximum number of pixels, in addition to {@link JenLimits#TEXTURE_PIXELS}
+     * @throws UnusableFileException if it is not a PNG or JPEG, too large or damaged
+     * @throws IOException if it cannot be read
+     */
+    static Texture decode(String name, Path path, TextureUsage samples, long pixelsLeft) throws IOException, UnusableFileException {
+        long bytes = Files.size(path);
+        if (bytes > JenLimits.TEXTURE_BYTES) {
+            throw unusable(name, "must have at most " + JenLimits.TEXTURE_BYTES + " bytes, has " + bytes);
+        }
+        return decode(name, RegularFile.readBytes(path, "a PNG or JPEG file", JenLimits.TEXTURE_BYTES), samples, pixelsLeft);
+    }
+
+    /**
+     * Decodes the samples of an image as numbers from 0 to 1.
+     *
+     * @param name name of the file in messages
+     * @throws UnusableFileException if it is not a PNG or JPEG, too large or damaged
+     */
+    public static Texture decodeNumbers(String name, byte[] file) throws UnusableFileException {
+        return decode(name, file, TextureUsage.DATA, JenLimits.TEXTURE_PIXELS);
+    }
+
+    /**
+     * Decodes an image in linear light, with the limits of textures.
+     *
+     * @param name name of the file in messages
+     * @throws UnusableFileException if it is not a PNG or JPEG, too large or damaged
+     */
+    public static Texture decodeColors(String name, byte[] file) throws UnusableFileException {
+        return decode(name, file, TextureUsage.COLOR, JenLimits.TEXTURE_PIXELS);
+    }
+
+    /**
+     * Decodes an image. One of too many pixels loses rows and columns until it has at most {@link JenLimits#TEXTURE_PIXELS}.
+     *
+     * @param name name of the file in messages
+     * @throws UnusableFileException if it is not a PNG or JPEG, too large or damaged
+     */
+    public static Texture decodeReduced(String name, byte[] file, TextureUsage samples) throws UnusableFileException {
+        return read(name, file, reader -> {
+            checkSides(name, reader.getWidth(0), reader.getHeight(0));
+            ImageReadParam reduction = reader.getDefaultReadParam();
+            int step = 1;
+            while ((long) Math.ceilDiv(reader.getWidth(0), step) * Math.ceilDiv(reader.getHeight(0), step) > JenLimits.TEXTURE_PIXELS) {
+                step++;
+            }
+            reduction.setSourceSubsampling(step, step, 0, 0);
+            return texture(reader.read(0, reduction), samples);
+        });
+    }
+
+    /**
+     * Returns the number of pixels of an image.
+     *
+     * @param name name of the file in messages
+     * @throws UnusableFileException if it is not a PNG or JPEG, or damaged
+     */
+    public static long pixels(String name, byte[] file) throws UnusableFileException {
+        return read(name, file, reader -> (long) reader.getWidth(0) * reader.getHeight(0));
+    }
+
+    private static Texture decode(String name, byte[] file, TextureUsage samples, long pixelsLeft) throws UnusableFileException {
+        return read(name, file, reader -> {
+            checkSize(name, reader.getWidth(0), reader.getHeight(0), pixelsLeft);
+            return texture(reader.read(0), samples);
+        });
+    }
+
+    /** Reads a value from an image file. */
+    @FunctionalInterface
+    public interface Reading<T> {
+        /** Returns the value of an opened file. */
+        T from(ImageReader reader) throws IOException, UnusableFileException;
+    }
+
+    /**
+     * Opens an image that a decoder reads in bounded time per pixel, and reads a value from it.
+     *
+     * @param name name of the file in messages
+     * @throws UnusableFileException if it is not a PNG or JPEG, damaged, or has too many scans
+     */
+    public static <T> T read(String name, byte[] file, Reading<T> reading) throws UnusableFileException {
+        try (ImageInputStream in = new MemoryCacheImageInputStream(new ByteArrayInputStream(file))) {
+            ImageReader reader = reader(name, in);
+            try {
+                reader.setInput(in, true, true);
+                checkScans(name, file, reader);
+                return reading.from(reader);
+            } catch (IOException | RuntimeException e) {
+                // The decoders throw arbitrary runtime exceptions for some damaged files.
+                throw unusable(name, "cannot be decoded: " + e.getMessage());
+            } finally {
+                reader.dispose();
+            }
+        } catch (IOException e) {
+            throw unusable(name, "cannot be decoded: " + e.getMessage());
+        }
+    }
+
+    private static ImageReader reader(String name, ImageInputStream in)
+            throws IOException, UnusableFileException {
+        Iterator<ImageReader> readers = ImageIO.getImageReaders(in);
+        while (readers.hasNext()) {
+            ImageReader reader = readers.next();
+            if (FORMATS.contains(reader.getFormatName().toLowerCase(Locale.ROOT))) {
+                return reader;
+            }
+            reader.dispose();
+        }
+        throw unusable(name, "must be a PNG or JPEG file, found an unsupported format");
+    }
+
+    private static void checkScans(String name, byte[] file, ImageReader reader) throws IOException, UnusableFileException {
+        int scans = JpegScans.count(file);
+        if (scans > 1) {
+            long limit = JpegScans.limit((long) reader.getWidth(0) * reader.getHeight(0));
+            if (scans > limit) {
+                throw unusable(name, "must have at most " + limit + " scans at " + reader.getWidth(0) + "×" + reader.getHeight(0)
+                        + " pixels, has " + scans);
+            }
+        }
+    }
+
+    private static void checkSides(String name, int width, int height) throws UnusableFileException {
+        if (width < 1 || height < 1 || width > JenLimits.TEXTURE_SIDE || height > JenLimits.TEXTURE_SIDE) {
+            throw unusable(name, "must have from 1 to " + JenLimits.TEXTURE_SIDE + " pixels along each side, has "
+                    + width + "×" + height);
+        }
+    }
+
+    private static void checkSize(String name, int width, int height, long pixelsLeft)
+            throws UnusableFileException {
+        checkSides(name, width, height);
+        long pixels = (long) width * height;
+        if (pixels > JenLimits.TEXTURE_PIXELS) {
+            throw unusable(name, "must have at most " + JenLimits.TEXTURE_PIXELS + " pixels, has " + width + "×" + height);
+        }
+        if (pixels > pixelsLeft) {
+            throw unusable(name, "exceeds the limit: all textures together must have at most "
+                    + JenLimits.TOTAL_TEXTURE_PIXELS + " pixels");
+        }
+    }
+
+    private static UnusableFileException unusable(String name, String reason) {
+        return new UnusableFileException("texture " + Quote.of(name) + " " + reason);
+    }
+
+    private static Texture texture(BufferedImage image, TextureUsage samples) {
+        return switch (samples) {
+            case COLOR, EMISSION -> texture(image, true);
+            case DATA -> texture(image, false);
+            case OPACITY -> opacity(image);
+        };
+    }
+
+    /** Returns the opacity of each pixel, from 8-bit samples. */
+    private static Texture opacity(BufferedImage image) {
+        int width = image.getWidth();
+        int height = image.getHeight();
+        byte[] codes = new byte[3 * width * height];
+        Texture numbers = image.getColorModel().hasAlpha() ? null : texture(image, false);
+        int[] alpha = image.getColorModel().hasAlpha() ? alpha(image) : null;
+        for (int i = 0; i < codes.length; i++) {
+            int x = i / 3 % width;
+            int y = i / 3 / width;
+            codes[i] = (byte) (alpha != null ? alpha[i / 3] : Math.round(255 * numbers.luminance(x, y, x, y, 0, 0)));
+        }
+        return new Texture(width, height, codes, linearTable(CODE_BITS, false));
+    }
+
+    /** Returns the alpha of each pixel, 0 … 255. */
+    private static int[] alpha(BufferedImage image) {
+        int[] alpha = new int[image.getWidth() * image.getHeight()];
+        for (int i = 0; i < alpha.length; i++) {
+            alpha[i] = image.getColorModel().getAlpha(image.getRaster().getDataElements(i % image.getWidth(), i / image.getWidth(), null));
+        }
+        return alpha;
+    }
+
+    /** Returns true if an image has alpha; false if it cannot be decoded. */
+    public static boolean hasAlpha(byte[] file) {
+        try (ImageInputStream in = new MemoryCacheImageInputStream(new ByteArrayInputStream(file))) {
+            ImageReader reader = reader("", in);
+            try {
+                reader.setInput(in, true, true);
+                return reader.getRawImageType(0) != null && reader.getRawImageType(0).getColorModel().hasAlpha();
+            } finally {
+                reader.dispose();
+            }
+        } catch (IOException | RuntimeException | UnusableFileException e) {
+            return false;
+        }
+    }
+
+    private static Texture texture(BufferedImage image, boolean isColor) {
+        int width = image.getWidth();
+        int height = image.getHeight();
+        if (image.getColorModel() instanceof IndexColorModel) {
+            return new Texture(width, height, paletteCodes(image), linearTable(CODE_BITS, isColor));
+        }
+        // Do not use getRGB: it treats gray samples as linear light and applies color profiles.
+        Raster raster = image.getRaster();
+        int bits = Arrays.stream(raster.getSampleModel().getSampleSize()).max().orElseThrow();
+        boolean oneSize = Arrays.stream(raster.getSampleModel().getSampleSize()).allMatch(size -> size == bits);
+        if (oneSize && bits <= CODE_BITS) {
+            byte[] codes = new byte[3 * width * height];
+            forEachSample(raster, (i, _, sample) -> codes[i] = (byte) sample);
+            return new Texture(width, height, codes, Arrays.copyOf(linearTable(bits, isColor), 1 << CODE_BITS));
+        }
+        float[][] linear = new float[raster.getNumBands()][];
+        Arrays.setAll(linear, band -> linearTable(raster.getSampleModel().getSampleSize(band), isColor));
+        float[] rgb = new float[3 * width * height];
+        forEachSample(raster, (i, band, sample) -> rgb[i] = linear[band][sample]);
+        return new Texture(width, height, rgb);
+    }
+
+    private static byte[] paletteCodes(BufferedImage image) {
+        int width = image.getWidth();
+        byte[] codes = new byte[3 * width * image.getHeight()];
+        for (int i = 0; i < codes.length / 3; i++) {
+            int pixel = image.getRGB(i % width, i / width);
+            codes[3 * i] = (byte) (pixel >> 16);
+            codes[3 * i + 1] = (byte) (pixel >> 8);
+            codes[3 * i + 2] = (byte) pixel;
+        }
+        return codes;
+    }
+
+    /** Receives each channel of each pixel. */
+    @FunctionalInterface
+    private interface SampleConsumer {
+        /**
+         * Receives a sample.
+         *
+         * @param i index among {@code 3 * width * height} values
+         */
+        void accept(int i, int band, int sample);
+    }
+
+    /** Visits all samples, channel by channel; a gray image has one band for all three channels. */
+    private static void forEachSample(Raster raster, SampleConsumer consumer) {
+        int width = raster.getWidth();
+        int bands = raster.getNumBands() < 3 ? 1 : 3;
+        int[] row = new int[width];
+        for (int channel = 0; channel < 3; channel++) {
+            int band = Math.min(channel, bands - 1);
+            for (int y = 0; y < raster.getHeight(); y++) {
+                raster.getSamples(0, y, width, 1, band, row);
+                for (int x = 0; x < width; x++) {
+                    consumer.accept(3 * (y * width + x) + channel, band, row[x]);
+                }
+            }
+        }
+    }
+
+    /** Returns the linear value of each sample with the given number of bits, {@code float[2^bits]}. */
+    private static float[] linearTable(int bits, boolean color) {
+        int max = (1 << bits) - 1;
+        float[] linear = new float[max + 1];
+        for (int i = 0; i <= max; i++) {
+            double s = (double) i / max;
+            linear[i] = (float) (color ? SrgbCurve.toLinear(s) : s);
+        }
+        return linear;
+    }
+}
