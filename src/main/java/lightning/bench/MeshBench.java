@@ -5,7 +5,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CancellationException;
 import lightning.base.work.Progress;
-import lightning.bench.accuracy.Timing;
 import lightning.bench.mesh.BumpySphere;
 import lightning.bench.mesh.Embree;
 import lightning.bench.mesh.LaneMeshTracer;
@@ -15,6 +14,7 @@ import lightning.bench.result.MeasurementFailure;
 import lightning.bench.result.MeshPoint;
 import lightning.bench.result.RayThroughput;
 import lightning.bench.result.TimeSamples;
+import lightning.render.measure.Timing;
 import lightning.render.trace.mesh.MeshSolid;
 import lightning.scene.node.Mesh;
 

@@ -6,7 +6,6 @@ import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
 import lightning.bench.accuracy.FirstPassCost;
 import lightning.bench.accuracy.ModernCases;
-import lightning.bench.accuracy.PaperCase;
 import lightning.bench.accuracy.UpdateSaving;
 import lightning.bench.accuracy.UpdateSavingMeter;
 import lightning.bench.result.FirstPassResult;
@@ -17,6 +16,7 @@ import lightning.render.engine.choice.Engines;
 import lightning.render.fulltrace.TraditionalTracer;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Scene;
+import lightning.scene.paper.PaperCase;
 
 /** Benchmark of the first pass and the edits of a modern scene, at the default accuracy setting. */
 record ModernEditBench(BenchSettings settings, ResultCollector ledger, double bytesPerMs) {
