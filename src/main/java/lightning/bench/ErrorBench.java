@@ -30,7 +30,7 @@ import lightning.scene.value.SceneLimits;
  * Benchmark of time against error. Each program is compared with its own image of many samples, because the programs differ in more than
  * sampling: highlights, attenuation and area lights are not translated exactly.
  */
-final class ErrorBench {
+record ErrorBench(BenchSettings settings) {
     static final String PROGRAM = "Lightning";
     private static final PictureSize SIZE = new PictureSize(160, 90);
     private static final PictureSize QUICK_SIZE = new PictureSize(32, 18);
@@ -48,12 +48,6 @@ final class ErrorBench {
 
     private static final List<PovSampling> POV_RAY = List.of(PovSampling.NONE, PovSampling.adaptive(0.3, 2), ModernSampling.EDGES.povRay(),
             PovSampling.adaptive(0.03, 4), PovSampling.grid(0, 2), PovSampling.grid(0, 4));
-
-    private final BenchSettings settings;
-
-    ErrorBench(BenchSettings settings) {
-        this.settings = settings;
-    }
 
     /** Trace of one setting. */
     private record Trace(Film film, double ms) {}

@@ -22,19 +22,11 @@ import lightning.scene.node.Mesh;
  * Benchmark of ray throughput on generated meshes of up to ten million triangles, in turns with Embree if installed: same mesh, same rays,
  * one thread.
  */
-final class MeshBench {
+record MeshBench(BenchSettings settings, ResultCollector ledger) {
     /** Predicted milliseconds per triangle and sample, and per ray. */
     private static final double TRIANGLE_MS = 1.5e-3;
     private static final double RAY_MS = 1e-3;
     private static final int WARM_UP = 3;
-
-    private final BenchSettings settings;
-    private final ResultCollector ledger;
-
-    MeshBench(BenchSettings settings, ResultCollector ledger) {
-        this.settings = settings;
-        this.ledger = ledger;
-    }
 
     /** Returns the parts, one per mesh. */
     List<BenchPart> parts() {

@@ -6,14 +6,8 @@ import java.util.Arrays;
  * Errors of luminances against a reference, sorted. An error is relative to the larger of the reference and 5 % of its mean, so that dark
  * places count little; a value that should be black has the error 1.
  */
-final class RelativeErrors {
+record RelativeErrors(double[] sorted) {
     private static final double DARK = 0.05;
-
-    private final double[] sorted;
-
-    private RelativeErrors(double[] sorted) {
-        this.sorted = sorted;
-    }
 
     /**
      * Compares luminances, 0…
