@@ -7,8 +7,6 @@ import java.util.Locale;
 import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
 import lightning.bench.accuracy.MemoryBandwidth;
-import lightning.bench.accuracy.PaperCase;
-import lightning.bench.accuracy.PaperCases;
 import lightning.format.jen.JenReader;
 import lightning.render.cache.PixelCache;
 import lightning.render.engine.choice.Engines;
@@ -19,6 +17,8 @@ import lightning.render.relight.plan.ReflectionMode;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
+import lightning.scene.paper.PaperCase;
+import lightning.scene.paper.PaperCases;
 
 /**
  * Compares edits with the memory limit, for {@code benchmarks/floor}: the processor time of one thread, and the time that its memory

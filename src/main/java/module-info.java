@@ -44,5 +44,6 @@ module lightning {
     opens lightning.format.json to tools.jackson.databind;
     opens lightning.cli.report to tools.jackson.databind;
     opens lightning.bench.accuracy to tools.jackson.databind;
+    opens lightning.render.measure to tools.jackson.databind;
     opens lightning.bench.result to tools.jackson.databind;
 }

@@ -2,8 +2,8 @@ package lightning.bench;
 
 import io.soabase.recordbuilder.core.RecordBuilder;
 import java.util.List;
-import lightning.bench.accuracy.PaperCase;
-import lightning.bench.accuracy.PaperCases;
+import lightning.scene.paper.PaperCase;
+import lightning.scene.paper.PaperCases;
 
 /**
  * Selection and precision of a benchmark run.

@@ -6,18 +6,10 @@ import lightning.format.pov.PovRayRunner;
 import lightning.format.pov.PovSampling;
 
 /** Benchmark of cold-start processes that render an image: ours, in turns with POV-Ray if installed. */
-final class ColdStartBench {
+record ColdStartBench(BenchSettings settings, ResultCollector ledger) {
     /** Predicted start time of a process in milliseconds, and its trace time relative to a warm full trace. */
     private static final double START_MS = 1000;
     private static final double COLD_SLOWDOWN = 20;
-
-    private final BenchSettings settings;
-    private final ResultCollector ledger;
-
-    ColdStartBench(BenchSettings settings, ResultCollector ledger) {
-        this.settings = settings;
-        this.ledger = ledger;
-    }
 
     /** Returns the measurement; a failure of a program becomes a failed measurement. */
     BenchPart part(ResultCollector.SceneCollector collector, NamedScene scene, PictureSize size, TraceThroughput throughput) {

@@ -7,13 +7,13 @@ import java.util.concurrent.CancellationException;
 import java.util.function.IntFunction;
 import lightning.base.math.Vec3;
 import lightning.base.work.Progress;
-import lightning.bench.accuracy.Timing;
 import lightning.bench.result.EditingCost;
 import lightning.bench.result.TimeSamples;
 import lightning.format.jen.JenDocument;
 import lightning.format.jen.JenException;
 import lightning.format.jen.JenReader;
 import lightning.format.jen.JenWriter;
+import lightning.render.measure.Timing;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.render.shading.explanation.PixelExplainer;
@@ -25,7 +25,7 @@ import lightning.scene.light.Light;
  * Benchmark of editing in generated scenes of up to a million shapes and a thousand lights, without window or rendering. Measures loading,
  * creating an edit's scene, planning, a hover and heap size.
  */
-final class EditingBench {
+record EditingBench(BenchSettings settings, ResultCollector ledger) {
     private static final PictureSize SIZE = new PictureSize(64, 48);
     private static final int DEPTH = 2;
     /** Number of samples per repetition for sub-millisecond tasks, with as many for warm-up. */
@@ -38,15 +38,7 @@ final class EditingBench {
     private static final double SHAPE_MS = 0.02;
     private static final double LIGHT_MS = 4;
 
-    private final BenchSettings settings;
-    private final ResultCollector ledger;
-
     private record Point(int shapes, int lights) {}
-
-    EditingBench(BenchSettings settings, ResultCollector ledger) {
-        this.settings = settings;
-        this.ledger = ledger;
-    }
 
     /** Returns the parts, one per scene. */
     List<BenchPart> parts() {

@@ -10,7 +10,6 @@ import java.util.concurrent.CancellationException;
 import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
 import lightning.bench.accuracy.DisplayError;
-import lightning.bench.accuracy.Timing;
 import lightning.bench.result.ErrorCurve;
 import lightning.bench.result.ErrorPoint;
 import lightning.bench.result.ModernSampling;
@@ -21,6 +20,7 @@ import lightning.format.pov.PovScene;
 import lightning.render.engine.choice.Engines;
 import lightning.render.fulltrace.TraditionalTracer;
 import lightning.render.image.Film;
+import lightning.render.measure.Timing;
 import lightning.scene.AntialiasMode;
 import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
@@ -30,7 +30,7 @@ import lightning.scene.value.SceneLimits;
  * Benchmark of time against error. Each program is compared with its own image of many samples, because the programs differ in more than
  * sampling: highlights, attenuation and area lights are not translated exactly.
  */
-final class ErrorBench {
+record ErrorBench(BenchSettings settings) {
     static final String PROGRAM = "Lightning";
     private static final PictureSize SIZE = new PictureSize(160, 90);
     private static final PictureSize QUICK_SIZE = new PictureSize(32, 18);
@@ -48,12 +48,6 @@ final class ErrorBench {
 
     private static final List<PovSampling> POV_RAY = List.of(PovSampling.NONE, PovSampling.adaptive(0.3, 2), ModernSampling.EDGES.povRay(),
             PovSampling.adaptive(0.03, 4), PovSampling.grid(0, 2), PovSampling.grid(0, 4));
-
-    private final BenchSettings settings;
-
-    ErrorBench(BenchSettings settings) {
-        this.settings = settings;
-    }
 
     /** Trace of one setting. */
     private record Trace(Film film, double ms) {}

@@ -6,8 +6,6 @@ import java.util.function.IntFunction;
 import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import lightning.base.work.Progress;
-import lightning.bench.accuracy.PaperCase;
-import lightning.bench.accuracy.PaperCases;
 import lightning.bench.accuracy.UpdateSaving;
 import lightning.bench.accuracy.UpdateSavingMeter;
 import lightning.bench.result.GrowthPoint;
@@ -17,6 +15,8 @@ import lightning.render.relight.MemoryEstimate;
 import lightning.render.relight.plan.ReflectionMode;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Scene;
+import lightning.scene.paper.PaperCase;
+import lightning.scene.paper.PaperCases;
 
 /** Benchmark of edit times as a function of pixels, lights, shapes and reflection depth, on generated scenes. */
 final class GrowthBench {

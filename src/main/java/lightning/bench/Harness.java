@@ -11,17 +11,17 @@ import java.util.Set;
 import java.util.concurrent.CancellationException;
 import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
-import lightning.bench.accuracy.AccuracySweepMeter;
-import lightning.bench.accuracy.GuaranteeViolation;
 import lightning.bench.accuracy.MemoryBandwidth;
-import lightning.bench.accuracy.PaperCase;
-import lightning.bench.accuracy.PaperCases;
 import lightning.bench.result.BenchResults;
 import lightning.bench.result.BenchRun;
 import lightning.bench.result.MeasurementFailure;
+import lightning.render.measure.AccuracySweepMeter;
+import lightning.render.measure.GuaranteeViolation;
 import lightning.render.relight.MemoryEstimate;
 import lightning.render.relight.PictureTooLargeException;
 import lightning.render.relight.tile.RenderOptions;
+import lightning.scene.paper.PaperCase;
+import lightning.scene.paper.PaperCases;
 
 /**
  * Benchmark run over scenes, part by part.

@@ -6,19 +6,19 @@ import java.util.Optional;
 import lightning.base.work.Progress;
 import lightning.bench.accuracy.EditTurns;
 import lightning.bench.accuracy.HiddenEffectCost;
-import lightning.bench.accuracy.IndirectErrorMeter;
 import lightning.bench.accuracy.ModernCases;
-import lightning.bench.accuracy.PaperCase;
-import lightning.bench.accuracy.Timing;
 import lightning.bench.result.IndirectAbsence;
 import lightning.bench.result.IndirectAccuracy;
 import lightning.bench.result.IndirectCost;
 import lightning.bench.result.MeasurementFailure;
 import lightning.bench.result.TimeSamples;
+import lightning.render.measure.IndirectErrorMeter;
+import lightning.render.measure.Timing;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.IndirectSettings;
 import lightning.scene.Scene;
 import lightning.scene.effects.RenderEffect;
+import lightning.scene.paper.PaperCase;
 
 /**
  * Benchmark of indirect light: time against error, the first pass and edits of each scene, growth on generated rooms, and the cost of its

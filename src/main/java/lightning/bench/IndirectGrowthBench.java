@@ -6,12 +6,12 @@ import java.util.function.ToLongFunction;
 import lightning.base.work.Progress;
 import lightning.bench.accuracy.EditTurns;
 import lightning.bench.accuracy.ModernCases;
-import lightning.bench.accuracy.PaperCase;
 import lightning.bench.result.IndirectGrowth;
 import lightning.bench.result.TimeSamples;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.IndirectSettings;
 import lightning.scene.Scene;
+import lightning.scene.paper.PaperCase;
 
 /** Benchmark of the costs of indirect light as a function of lights, gather points, rays, objects, triangles and pixels, on
  * generated rooms. */

@@ -5,7 +5,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CancellationException;
 import lightning.base.work.Progress;
-import lightning.bench.accuracy.Timing;
 import lightning.bench.mesh.BumpySphere;
 import lightning.bench.mesh.Embree;
 import lightning.bench.mesh.LaneMeshTracer;
@@ -15,6 +14,7 @@ import lightning.bench.result.MeasurementFailure;
 import lightning.bench.result.MeshPoint;
 import lightning.bench.result.RayThroughput;
 import lightning.bench.result.TimeSamples;
+import lightning.render.measure.Timing;
 import lightning.render.trace.mesh.MeshSolid;
 import lightning.scene.node.Mesh;
 
@@ -22,19 +22,11 @@ import lightning.scene.node.Mesh;
  * Benchmark of ray throughput on generated meshes of up to ten million triangles, in turns with Embree if installed: same mesh, same rays,
  * one thread.
  */
-final class MeshBench {
+record MeshBench(BenchSettings settings, ResultCollector ledger) {
     /** Predicted milliseconds per triangle and sample, and per ray. */
     private static final double TRIANGLE_MS = 1.5e-3;
     private static final double RAY_MS = 1e-3;
     private static final int WARM_UP = 3;
-
-    private final BenchSettings settings;
-    private final ResultCollector ledger;
-
-    MeshBench(BenchSettings settings, ResultCollector ledger) {
-        this.settings = settings;
-        this.ledger = ledger;
-    }
 
     /** Returns the parts, one per mesh. */
     List<BenchPart> parts() {

@@ -6,7 +6,6 @@ import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
 import lightning.bench.accuracy.FirstPassCost;
 import lightning.bench.accuracy.ModernCases;
-import lightning.bench.accuracy.PaperCase;
 import lightning.bench.accuracy.UpdateSaving;
 import lightning.bench.accuracy.UpdateSavingMeter;
 import lightning.bench.result.FirstPassResult;
@@ -17,25 +16,16 @@ import lightning.render.engine.choice.Engines;
 import lightning.render.fulltrace.TraditionalTracer;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Scene;
+import lightning.scene.paper.PaperCase;
 
 /** Benchmark of the first pass and the edits of a modern scene, at the default accuracy setting. */
-final class ModernEditBench {
+record ModernEditBench(BenchSettings settings, ResultCollector ledger, double bytesPerMs) {
     /** Sizes from the largest; the first whose full trace is fast enough is measured, otherwise the last. */
     private static final List<PictureSize> SIZES = List.of(new PictureSize(640, 360), new PictureSize(320, 180), new PictureSize(160, 90));
     private static final double MAX_TRACE_MS = 700;
     /** Typical duration in full traces: first passes, verification, warm-up and samples. */
     private static final double PREDICTED_TRACES = 25;
     private static final double PREDICTED_TRACE_MS = 600;
-
-    private final BenchSettings settings;
-    private final ResultCollector ledger;
-    private final double bytesPerMs;
-
-    ModernEditBench(BenchSettings settings, ResultCollector ledger, double bytesPerMs) {
-        this.settings = settings;
-        this.ledger = ledger;
-        this.bytesPerMs = bytesPerMs;
-    }
 
     double predictedMs() {
         return PREDICTED_TRACES * (settings.quick() ? PREDICTED_TRACE_MS / 10 : PREDICTED_TRACE_MS);

@@ -6,7 +6,7 @@ import java.util.Optional;
 import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import lightning.bench.accuracy.PaperCase;
+import lightning.scene.paper.PaperCase;
 
 /** Mapping from the paper's figures to their edits: an image figure is followed by a timing figure. */
 public final class PaperFigures {

@@ -18,7 +18,7 @@ import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Scene;
 
 /** Benchmark of POV-Ray against our full trace, with a comparison of their visible shapes. */
-final class PovRayBench {
+record PovRayBench(PovRayRunner povRay) {
     static final String PROGRAM = "POV-Ray 3.7";
     private static final String MEASURE = "pixels that show the same shape (or background), each shape in a flat color of its own";
     private static final int REPETITIONS = 3;
@@ -27,12 +27,6 @@ final class PovRayBench {
     /** Approximate slowdown relative to our full trace of the same scene. */
     private static final double SLOWDOWN = 10;
     private static final double START_MS = 300;
-
-    private final PovRayRunner povRay;
-
-    private PovRayBench(PovRayRunner povRay) {
-        this.povRay = povRay;
-    }
 
     /** Returns the installed POV-Ray, if any. */
     static Optional<PovRayBench> find() {

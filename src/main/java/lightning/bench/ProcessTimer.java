@@ -4,8 +4,8 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalDouble;
-import lightning.bench.accuracy.Timing;
 import lightning.bench.result.TimeSamples;
+import lightning.render.measure.Timing;
 
 /** Timer of whole processes that run one after the other. */
 final class ProcessTimer {

@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import lightning.bench.accuracy.AccuracySetting;
 import lightning.bench.accuracy.FirstPassCost;
 import lightning.bench.result.BenchResults;
 import lightning.bench.result.BenchRun;
@@ -20,6 +19,7 @@ import lightning.bench.result.MeasurementFailure;
 import lightning.bench.result.MeshPoint;
 import lightning.bench.result.PeerResult;
 import lightning.bench.result.SceneResult;
+import lightning.render.measure.AccuracySetting;
 
 /** Collector of a run's results so far. */
 final class ResultCollector {

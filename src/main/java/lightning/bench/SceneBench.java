@@ -7,14 +7,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import lightning.base.work.Progress;
-import lightning.bench.accuracy.AccuracySetting;
-import lightning.bench.accuracy.AccuracySweep;
-import lightning.bench.accuracy.AccuracySweepMeter;
-import lightning.bench.accuracy.EffectCost;
-import lightning.bench.accuracy.EffectCosts;
-import lightning.bench.accuracy.PaperCase;
-import lightning.bench.accuracy.PaperCases;
-import lightning.bench.accuracy.SweepPoint;
 import lightning.bench.accuracy.UpdateSavingMeter;
 import lightning.bench.result.EditResult;
 import lightning.bench.result.EffectResult;
@@ -24,8 +16,16 @@ import lightning.bench.result.TimeSamples;
 import lightning.bench.result.UpdateWork;
 import lightning.bench.result.ValueResult;
 import lightning.render.image.Film;
+import lightning.render.measure.AccuracySetting;
+import lightning.render.measure.AccuracySweep;
+import lightning.render.measure.AccuracySweepMeter;
+import lightning.render.measure.EffectCost;
+import lightning.render.measure.EffectCosts;
+import lightning.render.measure.SweepPoint;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Scene;
+import lightning.scene.paper.PaperCase;
+import lightning.scene.paper.PaperCases;
 
 /** Benchmark of one scene at one size: its first pass, and all accuracy settings for each edit and value. */
 final class SceneBench implements AutoCloseable {

@@ -4,12 +4,12 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import lightning.base.text.Quote;
-import lightning.bench.accuracy.PaperCase;
-import lightning.bench.accuracy.PaperCases;
 import lightning.cli.output.BadInputException;
 import lightning.cli.output.Console;
 import lightning.format.jen.PropertyEdit;
 import lightning.scene.Scene;
+import lightning.scene.paper.PaperCase;
+import lightning.scene.paper.PaperCases;
 import picocli.CommandLine.Option;
 
 /** One edit option of the command line; exactly one of the fields is set. */

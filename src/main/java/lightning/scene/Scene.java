@@ -1,5 +1,6 @@
 package lightning.scene;
 
+import io.soabase.recordbuilder.core.RecordBuilder;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -18,7 +19,8 @@ import lightning.scene.node.SceneNode;
  * @param stage shapes and materials
  * @param rig   lights; no light or light group has the name of a shape or a group, and their total brightness passes {@link OverflowCheck}
  */
-public record Scene(PictureSettings picture, Camera camera, World world, Stage stage, LightRig rig) {
+@RecordBuilder
+public record Scene(PictureSettings picture, Camera camera, World world, Stage stage, LightRig rig) implements SceneBuilder.With {
 
     public Scene {
         rig.names().checkDisjoint(stage.names());
@@ -121,10 +123,6 @@ public record Scene(PictureSettings picture, Camera camera, World world, Stage s
                 rig.withLights(lights().stream().map(l -> l.name().equals(name) ? l.withName(newName) : l).toList()));
     }
 
-    public Scene withRig(LightRig v) {
-        return new Scene(picture, camera, world, stage, v);
-    }
-
     public Optional<Material> material(String name) {
         return materials().stream().filter(m -> m.name().equals(name)).findFirst();
     }
@@ -179,24 +177,13 @@ public record Scene(PictureSettings picture, Camera camera, World world, Stage s
     }
 
     /** Returns this scene with another stage; links of lights lose the names of removed shapes and groups. */
+    @Override
     public Scene withStage(Stage v) {
         return new Scene(picture, camera, world, v, v.sharesNames(stage) ? rig : rig.mapLinked(light -> light.retainLinks(v::hasNode)));
-    }
-
-    public Scene withPicture(PictureSettings v) {
-        return new Scene(v, camera, world, stage, rig);
     }
 
     /** Returns the scene without indirect light: itself if it has none. */
     public Scene withoutIndirect() {
         return picture.indirect().isEmpty() ? this : withPicture(picture.withIndirect(Optional.empty()));
-    }
-
-    public Scene withWorld(World v) {
-        return new Scene(picture, camera, v, stage, rig);
-    }
-
-    public Scene withCamera(Camera v) {
-        return new Scene(picture, v, world, stage, rig);
     }
 }

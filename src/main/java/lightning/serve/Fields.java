@@ -12,14 +12,8 @@ import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.node.ObjectNode;
 
 /** Fields of a request with checked types. Each reader throws a {@link RequestException} with the field as its place. */
-final class Fields {
+record Fields(ObjectNode message) {
     private static final int MAX_SHOWN = 40;
-
-    private final ObjectNode message;
-
-    Fields(ObjectNode message) {
-        this.message = message;
-    }
 
     /** Rejects fields other than these. */
     void requireKnown(Set<String> known) {

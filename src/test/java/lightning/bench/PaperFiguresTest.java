@@ -4,9 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Path;
 import java.util.List;
-import lightning.bench.accuracy.PaperCase;
-import lightning.bench.accuracy.PaperCases;
 import lightning.format.jen.JenReader;
+import lightning.scene.paper.PaperCase;
+import lightning.scene.paper.PaperCases;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;

@@ -12,10 +12,10 @@ import java.util.TreeSet;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import lightning.bench.accuracy.AccuracySetting;
 import lightning.bench.result.BenchResults;
 import lightning.bench.result.BenchRun;
 import lightning.bench.result.ResultsFile;
+import lightning.render.measure.AccuracySetting;
 
 /** Stored results of {@code benchmarks/run}, by part name. */
 record StoredRuns(Map<String, BenchResults> parts) {

@@ -8,8 +8,6 @@ import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import lightning.bench.accuracy.AccuracySetting;
-import lightning.bench.accuracy.PictureError;
 import lightning.bench.result.BenchResults;
 import lightning.bench.result.BenchRun;
 import lightning.bench.result.EditResult;
@@ -24,6 +22,8 @@ import lightning.bench.result.SampleResults;
 import lightning.bench.result.SceneResult;
 import lightning.bench.result.SweepPointResult;
 import lightning.bench.result.ValueResult;
+import lightning.render.measure.AccuracySetting;
+import lightning.render.measure.PictureError;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 

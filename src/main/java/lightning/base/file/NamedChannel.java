@@ -7,17 +7,12 @@ import java.nio.channels.SeekableByteChannel;
 import java.nio.file.FileSystemException;
 import java.nio.file.Path;
 
-/** Channel to a file whose exceptions name the file; the system's say only {@code No space left on device}. */
-final class NamedChannel implements SeekableByteChannel {
-    private final FileChannel file;
-    private final Path name;
-
-    /** @param name the file's name for the user */
-    NamedChannel(FileChannel file, Path name) {
-        this.file = file;
-        this.name = name;
-    }
-
+/**
+ * Channel to a file whose exceptions name the file; the system's say only {@code No space left on device}.
+ *
+ * @param name the file's name for the user
+ */
+record NamedChannel(FileChannel file, Path name) implements SeekableByteChannel {
     @Override
     public int write(ByteBuffer bytes) throws IOException {
         try {

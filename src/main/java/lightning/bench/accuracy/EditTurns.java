@@ -8,6 +8,8 @@ import lightning.render.cache.PixelCache;
 import lightning.render.engine.choice.Engines;
 import lightning.render.fulltrace.TraditionalTracer;
 import lightning.render.image.Film;
+import lightning.render.measure.InterleavedTimer;
+import lightning.render.measure.Timing;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.UpdateResult;
 import lightning.render.relight.tile.RenderOptions;

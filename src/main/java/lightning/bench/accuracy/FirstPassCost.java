@@ -1,5 +1,7 @@
 package lightning.bench.accuracy;
 
+import lightning.render.measure.Timing;
+
 /**
  * Cost of building the cache in the first pass, compared with a full trace without a cache.
  *

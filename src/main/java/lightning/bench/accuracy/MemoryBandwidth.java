@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
+import lightning.render.measure.InterleavedTimer;
 
 /** Memory bandwidth by the triad {@code a[i] = b[i] + s·c[i]} (McCalpin, STREAM, 1995). */
 public final class MemoryBandwidth {

@@ -9,6 +9,11 @@ import lightning.base.math.Rgb;
 import lightning.scene.Scene;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightType;
+import lightning.scene.paper.CameraFraming;
+import lightning.scene.paper.MaterialCases;
+import lightning.scene.paper.PaperCase;
+import lightning.scene.paper.PaperCases;
+import lightning.scene.paper.ShapeCases;
 
 /**
  * Kinds of edits of the modern scenes. Unlike {@link PaperCases}, they edit the key light, whatever its type: the light named {@code key},

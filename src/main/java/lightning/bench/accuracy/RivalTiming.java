@@ -1,5 +1,7 @@
 package lightning.bench.accuracy;
 
+import lightning.render.measure.Timing;
+
 /**
  * Timing of a full trace and another program, measured in turns.
  *

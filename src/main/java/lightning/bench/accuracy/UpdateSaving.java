@@ -1,5 +1,6 @@
 package lightning.bench.accuracy;
 
+import lightning.render.measure.Timing;
 import lightning.render.relight.UpdateResult;
 import lightning.render.shading.RayCounts;
 

@@ -12,3 +12,6 @@
  * }</pre>
  */
 package lightning.bench.accuracy;
+
+import lightning.render.measure.AccuracySetting;
+import lightning.render.measure.SweepPoint;

@@ -1,8 +1,8 @@
 package lightning.bench.report;
 
 import java.util.List;
-import lightning.bench.accuracy.AccuracySetting;
-import lightning.bench.accuracy.ParetoFront;
+import lightning.render.measure.AccuracySetting;
+import lightning.render.measure.ParetoFront;
 
 /** Chart of error against time with a point per accuracy setting. */
 final class AccuracyChart {

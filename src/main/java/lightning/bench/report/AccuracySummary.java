@@ -6,10 +6,10 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.ToDoubleFunction;
-import lightning.bench.accuracy.AccuracySetting;
-import lightning.bench.accuracy.PictureError;
 import lightning.bench.result.SceneResult;
 import lightning.bench.result.SweepPointResult;
+import lightning.render.measure.AccuracySetting;
+import lightning.render.measure.PictureError;
 
 /** Summary of one accuracy setting over all edits of a scene. */
 record AccuracySummary(AccuracySetting setting, List<SweepPointResult> points) {

@@ -3,12 +3,12 @@ package lightning.bench.report;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import lightning.bench.accuracy.AccuracySetting;
-import lightning.bench.accuracy.PictureError;
 import lightning.bench.result.EditResult;
 import lightning.bench.result.SceneResult;
 import lightning.bench.result.SweepPointResult;
 import lightning.bench.result.ValueResult;
+import lightning.render.measure.AccuracySetting;
+import lightning.render.measure.PictureError;
 
 /** Report section of single edits: images with a wipe comparison, accuracy settings, error against time. */
 final class EditPictureSection {

@@ -1,11 +1,11 @@
 package lightning.bench.report;
 
 import java.util.Optional;
-import lightning.bench.accuracy.AccuracySetting;
 import lightning.bench.result.EditResult;
 import lightning.bench.result.SceneResult;
 import lightning.bench.result.SweepPointResult;
 import lightning.bench.result.UpdateWork;
+import lightning.render.measure.AccuracySetting;
 
 /** Table of a scene's edits: work, saving, and its limits. */
 final class EditTable {

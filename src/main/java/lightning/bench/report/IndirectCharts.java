@@ -5,11 +5,11 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.ToDoubleFunction;
-import lightning.bench.accuracy.ParetoFront;
 import lightning.bench.result.BenchResults;
 import lightning.bench.result.IndirectAccuracy;
 import lightning.bench.result.IndirectGrowth;
 import lightning.bench.result.IndirectResults;
+import lightning.render.measure.ParetoFront;
 
 /** Charts of indirect light: error against time with the Pareto front, missing light against time, and growth. */
 public final class IndirectCharts {

@@ -3,11 +3,11 @@ package lightning.bench.report;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.DoubleStream;
-import lightning.bench.accuracy.AccuracySetting;
 import lightning.bench.result.BenchResults;
 import lightning.bench.result.EditResult;
 import lightning.bench.result.SceneResult;
 import lightning.bench.result.SweepPointResult;
+import lightning.render.measure.AccuracySetting;
 
 /** Four key numbers of a run at the default accuracy setting. Mixing settings would be misleading, as no single setting has all of them. */
 final class KeyNumbers {

@@ -3,7 +3,7 @@ package lightning.bench.report;
 import java.awt.Shape;
 import java.util.List;
 import java.util.function.DoubleFunction;
-import lightning.bench.accuracy.ParetoFront;
+import lightning.render.measure.ParetoFront;
 import org.jfree.chart.plot.XYPlot;
 import org.jfree.chart.renderer.xy.XYErrorRenderer;
 import org.jfree.chart.renderer.xy.XYStepRenderer;

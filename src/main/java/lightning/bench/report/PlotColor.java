@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Collectors;
-import lightning.bench.accuracy.AccuracySetting;
+import lightning.render.measure.AccuracySetting;
 import lightning.render.relight.plan.Accuracy;
 
 /**

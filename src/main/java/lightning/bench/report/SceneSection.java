@@ -2,12 +2,12 @@ package lightning.bench.report;
 
 import java.util.ArrayList;
 import java.util.List;
-import lightning.bench.accuracy.AccuracySetting;
 import lightning.bench.result.ColdStart;
 import lightning.bench.result.EditResult;
 import lightning.bench.result.FirstPassResult;
 import lightning.bench.result.PeerResult;
 import lightning.bench.result.SceneResult;
+import lightning.render.measure.AccuracySetting;
 
 /** Report section of one scene at one size. */
 final class SceneSection {

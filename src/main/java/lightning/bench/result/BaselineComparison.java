@@ -5,8 +5,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import lightning.bench.accuracy.AccuracySetting;
-import lightning.bench.accuracy.PictureError;
+import lightning.render.measure.AccuracySetting;
+import lightning.render.measure.PictureError;
 
 /**
  * Comparison of benchmark results with older ones.

@@ -5,7 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import lightning.base.text.DecimalNumber;
-import lightning.bench.accuracy.PictureError;
+import lightning.render.measure.PictureError;
 
 /**
  * Measurement as a CSV row. Text that a spreadsheet would evaluate gets an apostrophe prefix. Missing values are NaN, 0 or empty.

@@ -1,6 +1,6 @@
 package lightning.bench.result;
 
-import lightning.bench.accuracy.PictureError;
+import lightning.render.measure.PictureError;
 import lightning.render.relight.plan.Accuracy;
 
 /**

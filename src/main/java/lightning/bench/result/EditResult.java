@@ -3,8 +3,8 @@ package lightning.bench.result;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.ToDoubleFunction;
-import lightning.bench.accuracy.AccuracySetting;
-import lightning.bench.accuracy.PaperCase;
+import lightning.render.measure.AccuracySetting;
+import lightning.scene.paper.PaperCase;
 
 /**
  * Results of one kind of edit on a scene, for each of its values.

@@ -1,7 +1,7 @@
 package lightning.bench.result;
 
 import java.util.List;
-import lightning.bench.accuracy.EffectCost;
+import lightning.render.measure.EffectCost;
 
 /**
  * Cost of an effect on a scene, or saving from its absence; see {@link EffectCost}.

@@ -2,7 +2,7 @@ package lightning.bench.result;
 
 import java.util.List;
 import java.util.Optional;
-import lightning.bench.accuracy.IndirectError;
+import lightning.render.measure.IndirectError;
 import lightning.scene.IndirectSettings;
 
 /**

@@ -2,8 +2,8 @@ package lightning.bench.result;
 
 import java.util.ArrayList;
 import java.util.List;
-import lightning.bench.accuracy.IndirectError;
-import lightning.bench.accuracy.PictureError;
+import lightning.render.measure.IndirectError;
+import lightning.render.measure.PictureError;
 
 /** CSV rows of indirect light. Kinds start with {@code indirect-}; errors are relative. */
 final class IndirectCsvRows {

@@ -2,7 +2,7 @@ package lightning.bench.result;
 
 import java.util.ArrayList;
 import java.util.List;
-import lightning.bench.accuracy.PictureError;
+import lightning.render.measure.PictureError;
 
 /** CSV rows of the modern set. Kinds are as in {@link CsvRow} with the prefix {@code modern-}; the level is the anti-aliasing. */
 final class ModernCsvRows {

@@ -1,7 +1,7 @@
 package lightning.bench.result;
 
-import lightning.bench.accuracy.PaperCase;
 import lightning.bench.accuracy.UpdateSaving;
+import lightning.scene.paper.PaperCase;
 
 /**
  * Update of a modern scene after one edit, at the default setting.

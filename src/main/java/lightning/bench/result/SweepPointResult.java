@@ -2,8 +2,8 @@ package lightning.bench.result;
 
 import com.fasterxml.jackson.annotation.JsonProperty;
 import java.util.Objects;
-import lightning.bench.accuracy.AccuracySetting;
-import lightning.bench.accuracy.PictureError;
+import lightning.render.measure.AccuracySetting;
+import lightning.render.measure.PictureError;
 
 /**
  * Result of one accuracy setting for one edit.

@@ -1,7 +1,7 @@
 package lightning.bench.result;
 
 import java.util.List;
-import lightning.bench.accuracy.Timing;
+import lightning.render.measure.Timing;
 
 /**
  * Times of one task in milliseconds.

@@ -2,7 +2,7 @@ package lightning.bench.result;
 
 import java.util.List;
 import java.util.Optional;
-import lightning.bench.accuracy.AccuracySetting;
+import lightning.render.measure.AccuracySetting;
 
 /**
  * Result of one edit with one value.

@@ -8,7 +8,6 @@ import java.util.Set;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import lightning.bench.accuracy.AccuracySetting;
 import lightning.bench.result.BenchResults;
 import lightning.bench.result.DriftPoint;
 import lightning.bench.result.EditResult;
@@ -25,6 +24,7 @@ import lightning.bench.result.RayThroughput;
 import lightning.bench.result.SceneResult;
 import lightning.bench.result.SweepPointResult;
 import lightning.bench.result.SystemLoad;
+import lightning.render.measure.AccuracySetting;
 
 /** Table of a benchmark, printed while the benchmark runs. */
 public final class BenchTable {

@@ -1,7 +1,7 @@
 package lightning.editor.loop;
 
-import lightning.bench.accuracy.AccuracyGuarantee;
 import lightning.render.image.Film;
+import lightning.render.measure.AccuracyGuarantee;
 import lightning.render.relight.UpdateResult;
 import lightning.render.shading.IndirectLight;
 import lightning.render.shading.RenderedScenes;

@@ -4,9 +4,9 @@ import java.util.concurrent.Executor;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.UnaryOperator;
-import lightning.bench.accuracy.Verification;
-import lightning.bench.accuracy.WarmSaving;
 import lightning.render.image.Film;
+import lightning.render.measure.Verification;
+import lightning.render.measure.WarmSaving;
 import lightning.render.relight.plan.UpdatePlan;
 import lightning.scene.Scene;
 

@@ -4,7 +4,7 @@ import java.util.concurrent.CancellationException;
 import lightning.scene.Scene;
 
 /** Runs the jobs of a queue one after the other on the thread of a render loop, until the queue is closed. Independent of the renderer. */
-final class RenderJobRunner implements Runnable {
+record RenderJobRunner(RenderQueue queue, RenderJobHandler handler, RenderListener listener) implements Runnable {
     /** Handler of the queue's jobs. Called on the loop's thread only. */
     interface RenderJobHandler extends AutoCloseable {
         /**
@@ -35,16 +35,6 @@ final class RenderJobRunner implements Runnable {
         public void rays(long count) {
             listener.raysCast(count);
         }
-    }
-
-    private final RenderQueue queue;
-    private final RenderJobHandler handler;
-    private final RenderListener listener;
-
-    RenderJobRunner(RenderQueue queue, RenderJobHandler handler, RenderListener listener) {
-        this.queue = queue;
-        this.handler = handler;
-        this.listener = listener;
     }
 
     @Override

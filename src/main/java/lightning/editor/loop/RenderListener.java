@@ -1,8 +1,8 @@
 package lightning.editor.loop;
 
-import lightning.bench.accuracy.Verification;
-import lightning.bench.accuracy.WarmSaving;
 import lightning.render.image.Film;
+import lightning.render.measure.Verification;
+import lightning.render.measure.WarmSaving;
 import lightning.render.relight.plan.UpdatePlan;
 import lightning.scene.Scene;
 

@@ -2,8 +2,8 @@ package lightning.editor.loop;
 
 import io.soabase.recordbuilder.core.RecordBuilder;
 import java.util.Optional;
-import lightning.bench.accuracy.Verification;
-import lightning.bench.accuracy.WarmSaving;
+import lightning.render.measure.Verification;
+import lightning.render.measure.WarmSaving;
 import lightning.render.relight.plan.UpdatePlan;
 
 /**

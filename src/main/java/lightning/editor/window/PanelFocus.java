@@ -11,22 +11,13 @@ import lightning.editor.window.dock.DockTabs;
 import lightning.editor.window.model.CommandRegistry;
 import lightning.editor.window.widget.PanelWindow;
 
-/** Moves the keyboard focus between the pictures, lists and panels of the editor, and its panels in windows of their own. */
-final class PanelFocus {
-    private final Supplier<Window> editor;
-    private final List<Node> areas;
-
-    /**
-     * Creates the order.
-     *
-     * @param editor returns the editor's window
-     * @param areas parts of the editor's window, in order; those not shown are skipped
-     */
-    PanelFocus(Supplier<Window> editor, List<Node> areas) {
-        this.editor = editor;
-        this.areas = areas;
-    }
-
+/**
+ * Moves the keyboard focus between the pictures, lists and panels of the editor, and its panels in windows of their own.
+ *
+ * @param editor returns the editor's window
+ * @param areas parts of the editor's window, in order; those not shown are skipped /
+ */
+record PanelFocus(Supplier<Window> editor, List<Node> areas) {
     void registerCommands(CommandRegistry commands) {
         commands.setAction(Command.NEXT_PANEL, () -> step(1));
         commands.setAction(Command.PREVIOUS_PANEL, () -> step(-1));

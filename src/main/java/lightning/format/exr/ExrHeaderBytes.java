@@ -5,15 +5,12 @@ import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 
-/** Start of a file, as far as it was read. Each method throws an {@link EOFException} if the bytes end before the value. */
-final class ExrHeaderBytes {
-    private final ByteBuffer in;
-
-    /** @param in little-endian */
-    ExrHeaderBytes(ByteBuffer in) {
-        this.in = in;
-    }
-
+/**
+ * Start of a file, as far as it was read. Each method throws an {@link EOFException} if the bytes end before the value.
+ *
+ * @param in little-endian
+ */
+record ExrHeaderBytes(ByteBuffer in) {
     int position() {
         return in.position();
     }

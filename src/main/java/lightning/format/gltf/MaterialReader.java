@@ -6,24 +6,15 @@ import lightning.base.math.Rgb;
 import lightning.format.mesh.ConversionNotes;
 import lightning.format.mesh.MeshException;
 
-/** Reader for the materials of a glTF file. */
-final class MaterialReader {
+/**
+ * Reader for the materials of a glTF file.
+ *
+ * @param notes receives omitted features /
+ */
+record MaterialReader(GltfFile file, ConversionNotes notes) {
     private static final int REPEAT = 10497;
     private static final int NEAREST = 9728;
     private static final double DEFAULT_CUTOFF = 0.5;
-
-    private final GltfFile file;
-    private final ConversionNotes notes;
-
-    /**
-     * Creates a reader.
-     *
-     * @param notes receives omitted features
-     */
-    MaterialReader(GltfFile file, ConversionNotes notes) {
-        this.file = file;
-        this.notes = notes;
-    }
 
     GltfMaterial material(JsonValue material) throws MeshException {
         JsonValue pbr = material.get("pbrMetallicRoughness");

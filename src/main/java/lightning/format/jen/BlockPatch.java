@@ -4,17 +4,7 @@ import java.util.List;
 import lightning.base.text.DecimalNumber;
 
 /** Minimal text edits that update one block to changed content. */
-final class BlockPatch {
-    private final SourceText source;
-    private final TokenList tokens;
-    private final TextEdits edits;
-
-    BlockPatch(SourceText source, TokenList tokens, TextEdits edits) {
-        this.source = source;
-        this.tokens = tokens;
-        this.edits = edits;
-    }
-
+record BlockPatch(SourceText source, TokenList tokens, TextEdits edits) {
     /** Patches the name and the properties; children are patched by the caller. */
     void apply(Block block, BlockContent target) {
         if (!block.name.equals(target.name())) {

@@ -12,17 +12,7 @@ import lightning.scene.shot.Track;
 import lightning.scene.shot.TrackTarget;
 
 /** Builder of the shot from its parsed block; reports conflicts with the scene. */
-final class ShotBuilder {
-    private final TokenList tokens;
-    private final ProblemList problems;
-    private final Scene scene;
-
-    ShotBuilder(TokenList tokens, ProblemList problems, Scene scene) {
-        this.tokens = tokens;
-        this.problems = problems;
-        this.scene = scene;
-    }
-
+record ShotBuilder(TokenList tokens, ProblemList problems, Scene scene) {
     /** Returns the shot, or empty if there is none or it has problems. */
     Optional<Shot> build(List<Block> blocks) {
         Block block = blocks.stream().filter(b -> b.type == BlockTypes.SHOT).findFirst().orElse(null);

@@ -16,16 +16,8 @@ import lightning.scene.shot.Track;
 import lightning.scene.shot.TrackTarget;
 
 /** Writer for shot blocks. */
-final class ShotWriter {
+record ShotWriter(Scene scene, String newline) {
     private static final String INDENT = "  ";
-
-    private final Scene scene;
-    private final String newline;
-
-    ShotWriter(Scene scene, String newline) {
-        this.scene = scene;
-        this.newline = newline;
-    }
 
     /** Returns the block, without a final line end. */
     String block(Shot shot) {

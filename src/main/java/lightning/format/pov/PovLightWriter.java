@@ -12,17 +12,9 @@ import lightning.scene.light.LightAttribute;
 import lightning.scene.light.LightType;
 
 /** Writer for lights; omits lights that are off. */
-final class PovLightWriter {
+record PovLightWriter(BoundingSphere bounds, List<String> warnings) {
     /** Distance of a directional light, in multiples of the scene's size. */
     private static final double DIRECTIONAL_DISTANCE = 100;
-
-    private final BoundingSphere bounds;
-    private final List<String> warnings;
-
-    PovLightWriter(BoundingSphere bounds, List<String> warnings) {
-        this.bounds = bounds;
-        this.warnings = warnings;
-    }
 
     String text(Scene scene, Light light) {
         if (!scene.isActive(light)) {

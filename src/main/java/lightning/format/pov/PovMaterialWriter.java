@@ -19,7 +19,7 @@ import lightning.scene.node.Solid;
  * Writer for materials. POV-Ray computes a point's color as pigment·(ambient·ambient_light + emission + Σ diffuse) +
  * phong + reflection, so the pigment is kd·(1 − kr), and ambient color and glow are divided by it.
  */
-final class PovMaterialWriter {
+record PovMaterialWriter(List<String> warnings) {
     /** Replacement for a pigment of 0 on emissive surfaces: far below half a step of 8 bits. */
     private static final double MIN_PIGMENT = 1e-5;
 
@@ -29,12 +29,6 @@ final class PovMaterialWriter {
     private static final List<MaterialAttribute<Optional<TextureMap>>> WRITTEN =
             List.of(MaterialAttribute.TEXTURE, MaterialAttribute.CUTOUT,
                     MaterialAttribute.BUMP, MaterialAttribute.NORMAL_MAP, MaterialAttribute.GLOW_MAP);
-
-    private final List<String> warnings;
-
-    PovMaterialWriter(List<String> warnings) {
-        this.warnings = warnings;
-    }
 
     /**
      * Returns the texture of a shape, on one or several lines.

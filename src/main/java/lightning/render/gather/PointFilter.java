@@ -7,17 +7,10 @@ import lightning.render.column.ColumnWriter;
 /**
  * Weighted means over neighboring gather points, which remove the noise of their rays. The weights are fixed, so the mean is linear in
  * the light. They are whole numbers up to 255, relative to the largest of each point.
+ *
+ * @param start first entry of each point, and the number of all entries
  */
-final class PointFilter {
-    /** First entry of each point, and the number of all entries. */
-    private final int[] start;
-    private final WeightedPoints neighbors;
-
-    private PointFilter(int[] start, WeightedPoints neighbors) {
-        this.start = start;
-        this.neighbors = neighbors;
-    }
-
+record PointFilter(int[] start, WeightedPoints neighbors) {
     /**
      * Creates a filter.
      *

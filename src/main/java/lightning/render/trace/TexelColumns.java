@@ -8,17 +8,17 @@ import lightning.scene.material.Material;
 /**
  * Which colors of images rows have: some of {@link ColumnGroup#TEXELS}.
  *
- * @param bits bit i is set for group i of {@link ColumnGroup#TEXELS}
+ * @param bits the bit of each group's ordinal is set
  */
 public record TexelColumns(int bits) {
     public static final TexelColumns NONE = new TexelColumns(0);
     /** Colors of textures and of vertices, which multiply the main color. */
     public static final TexelColumns COLORS = NONE.with(ColumnGroup.TEXEL);
-    public static final TexelColumns ALL = new TexelColumns((1 << ColumnGroup.TEXELS.size()) - 1);
+    public static final TexelColumns ALL = ColumnGroup.TEXELS.stream().map(NONE::with).reduce(NONE, TexelColumns::or);
 
     /** Returns these and the columns of a group. */
     TexelColumns with(ColumnGroup group) {
-        return new TexelColumns(bits | 1 << ColumnGroup.TEXELS.indexOf(group));
+        return new TexelColumns(bits | 1 << group.ordinal());
     }
 
     /** Returns what the runs of some rows have. */
@@ -56,7 +56,7 @@ public record TexelColumns(int bits) {
 
     /** Returns whether rows have the columns of a group. */
     public boolean has(ColumnGroup group) {
-        return (bits >> ColumnGroup.TEXELS.indexOf(group) & 1) != 0;
+        return (bits >> group.ordinal() & 1) != 0;
     }
 
     /** Returns the groups of columns. */

@@ -84,6 +84,11 @@ public class SceneAttribute<T, V> {
         return setter.apply(record, value);
     }
 
+    /** Returns the record with the initial value. */
+    public final T reset(T record) {
+        return with(record, initial);
+    }
+
     /** Returns {@code to} with the value of {@code from}. */
     public final T copy(T from, T to) {
         return with(to, get(from));

@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.util.List;
 import lightning.format.jen.JenReader;
 import lightning.scene.Scene;
+import lightning.scene.paper.PaperCase;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;

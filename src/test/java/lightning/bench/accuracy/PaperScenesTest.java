@@ -12,6 +12,7 @@ import lightning.scene.light.Light;
 import lightning.scene.light.LightType;
 import lightning.scene.node.Shape;
 import lightning.scene.node.Solid;
+import lightning.scene.paper.CameraFraming;
 import lightning.scene.value.Attenuation;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;

@@ -12,13 +12,13 @@ import lightning.sample.IndirectScenes;
 import lightning.scene.Scene;
 
 /** Scenes of the project. */
-final class SceneFiles {
+public final class SceneFiles {
     private static final Path FOLDER = Path.of("scenes");
 
     private SceneFiles() {}
 
     /** Returns the names of all scenes, without {@code .jen}. */
-    static List<String> names() {
+    public static List<String> names() {
         try (Stream<Path> files = Files.list(FOLDER)) {
             return files.map(f -> f.getFileName().toString()).filter(n -> n.endsWith(".jen"))
                     .map(n -> n.substring(0, n.length() - 4)).sorted().toList();
@@ -28,7 +28,7 @@ final class SceneFiles {
     }
 
     /** Returns a scene without indirect light, as all benchmark parts but that of indirect light measure it. */
-    static Scene read(String name) {
+    public static Scene read(String name) {
         return IndirectScenes.without(readAll(name));
     }
 
@@ -42,7 +42,7 @@ final class SceneFiles {
     }
 
     /** Returns a scene at {@code size} × {@code size} pixels. */
-    static Scene read(String name, int size) {
+    public static Scene read(String name, int size) {
         Scene scene = read(name);
         return scene.withPicture(scene.picture().withSize(size, size));
     }

@@ -3,8 +3,8 @@ package lightning.bench.report;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
-import lightning.bench.accuracy.AccuracySetting;
 import lightning.bench.report.AccuracyChart.Point;
+import lightning.render.measure.AccuracySetting;
 import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.Combinators;

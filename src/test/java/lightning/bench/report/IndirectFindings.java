@@ -5,11 +5,11 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Collectors;
-import lightning.bench.accuracy.IndirectError;
 import lightning.bench.accuracy.ModernCases;
 import lightning.bench.result.IndirectAccuracy;
 import lightning.bench.result.IndirectCost;
 import lightning.bench.result.IndirectResults;
+import lightning.render.measure.IndirectError;
 
 /** Findings of indirect light as sentences with measured values, one per list item. */
 final class IndirectFindings {

@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import java.util.Map;
-import lightning.bench.accuracy.IndirectError;
 import lightning.bench.result.BenchResults;
 import lightning.bench.result.BenchRun;
 import lightning.bench.result.IndirectAccuracy;
@@ -14,6 +13,7 @@ import lightning.bench.result.IndirectResults;
 import lightning.bench.result.MachineSpec;
 import lightning.bench.result.SystemLoad;
 import lightning.bench.result.TimeSamples;
+import lightning.render.measure.IndirectError;
 import org.junit.jupiter.api.Test;
 
 class IndirectTablesTest {

@@ -9,7 +9,6 @@ import java.util.Map;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import lightning.bench.accuracy.AccuracySetting;
 import lightning.bench.result.BenchResults;
 import lightning.bench.result.BenchRun;
 import lightning.bench.result.ColdStart;
@@ -21,6 +20,7 @@ import lightning.bench.result.GrowthPoint;
 import lightning.bench.result.SceneResult;
 import lightning.bench.result.SweepPointResult;
 import lightning.bench.result.TimeSamples;
+import lightning.render.measure.AccuracySetting;
 
 /** Named Markdown tables of a run for documents, made from the results only. */
 public final class MarkdownTables {

@@ -11,7 +11,6 @@ import java.util.function.Supplier;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import lightning.bench.accuracy.AccuracySetting;
 import lightning.bench.result.BenchResults;
 import lightning.bench.result.BenchRun;
 import lightning.bench.result.EditResult;
@@ -20,6 +19,7 @@ import lightning.bench.result.MachineSpec;
 import lightning.bench.result.MeshPoint;
 import lightning.bench.result.SceneResult;
 import lightning.bench.result.ValueResult;
+import lightning.render.measure.AccuracySetting;
 
 /** Named phrases with measured values for documents, made from results only. */
 public final class ReportStatements {

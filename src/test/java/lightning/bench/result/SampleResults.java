@@ -2,9 +2,9 @@ package lightning.bench.result;
 
 import java.util.Arrays;
 import java.util.List;
-import lightning.bench.accuracy.AccuracySetting;
-import lightning.bench.accuracy.PictureError;
-import lightning.bench.accuracy.Timing;
+import lightning.render.measure.AccuracySetting;
+import lightning.render.measure.PictureError;
+import lightning.render.measure.Timing;
 
 /** Handmade results. */
 public final class SampleResults {

@@ -7,7 +7,7 @@ import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import lightning.bench.accuracy.FirstPassCost;
-import lightning.bench.accuracy.Timing;
+import lightning.render.measure.Timing;
 import org.junit.jupiter.api.Test;
 
 class TourTableTest {

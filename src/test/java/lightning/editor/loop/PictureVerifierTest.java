@@ -3,9 +3,9 @@ package lightning.editor.loop;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import lightning.base.work.Progress;
-import lightning.bench.accuracy.AccuracyGuarantee;
-import lightning.bench.accuracy.Verification;
 import lightning.editor.document.DeskScene;
+import lightning.render.measure.AccuracyGuarantee;
+import lightning.render.measure.Verification;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.tile.RenderOptions;
 import org.junit.jupiter.api.Test;

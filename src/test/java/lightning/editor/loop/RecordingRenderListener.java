@@ -7,9 +7,9 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicReference;
 import lightning.base.work.Await;
-import lightning.bench.accuracy.Verification;
-import lightning.bench.accuracy.WarmSaving;
 import lightning.render.image.Film;
+import lightning.render.measure.Verification;
+import lightning.render.measure.WarmSaving;
 import lightning.render.relight.plan.UpdatePlan;
 import lightning.scene.Scene;
 

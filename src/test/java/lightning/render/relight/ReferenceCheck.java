@@ -2,10 +2,10 @@ package lightning.render.relight;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import lightning.bench.accuracy.AccuracyGuarantee;
 import lightning.render.cache.PixelCache;
 import lightning.render.image.Difference;
 import lightning.render.image.Film;
+import lightning.render.measure.AccuracyGuarantee;
 import lightning.render.shading.RenderedScenes;
 import lightning.render.shading.reference.ReferenceTracer;
 

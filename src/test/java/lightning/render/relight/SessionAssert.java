@@ -4,10 +4,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.function.Function;
 import lightning.base.work.Progress;
-import lightning.bench.accuracy.AccuracyGuarantee;
 import lightning.format.jen.JenWriter;
 import lightning.render.image.Film;
 import lightning.render.image.FilmAssert;
+import lightning.render.measure.AccuracyGuarantee;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.sample.EditSession;
 import lightning.sample.FailedSceneRecorder;

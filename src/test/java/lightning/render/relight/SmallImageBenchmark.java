@@ -8,13 +8,13 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import lightning.base.work.Progress;
-import lightning.bench.accuracy.PaperCase;
-import lightning.bench.accuracy.PaperCases;
 import lightning.format.jen.JenReader;
 import lightning.render.cache.PixelCache;
 import lightning.render.engine.choice.Engines;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Scene;
+import lightning.scene.paper.PaperCase;
+import lightning.scene.paper.PaperCases;
 
 /**
  * Benchmark of every edit in a small picture after warm-up, in repeated blocks. Reports for each edit the minimum and median of

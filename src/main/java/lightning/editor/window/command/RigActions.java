@@ -16,19 +16,7 @@ import lightning.scene.Scene;
 import lightning.scene.Stage;
 
 /** Actions of the light rig commands. A rig is a scene file with lights and light groups; the lights of any scene can be imported too. */
-final class RigActions {
-    private final SceneEditor editor;
-    private final FileThread files;
-    private final FilePrompt prompt;
-    private final EditorDialogs notices;
-
-    private RigActions(SceneEditor editor, FileThread files, FilePrompt prompt, EditorDialogs notices) {
-        this.editor = editor;
-        this.files = files;
-        this.prompt = prompt;
-        this.notices = notices;
-    }
-
+record RigActions(SceneEditor editor, FileThread files, FilePrompt prompt, EditorDialogs notices) {
     static void register(CommandRegistry commands, SceneEditor editor, FileThread files, FilePrompt prompt, EditorDialogs notices) {
         var actions = new RigActions(editor, files, prompt, notices);
         commands.setAction(Command.LOAD_RIG, () -> actions.load(Lighting::applyRigTo));

@@ -15,10 +15,6 @@ import javafx.util.Subscription;
 import lightning.base.text.Messages;
 import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
-import lightning.bench.accuracy.AccuracySetting;
-import lightning.bench.accuracy.AccuracySweep;
-import lightning.bench.accuracy.AccuracySweepMeter;
-import lightning.bench.accuracy.SweepPoint;
 import lightning.editor.document.EditorState;
 import lightning.editor.document.LastEdit;
 import lightning.editor.document.Workbench;
@@ -27,6 +23,10 @@ import lightning.editor.window.widget.VisibilityListener;
 import lightning.render.image.DifferenceImage;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
+import lightning.render.measure.AccuracySetting;
+import lightning.render.measure.AccuracySweep;
+import lightning.render.measure.AccuracySweepMeter;
+import lightning.render.measure.SweepPoint;
 
 /** Pane that compares accuracy settings: time and error of each for the last edit, measured on request. */
 public final class AccuracyPane extends BorderPane {

@@ -12,8 +12,8 @@ import javafx.scene.control.Label;
 import javafx.scene.layout.Region;
 import javafx.util.converter.NumberStringConverter;
 import lightning.base.text.Messages;
-import lightning.bench.accuracy.AccuracySweep;
-import lightning.bench.accuracy.SweepPoint;
+import lightning.render.measure.AccuracySweep;
+import lightning.render.measure.SweepPoint;
 
 /** Plot of error against time. Each accuracy setting is labeled with its row number in the table; overlapping labels are merged. */
 final class AccuracyPlot extends ScatterChart<Number, Number> {

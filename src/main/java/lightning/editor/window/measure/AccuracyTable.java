@@ -6,8 +6,8 @@ import javafx.scene.control.Label;
 import javafx.scene.control.TableColumn;
 import javafx.scene.control.TableView;
 import lightning.base.text.Messages;
-import lightning.bench.accuracy.AccuracySweep;
-import lightning.bench.accuracy.SweepPoint;
+import lightning.render.measure.AccuracySweep;
+import lightning.render.measure.SweepPoint;
 
 /** Table of accuracy settings with time, saving and errors. */
 final class AccuracyTable extends TableView<SweepPoint> {

@@ -1,11 +1,11 @@
 package lightning.editor.window.measure;
 
 import lightning.base.text.Messages;
-import lightning.bench.accuracy.AccuracySetting;
-import lightning.bench.accuracy.AccuracySweep;
-import lightning.bench.accuracy.PictureError;
-import lightning.bench.accuracy.SweepPoint;
 import lightning.editor.window.model.StatusText;
+import lightning.render.measure.AccuracySetting;
+import lightning.render.measure.AccuracySweep;
+import lightning.render.measure.PictureError;
+import lightning.render.measure.SweepPoint;
 
 /** Formats the time and error of an accuracy setting. */
 final class AccuracyText {

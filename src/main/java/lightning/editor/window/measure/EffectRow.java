@@ -8,7 +8,7 @@ import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.Region;
 import lightning.base.text.Messages;
-import lightning.bench.accuracy.EffectCost;
+import lightning.render.measure.EffectCost;
 import lightning.scene.effects.RenderEffect;
 
 /** Row of an effect: visibility, measured cost, and the scene elements that use it. */

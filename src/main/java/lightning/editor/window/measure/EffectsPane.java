@@ -19,8 +19,6 @@ import javafx.scene.layout.StackPane;
 import javafx.scene.layout.VBox;
 import javafx.util.Subscription;
 import lightning.base.text.Messages;
-import lightning.bench.accuracy.EffectCosts;
-import lightning.bench.accuracy.PaperCases;
 import lightning.editor.document.LastEdit;
 import lightning.editor.document.Workbench;
 import lightning.editor.window.model.AccuracyMode;
@@ -28,11 +26,13 @@ import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.model.StatusText;
 import lightning.editor.window.widget.DisabledReason;
 import lightning.editor.window.widget.VisibilityListener;
+import lightning.render.measure.EffectCosts;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Scene;
 import lightning.scene.effects.RenderEffect;
 import lightning.scene.effects.SceneEffects;
 import lightning.scene.effects.ViewEffects;
+import lightning.scene.paper.PaperCases;
 
 /**
  * Pane of the rendering effects that a scene uses. Lists the elements that use each effect, measures costs on request, and hides effects in

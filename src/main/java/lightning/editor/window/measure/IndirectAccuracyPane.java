@@ -15,12 +15,12 @@ import javafx.scene.layout.Priority;
 import javafx.scene.layout.Region;
 import javafx.scene.layout.StackPane;
 import lightning.base.text.Messages;
-import lightning.bench.accuracy.IndirectSweep;
 import lightning.editor.document.EditOutcome;
 import lightning.editor.window.model.AccuracyMode;
 import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.model.StatusText;
 import lightning.editor.window.widget.DisabledReason;
+import lightning.render.measure.IndirectSweep;
 import lightning.scene.IndirectSettings;
 import lightning.scene.Scene;
 

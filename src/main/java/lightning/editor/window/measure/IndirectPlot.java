@@ -15,9 +15,9 @@ import javafx.scene.layout.Region;
 import javafx.scene.layout.StackPane;
 import javafx.util.StringConverter;
 import lightning.base.text.Messages;
-import lightning.bench.accuracy.IndirectSweep;
 import lightning.editor.window.model.StatusText;
 import lightning.editor.window.widget.PercentText;
+import lightning.render.measure.IndirectSweep;
 import lightning.scene.IndirectSettings;
 
 /**

@@ -11,15 +11,7 @@ import lightning.scene.shot.Interpolation;
 import lightning.scene.shot.Track;
 
 /** Actions of the commands for the shot and its selected keyframes. */
-final class ShotActions {
-    private final SceneEditor editor;
-    private final KeySelection keySelection;
-
-    private ShotActions(SceneEditor editor, KeySelection keySelection) {
-        this.editor = editor;
-        this.keySelection = keySelection;
-    }
-
+record ShotActions(SceneEditor editor, KeySelection keySelection) {
     static void register(SceneEditor editor, KeySelection keySelection, WindowLayout layout, CommandRegistry commands) {
         var actions = new ShotActions(editor, keySelection);
         commands.setAction(Command.NEW_SHOT, () -> {

@@ -6,9 +6,9 @@ import java.util.Optional;
 import javafx.beans.value.ObservableValue;
 import javafx.collections.FXCollections;
 import javafx.collections.ObservableList;
-import lightning.bench.accuracy.WarmSaving;
 import lightning.editor.loop.Frame;
 import lightning.editor.loop.RenderState;
+import lightning.render.measure.WarmSaving;
 import lightning.render.relight.UpdateResult;
 
 /** Log of recent picture updates, latest first. Stores numbers only and retains no pictures. */

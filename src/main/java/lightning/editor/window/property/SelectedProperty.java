@@ -12,9 +12,7 @@ import lightning.format.jen.PropertyEdit;
 import lightning.scene.Scene;
 import lightning.scene.attribute.KeyframeSupport;
 import lightning.scene.attribute.SceneAttribute;
-import lightning.scene.light.Light;
 import lightning.scene.light.LightAttribute;
-import lightning.scene.material.Material;
 import lightning.scene.material.MaterialAttribute;
 import lightning.scene.node.SceneNode;
 import lightning.scene.shot.TrackTarget;
@@ -77,16 +75,12 @@ sealed interface SelectedProperty {
 
         @Override
         public EditOutcome reset(Scene scene) {
-            return LightEdits.edit(scene, selection.light().name(), light -> initial(light, attribute));
+            return LightEdits.edit(scene, selection.light().name(), attribute::reset);
         }
 
         @Override
         public TrackTarget keyTarget() {
             return TrackTarget.light(selection.light().name());
-        }
-
-        private static <V> Light initial(Light light, LightAttribute<V> attribute) {
-            return attribute.with(light, attribute.initial());
         }
     }
 
@@ -114,7 +108,7 @@ sealed interface SelectedProperty {
 
         @Override
         public EditOutcome reset(Scene scene) {
-            return MaterialEdits.edit(scene, materials.material().name(), material -> initial(material, attribute));
+            return MaterialEdits.edit(scene, materials.material().name(), attribute::reset);
         }
 
         @Override
@@ -125,10 +119,6 @@ sealed interface SelectedProperty {
         @Override
         public boolean canHaveKeys(Scene scene) {
             return false;
-        }
-
-        private static <V> Material initial(Material material, MaterialAttribute<V> attribute) {
-            return attribute.with(material, attribute.initial());
         }
     }
 

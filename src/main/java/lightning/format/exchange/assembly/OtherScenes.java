@@ -12,18 +12,13 @@ import java.util.Optional;
 import lightning.base.file.RegularFile;
 import lightning.format.jen.JenFile;
 
-/** Texts of the scene files in a folder, to find out which files they use. */
-final class OtherScenes {
+/**
+ * Texts of the scene files in a folder, to find out which files they use.
+ *
+ * @param isIncomplete true if a scene file cannot be read, so that it may use any file
+ */
+record OtherScenes(List<String> texts, boolean isIncomplete) {
     private static final int MAX_BYTES = 64 << 20;
-
-    private final List<String> texts;
-    /** True if a scene file cannot be read, so that it may use any file. */
-    private final boolean isIncomplete;
-
-    private OtherScenes(List<String> texts, boolean isIncomplete) {
-        this.texts = texts;
-        this.isIncomplete = isIncomplete;
-    }
 
     /** Reads the scene files of a folder. */
     static OtherScenes in(Path folder) {

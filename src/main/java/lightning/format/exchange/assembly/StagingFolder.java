@@ -16,21 +16,13 @@ import lightning.base.file.FolderLock;
 import lightning.base.file.TemporaryFolder;
 
 /** Folder next to a scene for the files of its replacement. A killed process leaves it; the next replacement of the scene removes it. */
-final class StagingFolder implements AutoCloseable {
+record StagingFolder(Path path, Optional<FolderLock> lock) implements AutoCloseable {
     private static final String ENDING = ".import";
     /** Leaves most of a file name's 200 characters to the files in the folder. */
     private static final int MAX_STEM_LENGTH = 24;
     private static final Duration CREATION_GRACE = Duration.ofMinutes(1);
     /** Folders of this process: closing any channel of a lock file releases the process's lock. */
     private static final Set<Path> OPEN = ConcurrentHashMap.newKeySet();
-
-    private final Path path;
-    private final Optional<FolderLock> lock;
-
-    private StagingFolder(Path path, Optional<FolderLock> lock) {
-        this.path = path;
-        this.lock = lock;
-    }
 
     /** Creates a folder with an unused name. */
     static StagingFolder createNextTo(Path sceneFile) throws IOException {
@@ -84,10 +76,6 @@ final class StagingFolder implements AutoCloseable {
     private static String start(Path sceneFile) {
         String name = SceneAssembler.sanitize(sceneFile.getFileName().toString().replaceFirst("\\.[^.]*$", ""));
         return name.substring(0, name.offsetByCodePoints(0, Math.min(MAX_STEM_LENGTH, name.codePointCount(0, name.length())))) + ENDING;
-    }
-
-    Path path() {
-        return path;
     }
 
     /** Deletes the folder. */

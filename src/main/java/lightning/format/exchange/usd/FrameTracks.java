@@ -15,16 +15,13 @@ import lightning.scene.shot.KeyframeValue;
 import lightning.scene.shot.Track;
 import lightning.scene.shot.TrackTarget;
 
-/** Keyframes of attributes whose values are known at every frame. Frames on a straight line between two others get none. */
-final class FrameTracks {
+/**
+ * Keyframes of attributes whose values are known at every frame. Frames on a straight line between two others get none.
+ *
+ * @param first number of the first frame
+ */
+record FrameTracks(int first) {
     private static final KeyframeReduction REDUCTION = new KeyframeReduction(0);
-
-    private final int first;
-
-    /** @param first number of the first frame */
-    FrameTracks(int first) {
-        this.first = first;
-    }
 
     /**
      * Returns the tracks of all attributes that change.

@@ -26,22 +26,12 @@ import lightning.scene.value.ColorTemperature;
 import lightning.scene.value.SceneLimits;
 
 /** Converter from a dome light to the environment: an image in Radiance's format, which is written where the dome has another or none. */
-final class UsdDomeImport {
+record UsdDomeImport(SceneAssembler assembler, Transform upright, boolean hasZUp) {
     /** Largest number of pixels of an environment. */
     private static final int MAX_PIXELS = 8 << 20;
     private static final int MAX_BYTES = 64 << 20;
     private static final int PLAIN_WIDTH = 16;
     private static final double MAX_TILT = 1e-4;
-
-    private final SceneAssembler assembler;
-    private final Transform upright;
-    private final boolean hasZUp;
-
-    UsdDomeImport(SceneAssembler assembler, Transform upright, boolean hasZUp) {
-        this.assembler = assembler;
-        this.upright = upright;
-        this.hasZUp = hasZUp;
-    }
 
     /** Sets the environment, and the comment that brings it back. */
     void add(JsonValue in) throws IOException, MeshException {

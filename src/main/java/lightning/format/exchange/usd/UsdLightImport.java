@@ -35,32 +35,15 @@ import lightning.scene.value.SceneLimits;
 /**
  * Converter from UsdLux, whose intensity is the luminance of a light's surface in nits, or that times its area if normalized.
  * {@link UsdLightExport} inverts it.
+ *
+ * @param upright rotation of the stage to a scene with y up
+ * @param meters meters per scene unit
+ * @param notes receives what cannot be imported
+ * @param softCones profiles of the scene's soft cones /
  */
-final class UsdLightImport {
+record UsdLightImport(SceneAssembler assembler, Transform upright, double meters, ConversionNotes notes, SoftCones softCones) {
     private static final MathContext DIGITS = new MathContext(12);
     private static final double SHARE_OF_SCALES = 1e-4;
-
-    private final SceneAssembler assembler;
-    private final Transform upright;
-    private final double meters;
-    private final ConversionNotes notes;
-    private final SoftCones softCones;
-
-    /**
-     * Creates a converter.
-     *
-     * @param upright rotation of the stage to a scene with y up
-     * @param meters meters per scene unit
-     * @param notes receives what cannot be imported
-     * @param softCones profiles of the scene's soft cones
-     */
-    UsdLightImport(SceneAssembler assembler, Transform upright, double meters, ConversionNotes notes, SoftCones softCones) {
-        this.assembler = assembler;
-        this.upright = upright;
-        this.meters = meters;
-        this.notes = notes;
-        this.softCones = softCones;
-    }
 
     /** Returns a light without links; empty if it cannot be imported. */
     Optional<Light> convert(String name, JsonValue in) throws IOException, MeshException {

@@ -19,18 +19,10 @@ import lightning.scene.material.ShadingModel;
 import lightning.scene.value.SceneLimits;
 
 /** Converter from UsdPreviewSurface to metallic materials. */
-final class UsdMaterialImport {
+record UsdMaterialImport(SceneAssembler assembler, UsdTextures textures) {
     /** Inputs whose textures the scene shows, besides the emission. */
     private static final List<String> MAPPED = List.of("diffuseColor", "normal", "opacity");
     private static final double HALF = 0.5;
-
-    private final SceneAssembler assembler;
-    private final UsdTextures textures;
-
-    UsdMaterialImport(SceneAssembler assembler, UsdTextures textures) {
-        this.assembler = assembler;
-        this.textures = textures;
-    }
 
     Material convert(JsonValue in) throws IOException, MeshException {
         if (in.get("display").isPresent()) {

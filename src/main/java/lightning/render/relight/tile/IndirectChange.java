@@ -4,22 +4,15 @@ import java.util.Arrays;
 import lightning.render.gather.RowWeights;
 import lightning.render.shading.IndirectLight;
 
-/** Gather points whose light an update changes. Rows far from these keep their colors. */
-final class IndirectChange {
+/**
+ * Gather points whose light an update changes. Rows far from these keep their colors.
+ *
+ * @param colors true for each point with other light; null if no point has
+ * @param edges true for each point with other light as edge detection sees it; null if no point has
+ */
+record IndirectChange(boolean[] colors, boolean[] edges, boolean isAll) {
     static final IndirectChange NONE = new IndirectChange(null, null, false);
     private static final IndirectChange ALL = new IndirectChange(null, null, true);
-
-    /** True for each point with other light; null if no point has. */
-    private final boolean[] colors;
-    /** True for each point with other light as edge detection sees it; null if no point has. */
-    private final boolean[] edges;
-    private final boolean isAll;
-
-    private IndirectChange(boolean[] colors, boolean[] edges, boolean isAll) {
-        this.colors = colors;
-        this.edges = edges;
-        this.isAll = isAll;
-    }
 
     /** Compares the indirect light of two pictures, each null if there is none. */
     static IndirectChange between(IndirectLight before, IndirectLight after) {

@@ -5,9 +5,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import javafx.css.PseudoClass;
 import javafx.scene.Node;
 import javafx.scene.control.TableView;
-import lightning.bench.accuracy.IndirectSweep;
 import lightning.editor.document.Command;
 import lightning.editor.window.EditorFixture;
+import lightning.render.measure.IndirectSweep;
 import lightning.scene.IndirectSettings;
 import org.junit.jupiter.api.Test;
 

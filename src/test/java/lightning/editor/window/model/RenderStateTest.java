@@ -4,12 +4,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import java.util.Optional;
-import lightning.bench.accuracy.Timing;
-import lightning.bench.accuracy.WarmSaving;
 import lightning.editor.loop.DisplayMode;
 import lightning.editor.loop.Frame;
 import lightning.editor.loop.RenderState;
 import lightning.render.image.Film;
+import lightning.render.measure.Timing;
+import lightning.render.measure.WarmSaving;
 import lightning.render.relight.UpdateResult;
 import lightning.render.relight.plan.LevelPlan;
 import lightning.render.relight.plan.MaterialUpdate;

@@ -1,0 +1,230 @@
+package lightning.render.measure;
+
+import java.util.Arrays;
+import java.util.SplittableRandom;
+import java.util.stream.IntStream;
+import lightning.base.math.Ray;
+import lightning.base.math.Vec3;
+import lightning.render.engine.Engine;
+import lightning.render.engine.choice.Engines;
+import lightning.render.gather.DirectionTable;
+import lightning.render.shading.WeightedLight;
+import lightning.render.shading.composition.SurfelShader;
+import lightning.render.shading.layer.LightKernel;
+import lightning.render.shading.layer.LightLayer;
+import lightning.render.shading.layer.ScratchColumns;
+import lightning.render.trace.Geometry;
+import lightning.render.trace.HitRows;
+import lightning.render.trace.MaterialTable;
+import lightning.render.trace.NormalSteps;
+import lightning.render.trace.RayBatch;
+import lightning.render.trace.Tracer;
+import lightning.scene.IndirectSettings;
+import lightning.scene.Scene;
+import lightning.scene.effects.ViewEffects;
+
+/**
+ * Indirect light at single points by brute force: {@value #RAYS} cosine-distributed rays from the point, {@value #HIT_RAYS} from each hit,
+ * and then one path onwards from one of these. Glow that the first rays meet is counted with {@value #GLOW_BATCHES} times as many
+ * rays, because few meet a small lamp. Rays that bump maps or vertex normals send below a surface are reflected at it, as in
+ * {@code RaySources}. Uses the tracer and the kernels of the picture, but no gather points, surfels or filters.
+ * Holds scratch memory: use one instance per thread.
+ */
+final class BruteForceGather {
+    static final int RAYS = 4096;
+    static final int HIT_RAYS = 16;
+    static final int GLOW_BATCHES = 64;
+    /** Rays of a point that are traced together; their directions are stratified. */
+    private static final int BATCH_RAYS = RayBatch.MAX_RAYS;
+    /** Reference bounces: those of any setting. */
+    static final int BOUNCES = IndirectSettings.MAX_BOUNCES;
+    /** Luminance of red, green and blue (ITU-R BT.709). */
+    private static final int[] RAYS_BY_INDEX = IntStream.range(0, RayBatch.MAX_RAYS).toArray();
+    private static final double[] LUMINANCE = {0.2126, 0.7152, 0.0722};
+    private static final int HITS_PER_BATCH = RayBatch.MAX_RAYS / HIT_RAYS;
+
+    private final Geometry geometry;
+    private final boolean glows;
+    private final RayBatch batch;
+    private final LightKernel kernel;
+    private final SurfelShader shader;
+    private final WeightedLight[] lights;
+    /** Light of a ray that leaves the scene: red, green, blue. */
+    private final float[] background;
+    private final ScratchColumns columns = new ScratchColumns();
+    private final DirectionTable pointDirections = new DirectionTable((int) Math.sqrt(BATCH_RAYS));
+    private final DirectionTable hitDirections = new DirectionTable((int) Math.sqrt(HIT_RAYS));
+    private final DirectionTable pathDirections = new DirectionTable(1);
+    private final float[][] direct = new float[3][RayBatch.MAX_RAYS];
+    private final float[][] albedo = new float[3][RayBatch.MAX_RAYS];
+    private final float[][] glow = new float[3][RayBatch.MAX_RAYS];
+    private final GatherPaths point = new GatherPaths(1);
+    private GatherPaths from = new GatherPaths(BATCH_RAYS);
+    private GatherPaths to = new GatherPaths(BATCH_RAYS);
+    private SplittableRandom random;
+
+    /** @param scene its indirect settings decide only whether the background counts */
+    BruteForceGather(Scene scene, Geometry geometry) {
+        this.geometry = geometry;
+        MaterialTable materials = geometry.materials();
+        glows = IntStream.range(0, materials.count()).anyMatch(m -> !materials.material(m).glow().isBlack());
+        Engine engine = Engines.FASTEST.forTile(0);
+        Tracer tracer = engine.tracer(geometry);
+        batch = new RayBatch(geometry, scene, tracer);
+        kernel = new LightKernel(geometry, tracer, engine.terms(), ViewEffects.ALL);
+        shader = new SurfelShader(geometry.materials(), engine.sums());
+        lights = WeightedLight.ofScene(scene);
+        boolean isLit = scene.picture().indirect().orElse(IndirectSettings.DEFAULT).background() && scene.world().environment().isEmpty();
+        background = isLit ? new float[] {(float) scene.world().background().r(), (float) scene.world().background().g(),
+            (float) scene.world().background().b()} : new float[3];
+    }
+
+    /**
+     * Returns the luminance of the indirect light where a ray hits first, for one bounce, two, … {@link #BOUNCES}; null if it hits
+     * nothing.
+     *
+     * @param ray  camera ray
+     * @param seed selects the directions
+     */
+    double[] luminances(Ray ray, long seed) {
+        int shape = geometry.nearest(ray);
+        if (shape < 0) {
+            return null;
+        }
+        random = new SplittableRandom(seed);
+        NormalSteps normals = geometry.normalSteps(shape, ray);
+        point.start(geometry.surface(shape, ray), normals == null ? null : normals.geometric());
+        double[] mean = new double[BOUNCES];
+        for (int rays = 0; rays < RAYS; rays += BATCH_RAYS) {
+            double[] light = luminances();
+            for (int bounce = 0; bounce < BOUNCES; bounce++) {
+                mean[bounce] += light[bounce] * BATCH_RAYS / RAYS;
+            }
+        }
+        return mean;
+    }
+
+    /** Returns the same by {@value #BATCH_RAYS} rays from {@link #point}. */
+    private double[] luminances() {
+        double[] light = new double[BOUNCES];
+        to.count = 0;
+        light[0] = (cast(point, 0, 1, pointDirections, false) + glow()) / BATCH_RAYS;
+        swap();
+        double second = 0;
+        for (int first = 0; first < from.count; first += HITS_PER_BATCH) {
+            second += cast(from, first, Math.min(from.count, first + HITS_PER_BATCH), hitDirections, true);
+        }
+        light[1] = light[0] + second / ((double) BATCH_RAYS * HIT_RAYS);
+        for (int bounce = 2; bounce < BOUNCES; bounce++) {
+            swap();
+            light[bounce] = light[bounce - 1] + (from.count == 0 ? 0 : cast(from, 0, from.count, pathDirections, false) / BATCH_RAYS);
+        }
+        return light;
+    }
+
+    private void swap() {
+        GatherPaths ended = from;
+        from = to;
+        to = ended;
+        to.count = 0;
+    }
+
+    /**
+     * Casts rays from the ends of paths and adds the paths that go on.
+     *
+     * @param one whether one random ray of each path goes on; otherwise all do
+     * @return sum of the luminance that the rays collect from lights, and from glow unless they come from {@link #point}
+     */
+    private double cast(GatherPaths paths, int first, int end, DirectionTable directions, boolean one) {
+        int rays = directions.rays();
+        int count = (end - first) * rays;
+        int[] chosen = new int[end - first];
+        for (int p = first; p < end; p++) {
+            int at = (p - first) * rays;
+            aim(paths, p, directions, at);
+            chosen[p - first] = at + random.nextInt(rays);
+        }
+        batch.trace(count);
+        HitRows rows = rows();
+        shade(rows);
+        double sum = 0;
+        for (int row = 0; row < rows.count; row++) {
+            int ray = rows.parent[row];
+            int path = ray / rays;
+            float[] share = new float[3];
+            for (int c = 0; c < 3; c++) {
+                share[c] = paths.share[c][first + path] * tint(c, ray);
+                float met = albedo[c][ray] * direct[c][ray] + (paths == point ? 0 : glow[c][ray]);
+                sum += LUMINANCE[c] * share[c] * met;
+                share[c] *= albedo[c][ray];
+            }
+            if (!one || chosen[path] == ray) {
+                Vec3 normal = batch.hasShadingNormals(batch.primitive(ray)) ? batch.geometricNormal(ray) : null;
+                to.add(rows, row, normal, share[0], share[1], share[2]);
+            }
+        }
+        return sum + background(paths, first, rays, count);
+    }
+
+    /** Prepares the rays of a path. */
+    private void aim(GatherPaths paths, int p, DirectionTable directions, int at) {
+        int end = at + directions.rays();
+        directions.write(random.nextLong(), paths.nx[p], paths.ny[p], paths.nz[p], batch.directionX, batch.directionY,
+                batch.directionZ, at);
+        paths.reflect(p, batch.directionX, batch.directionY, batch.directionZ, at, end);
+        Arrays.fill(batch.startX, at, end, paths.px[p]);
+        Arrays.fill(batch.startY, at, end, paths.py[p]);
+        Arrays.fill(batch.startZ, at, end, paths.pz[p]);
+    }
+
+    /** Returns the luminance of the glow that {@value #BATCH_RAYS} rays from the point meet on average. */
+    private double glow() {
+        double sum = 0;
+        for (int i = 0; glows && i < GLOW_BATCHES; i++) {
+            aim(point, 0, pointDirections, 0);
+            batch.trace(BATCH_RAYS);
+            HitRows rows = rows();
+            shader.writeReflection(rows, RAYS_BY_INDEX, albedo, glow);
+            for (int row = 0; row < rows.count; row++) {
+                int ray = rows.parent[row];
+                for (int c = 0; c < 3; c++) {
+                    sum += LUMINANCE[c] * tint(c, ray) * glow[c][ray];
+                }
+            }
+        }
+        return sum / GLOW_BATCHES;
+    }
+
+    private HitRows rows() {
+        return batch.rows((hits, texels, transparent) -> new HitRows(hits, texels, transparent, false, true));
+    }
+
+    private float tint(int channel, int ray) {
+        return batch.isTinted() ? batch.tint[channel][ray] : 1;
+    }
+
+    private double background(GatherPaths paths, int first, int rays, int count) {
+        double sum = 0;
+        for (int ray = 0; ray < count; ray++) {
+            for (int c = 0; c < 3 && batch.primitive(ray) < 0; c++) {
+                sum += LUMINANCE[c] * paths.share[c][first + ray / rays] * tint(c, ray) * background[c];
+            }
+        }
+        return sum;
+    }
+
+    private void shade(HitRows rows) {
+        columns.reset();
+        LightLayer[] layers = new LightLayer[lights.length];
+        for (int l = 0; l < lights.length; l++) {
+            layers[l] = lights[l].isDark() ? null : kernel.recompute(rows, lights[l].source(), columns);
+        }
+        shader.writeDirectLight(rows, lights, layers, RAYS_BY_INDEX, direct);
+        shader.writeReflection(rows, RAYS_BY_INDEX, albedo, glow);
+    }
+
+    /** Returns the luminance of a color. */
+    static double luminance(float red, float green, float blue) {
+        return LUMINANCE[0] * red + LUMINANCE[1] * green + LUMINANCE[2] * blue;
+    }
+}

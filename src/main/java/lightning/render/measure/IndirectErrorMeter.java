@@ -1,0 +1,183 @@
+package lightning.render.measure;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.SplittableRandom;
+import java.util.concurrent.CancellationException;
+import lightning.base.work.Progress;
+import lightning.base.work.WorkerPool;
+import lightning.render.cache.PixelCache;
+import lightning.render.cache.TileLevel;
+import lightning.render.engine.choice.Engines;
+import lightning.render.image.Film;
+import lightning.render.relight.Renderer;
+import lightning.render.relight.tile.RenderOptions;
+import lightning.render.trace.HitRows;
+import lightning.render.trace.PixelRays;
+import lightning.scene.IndirectSettings;
+import lightning.scene.SamplingSettings;
+import lightning.scene.Scene;
+
+/**
+ * Meter of the error of indirect light: renders a scene with any settings and compares random pixels with brute force by the same tracer
+ * ({@value #RAYS} rays from each pixel and {@value #HIT_RAYS} from each hit). Not thread-safe.
+ *
+ * <p>{@link #traceReference} must come before {@link #measure}.
+ */
+public final class IndirectErrorMeter implements AutoCloseable {
+    /** Rays of the reference from each pixel, and from each hit. */
+    public static final int RAYS = BruteForceGather.RAYS;
+    public static final int HIT_RAYS = BruteForceGather.HIT_RAYS;
+    private static final int CHUNK = 32;
+    private static final long SEED = 5;
+
+    private final Scene scene;
+    private final Renderer renderer;
+    private final WorkerPool workers;
+    /** Sampled pixels that show a surface, and their reference for one bounce, two, … */
+    private final List<Integer> pixels = new ArrayList<>();
+    private final List<double[]> references = new ArrayList<>();
+
+    /**
+     * @param scene   scene at the size to measure; anti-aliasing is switched off
+     * @param options render options; accuracy and view should be those of a final image
+     */
+    public IndirectErrorMeter(Scene scene, RenderOptions options) {
+        this.scene = scene.withPicture(scene.picture().withSampling(SamplingSettings.DEFAULT));
+        renderer = new Renderer(options.withEngines(Engines.FASTEST));
+        workers = new WorkerPool(options.threads());
+    }
+
+    /**
+     * Result of one setting.
+     *
+     * @param error  errors of all sampled pixels
+     * @param time   milliseconds of the first pass
+     * @param points number of gather points
+     * @param surfels number of surfels
+     */
+    public record Measured(IndirectError error, Timing time, int points, int surfels) {}
+
+    /**
+     * Traces the reference at random pixels, always in the same order, until either limit is reached.
+     *
+     * @param maxPixels maximum number of pixels
+     * @param maxMs     time after which no further pixels are traced, milliseconds
+     * @return number of pixels that show a surface
+     * @throws CancellationException if {@code progress} requests a stop
+     */
+    public int traceReference(int maxPixels, double maxMs, Progress progress) {
+        renderer.clear();
+        renderer.render(withIndirect(Optional.empty()), progress.cancellationOnly());
+        PixelCache cache = renderer.cache();
+        SplittableRandom random = new SplittableRandom(SEED);
+        List<BruteForceGather> gathers = new ArrayList<>();
+        for (int i = 0; i < workers.count(); i++) {
+            gathers.add(new BruteForceGather(scene, cache.geometry()));
+        }
+        PixelRays rays = new PixelRays(scene);
+        pixels.clear();
+        references.clear();
+        long start = System.nanoTime();
+        for (int done = 0; done < maxPixels && (done == 0 || (System.nanoTime() - start) / 1e6 < maxMs); done += CHUNK) {
+            int[] chunk = random.ints(Math.min(CHUNK, maxPixels - done), 0, scene.picture().width() * scene.picture().height()).toArray();
+            double[][] light = new double[chunk.length][];
+            workers.run(chunk.length, (worker, i) -> light[i] = reference(gathers.get(worker), rays, chunk[i]),
+                    progress.cancellationOnly());
+            for (int i = 0; i < chunk.length; i++) {
+                if (light[i] != null) {
+                    pixels.add(chunk[i]);
+                    references.add(light[i]);
+                }
+            }
+            progress.report(done, maxPixels);
+        }
+        return pixels.size();
+    }
+
+    /** Returns the reference of a pixel for each number of bounces; null if it shows the background. */
+    private double[] reference(BruteForceGather gather, PixelRays rays, int pixel) {
+        int width = scene.picture().width();
+        return gather.luminances(rays.ray(pixel % width, pixel / width), pixel);
+    }
+
+    /**
+     * Measures the first pass without indirect light.
+     *
+     * @param repetitions number of samples after one warm-up, ≥ 1
+     * @throws CancellationException if {@code progress} requests a stop
+     */
+    public Timing measureWithout(int repetitions, Progress progress) {
+        return time(withIndirect(Optional.empty()), repetitions, progress);
+    }
+
+    /**
+     * Measures the first pass and the error of settings.
+     *
+     * @param repetitions number of samples of the time after one warm-up, ≥ 1
+     * @throws CancellationException    if {@code progress} requests a stop
+     * @throws IllegalArgumentException if no sampled pixel shows a surface
+     */
+    public Measured measure(IndirectSettings settings, int repetitions, Progress progress) {
+        Timing time = time(withIndirect(Optional.of(settings)), repetitions, progress);
+        PixelCache cache = renderer.cache();
+        double[] light = new double[pixels.size()];
+        double[] exact = new double[light.length];
+        double[] complete = new double[light.length];
+        for (int i = 0; i < light.length; i++) {
+            light[i] = luminance(cache, pixels.get(i));
+            exact[i] = references.get(i)[settings.bounces() - 1];
+            complete[i] = references.get(i)[BruteForceGather.BOUNCES - 1];
+        }
+        return new Measured(IndirectError.of(light, exact, complete), time, cache.indirect().structure().pointCount(),
+                cache.indirect().structure().surfelCount());
+    }
+
+    private Timing time(Scene timed, int repetitions, Progress progress) {
+        List<Double> times = new ArrayList<>();
+        for (int i = -1; i < repetitions; i++) {
+            renderer.clear();
+            double ms = renderer.render(timed, progress.cancellationOnly()).milliseconds();
+            if (i >= 0) {
+                times.add(ms);
+            }
+        }
+        return new Timing(times);
+    }
+
+    private Scene withIndirect(Optional<IndirectSettings> settings) {
+        return scene.withPicture(scene.picture().withIndirect(settings));
+    }
+
+    private double luminance(PixelCache cache, int pixel) {
+        TileLevel level = level(cache, pixel);
+        float[][] light = new float[3][Film.TILE_SIZE * Film.TILE_SIZE];
+        level.weights().interpolate(cache.indirect().light().light(), light);
+        int row = row(level.rows(), pixel);
+        return BruteForceGather.luminance(light[0][row], light[1][row], light[2][row]);
+    }
+
+    private TileLevel level(PixelCache cache, int pixel) {
+        int width = scene.picture().width();
+        return cache.tile(pixel / width / Film.TILE_SIZE * Film.tilesAlong(width) + pixel % width / Film.TILE_SIZE).levels[0];
+    }
+
+    /** Returns a pixel's row of its tile; −1 if it has none. */
+    private int row(HitRows rows, int pixel) {
+        int width = scene.picture().width();
+        int parent = pixel / width % Film.TILE_SIZE * Film.TILE_SIZE + pixel % width % Film.TILE_SIZE;
+        for (int row = 0; row < rows.count; row++) {
+            if (rows.parent[row] == parent) {
+                return row;
+            }
+        }
+        return -1;
+    }
+
+    @Override
+    public void close() {
+        renderer.close();
+        workers.close();
+    }
+}

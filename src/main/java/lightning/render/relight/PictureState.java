@@ -1,0 +1,61 @@
+package lightning.render.relight;
+
+import lightning.render.cache.PixelCache;
+import lightning.render.relight.plan.Accuracy;
+
+/** What a renderer holds of its picture. Immutable: an update makes the next state, and the renderer replaces its state in one assignment. */
+sealed interface PictureState {
+
+    /** No picture. */
+    record Empty() implements PictureState {}
+
+    /**
+     * Pixel centers, exact, without the finer samples at edges.
+     *
+     * @param samples what the samples will be rendered from
+     */
+    record CentersOnly(PixelCache centers, PendingSamples samples) implements PictureState {}
+
+    /**
+     * A picture with all samples that its scene requires.
+     *
+     * @param accuracy accuracy of its layers; it differs from the renderer's options after a change, until the next update
+     */
+    record Finished(PixelCache cache, Accuracy accuracy) implements PictureState {}
+
+    /** Returns the state that shows a cache, or no picture if it is null. */
+    static PictureState of(PixelCache finished, Accuracy accuracy) {
+        return finished == null ? new Empty() : new Finished(finished, accuracy);
+    }
+
+    /** Returns the cache of the newest picture; null if there is none. */
+    default PixelCache newest() {
+        return switch (this) {
+            case Empty _ -> null;
+            case CentersOnly unfinished -> unfinished.centers();
+            case Finished picture -> picture.cache();
+        };
+    }
+
+    /** Returns the cache of the last picture with all its samples; null if there is none. */
+    default PixelCache lastFinished() {
+        return switch (this) {
+            case Empty _ -> null;
+            case CentersOnly unfinished -> unfinished.samples().finishedCache();
+            case Finished picture -> picture.cache();
+        };
+    }
+
+    /** Returns the bytes of all cached data. */
+    default long bytes() {
+        PixelCache newest = newest();
+        PixelCache finished = lastFinished();
+        return (newest == null ? 0 : MemoryEstimate.usedBytes(newest))
+                + (finished == null || finished == newest ? 0 : MemoryEstimate.usedBytes(finished));
+    }
+
+    /** Returns whether its layers must be converted before an update with this accuracy. */
+    default boolean needsConversion(Accuracy to) {
+        return this instanceof Finished picture && picture.accuracy() != to;
+    }
+}
