@@ -58,7 +58,7 @@ final class Pair {
         Scene scene = read.withPicture(new PictureSettings(1920, 1080, read.picture().depth()));
         try (var renderer = new Renderer(RenderOptions.DEFAULT.withReflections(ReflectionMode.STALE).withThreads(THREADS));
                 var workers = new WorkerPool(THREADS)) {
-            var geometry = new Geometry(scene);
+            var geometry = Geometry.of(scene);
             print("full-trace",
                     times(FIRST_WINDOW, () -> {}, () -> new TraditionalTracer(scene, geometry).trace(workers, Progress.NONE)),
                     0, 0);

@@ -26,11 +26,11 @@ class DocumentNamesTest {
     private static final Pattern DECLARATION = Pattern.compile("(?:class|record|interface|enum) ([A-Z]\\w*)");
     private static final Pattern PACKAGE = Pattern.compile("(?m)^package lightning\\.?([\\w.]*);");
     /**
-     * A class name in backticks, up to a dot or parenthesis: after a package of this program, or alone. Alone, only a name of two words is
-     * taken for a class.
+     * A class name in backticks, with a member if one follows: after a package of this program, or alone. Alone, only a name of two words
+     * is taken for a class.
      */
     private static final Pattern NAME = Pattern.compile(
-            "`(?:lightning\\.)?(?:((?!java|jdk|org|com)(?:[a-z]+\\.)+)([A-Z]\\w+)|([A-Z][a-z0-9]+[A-Z]\\w*))(?:[.(:][^`]*)?`");
+            "`(?:lightning\\.)?(?:((?!java|jdk|org|com)(?:[a-z]+\\.)+)([A-Z]\\w+)|([A-Z][a-z0-9]+[A-Z]\\w*))(?:\\.(\\w+))?(?:[.(:][^`]*)?`");
     /** Line of a page with names of classes that were renamed or removed after it was written. */
     private static final Pattern OLD_NAMES = Pattern.compile("(?m)^Names? at that time: (.*)$");
     /** Packages of Java and JavaFX whose classes the documents name alone. */
@@ -45,6 +45,8 @@ class DocumentNamesTest {
             "CylinderLight", "DomeLight", "DomeLight_1", "ShapingAPI", "MeshLightAPI", "CryptoObject00", "CryptoMaterial00",
             "CryptoAsset00");
 
+    /** Sources of each class of the program, its tests and its benchmarks, by simple name. */
+    private static final Map<String, String> SOURCES = new HashMap<>();
     /** Packages of each class of the program, its tests and its benchmarks, by simple name. */
     private static final Map<String, Set<String>> CLASSES = classes();
 
@@ -56,7 +58,10 @@ class DocumentNamesTest {
                 Matcher header = PACKAGE.matcher(source);
                 String name = header.find() ? header.group(1) : "";
                 add(found, file.getFileName().toString().replace(".java", ""), name);
-                DECLARATION.matcher(source).results().forEach(m -> add(found, m.group(1), name));
+                DECLARATION.matcher(source).results().forEach(m -> {
+                    add(found, m.group(1), name);
+                    SOURCES.merge(m.group(1), source, String::concat);
+                });
                 if (source.contains("@RecordBuilder")) {
                     add(found, file.getFileName().toString().replace(".java", "Builder"), name);
                 }
@@ -100,16 +105,28 @@ class DocumentNamesTest {
         });
     }
 
-    /** @param inside package as written, with a dot at its end; empty for none */
-    private record Mention(String inside, String name) {
+    /**
+     * Class that a document names.
+     *
+     * @param inside package as written, with a dot at its end; empty for none
+     * @param member method, field or nested class that follows; null for none
+     */
+    private record Mention(String inside, String name, String member) {
         private static Stream<Mention> in(String text) {
             return NAME.matcher(text).results()
-                    .map(m -> m.group(3) == null ? new Mention(m.group(1), m.group(2)) : new Mention("", m.group(3)));
+                    .map(m -> m.group(3) == null
+                            ? new Mention(m.group(1), m.group(2), m.group(4)) : new Mention("", m.group(3), m.group(4)));
         }
 
         /** Returns whether the program has the class, in that package if there is one. */
         private boolean isPresent() {
             return CLASSES.getOrDefault(name, Set.of()).stream().anyMatch(p -> ("." + p + ".").endsWith("." + inside));
+        }
+
+        /** Returns whether the class has the member, if there is one; copy methods of records are generated. */
+        private boolean hasMember() {
+            return member == null || !SOURCES.containsKey(name) || member.matches("with[A-Z].*|java")
+                    || Pattern.compile("\\b" + member + "\\b").matcher(SOURCES.get(name)).find();
         }
 
         @Override
@@ -129,6 +146,15 @@ class DocumentNamesTest {
         }
         assertThat(missing).as("Write the present name, or add a line \"Names at that time: `Name`, ….\" to the page:\n"
                 + String.join("\n", missing)).isEmpty();
+    }
+
+    @Test
+    void members_exist() {
+        List<String> missing = new ArrayList<>();
+        for (Path page : pages()) {
+            Mention.in(read(page)).filter(m -> !m.hasMember()).forEach(m -> missing.add(page + ": " + m.name() + "." + m.member()));
+        }
+        assertThat(missing).as(String.join("\n", missing)).isEmpty();
     }
 
     /** Packages change more often than classes, and decisions stay. */

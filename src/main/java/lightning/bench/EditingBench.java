@@ -66,9 +66,9 @@ record EditingBench(BenchSettings settings, ResultCollector ledger) {
         long emptyBytes = measuresHeap ? usedHeapBytes() : 0;
         Scene scene = read(text).scene();
         long documentBytes = measuresHeap ? usedHeapBytes() : 0;
-        TimeSamples tree = samples(times, progress, _ -> timeMs(() -> new Geometry(scene)));
+        TimeSamples tree = samples(times, progress, _ -> timeMs(() -> Geometry.of(scene)));
         long beforeTreeBytes = measuresHeap ? usedHeapBytes() : 0;
-        Geometry geometry = new Geometry(scene);
+        Geometry geometry = Geometry.of(scene);
         long treeBytes = measuresHeap ? usedHeapBytes() : 0;
         Light first = scene.lights().getFirst();
         TimeSamples newScene = shortSamples(progress, i -> timeMs(() -> scene.withLight(first.withIntensity(2 + i))));

@@ -38,7 +38,7 @@ sealed interface RelativePosition {
     record OnRow(int x, int y) implements RelativePosition {
         @Override
         public Vec3 in(Scene scene) {
-            Geometry geometry = new Geometry(scene);
+            Geometry geometry = Geometry.of(scene);
             Ray ray = new PixelRays(scene).ray(x % scene.picture().width(), y % scene.picture().height());
             int shape = geometry.nearestBruteForce(ray);
             if (shape < 0) {

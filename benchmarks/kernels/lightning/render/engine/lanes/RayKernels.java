@@ -64,7 +64,7 @@ public class RayKernels {
     @Setup
     public void prepare() throws Exception {
         Scene read = JenReader.read(Path.of("scenes", scene + ".jen")).scene();
-        geometry = new Geometry(read);
+        geometry = Geometry.of(read);
         camera = new CameraRays(read.camera(), new PictureSettings(SIZE, SIZE, 0));
         tracer = new PacketTracer(geometry);
         light = geometry.toRenderSpace(read.lights().stream().filter(l -> l.type().hasPosition()).findFirst().orElseThrow().position());

@@ -63,7 +63,7 @@ public class ShapeKernels {
             case PLANE -> new Shape(Solid.PLANE, name, material, placement);
         };
         Camera eye = new Camera(new Vec3(0.5, 1, 4), new Vec3(0, 0.5, 0), Vec3.Y, 30);
-        Geometry geometry = new Geometry(new Scene(PictureSettings.DEFAULT, eye, World.DEFAULT, List.of(), List.of(node), List.of()));
+        Geometry geometry = Geometry.of(new Scene(PictureSettings.DEFAULT, eye, World.DEFAULT, List.of(), List.of(node), List.of()));
         CameraRays camera = new CameraRays(eye, new PictureSettings(SIZE, SIZE, 0));
         solid = new PrimitiveLanes(geometry.primitives());
         for (int i = 0; i < RAYS; i++) {

@@ -73,7 +73,7 @@ public class RowKernels {
     @Setup
     public void prepare() throws Exception {
         loadedScene = JenReader.read(Path.of("scenes", scene + ".jen")).scene();
-        Geometry geometry = new Geometry(loadedScene);
+        Geometry geometry = Geometry.of(loadedScene);
         Tracer tracer = Engines.LANES.tracer(geometry);
         composer = new LevelComposer(geometry.materials(), Engines.LANES.sums(), ViewEffects.ALL);
         light = new LightKernel(geometry, tracer, Engines.LANES.terms(), ViewEffects.ALL);

@@ -25,7 +25,7 @@ final class ClosedRoom {
         }
         List<Material> untextured = scene.materials().stream()
                 .map(Material::withoutImages).toList();
-        Geometry geometry = new Geometry(scene.withMaterials(untextured));
+        Geometry geometry = Geometry.of(scene.withMaterials(untextured));
         Vec3 eye = geometry.toRenderSpace(scene.camera().origin());
         int hits = 0;
         for (int i = 0; i < RAYS; i++) {

@@ -40,7 +40,7 @@ public final class LightUnitPreviews {
             return films;
         }
         Scene small = small(imported.unscaledScene(), size);
-        var geometry = new Geometry(small);
+        var geometry = Geometry.of(small);
         for (LightUnits units : LightUnits.values()) {
             Scene scene = small.withRig(imported.inUnits(units).scene().rig());
             ProgressPart part = new ProgressPart(progress, 0, 1).section(units.ordinal(), LightUnits.values().length);

@@ -92,7 +92,7 @@ final class StudioBuilder {
         if (scene.stage().shapeCount() == 0) {
             return false;
         }
-        var geometry = new Geometry(scene.withMaterials(scene.materials().stream()
+        var geometry = Geometry.of(scene.withMaterials(scene.materials().stream()
                 .map(Material::withoutImages).toList()));
         Vec3 half = subject.max().minus(subject.center());
         double height = subject.min().y() + FLOOR_HEIGHT * subject.radius();

@@ -6,7 +6,6 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import lightning.base.text.Quote;
@@ -338,10 +337,6 @@ public final class PropertyEdit {
             case NodeGroup g -> editProperty(files, BlockTypes.GROUP, target, g, property, value);
             case Shape s -> editProperty(files, BlockTypes.of(s.solid()), target, s, property, value);
         };
-    }
-
-    private static <T> List<T> mapAll(List<T> items, UnaryOperator<T> edit) {
-        return items.stream().map(edit).toList();
     }
 
     private static Stream<String> nodeNames(List<SceneNode> nodes) {

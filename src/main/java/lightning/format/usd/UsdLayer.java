@@ -33,11 +33,6 @@ public final class UsdLayer {
             return this;
         }
 
-        /** Returns whether it has a type of its own. */
-        public boolean isDefined() {
-            return specifier.startsWith("def");
-        }
-
         /** Sets metadata, such as {@code active}. */
         public void metadata(String key, String value) {
             metadata.put(key, value);

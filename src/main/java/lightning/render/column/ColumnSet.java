@@ -56,6 +56,11 @@ public final class ColumnSet<C extends Enum<C> & ColumnKind> {
         return new ColumnSet<>(allKinds, columns);
     }
 
+    /** Returns a set without a column. */
+    public static <C extends Enum<C> & ColumnKind> ColumnSet<C> none(Class<C> kinds) {
+        return new ColumnSet<>(kindsOf(kinds), new Object[0]);
+    }
+
     /** Allocates columns of some kinds for {@code rows} rows, all 0. */
     public static <C extends Enum<C> & ColumnKind> ColumnSet<C> allocate(Class<C> kinds, Set<C> selected, int rows) {
         C[] allKinds = kindsOf(kinds);

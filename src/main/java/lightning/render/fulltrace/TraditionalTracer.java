@@ -33,7 +33,7 @@ public final class TraditionalTracer {
 
     /** Prepares a trace and builds the BVH. */
     public TraditionalTracer(Scene scene) {
-        this(scene, new Geometry(scene));
+        this(scene, Geometry.of(scene));
     }
 
     /**

@@ -69,7 +69,7 @@ public record AccuracyGuarantee(RenderedScenes scenes, ViewEffects view, double 
      * @throws CancellationException if {@code progress} requests a stop
      */
     public Verification verify(Film picture, WorkerPool workers, Progress progress) {
-        var geometry = new Geometry(scenes.scene());
+        var geometry = Geometry.of(scenes.scene());
         RenderedScenes currentScenes = RenderedScenes.of(scenes.scene());
         Film[] full = new Film[1];
         boolean isWarm = Engines.isFastestInUse();

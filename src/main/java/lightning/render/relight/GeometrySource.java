@@ -37,6 +37,6 @@ final class GeometrySource {
                 RenderJob.needsEdges(target) ? MaterialTable.CASTS_REFLECTIONS : RequiredWork.of(view).mirrorMaterials();
         Geometry own = cache == null ? null : cache.geometry();
         Geometry best = shared != null && (own == null || !own.canServe(target)) ? shared : own;
-        return best == null ? new Geometry(target, mirrors) : best.forScene(target, mirrors);
+        return best == null ? Geometry.of(target, mirrors) : best.forScene(target, mirrors);
     }
 }

@@ -135,7 +135,7 @@ record PictureUpdate(RenderOptions options, WorkerPool workers, RepeatedEditDete
     private Step firstPass(PictureState from, UpdatePlan.FirstPass plan, Scene target, boolean centersOnly) {
         checkMemory(target, from.bytes(), centersOnly, _ -> {});
         RenderJob job = RenderJob.firstPass(geometrySource.get(target, from.newest(), options.view()), target, options, progress);
-        CacheBuilder.BuildResult result = new CacheBuilder(job, workers, null).build(centersOnly);
+        CacheBuilder.BuildResult result = CacheBuilder.build(job, workers, null, centersOnly);
         return new Step(centersOnly ? new CentersOnly(result.cache(), new PendingSamples(null, plan)) : finished(result), result.work());
     }
 
@@ -146,7 +146,7 @@ record PictureUpdate(RenderOptions options, WorkerPool workers, RepeatedEditDete
         }
         var scenes = new RenderedScenes(target, plan.mirrors() == null ? old.mirroredScene() : target);
         RenderJob job = RenderJob.relight(repeatedEdits.withKeys(plan), plan.shapes().after(old.geometry()), scenes, options, progress);
-        CacheBuilder.BuildResult result = new CacheBuilder(job, workers, old).build(centersOnly);
+        CacheBuilder.BuildResult result = CacheBuilder.build(job, workers, old, centersOnly);
         return new Step(centersOnly ? new CentersOnly(result.cache(), samplesAfter(from, plan)) : finished(result), result.work());
     }
 
@@ -171,10 +171,11 @@ record PictureUpdate(RenderOptions options, WorkerPool workers, RepeatedEditDete
         if (finished == null) {
             checkSampleMemory(centers.scene(), centers, options.memory());
         }
-        CacheBuilder builder = finished != null && plan instanceof UpdatePlan.Relight relight
-                ? new CacheBuilder(RenderJob.relight(relight, centers.geometry(), centers.scenes(), options, progress), workers, finished)
-                : new CacheBuilder(RenderJob.samples(centers, options, progress), workers, null);
-        CacheBuilder.BuildResult result = builder.finish(centers);
+        CacheBuilder.BuildResult result = finished != null && plan instanceof UpdatePlan.Relight relight
+                ? CacheBuilder.finish(RenderJob.relight(relight, centers.geometry(), centers.scenes(), options, progress), workers,
+                        finished,
+                        centers)
+                : CacheBuilder.finish(RenderJob.samples(centers, options, progress), workers, null, centers);
         return new Step(finished(result), result.work());
     }
 }

@@ -37,10 +37,11 @@ public final class Geometry {
     /** More meshes have no light buffers. */
     private static final int MAX_BUFFERED_MESHES = 64;
 
+    private final Surfaces surfaces;
+    private final Blockers blockers;
+    /** Parts of these, for hot code. */
     private final Scene scene;
     private final List<Shape> shapes;
-    private final List<String> materialNames;
-    private final Set<String> vertexColorMaterials;
     private final PrimitiveTable primitives;
     private final MaterialTable materials;
     private final Bvh bvh;
@@ -65,9 +66,88 @@ public final class Geometry {
      */
     private volatile WeakReference<ShapeChange> lastChange;
 
+    /**
+     * Shapes with the materials of a scene.
+     *
+     * @param materialNames        names of all materials that a shape has or had, in the order of their indices
+     * @param vertexColorMaterials names of materials of meshes with vertex colors
+     * @param castsReflections     selects the materials that cast reflected rays: all reflective ones, and possibly others
+     */
+    private record Surfaces(Scene scene, List<Shape> shapes, List<String> materialNames, Set<String> vertexColorMaterials,
+            Predicate<Material> castsReflections, MaterialTable materials) {
+
+        static Surfaces of(Scene scene, Predicate<Material> castsReflections) {
+            List<Shape> shapes = scene.stage().rendered().shapes();
+            return of(scene, shapes, MaterialTable.materialNames(shapes), null, castsReflections);
+        }
+
+        /** @param known table of materials to reuse, or null */
+        private static Surfaces of(Scene scene, List<Shape> shapes, List<String> names, MaterialTable known,
+                Predicate<Material> castsReflections) {
+            Set<String> vertexColors = MaterialTable.vertexColorMaterials(shapes);
+            return new Surfaces(scene, shapes, names, vertexColors, castsReflections,
+                    new MaterialTable(names, vertexColors, scene, known, castsReflections));
+        }
+
+        /** Returns the same shapes with the materials of another scene. */
+        Surfaces withMaterialsOf(Scene other, Predicate<Material> newCastsReflections) {
+            return new Surfaces(other, shapes, materialNames, vertexColorMaterials, newCastsReflections,
+                    new MaterialTable(materialNames, vertexColorMaterials, other, materials, newCastsReflections));
+        }
+
+        /** Returns the shapes of another scene; materials keep their indices. */
+        Surfaces withShapesOf(Scene other) {
+            List<Shape> others = other.stage().rendered().shapes();
+            return of(other, others, MaterialTable.materialNames(materialNames, others), materials, castsReflections);
+        }
+
+        PrimitiveTable.BoxedPrimitives primitives() {
+            Map<String, Integer> index = new HashMap<>();
+            materialNames.forEach(name -> index.put(name, index.size()));
+            int[] materialIndices = shapes.stream().mapToInt(s -> index.get(s.material())).toArray();
+            return PrimitiveTable.of(scene.stage().rendered(), materialIndices, scene.camera().origin());
+        }
+    }
+
+    /**
+     * Primitives that block or tint shadow rays.
+     *
+     * @param shadowCasters those that cast shadows; null if all do
+     * @param tintCasters   those that transmit and tint light; null if none does
+     * @param tintBvh       BVH over these; null if there are none
+     */
+    private record Blockers(boolean[] shadowCasters, boolean[] tintCasters, Bvh tintBvh) {
+        static final Blockers ALL = new Blockers(null, null, null);
+
+        boolean castShadows() {
+            return shadowCasters == null || IntStream.range(0, shadowCasters.length).anyMatch(s -> shadowCasters[s]);
+        }
+    }
+
+    private Geometry(Surfaces surfaces, Bvh bvh, PrimitiveTable primitives, Blockers blockers) {
+        this.surfaces = surfaces;
+        scene = surfaces.scene();
+        shapes = surfaces.shapes();
+        castsReflections = surfaces.castsReflections();
+        materials = surfaces.materials();
+        this.bvh = bvh;
+        this.primitives = primitives;
+        this.blockers = blockers;
+        shadowCasters = blockers.shadowCasters();
+        castsShadows = blockers.castShadows();
+        tintBvh = blockers.tintBvh();
+        tintCasters = blockers.tintCasters();
+        tintMeshes = tintMeshes();
+        hasShadowlessMaterials = materials.hasShadowlessMaterials();
+    }
+
+    private Geometry(Surfaces surfaces, Bvh bvh) {
+        this(surfaces, bvh, bvh.primitives, Blockers.ALL);
+    }
+
     /** Prepares the shapes of a scene. */
-    public Geometry(Scene scene) {
-        this(scene, MaterialTable.CASTS_REFLECTIONS);
+    public static Geometry of(Scene scene) {
+        return of(scene, MaterialTable.CASTS_REFLECTIONS);
     }
 
     /**
@@ -75,92 +155,31 @@ public final class Geometry {
      *
      * @param castsReflections selects the materials that cast reflected rays: all reflective ones, and possibly others
      */
-    public Geometry(Scene scene, Predicate<Material> castsReflections) {
-        this.scene = scene;
-        shapes = scene.stage().rendered().shapes();
-        materialNames = MaterialTable.materialNames(shapes);
-        vertexColorMaterials = MaterialTable.vertexColorMaterials(shapes);
-        this.castsReflections = castsReflections;
-        materials = new MaterialTable(materialNames, vertexColorMaterials, scene, null, castsReflections);
-        bvh = new Bvh(PrimitiveTable.of(scene.stage().rendered(), materialIndices(), scene.camera().origin()));
-        primitives = bvh.primitives;
-        shadowCasters = null;
-        castsShadows = true;
-        tintBvh = null;
-        tintCasters = null;
-        tintMeshes = tintMeshes();
-        hasShadowlessMaterials = materials.hasShadowlessMaterials();
+    public static Geometry of(Scene scene, Predicate<Material> castsReflections) {
+        Surfaces surfaces = Surfaces.of(scene, castsReflections);
+        return new Geometry(surfaces, new Bvh(surfaces.primitives()));
     }
 
-    private Geometry(Geometry source, Scene scene) {
-        this.scene = scene;
-        shapes = source.shapes;
-        materialNames = source.materialNames;
-        vertexColorMaterials = source.vertexColorMaterials;
-        castsReflections = source.castsReflections;
-        materials = new MaterialTable(materialNames, vertexColorMaterials, scene, source.materials, castsReflections);
-        primitives = source.primitives;
-        bvh = source.bvh;
-        shadowCasters = source.shadowCasters;
-        castsShadows = source.castsShadows;
-        tintBvh = source.tintBvh;
-        tintCasters = source.tintCasters;
-        tintMeshes = source.tintMeshes;
-        hasShadowlessMaterials = materials.hasShadowlessMaterials();
+    private Geometry withMaterials(Scene other) {
+        return new Geometry(surfaces.withMaterialsOf(other, castsReflections), bvh, primitives, blockers);
     }
 
-    /** Creates a version in which only some primitives cast shadows; the BVH contains only these. */
-    private Geometry(Geometry source, boolean[] shadowCasters, boolean[] tintCasters) {
-        scene = source.scene;
-        shapes = source.shapes;
-        materialNames = source.materialNames;
-        vertexColorMaterials = source.vertexColorMaterials;
-        castsReflections = source.castsReflections;
-        materials = source.materials;
-        primitives = source.primitives;
-        this.shadowCasters = shadowCasters;
-        castsShadows = IntStream.range(0, shadowCasters.length).anyMatch(s -> shadowCasters[s]);
-        hasShadowlessMaterials = source.hasShadowlessMaterials;
-        bvh = castsShadows ? source.bvh.subset(shadowCasters) : source.bvh;
-        this.tintCasters = tintCasters;
-        tintMeshes = tintMeshes();
-        tintBvh = tintCasters == null ? null : source.bvh.subset(tintCasters);
+    /** Returns a version in which only some primitives cast shadows; the BVH contains only these. */
+    private Geometry withBlockers(boolean[] newShadowCasters, boolean[] newTintCasters) {
+        var changed = new Blockers(newShadowCasters, newTintCasters, newTintCasters == null ? null : bvh.subset(newTintCasters));
+        return new Geometry(surfaces, changed.castShadows() ? bvh.subset(newShadowCasters) : bvh, primitives, changed);
     }
 
-    /** Reuses the BVH topology of another geometry. */
-    private Geometry(Geometry source, Scene scene, Predicate<Material> castsReflections) {
-        this.scene = scene;
-        shapes = source.shapes;
-        materialNames = source.materialNames;
-        vertexColorMaterials = source.vertexColorMaterials;
-        this.castsReflections = castsReflections;
-        materials = new MaterialTable(materialNames, vertexColorMaterials, scene, source.materials, castsReflections);
-        bvh = new Bvh(source.primitives.movedCamera(scene.camera().origin()), source.bvh);
-        primitives = bvh.primitives;
-        shadowCasters = null;
-        castsShadows = true;
-        tintBvh = null;
-        tintCasters = null;
-        tintMeshes = tintMeshes();
-        hasShadowlessMaterials = materials.hasShadowlessMaterials();
+    /** Returns these shapes seen by another camera; reuses the topology of the BVH. */
+    private Geometry seenFrom(Scene other, Predicate<Material> newCastsReflections) {
+        return new Geometry(surfaces.withMaterialsOf(other, newCastsReflections),
+                new Bvh(primitives.movedCamera(other.camera().origin()), bvh));
     }
 
-    /** Prepares other shapes seen from the same camera position; materials keep their indices. */
-    private Geometry(Scene scene, Geometry previous) {
-        this.scene = scene;
-        shapes = scene.stage().rendered().shapes();
-        materialNames = MaterialTable.materialNames(previous.materialNames, shapes);
-        vertexColorMaterials = MaterialTable.vertexColorMaterials(shapes);
-        castsReflections = previous.castsReflections;
-        materials = new MaterialTable(materialNames, vertexColorMaterials, scene, previous.materials, castsReflections);
-        bvh = Bvh.refitOrRebuild(PrimitiveTable.of(scene.stage().rendered(), materialIndices(), scene.camera().origin()), previous.bvh);
-        primitives = bvh.primitives;
-        shadowCasters = null;
-        castsShadows = true;
-        tintBvh = null;
-        tintCasters = null;
-        tintMeshes = tintMeshes();
-        hasShadowlessMaterials = materials.hasShadowlessMaterials();
+    /** Returns other shapes seen from the same camera position; materials keep their indices. */
+    private Geometry withShapes(Scene other) {
+        Surfaces changed = surfaces.withShapesOf(other);
+        return new Geometry(changed, Bvh.refitOrRebuild(changed.primitives(), bvh));
     }
 
     /** Returns for each primitive whether it belongs to a linked shape; callers must not modify the array. */
@@ -175,7 +194,7 @@ public final class Geometry {
     public Geometry shadowGeometry(ShapeLinks links) {
         return links.isAll() && !hasShadowlessMaterials ? this
                 : shadowGeometries.computeIfAbsent(links,
-                        requested -> new Geometry(this, shadowCasters(requested), tintCasters(requested)));
+                        requested -> withBlockers(shadowCasters(requested), tintCasters(requested)));
     }
 
     /** Returns for each primitive whether it casts shadows from a light with these links; callers must not modify the array. */
@@ -272,12 +291,6 @@ public final class Geometry {
         return shadowCasters == null || shadowCasters[primitive];
     }
 
-    private int[] materialIndices() {
-        Map<String, Integer> index = new HashMap<>();
-        materialNames.forEach(name -> index.put(name, index.size()));
-        return shapes.stream().mapToInt(s -> index.get(s.material())).toArray();
-    }
-
     /** Returns true if {@code other} has these shapes, seen from this camera position; its materials may differ. */
     public boolean canServe(Scene other) {
         return hasSameShapes(other) && scene.camera().origin().equals(other.camera().origin());
@@ -324,10 +337,10 @@ public final class Geometry {
      */
     public Geometry forScene(Scene other, Predicate<Material> newCastsReflections) {
         if (!hasSameShapes(other)) {
-            return new Geometry(other, newCastsReflections);
+            return of(other, newCastsReflections);
         }
         return canServe(other) && castsReflections == newCastsReflections ? withMaterialsOf(other)
-                : new Geometry(this, other, newCastsReflections);
+                : seenFrom(other, newCastsReflections);
     }
 
     /**
@@ -339,7 +352,7 @@ public final class Geometry {
         if (!canServe(other)) {
             throw new IllegalArgumentException("the geometry belongs to another scene");
         }
-        return scene.stage().rendered().materials().equals(other.stage().rendered().materials()) ? this : new Geometry(this, other);
+        return scene.stage().rendered().materials().equals(other.stage().rendered().materials()) ? this : withMaterials(other);
     }
 
     /**
@@ -349,7 +362,7 @@ public final class Geometry {
     public ShapeChange changeTo(Scene other) {
         ShapeChange current = lastChange == null ? null : lastChange.get();
         if (current == null || !current.after(this).hasSameShapes(other)) {
-            current = new ShapeChange(this, new Geometry(other, this));
+            current = new ShapeChange(this, withShapes(other));
             lastChange = new WeakReference<>(current);
         }
         return current;

@@ -27,7 +27,7 @@ public final class DelayedWarmUp implements AutoCloseable {
     private void runAfterDelay(Scene scene) {
         try {
             if (!closed.await(DELAY_SECONDS, TimeUnit.SECONDS)) {
-                WarmUp.run(scene, new Geometry(scene), untilClosed());
+                WarmUp.run(scene, Geometry.of(scene), untilClosed());
             }
         } catch (CancellationException e) {
             // The render ended first.

@@ -27,7 +27,7 @@ class SceneLightingTest {
     @MethodSource("names")
     void everyLight_changesThePictureInPlaces(String name) {
         Scene small = SceneFiles.read(name, SIZE);
-        var geometry = new Geometry(small);
+        var geometry = Geometry.of(small);
         List<String> idle = new ArrayList<>();
         try (var workers = new WorkerPool(2)) {
             Film all = trace(small, geometry, workers);
@@ -47,7 +47,7 @@ class SceneLightingTest {
         Scene scene = SceneFiles.readAll(name);
         Scene small = scene.withPicture(scene.picture().withSize(SIZE, SIZE));
         try (var workers = new WorkerPool(2)) {
-            Film film = trace(small, new Geometry(small), workers);
+            Film film = trace(small, Geometry.of(small), workers);
             assertThat(share(film, 1, Float.MAX_VALUE)).as("share of white pixels").isLessThan(0.01);
             assertThat(share(film, 0, 0.003f)).as("share of black pixels").isLessThan(0.1);
         }

@@ -108,7 +108,7 @@ class DirectLightFirstTest {
         assertThat(shown.frame().mirrorsAreCurrent()).isTrue();
         try (WorkerPool workers = new WorkerPool(2)) {
             assertThat(
-                    shown.film().hasSameBits(new TraditionalTracer(expected, new Geometry(expected)).trace(workers, Progress.NONE).film()))
+                    shown.film().hasSameBits(new TraditionalTracer(expected, Geometry.of(expected)).trace(workers, Progress.NONE).film()))
                     .isTrue();
         }
     }

@@ -60,7 +60,7 @@ class RenderLoopTest {
 
     private static Film stale(Scene scene, Scene mirrored) {
         try (var workers = new WorkerPool(1)) {
-            return new TraditionalTracer(scene, mirrored, new Geometry(scene)).trace(workers, Progress.NONE).film();
+            return new TraditionalTracer(scene, mirrored, Geometry.of(scene)).trace(workers, Progress.NONE).film();
         }
     }
 
@@ -93,7 +93,7 @@ class RenderLoopTest {
     }
 
     private static Future<Optional<CoarsePicture>> previewOf(Scene of) {
-        return CompletableFuture.completedFuture(Optional.of(new CoarsePicture(of, new Geometry(of), Film.black(3, 2), Double.MAX_VALUE)));
+        return CompletableFuture.completedFuture(Optional.of(new CoarsePicture(of, Geometry.of(of), Film.black(3, 2), Double.MAX_VALUE)));
     }
 
     @Test

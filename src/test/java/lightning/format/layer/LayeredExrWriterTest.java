@@ -120,7 +120,7 @@ class LayeredExrWriterTest {
      * diffuse part a and specular part b, the image contains t·(a + b) and the layers t·a and t·b, each rounded separately.
      */
     private static boolean[] insideHits(Scene scene) {
-        Geometry geometry = new Geometry(scene);
+        Geometry geometry = Geometry.of(scene);
         boolean[] inside = new boolean[scene.picture().width() * scene.picture().height()];
         for (int i = 0; i < inside.length; i++) {
             Ray ray = new PixelRays(scene).ray(i % scene.picture().width(), i / scene.picture().width());
@@ -151,7 +151,7 @@ class LayeredExrWriterTest {
         try (Renderer renderer = new Renderer(RenderOptions.DEFAULT.withThreads(1))) {
             renderer.render(scene, Progress.NONE);
             ExrValues file = writeFile(renderer, ExrType.HALF);
-            Geometry geometry = new Geometry(scene);
+            Geometry geometry = Geometry.of(scene);
             List<String> shapes = file.list("lightning/shapes");
             List<String> materials = file.list("lightning/materials");
             Vec3 viewDirection = scene.camera().to().minus(scene.camera().from()).normalized();

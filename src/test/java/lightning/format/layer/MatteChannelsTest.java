@@ -97,7 +97,7 @@ class MatteChannelsTest {
     /** Returns for each pixel the names that its samples hit, empty for the background. */
     private static List<List<String>> sampleHits(PixelCache cache, Function<Shape, String> name) {
         Scene scene = cache.scene();
-        Geometry geometry = new Geometry(scene);
+        Geometry geometry = Geometry.of(scene);
         PixelRays rays = new PixelRays(scene);
         List<List<String>> hits = new ArrayList<>();
         Film film = cache.film();

@@ -41,7 +41,7 @@ class IndirectTraceTest {
     private static void assertEqualsReference(Scene scene, Scene mirrored, int threads, long engines) {
         try (WorkerPool workers = new WorkerPool(threads)) {
             FilmAssert.assertSameBits(
-                    new TraditionalTracer(scene, mirrored, new Geometry(scene)).withEngines(new MixedEngineChoice(engines))
+                    new TraditionalTracer(scene, mirrored, Geometry.of(scene)).withEngines(new MixedEngineChoice(engines))
                             .trace(workers, Progress.NONE).film(),
                     new ReferenceTracer(scene, mirrored).trace(), "indirect-trace");
         } catch (AssertionError e) {

@@ -48,7 +48,7 @@ class TraditionalTracerTest {
         Scene scene = EdgeCaseScenes.withLightsOf(other, mirrored);
         try (WorkerPool workers = new WorkerPool(2)) {
             FilmAssert.assertSameBits(
-                    new TraditionalTracer(scene, mirrored, new Geometry(scene)).withEngines(new MixedEngineChoice(engines))
+                    new TraditionalTracer(scene, mirrored, Geometry.of(scene)).withEngines(new MixedEngineChoice(engines))
                             .trace(workers, Progress.NONE)
                             .film(),
                     new ReferenceTracer(scene, mirrored).trace(), "traditional-trace-stale");

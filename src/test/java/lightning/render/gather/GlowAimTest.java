@@ -17,7 +17,7 @@ class GlowAimTest {
     private static final int SEEDS = 40_000;
 
     private static GlowShapes shapes(String shapes) throws JenException {
-        return GlowShapes.of(new Geometry(JenReader.read("""
+        return GlowShapes.of(Geometry.of(JenReader.read("""
                 jen 1
                 camera { from 0 0 0  to 0 0 -1 }
                 material lamp { glow 1 1 1 }

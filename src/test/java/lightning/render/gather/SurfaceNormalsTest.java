@@ -32,7 +32,7 @@ class SurfaceNormalsTest {
         var map = new TextureMap("bumps.png", 1, 1, new Texture(3, 1, heights));
         Scene scene = smooth.withMaterials(
                 List.of(smooth.materials().getFirst().withBumpMapping(BumpMapping.NONE.withBump(Optional.of(map)))));
-        Geometry geometry = new Geometry(scene);
+        Geometry geometry = Geometry.of(scene);
         SurfaceColumns surface = new SurfaceColumns();
         // Points are relative to the camera.
         surface.add(0.606f, 0, 0.808f - 4, 0.6f, 0, 0.8f, 0);

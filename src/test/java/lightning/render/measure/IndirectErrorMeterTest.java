@@ -32,7 +32,7 @@ class IndirectErrorMeterTest {
     void glowingSphere_givesTheGeometricSeries() throws Exception {
         Scene scene = scene("camera { from 0 0 0  to 0 0 -1 }\nmaterial shell { diffuse 0.5 0.5 0.5  glow 0.2 0.2 0.2 }\n"
                 + "sphere around { material shell }\n");
-        BruteForceGather gather = new BruteForceGather(scene, new Geometry(scene));
+        BruteForceGather gather = new BruteForceGather(scene, Geometry.of(scene));
         double[] light = gather.luminances(DOWN, 7);
         double expected = 0;
         for (int bounce = 0; bounce < light.length; bounce++) {
@@ -45,7 +45,7 @@ class IndirectErrorMeterTest {
     void openScene_collectsBackgroundOnlyIfItCounts() throws Exception {
         Scene scene = scene("camera { from 0 0 0  to 0 -1 -1 }\nworld { background 0.3 0.3 0.3 }\nmaterial white { diffuse 0.8 0.8 0.8 }\n"
                 + "plane floor { material white  at 0 -1 0 }\n");
-        Geometry geometry = new Geometry(scene);
+        Geometry geometry = Geometry.of(scene);
         assertThat(new BruteForceGather(scene, geometry).luminances(DOWN, 7)).containsOnly(0);
         Scene lit = scene.withPicture(
                 scene.picture().withIndirect(Optional.of(IndirectSettings.DEFAULT.withBackground(true))));
@@ -60,11 +60,11 @@ class IndirectErrorMeterTest {
         Scene scene = IndirectScenes.withBumps(scene("camera { from 0 0 0  to 0 -1 -1 }\nworld { background 0.3 0.3 0.3 }\n"
                 + "material black { diffuse 0 0 0 }\nplane floor { material black  at 0 -1 0 }\n"));
         Scene lit = scene.withPicture(scene.picture().withIndirect(Optional.of(IndirectSettings.DEFAULT.withBackground(true))));
-        BruteForceGather gather = new BruteForceGather(lit, new Geometry(lit));
+        BruteForceGather gather = new BruteForceGather(lit, Geometry.of(lit));
         int tilted = 0;
         for (int i = 0; i < 20; i++) {
             Ray ray = new Ray(new Vec3(0, 0, 0), new Vec3(0.02 * i, -1, -0.015 * i).normalized());
-            tilted += new Geometry(lit).normalSteps(0, ray) == null ? 0 : 1;
+            tilted += Geometry.of(lit).normalSteps(0, ray) == null ? 0 : 1;
             assertThat(gather.luminances(ray, i)[0]).isEqualTo(0.3, within(EPSILON));
         }
         assertThat(tilted).isPositive();

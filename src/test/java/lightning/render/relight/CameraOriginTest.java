@@ -68,7 +68,7 @@ class CameraOriginTest {
     void cameraWithSameOrigin_movesNoShape(String name) throws Exception {
         Scene scene = scene(name);
         Scene orbit = scene.withCamera(moved(scene.camera()).withOrigin(scene.camera().from()));
-        var geometry = new Geometry(scene);
+        var geometry = Geometry.of(scene);
         assertThat(geometry.canServeEye(scene, orbit.camera().from())).isTrue();
         assertThat(geometry.forScene(orbit, geometry.castsReflections())).isSameAs(geometry);
         try (var renderer = new Renderer(RenderOptions.DEFAULT)) {
@@ -82,6 +82,6 @@ class CameraOriginTest {
     @ValueSource(strings = {"bird"})
     void cameraFarFromShapes_cannotReuseGeometry(String name) throws Exception {
         Scene scene = scene(name);
-        assertThat(new Geometry(scene).canServeEye(scene, new Vec3(1e6, 0, 0))).isFalse();
+        assertThat(Geometry.of(scene).canServeEye(scene, new Vec3(1e6, 0, 0))).isFalse();
     }
 }

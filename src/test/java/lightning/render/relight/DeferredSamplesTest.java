@@ -110,7 +110,7 @@ class DeferredSamplesTest {
     private static Film centers(RenderedScenes scenes) {
         Scene scene = sampled(scenes.scene(), SamplingSettings.DEFAULT);
         try (var workers = new WorkerPool(1)) {
-            return new TraditionalTracer(scene, sampled(scenes.mirrored(), SamplingSettings.DEFAULT), new Geometry(scene))
+            return new TraditionalTracer(scene, sampled(scenes.mirrored(), SamplingSettings.DEFAULT), Geometry.of(scene))
                     .trace(workers, Progress.NONE).film();
         }
     }

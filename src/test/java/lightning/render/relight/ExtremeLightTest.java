@@ -35,13 +35,13 @@ class ExtremeLightTest {
 
     /** Returns the stored point of the row at the center of the picture, on the sphere. */
     private static SurfacePoint row() {
-        Geometry geometry = new Geometry(STUDIO);
+        Geometry geometry = Geometry.of(STUDIO);
         Ray ray = new PixelRays(STUDIO).ray(15, 10);
         return geometry.surface(geometry.nearestBruteForce(ray), ray);
     }
 
     private static Vec3 rowPoint() {
-        return new Geometry(STUDIO).toScene(new Vec3(row().px(), row().py(), row().pz()));
+        return Geometry.of(STUDIO).toScene(new Vec3(row().px(), row().py(), row().pz()));
     }
 
     /** Returns a position at the row's exact height, so that its cosine from a downward axis is 0. */

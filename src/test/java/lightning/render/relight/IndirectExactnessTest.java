@@ -88,7 +88,7 @@ class IndirectExactnessTest {
 
     private static Film fullTrace(Scene scene, Scene mirrored) {
         try (WorkerPool workers = new WorkerPool(1)) {
-            return new TraditionalTracer(scene, mirrored, new Geometry(scene)).trace(workers, Progress.NONE).film();
+            return new TraditionalTracer(scene, mirrored, Geometry.of(scene)).trace(workers, Progress.NONE).film();
         }
     }
 }

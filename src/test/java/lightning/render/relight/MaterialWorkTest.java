@@ -56,7 +56,7 @@ class MaterialWorkTest {
     }
 
     private static Predicate<SurfacePoint> ofMaterial(StudioRenderer studio, String material) {
-        Geometry geometry = new Geometry(studio.scene());
+        Geometry geometry = Geometry.of(studio.scene());
         return p -> geometry.materials().material(p.material()).name().equals(material);
     }
 

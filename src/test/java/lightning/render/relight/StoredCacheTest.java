@@ -86,7 +86,7 @@ class StoredCacheTest {
                 Scene brighter = scene.withLights(scene.lights().stream().map(l -> l.withIntensity(0.7 * l.intensity())).toList());
                 UpdateResult update = renderer.render(brighter, Progress.NONE);
                 assertThat(update.rays().total()).isZero();
-                Film full = new TraditionalTracer(brighter, new Geometry(brighter)).trace(workers, Progress.NONE).film();
+                Film full = new TraditionalTracer(brighter, Geometry.of(brighter)).trace(workers, Progress.NONE).film();
                 assertThat(renderer.film().hasSameBits(full)).isTrue();
             }
         }

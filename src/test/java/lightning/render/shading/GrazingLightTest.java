@@ -93,7 +93,7 @@ class GrazingLightTest {
                 new Camera(Vec3.ZERO, at, Vec3.Y, 20), sun(0.3));
         Film film = new ReferenceTracer(scene).trace();
         Vec3 toSun = scene.lights().getFirst().direction().normalized().negated();
-        Geometry geometry = new Geometry(scene);
+        Geometry geometry = Geometry.of(scene);
         int lit = 0;
         for (int y = 0; y < film.height(); y++) {
             for (int x = 0; x < film.width(); x++) {

@@ -64,7 +64,7 @@ class LightOnSurfaceTest {
                 new Scene(new PictureSettings(64, 48, 0), new Camera(new Vec3(1, 7, 12), new Vec3(0, 0.5, 0), Vec3.Y, 50), World.DEFAULT,
                         List.of(WHITE), List.of(floor, group), List.of(Light.of("l", LightType.POINT).withPosition(at)));
         Film film = new ReferenceTracer(scene).trace();
-        Geometry geometry = new Geometry(scene);
+        Geometry geometry = Geometry.of(scene);
         int compared = 0;
         for (int y = 0; y < film.height(); y++) {
             for (int x = 0; x < film.width(); x++) {
@@ -98,7 +98,7 @@ class LightOnSurfaceTest {
         SceneNode floor = new Shape(Solid.PLANE, "floor", "white", new Placement(Vec3.ZERO, Vec3.ZERO, new Vec3(4000, 1, 4000)));
         Scene scene = new Scene(new PictureSettings(48, 48, 0), new Camera(at, at.plus(look), new Vec3(0.3, 0.5, 0.9), 60), World.DEFAULT,
                 List.of(WHITE), List.of(floor, group), List.of());
-        Geometry geometry = new Geometry(scene);
+        Geometry geometry = Geometry.of(scene);
         for (int y = 0; y < 48; y++) {
             for (int x = 0; x < 48; x++) {
                 Ray ray = new PixelRays(scene).ray(x, y);

@@ -19,7 +19,7 @@ public final class ReferenceRows {
 
     public ReferenceRows(Scene scene) {
         this.scene = scene;
-        geometry = new Geometry(scene);
+        geometry = Geometry.of(scene);
         PixelRays eye = new PixelRays(scene);
         List<Ray> rays = new ArrayList<>();
         for (int y = 0; y < scene.picture().height(); y++) {

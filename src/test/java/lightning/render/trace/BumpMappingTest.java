@@ -105,7 +105,7 @@ class BumpMappingTest {
     @Example
     void normalPointingIntoSurface_isBentTowardViewer() {
         SurfacePoint at =
-                new Geometry(plane(normals(0, 0, -1, 1), 2)).surface(0, new Ray(new Vec3(0.1, 5, 0.1).minus(EYE), new Vec3(0, -1, 0)));
+                Geometry.of(plane(normals(0, 0, -1, 1), 2)).surface(0, new Ray(new Vec3(0.1, 5, 0.1).minus(EYE), new Vec3(0, -1, 0)));
         assertThat(at.ny()).isPositive();
         NormalSteps steps = normalSteps(plane(normals(0.6f, 0, -0.8f, 1), 2), new Vec3(0.1, 5, 0.1), new Vec3(0, -1, 0));
         assertThat(steps.bumped().minus(new Vec3(0.6, -0.8, 0)).maxAbs()).isLessThan(1e-7);
@@ -174,7 +174,7 @@ class BumpMappingTest {
         NormalSteps steps = normalSteps(scene, from, direction);
         assertThat(steps.isBent()).isTrue();
         assertThat(steps.bumped().minus(new Vec3(0.6, 0.8, 0)).maxAbs()).isLessThan(1e-7);
-        SurfacePoint at = new Geometry(scene).surface(0, new Ray(from.minus(EYE), direction));
+        SurfacePoint at = Geometry.of(scene).surface(0, new Ray(from.minus(EYE), direction));
         assertThat(at.nx()).isLessThan(0.2f);
         assertThat(normalSteps(scene, new Vec3(0.1, 5, 0), new Vec3(0, -1, 0)).isBent()).isFalse();
     }
@@ -197,10 +197,10 @@ class BumpMappingTest {
         Placement placed = new Placement(new Vec3(1, 0.2, 0), new Vec3(10, 20, 30), new Vec3(2, 3, 4));
         Ray ray = new Ray(new Vec3(1 + x, 0.2 + y, 20).minus(EYE), new Vec3(0.01, 0.02, -1).normalized());
         float h = (float) Math.pow(10, exponent);
-        SurfacePoint smooth = new Geometry(scene(Solid.SPHERE, BumpMapping.NONE, placed)).surface(0, ray);
-        assertThat(hasSameBits(smooth, new Geometry(scene(Solid.SPHERE, bump(heights(2, 2, h, h, h, h), 5), placed)).surface(0, ray)))
+        SurfacePoint smooth = Geometry.of(scene(Solid.SPHERE, BumpMapping.NONE, placed)).surface(0, ray);
+        assertThat(hasSameBits(smooth, Geometry.of(scene(Solid.SPHERE, bump(heights(2, 2, h, h, h, h), 5), placed)).surface(0, ray)))
                 .isTrue();
-        assertThat(hasSameBits(smooth, new Geometry(scene(Solid.SPHERE, normals(0, 0, 1, 5), placed)).surface(0, ray))).isTrue();
+        assertThat(hasSameBits(smooth, Geometry.of(scene(Solid.SPHERE, normals(0, 0, 1, 5), placed)).surface(0, ray))).isTrue();
     }
 
     /** The surface itself blocks the light, however steep the bumps are. */
@@ -214,7 +214,7 @@ class BumpMappingTest {
                 .withWorld(new World(0, new Rgb(0, 0, 0))).withPicture(new PictureSettings(24, 24, 0))
                 .withCamera(new Camera(new Vec3(0, 0, 9), Vec3.ZERO, new Vec3(0, 1, 0), 28))
                 .withLights(List.of(Light.of("sun", LightType.POINT).withPosition(light)));
-        Geometry smooth = new Geometry(scene.withMaterials(List.of(Material.of("m"))));
+        Geometry smooth = Geometry.of(scene.withMaterials(List.of(Material.of("m"))));
         ReferenceTracer tracer = new ReferenceTracer(scene);
         int seen = 0;
         for (int i = 0; i < 24 * 24; i++) {
@@ -240,7 +240,7 @@ class BumpMappingTest {
     }
 
     private static NormalSteps normalSteps(Scene scene, Vec3 from, Vec3 direction) {
-        return new Geometry(scene).normalSteps(0, new Ray(from.minus(EYE), direction));
+        return Geometry.of(scene).normalSteps(0, new Ray(from.minus(EYE), direction));
     }
 
     private static boolean hasSameBits(SurfacePoint a, SurfacePoint b) {
@@ -248,7 +248,7 @@ class BumpMappingTest {
     }
 
     private static void assertNormal(Scene scene, Vec3 from, Vec3 direction, Vec3 expected) {
-        SurfacePoint at = new Geometry(scene).surface(0, new Ray(from.minus(EYE), direction));
+        SurfacePoint at = Geometry.of(scene).surface(0, new Ray(from.minus(EYE), direction));
         Vec3 unit = expected.normalized();
         assertThat((double) at.nx()).isCloseTo(unit.x(), within(1e-6));
         assertThat((double) at.ny()).isCloseTo(unit.y(), within(1e-6));

@@ -40,7 +40,7 @@ class CutoutPrecisionTest {
 
     private static Geometry geometry(Texture opacity, double cutoff, Vec3 eye, Shape... shapes) {
         Material leaf = Material.of("leaf").withCutout(new AlphaCutout(Optional.of(new TextureMap("a.png", 1, 1, opacity)), cutoff));
-        return new Geometry(new Scene(PictureSettings.DEFAULT, new Camera(eye, eye.plus(new Vec3(0, 0, -1)), Vec3.Y, 40), World.DEFAULT,
+        return Geometry.of(new Scene(PictureSettings.DEFAULT, new Camera(eye, eye.plus(new Vec3(0, 0, -1)), Vec3.Y, 40), World.DEFAULT,
                 List.of(leaf), List.of(shapes), List.of()));
     }
 

@@ -39,7 +39,7 @@ record ExactPlacedSolid(Solid.Canonical solid, List<Placement> placements, Vec3 
 
     static ExactPlacedSolid create(Solid.Canonical solid, List<Placement> placements, Vec3 camera) {
         return new ExactPlacedSolid(solid, placements, camera, new ExactPlacement(placements),
-                new Geometry(TraceScenes.singleShape(solid, placements, camera)));
+                Geometry.of(TraceScenes.singleShape(solid, placements, camera)));
     }
 
     private static Placement placement(Random random) {

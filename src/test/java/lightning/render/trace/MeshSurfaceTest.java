@@ -51,8 +51,8 @@ class MeshSurfaceTest {
     void tessellatedSolid_matchesOutlineWithinPixel_andNormalsWithinFacet(Mesh mesh, Solid solid, double facet) {
         Placement placement = new Placement(new Vec3(0.1, -0.2, 0.3), new Vec3(20, 30, 40), new Vec3(1, 1.3, 0.8));
         Scene scene = scene(SampleMeshes.solid(mesh), placement);
-        Geometry triangles = new Geometry(scene);
-        Geometry exact = new Geometry(scene(solid, placement));
+        Geometry triangles = Geometry.of(scene);
+        Geometry exact = Geometry.of(scene(solid, placement));
         PixelRays eye = new PixelRays(scene);
         boolean[] visible = new boolean[SIDE * SIDE];
         for (int i = 0; i < visible.length; i++) {
@@ -105,7 +105,7 @@ class MeshSurfaceTest {
         int acne = 0;
         for (Mesh mesh : List.of(SampleMeshes.cube(), SampleMeshes.ball(7, 9, false), SampleMeshes.cone(6))) {
             Placement placement = new Placement(place, new Vec3(37, 74, -37), scale);
-            Geometry geometry = new Geometry(TraceScenes.singleShape(SampleMeshes.solid(mesh), placement, Vec3.ZERO, new Vec3(0, 0, -1)));
+            Geometry geometry = Geometry.of(TraceScenes.singleShape(SampleMeshes.solid(mesh), placement, Vec3.ZERO, new Vec3(0, 0, -1)));
             for (int n = 0; n < 3000; n++) {
                 int v = 3 * random.nextInt(mesh.vertexCount());
                 double inwards = random.nextInt(3) == 0 ? 1 : random.nextDouble();
@@ -138,7 +138,7 @@ class MeshSurfaceTest {
     /** A coarse round body is lit up to where its smooth normals turn away from the light, and no facet shadows another. */
     @Test
     void smoothRoundMesh_castsNoShadowOnItself() {
-        Geometry smooth = new Geometry(scene(SampleMeshes.solid(SampleMeshes.ball(8, 12, true)), Placement.IDENTITY));
+        Geometry smooth = Geometry.of(scene(SampleMeshes.solid(SampleMeshes.ball(8, 12, true)), Placement.IDENTITY));
         PixelRays eye = new PixelRays(scene(Solid.SPHERE, Placement.IDENTITY));
         int lit = 0;
         int shaded = 0;
@@ -172,7 +172,7 @@ class MeshSurfaceTest {
     private static SurfacePoint point(Solid solid, Optional<TextureMap> texture, Ray ray) {
         Material material = Material.of("m").withDiffuse(Rgb.gray(0.8)).withTexture(texture);
         Geometry geometry =
-                new Geometry(new Scene(PictureSettings.DEFAULT, new Camera(Vec3.ZERO, new Vec3(0, 0, -1), Vec3.Y, 40), World.DEFAULT,
+                Geometry.of(new Scene(PictureSettings.DEFAULT, new Camera(Vec3.ZERO, new Vec3(0, 0, -1), Vec3.Y, 40), World.DEFAULT,
                         List.of(material), List.of(new Shape(solid, "s", "m", Placement.IDENTITY)), List.of()));
         return geometry.surface(0, ray);
     }
@@ -187,8 +187,8 @@ class MeshSurfaceTest {
         }
         Material painted = Material.of("default").withTexture(Optional.of(new TextureMap("a.png", 2, -3, new Texture(7, 5, rgb))));
         Placement placement = new Placement(Vec3.ZERO, new Vec3(10, 20, 30), new Vec3(4, 1, 4));
-        Geometry mesh = new Geometry(scene(SampleMeshes.solid(square), placement).withMaterials(List.of(painted)));
-        Geometry plane = new Geometry(scene(Solid.PLANE, placement).withMaterials(List.of(painted)));
+        Geometry mesh = Geometry.of(scene(SampleMeshes.solid(square), placement).withMaterials(List.of(painted)));
+        Geometry plane = Geometry.of(scene(Solid.PLANE, placement).withMaterials(List.of(painted)));
         PixelRays eye = new PixelRays(scene(Solid.PLANE, placement));
         int visible = 0;
         for (int i = 0; i < SIDE * SIDE; i++) {
@@ -208,8 +208,8 @@ class MeshSurfaceTest {
         for (Mesh mesh : List.of(SampleMeshes.ball(3, 4, true), SampleMeshes.ball(5, 8, true), SampleMeshes.randomTriangles(60, 3),
                 SampleMeshes.randomTriangles(60, 6))) {
             Geometry geometry =
-                    new Geometry(scene(SampleMeshes.solid(mesh), new Placement(Vec3.ZERO, new Vec3(10, 20, 30), new Vec3(1, 0.5, 2))));
-            Geometry flat = new Geometry(scene(SampleMeshes.solid(new Mesh(mesh.positions(), mesh.triangles(), null, null, null)),
+                    Geometry.of(scene(SampleMeshes.solid(mesh), new Placement(Vec3.ZERO, new Vec3(10, 20, 30), new Vec3(1, 0.5, 2))));
+            Geometry flat = Geometry.of(scene(SampleMeshes.solid(new Mesh(mesh.positions(), mesh.triangles(), null, null, null)),
                     new Placement(Vec3.ZERO, new Vec3(10, 20, 30), new Vec3(1, 0.5, 2))));
             for (int n = 0; n < 3000; n++) {
                 Ray ray = new Ray(HardRay.direction(random).times(3), HardRay.direction(random).normalized());

@@ -85,7 +85,7 @@ final class NumericsPictures {
         Vec3 up = right.cross(d);
         Vec3 middle = solid.equals(Solid.SPHERE) ? Vec3.ZERO : new Vec3(0, 0.4, 0);
         Vec3 o = middle.plus(right.times(x[0])).plus(up.times(x[1])).minus(d.times(distance));
-        Geometry geometry = new Geometry(TraceScenes.singleShape(solid, Placement.IDENTITY, Vec3.ZERO, new Vec3(0, 0, -1)));
+        Geometry geometry = Geometry.of(TraceScenes.singleShape(solid, Placement.IDENTITY, Vec3.ZERO, new Vec3(0, 0, -1)));
         double t = naive ? NaiveSolids.distance(solid, o.x(), o.y(), o.z(), d.x(), d.y(), d.z()) : geometry.distance(0, new Ray(o, d));
         if (t == SolidGeometry.MISS) {
             return 0.02;
@@ -118,7 +118,7 @@ final class NumericsPictures {
 
     /** Renders a ball over a floor, seen from the origin, with its shadow. */
     private static double shadowValue(double[] x, Vec3 at, double scale, RayOffset leaving, Vec3 toLight) {
-        Geometry geometry = new Geometry(TraceScenes.ballOnFloor(at, scale));
+        Geometry geometry = Geometry.of(TraceScenes.ballOnFloor(at, scale));
         Vec3 forward = at.normalized();
         Vec3 right = forward.cross(Vec3.Y).normalized();
         Vec3 up = right.cross(forward);
@@ -144,7 +144,7 @@ final class NumericsPictures {
 
     /** Renders a bumpy ball lit from its left; {@code usesLift} selects whether shadow rays test the ball itself. */
     private static double bumpy(double[] x, boolean usesLift) {
-        Geometry geometry = new Geometry(bumpyBall());
+        Geometry geometry = Geometry.of(bumpyBall());
         Ray ray = new Ray(Vec3.ZERO, new Vec3(x[0], x[1], -9).normalized());
         if (geometry.nearestBruteForce(ray) < 0) {
             return 0.02;
@@ -185,8 +185,8 @@ final class NumericsPictures {
                 List.of(new Shape(Solid.PLANE, "fence", "cut", new Placement(new Vec3(0, 0, -4), upright, size)),
                         new Shape(Solid.PLANE, "wall", "default", new Placement(new Vec3(0, 0, -4 - 5e-5), upright, size))),
                 List.of());
-        Geometry geometry = new Geometry(scene);
-        Geometry whole = new Geometry(scene.withMaterials(List.of(Material.of("cut"))));
+        Geometry geometry = Geometry.of(scene);
+        Geometry whole = Geometry.of(scene.withMaterials(List.of(Material.of("cut"))));
         Ray ray = new Ray(Vec3.ZERO, new Vec3(x[0], x[1], -4).normalized());
         int hit = geometry.nearestBruteForce(ray);
         if (restarts && whole.nearestBruteForce(ray) == 0 && hit != 0) {
@@ -217,7 +217,7 @@ final class NumericsPictures {
     private static double lightOnSurface(double[] x, boolean liesOnSurface) {
         Placement square = new Placement(new Vec3(0, 2, -0.5), new Vec3(37, 20, 10), new Vec3(1.5, 1, 1.5));
         Vec3 eye = new Vec3(0, 7, 5);
-        Geometry geometry = new Geometry(TraceScenes.shapeOverFloor(Solid.PLANE, square, eye));
+        Geometry geometry = Geometry.of(TraceScenes.shapeOverFloor(Solid.PLANE, square, eye));
         Vec3 light = geometry.toRenderSpace(square.transform().transformPoint(new Vec3(0.1, 0, 0.2)));
         Ray ray = new Ray(Vec3.ZERO, new Vec3(3 * x[0], 0.5 + 2.5 * x[1], -2 * x[1]).minus(eye).normalized());
         int shape = geometry.nearestBruteForce(ray);

@@ -152,7 +152,7 @@ class RefractionTest {
                 List.of(new Shape(Solid.SPHERE, "ball", "glass",
                         new Placement(new Vec3(0, 0, -distance), Vec3.ZERO, new Vec3(distance / 4, distance / 4, distance / 4)))),
                 List.of());
-        Geometry geometry = new Geometry(scene);
+        Geometry geometry = Geometry.of(scene);
         for (double b : new double[] {0, 0.1, 0.5, 0.9, 0.99}) {
             double angle = Math.asin(b / 4);
             Ray ray = new Ray(Vec3.ZERO, new Vec3(Math.sin(angle), 0, -Math.cos(angle)));

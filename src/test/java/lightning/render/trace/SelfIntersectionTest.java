@@ -174,7 +174,7 @@ class SelfIntersectionTest {
     void raysFromHugeBallSeenUpClose_leave(double height) {
         Vec3 up = new Vec3(0.48, 0.6, 0.64);
         double radius = 1e8;
-        Geometry geometry = new Geometry(TraceScenes.singleShape(Solid.SPHERE,
+        Geometry geometry = Geometry.of(TraceScenes.singleShape(Solid.SPHERE,
                 new Placement(up.times(-radius - height), new Vec3(11, 23, 7), Vec3.ONE.times(radius)), Vec3.ZERO, new Vec3(0, 0, -1)));
         for (int n = 0; n < POINTS; n++) {
             Vec3 d = HardRay.direction(random).normalized();
@@ -210,7 +210,7 @@ class SelfIntersectionTest {
 
     /** Traces rays from a point to points of the shape. */
     private void checkSurface(Solid.Canonical solid, Placement placement, Vec3 eye, SurfaceCheck check) {
-        Geometry geometry = new Geometry(TraceScenes.singleShape(solid, placement, Vec3.ZERO, new Vec3(0, 0, -1)));
+        Geometry geometry = Geometry.of(TraceScenes.singleShape(solid, placement, Vec3.ZERO, new Vec3(0, 0, -1)));
         Transform map = placement.transform();
         for (int n = 0; n < POINTS; n++) {
             Ray ray = new Ray(eye, map.transformPoint(HardRay.pointOnSurface(solid, random)).minus(eye).normalized());

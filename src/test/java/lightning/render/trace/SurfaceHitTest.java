@@ -21,7 +21,7 @@ class SurfaceHitTest {
     private static final double H = Math.sqrt(0.5);
 
     private static SurfacePoint hit(Solid solid, Placement placement, Ray ray) {
-        return new Geometry(TraceScenes.singleShape(solid, placement, Vec3.ZERO, new Vec3(0, 0, -1))).surface(0, ray);
+        return Geometry.of(TraceScenes.singleShape(solid, placement, Vec3.ZERO, new Vec3(0, 0, -1))).surface(0, ray);
     }
 
     private static Vec3 normal(SurfacePoint p) {
@@ -72,7 +72,7 @@ class SurfaceHitTest {
         for (int n = 0; n < 50_000; n++) {
             Solid.Canonical solid = CanonicalSolids.ALL.get(n % CanonicalSolids.ALL.size());
             Ray ray = HardRay.values()[random.nextInt(HardRay.values().length)].create(solid, random);
-            Geometry geometry = new Geometry(TraceScenes.singleShape(solid, Placement.IDENTITY, Vec3.ZERO, new Vec3(0, 0, -1)));
+            Geometry geometry = Geometry.of(TraceScenes.singleShape(solid, Placement.IDENTITY, Vec3.ZERO, new Vec3(0, 0, -1)));
             if (geometry.distance(0, ray) < SolidGeometry.MISS) {
                 Vec3 normal = normal(geometry.surface(0, ray));
                 assertThat(normal.length()).isCloseTo(1, within(1e-6));
@@ -116,7 +116,7 @@ class SurfaceHitTest {
         double far = 0x1p39;
         double size = 0x1p-29;
         Placement placement = new Placement(new Vec3(0, 0, -far), Vec3.ZERO, new Vec3(size, size, size));
-        PrimitiveTable table = new Geometry(TraceScenes.singleShape(Solid.SPHERE, placement, Vec3.ZERO, new Vec3(0, 0, -1))).primitives();
+        PrimitiveTable table = Geometry.of(TraceScenes.singleShape(Solid.SPHERE, placement, Vec3.ZERO, new Vec3(0, 0, -1))).primitives();
         SurfaceHit surface = new SurfaceHit();
         surface.compute(table, 0, 0, 0, far, 0, 0, -1, -1, far);
         assertThat(new Vec3(surface.nx, surface.ny, surface.nz).minus(new Vec3(0, H, H)).maxAbs()).isLessThan(1e-7);

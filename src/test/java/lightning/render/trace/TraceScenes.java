@@ -40,7 +40,7 @@ public final class TraceScenes {
 
     /** Returns a single shape seen from a camera. */
     static PrimitiveTable singleShape(Solid solid, Placement placement, Vec3 camera) {
-        return new Geometry(singleShape(solid, placement, camera, camera.plus(new Vec3(0, 0, -1 - camera.maxAbs())))).primitives();
+        return Geometry.of(singleShape(solid, placement, camera, camera.plus(new Vec3(0, 0, -1 - camera.maxAbs())))).primitives();
     }
 
     /** Returns a ball of radius 1 around (0, 0, −5) on a floor, seen from the origin. */

@@ -25,7 +25,7 @@ class WarmUpTest {
     @BeforeEach
     void coldProcess() throws Exception {
         scene = JenReader.read(Path.of("scenes", "bird.jen")).scene();
-        geometry = new Geometry(scene);
+        geometry = Geometry.of(scene);
         Engines.use(_ -> Engines.SCALAR);
     }
 

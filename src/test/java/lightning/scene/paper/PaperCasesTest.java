@@ -156,14 +156,14 @@ class PaperCasesTest {
     @Slow
     void everyCaseOfEveryScene_equalsTheTraditionalTrace(String name) {
         Scene scene = SceneFiles.read(name, 24);
-        Geometry geometry = new Geometry(scene);
+        Geometry geometry = Geometry.of(scene);
         RenderOptions options = RenderOptions.DEFAULT.withReflections(ReflectionMode.CURRENT).withThreads(2);
         try (Renderer renderer = new Renderer(options); WorkerPool workers = new WorkerPool(2)) {
             for (PaperCase edit : PaperCases.of(scene)) {
                 for (Scene step : edit.scenes()) {
                     UpdateResult update = renderer.render(step, Progress.NONE);
                     assertThat(renderer.film().hasSameBits(
-                            new TraditionalTracer(step, geometry.canServe(step) ? geometry : new Geometry(step))
+                            new TraditionalTracer(step, geometry.canServe(step) ? geometry : Geometry.of(step))
                                     .trace(workers, Progress.NONE)
                                     .film()))
                             .as(edit.name() + ": " + update.plan().description()).isTrue();

@@ -19,7 +19,7 @@ public final class ScenePicker {
     private final Geometry geometry;
 
     public ScenePicker(Scene scene) {
-        this(scene, new Geometry(scene));
+        this(scene, Geometry.of(scene));
     }
 
     /** Returns the picker of a scene, reusing a geometry if possible. */

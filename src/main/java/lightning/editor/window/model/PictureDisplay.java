@@ -47,11 +47,6 @@ public final class PictureDisplay {
         return mode.isFullPicture();
     }
 
-    /** True if only the contribution of the selected light is shown. */
-    public BooleanProperty onlySelectedProperty() {
-        return onlySelected;
-    }
-
     public ObjectProperty<ViewEffects> effectsProperty() {
         return effects;
     }

@@ -379,7 +379,7 @@ final class TracedMouse implements AutoCloseable {
         Scene scene = editor.scene().withPicture(editor.scene().picture().withSize(pixels.width(), pixels.height()));
         Frame lastFrame = tracedPicture.frame();
         Function<Scene, Geometry> geometry =
-                lastFrame == null ? Geometry::new : s -> lastFrame.geometry().forScene(s, lastFrame.geometry().castsReflections());
+                lastFrame == null ? Geometry::of : s -> lastFrame.geometry().forScene(s, lastFrame.geometry().castsReflections());
         regionTracer.trace(scene, geometry, region, film -> {
             tracedPicture.raster().patch(film, region);
             patchedScene = scene;

@@ -62,17 +62,11 @@ final class LightLanes implements TermKernel {
 
     @Override
     public void aim(HitRows rows, LightSource source, int s, RowShadowRays patterns, int[] rowSet, float[] cosine, int[] facing) {
-        int words = RowBits.words(rows.count);
-        for (int b = 0; b < words; b++) {
-            int first = b;
-            b = RowBits.firstEmptyWord(rowSet, b, words);
-            if (source.type().hasPosition()) {
-                aimAtPoints(rows, first * RowBits.WIDTH, b * RowBits.WIDTH, source.samples(rows), s, patterns, cosine);
-            } else {
-                aimAtDirections(rows, first * RowBits.WIDTH, b * RowBits.WIDTH, source.samples(rows), s, patterns, cosine);
-            }
-        }
-        for (int b = 0; b < words; b++) {
+        AreaSamples area = source.samples(rows);
+        RowBits.forEachRun(rowSet, rows.count, source.type().hasPosition()
+                ? (from, to) -> aimAtPoints(rows, from, to, area, s, patterns, cosine)
+                : (from, to) -> aimAtDirections(rows, from, to, area, s, patterns, cosine));
+        for (int b = 0; b < RowBits.words(rows.count); b++) {
             int bits = 0;
             for (int i = 0; i < RowBits.WIDTH; i += LANES) {
                 bits |= facingBits[(b * RowBits.WIDTH + i) / LANES] << i;
@@ -127,16 +121,13 @@ final class LightLanes implements TermKernel {
     @Override
     public void aimShadowRays(HitRows rows, LightSource source, int s, int[] rowSet, RowShadowRays shadowRays) {
         AreaSamples area = source.samples(rows);
-        int words = RowBits.words(rows.count);
-        for (int b = 0; b < words; b++) {
-            int first = b;
-            b = RowBits.firstEmptyWord(rowSet, b, words);
-            for (int i = first * RowBits.WIDTH; i < b * RowBits.WIDTH; i += LANES) {
+        RowBits.forEachRun(rowSet, rows.count, (from, to) -> {
+            for (int i = from; i < to; i += LANES) {
                 samplePosition(area, area.x, s, shadowRays, i).intoArray(shadowRays.x, i);
                 samplePosition(area, area.y, s, shadowRays, i).intoArray(shadowRays.y, i);
                 samplePosition(area, area.z, s, shadowRays, i).intoArray(shadowRays.z, i);
             }
-        }
+        });
     }
 
     /**
@@ -272,16 +263,9 @@ final class LightLanes implements TermKernel {
 
     @Override
     public void accumulate(float[] term, float[] falloff, int[] rowSet, int rows, double[] sum) {
-        int words = RowBits.words(rows);
-        for (int b = 0; b < words; b++) {
-            int first = b;
-            b = RowBits.firstEmptyWord(rowSet, b, words);
-            if (falloff == null) {
-                accumulate(term, rowSet, first * RowBits.WIDTH, b * RowBits.WIDTH, sum);
-            } else {
-                accumulate(term, falloff, rowSet, first * RowBits.WIDTH, b * RowBits.WIDTH, sum);
-            }
-        }
+        RowBits.forEachRun(rowSet, rows, falloff == null
+                ? (from, to) -> accumulate(term, rowSet, from, to, sum)
+                : (from, to) -> accumulate(term, falloff, rowSet, from, to, sum));
     }
 
     private static void accumulate(float[] term, int[] rowSet, int from, int to, double[] sum) {

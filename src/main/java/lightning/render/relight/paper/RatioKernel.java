@@ -75,7 +75,7 @@ public final class RatioKernel {
     }
 
     private RatioRows contributions(HitRows rows, WeightedLight light, LightRows layer, byte[] states) {
-        if (layer.state == LightRows.UNREACHED.state) {
+        if (layer.isUnreached()) {
             return RatioRows.UNREACHED;
         }
         System.arraycopy(layer.state, 0, states, 0, rows.count);
@@ -205,8 +205,13 @@ public final class RatioKernel {
 
     /** Returns a layer with known states, visible samples and tints. */
     private static LightRows toTermLayer(RatioRows before) {
-        return new LightRows(before.states(), before.litCount() == 0 ? null : ZEROS, before.specular == null ? null : ZEROS,
-                before.grazing == null ? null : ZEROS, null, before.visibleSamples(), before.litCount()).withTint(before.tint());
+        if (before.isUnreached()) {
+            return LightRows.UNREACHED;
+        }
+        LightRows layer = before.litCount() == 0 ? LightRows.unlit(before.states())
+                : LightRows.lit(before.states(), ZEROS, before.litCount())
+                        .withSpecular(before.specular == null ? null : ZEROS, before.grazing == null ? null : ZEROS);
+        return layer.withVisibleSamples(before.visibleSamples()).withTint(before.tint());
     }
 
     private RatioRows scale(HitRows rows, RatioRows before, IntensityRatio intensity, boolean falloff) {
@@ -341,7 +346,7 @@ public final class RatioKernel {
      * @param added  layer of the added rows; null if there are none
      */
     RatioRows splice(RowSplice splice, RatioRows before, RatioRows added) {
-        if (before.states() == LightRows.UNREACHED.state && (added == null || added.states() == LightRows.UNREACHED.state)) {
+        if (before.isUnreached() && (added == null || added.isUnreached())) {
             return RatioRows.UNREACHED;
         }
         Set<RatioRows.Column> known = EnumSet.allOf(RatioRows.Column.class);

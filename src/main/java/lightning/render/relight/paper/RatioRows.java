@@ -102,6 +102,11 @@ public final class RatioRows extends WeightedLayer {
         return columns;
     }
 
+    @Override
+    public boolean isUnreached() {
+        return states == UNREACHED.states;
+    }
+
     private static float[] channel(float[][] colors, int c) {
         return colors == null ? null : colors[c];
     }

@@ -23,14 +23,13 @@ import lightning.scene.light.Light;
 
 /**
  * Builds the pixel cache of a picture on all threads: the whole cache, only pixel centers, or the finer samples of existing centers.
- * Use one instance per job.
  */
 public final class CacheBuilder {
     /** Minimum number of batches per thread in a small picture, so that all threads finish at about the same time. */
     private static final int MIN_BATCHES_PER_THREAD = 8;
 
-    /** With its indirect light once that is computed. */
-    private RenderJob job;
+    /** With its indirect light, which is computed first. */
+    private final RenderJob job;
     private final WorkerPool workers;
     private final PixelCache oldCache;
     private final List<EngineWorkers<TileWorker>> tileWorkers;
@@ -38,12 +37,11 @@ public final class CacheBuilder {
     /** Rays that each thread reported. */
     private final long[] reportedRays;
 
-    /** @param old the cache to start from, or null for a first pass */
-    public CacheBuilder(RenderJob job, WorkerPool workers, PixelCache old) {
+    private CacheBuilder(RenderJob job, WorkerPool workers, PixelCache old) {
         this.job = job;
         this.workers = workers;
         this.oldCache = old;
-        tileWorkers = EngineWorkers.perThread(workers.count(), job.options().engines(), engine -> new TileWorker(this.job, engine));
+        tileWorkers = EngineWorkers.perThread(workers.count(), job.options().engines(), engine -> new TileWorker(job, engine));
         reportedRays = new long[workers.count()];
         tileOrder = old == null ? CenterFirstOrder.tileOrder(job.tilesX(), job.tileCount()) : IntStream.range(0, job.tileCount()).toArray();
     }
@@ -52,17 +50,36 @@ public final class CacheBuilder {
     public record BuildResult(PixelCache cache, WorkCounts work) {}
 
     /**
-     * Builds the cache as the job plans it.
+     * Builds a cache as a job plans it: indirect light, then tiles.
      *
+     * @param planned     job without indirect light
+     * @param old         the cache to start from, or null for a first pass
      * @param centersOnly true if finer samples are left out
      * @throws java.util.concurrent.CancellationException if the job's progress requested cancellation
      */
-    public BuildResult build(boolean centersOnly) {
-        IndirectBuilder indirectBuilder = new IndirectBuilder(job, workers, oldCache);
+    public static BuildResult build(RenderJob planned, WorkerPool workers, PixelCache old, boolean centersOnly) {
+        IndirectBuilder indirectBuilder = new IndirectBuilder(planned, workers, old);
         IndirectCache indirect = indirectBuilder.build();
-        IndirectCache mirroredIndirect = job.mirrorTarget() == job.target() ? indirect : oldCache.mirroredIndirect();
-        job = job.withIndirect(indirect, mirroredIndirect, oldCache, indirectBuilder.pointChanges())
+        IndirectCache mirroredIndirect = planned.mirrorTarget() == planned.target() ? indirect : old.mirroredIndirect();
+        RenderJob job = planned.withIndirect(indirect, mirroredIndirect, old, indirectBuilder.pointChanges())
                 .withProgress(indirectBuilder.tileProgress());
+        BuildResult tiles = new CacheBuilder(job, workers, old).buildTiles(indirect, mirroredIndirect, centersOnly);
+        return new BuildResult(tiles.cache(), tiles.work().plus(indirectBuilder.work()));
+    }
+
+    /**
+     * Adds the finer samples to existing centers.
+     *
+     * @param planned job without indirect light
+     * @param old     the cache to start from, or null
+     * @throws java.util.concurrent.CancellationException if the job's progress requested cancellation
+     */
+    public static BuildResult finish(RenderJob planned, WorkerPool workers, PixelCache old, PixelCache centers) {
+        RenderJob job = planned.withIndirect(centers.indirect(), centers.mirroredIndirect(), old, null);
+        return new CacheBuilder(job, workers, old).addSamples(centers);
+    }
+
+    private BuildResult buildTiles(IndirectCache indirect, IndirectCache mirroredIndirect, boolean centersOnly) {
         CachedTile[] centers = buildCenters(centersOnly ? 0 : fineTileCount());
         FineTile[] fine = centersOnly ? new FineTile[0] : buildSamples(centers, centers.length);
         List<CachedLight> lights = job.plan() == null ? CachedLight.ofScene(job.scene(), this::freshStamp) : lightsAfter(job.topPlan());
@@ -71,7 +88,7 @@ public final class CacheBuilder {
         return new BuildResult(
                 new PixelCache(job.target().geometry(), centers, fine, new RenderedScenes(job.scene(), job.mirrorTarget().scene()), lights,
                         mirrored, indirect, mirroredIndirect),
-                work().plus(indirectBuilder.work()));
+                work());
     }
 
     private LayerStamp freshStamp(Light light) {
@@ -82,13 +99,7 @@ public final class CacheBuilder {
         return plan.lightsAfter(job.options().method(), allWorkers().mapToDouble(TileWorker::minFalloff).reduce(1, Math::min));
     }
 
-    /**
-     * Adds the finer samples to existing centers.
-     *
-     * @throws java.util.concurrent.CancellationException if the job's progress requested cancellation
-     */
-    public BuildResult finish(PixelCache centers) {
-        job = job.withIndirect(centers.indirect(), centers.mirroredIndirect(), oldCache, null);
+    private BuildResult addSamples(PixelCache centers) {
         return new BuildResult(new PixelCache(centers.geometry(), centers.tiles(), buildSamples(centers.tiles(), 0), centers.scenes(),
                 centers.lights(), centers.mirroredLights(), centers.indirect(), centers.mirroredIndirect()), work());
     }

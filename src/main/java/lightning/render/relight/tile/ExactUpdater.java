@@ -26,7 +26,7 @@ record ExactUpdater(LightKernel kernel, boolean premultiplies, ScratchColumns sc
     public LightLayer recompute(HitRows rows, WeightedLight light) {
         scratch.reset();
         LightRows layer = kernel.recompute(rows, light.source(), scratch);
-        return (premultiplies ? layer.premultiply(rows.count) : layer).copyCompact(rows.count);
+        return premultiplies ? layer.copyPremultiplied(rows.count) : layer.copyCompact(rows.count);
     }
 
     @Override

@@ -47,7 +47,7 @@ public final class PixelExplainer {
 
     /** Creates an explainer that also reports cutouts that rays passed; builds a second BVH for this. */
     public PixelExplainer(Scene scene) {
-        this(scene, new Geometry(scene), new HashMap<>(), withoutCutouts(scene), null);
+        this(scene, Geometry.of(scene), new HashMap<>(), withoutCutouts(scene), null);
     }
 
     /** @param known existing geometry that serves the scene, from its traced picture */
@@ -164,7 +164,7 @@ public final class PixelExplainer {
 
     /** Returns the geometry without cutouts; null if the scene has none. */
     private static Geometry withoutCutouts(Scene scene) {
-        return scene.materials().stream().noneMatch(m -> m.cutout().isActive()) ? null : new Geometry(
+        return scene.materials().stream().noneMatch(m -> m.cutout().isActive()) ? null : Geometry.of(
                 scene.withMaterials(
                         scene.materials().stream().map(m -> m.cutout().isActive() ? m.withCutout(AlphaCutout.NONE) : m).toList()));
     }

@@ -148,9 +148,10 @@ final class AreaTermSums {
             return LightRows.unlit(state, visibleSamples);
         }
         int samples = source.samples(rows).samples();
-        LightRows layer = new LightRows(state, meanColumn(diffuseSum, samples, rows, columns),
-                hasSpecular ? meanColumn(specularSum, samples, rows, columns) : null,
-                hasMetallic ? meanColumn(grazingSum, samples, rows, columns) : null, null, visibleSamples, lit);
+        LightRows layer = LightRows.lit(state, meanColumn(diffuseSum, samples, rows, columns), lit)
+                .withSpecular(hasSpecular ? meanColumn(specularSum, samples, rows, columns) : null,
+                        hasMetallic ? meanColumn(grazingSum, samples, rows, columns) : null)
+                .withVisibleSamples(visibleSamples);
         return source.samples(rows).color == null ? layer
                 : layer.withFaceColors(meanColors(diffuseColor, diffuseSum, rows, columns),
                         hasSpecular ? meanColors(specularColor, specularWeight, rows, columns) : null);

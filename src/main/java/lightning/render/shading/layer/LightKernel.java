@@ -2,6 +2,7 @@ package lightning.render.shading.layer;
 
 import java.util.Arrays;
 import java.util.EnumSet;
+import java.util.Optional;
 import java.util.Set;
 import lightning.render.column.ColumnSet;
 import lightning.render.shading.LightSource;
@@ -84,21 +85,40 @@ public final class LightKernel {
             rowsTouched += rows.count;
             return areaKernel().recompute(rows, source, columns);
         }
-        if (!requiredWork.needsConeTest(source, rows, tracer) || !links.canReach(source, rows)) {
+        if (!canReachAnyRow(rows, source)) {
             return LightRows.UNREACHED;
         }
         aim(rows, source);
+        TestedRows tested = testAll(rows, source);
+        rowsTouched += rows.count;
+        float[][] tint = links.shadowCaster(source).tintColumns(rows, source, tested.lit(), null, columns);
+        return buildLayer(rows, source, states(rows, tested, columns), tested.lit(), Optional.empty(), columns).withTint(tint);
+    }
+
+    /** Returns whether any row may be inside the cone and is of a shape that the light illuminates; otherwise no row needs a test. */
+    private boolean canReachAnyRow(HitRows rows, LightSource source) {
+        return requiredWork.needsConeTest(source, rows, tracer) && links.canReach(source, rows);
+    }
+
+    /**
+     * Rows that passed the tests of a recomputed layer, each a part of the one before; in scratch memory, until the next test.
+     *
+     * @param facing rows that face the light
+     * @param inside those of them inside its cone that it illuminates: a shadow ray was cast from each
+     * @param lit    those of them whose shadow ray is not blocked
+     */
+    private record TestedRows(int[] facing, int[] inside, int[] lit) {}
+
+    /** Tests all rows. Expects terms that were aimed; writes {@link #cosine}. */
+    private TestedRows testAll(HitRows rows, LightSource source) {
         terms.cosines(rows, cosine);
-        int words = RowBits.words(rows.count);
         terms.selectFacing(cosine, rows.count, facing);
         selectInside(rows, source, facing, chosen);
         links.shadowCaster(source).cast(rows, source, chosen, blocked);
-        for (int b = 0; b < words; b++) {
+        for (int b = 0; b < RowBits.words(rows.count); b++) {
             lit[b] = chosen[b] & ~blocked[b];
         }
-        rowsTouched += rows.count;
-        float[][] tint = links.shadowCaster(source).tintColumns(rows, source, lit, null, columns);
-        return buildLayer(rows, source, states(rows, columns), null, columns).withTint(tint);
+        return new TestedRows(facing, chosen, lit);
     }
 
     /** Selects the candidates that are in the cone and that the light illuminates. */
@@ -112,18 +132,18 @@ public final class LightKernel {
     }
 
     /** Returns the states of rows that were tested, face away or are outside. */
-    private byte[] states(HitRows rows, ColumnAllocator columns) {
+    private static byte[] states(HitRows rows, TestedRows tested, ColumnAllocator columns) {
         byte[] state = columns.states(rows.count);
         for (int b = 0, row = 0; row < rows.count; b++, row += RowBits.WIDTH) {
             int end = Math.min(rows.count, row + RowBits.WIDTH);
             int valid = RowBits.validBits(b, rows.count);
-            if (lit[b] == valid) {
+            if (tested.lit[b] == valid) {
                 Arrays.fill(state, row, end, (byte) (LightRows.LIT | LightRows.UNBLOCKED));
-            } else if (facing[b] == 0) {
+            } else if (tested.facing[b] == 0) {
                 Arrays.fill(state, row, end, LightRows.FACING_AWAY);
             } else {
                 for (int i = row; i < end; i++) {
-                    state[i] = state(facing[b] >>> i - row & 1, chosen[b] >>> i - row & 1, lit[b] >>> i - row & 1);
+                    state[i] = state(tested.facing[b] >>> i - row & 1, tested.inside[b] >>> i - row & 1, tested.lit[b] >>> i - row & 1);
                 }
             }
         }
@@ -143,18 +163,39 @@ public final class LightKernel {
         }
     }
 
-    /** Builds a layer from its states and the rows in {@link #lit}; copies the terms of rows that were lit before. */
-    private LightRows buildLayer(HitRows rows, LightSource source, byte[] state, LightRows before, ColumnAllocator columns) {
-        int count = RowBits.count(lit, rows.count);
+    /**
+     * Terms of an earlier layer of the same light at the same place.
+     *
+     * @param lit rows that were lit, whose specular terms are known
+     */
+    private record KnownTerms(LightRows layer, int[] lit) {
+        static Optional<KnownTerms> of(LightRows layer, int rows, int[] scratch) {
+            if (layer.litCount == 0) {
+                return Optional.empty();
+            }
+            RowBits.selectState(layer.state, rows, LightRows.LIT, scratch);
+            return Optional.of(new KnownTerms(layer, scratch));
+        }
+
+        boolean haveFalloffs() {
+            return !layer.isPremultiplied();
+        }
+    }
+
+    /** Builds a layer from its states, the rows that are lit, and terms that are known. Expects terms that were aimed, and their cosines. */
+    private LightRows buildLayer(HitRows rows, LightSource source, byte[] state, int[] litRows, Optional<KnownTerms> known,
+            ColumnAllocator columns) {
+        int count = RowBits.count(litRows, rows.count);
         if (count == 0) {
             return LightRows.unlit(state);
         }
-        int[] known = before == null || before.specular == null ? null : litBefore;
-        float[] diffuse = columnWriter.diffuseColumn(rows, cosine, lit, columns);
-        TermColumnWriter.SpecularColumns speculars =
-                columnWriter.specularColumns(rows, lit, known, TermColumnWriter.SpecularColumns.of(before), columns);
-        return new LightRows(state, diffuse, speculars.specular(), speculars.grazing(),
-                before == null || before.isPremultiplied() ? columnWriter.falloffColumn(rows, source, columns) : before.falloff, count);
+        float[] diffuse = columnWriter.diffuseColumn(rows, cosine, litRows, columns);
+        TermColumnWriter.SpecularColumns speculars = columnWriter.specularColumns(rows, litRows,
+                known.filter(k -> k.layer.specular != null).map(KnownTerms::lit).orElse(null),
+                TermColumnWriter.SpecularColumns.of(known.map(KnownTerms::layer).orElse(null)), columns);
+        float[] falloffs = known.isPresent() && known.get().haveFalloffs() ? known.get().layer.falloff
+                : columnWriter.falloffColumn(rows, source, columns);
+        return LightRows.lit(state, diffuse, count).withSpecular(speculars.specular(), speculars.grazing()).withFalloff(falloffs);
     }
 
     /**
@@ -164,17 +205,19 @@ public final class LightKernel {
      * @param falloff true if the falloff changed
      */
     public LightRows update(HitRows rows, LightSource source, LightRows before, ConeChange cone, boolean falloff, ColumnAllocator columns) {
-        if (before.state == LightRows.UNREACHED.state) {
+        if (before.isUnreached()) {
             return cone.canChange(LightRows.OUTSIDE_CONE) ? recompute(rows, source, columns) : before;
         }
         if (source.isArea()) {
             return updateArea(rows, source, before, cone, falloff, columns);
         }
         int count = cone.findAffectedRows(before.state, rows.count, coneCandidates);
-        if (count == 0 && !(falloff && before.litCount > 0)) {
+        boolean changesFalloffs = falloff && before.litCount > 0;
+        if (count == 0 && !changesFalloffs) {
             return before;
         }
-        if (count > 0 || source.hasCone() || before.isPremultiplied()) {
+        boolean needsDirections = count > 0 || source.hasCone() || before.isPremultiplied();
+        if (needsDirections) {
             aim(rows, source);
         } else {
             terms.computeDistances(rows, source);
@@ -188,10 +231,17 @@ public final class LightKernel {
         if (coneUpdated.isPremultiplied()) {
             return falloff ? recomputePremultiplied(rows, source, coneUpdated, columns) : coneUpdated;
         }
-        float[] falloffs = falloff && coneUpdated.falloff == before.falloff || coneUpdated.falloff == null
-                ? columnWriter.falloffColumn(rows, source, columns)
-                : coneUpdated.falloff;
-        return coneUpdated.with(LightRows.Column.FALLOFF, falloffs);
+        return hasCurrentFalloffs(before, coneUpdated, falloff) ? coneUpdated
+                : coneUpdated.withFalloff(columnWriter.falloffColumn(rows, source, columns));
+    }
+
+    /**
+     * Returns whether the falloffs of a layer after its cone update are those of the light now. They are if none changed, or if the cone
+     * update wrote a new column. A missing column may mean that the light had no falloff before, so it never counts.
+     */
+    private static boolean hasCurrentFalloffs(LightRows before, LightRows coneUpdated, boolean falloffChanged) {
+        boolean wroteFalloffs = coneUpdated.falloff != before.falloff;
+        return coneUpdated.falloff != null && (!falloffChanged || wroteFalloffs);
     }
 
     /** Recomputes cosines and falloffs into separate columns and keeps the other columns. Expects terms that were aimed. */
@@ -199,7 +249,7 @@ public final class LightKernel {
         terms.cosines(rows, cosine);
         RowBits.selectState(before.state, rows.count, LightRows.LIT, lit);
         return before.with(LightRows.Column.COSINE, columnWriter.diffuseColumn(rows, cosine, lit, columns))
-                .with(LightRows.Column.FALLOFF, columnWriter.falloffColumn(rows, source, columns));
+                .withFalloff(columnWriter.falloffColumn(rows, source, columns));
     }
 
     /** Updates an area light's layer. Any row that faces the light may have other samples in its cone. */
@@ -253,14 +303,13 @@ public final class LightKernel {
         }
         aim(rows, source);
         terms.cosines(rows, cosine);
-        RowBits.selectState(before.state, rows.count, LightRows.LIT, litBefore);
         RowBits.selectState(state, rows.count, LightRows.LIT, lit);
-        return buildLayer(rows, source, state, before.litCount == 0 ? null : before, columns).withTint(tint);
+        return buildLayer(rows, source, state, lit, KnownTerms.of(before, rows.count, litBefore), columns).withTint(tint);
     }
 
     /** Returns whether {@link #updateShadows} would cast any shadow ray. */
     public boolean canShadowsChange(HitRows rows, LightSource source, LightLayer before, ShapeChange change) {
-        if (before.states() == LightRows.UNREACHED.state) {
+        if (before.isUnreached()) {
             return false;
         }
         ShadowCaster shadows = links.shadowCaster(source);
@@ -283,7 +332,7 @@ public final class LightKernel {
         aim(rows, source);
         terms.cosines(rows, cosine);
         RowBits.selectState(before.states(), rows.count, LightRows.LIT, lit);
-        return buildLayer(rows, source, before.states(), null, columns).withTint(before.tint());
+        return buildLayer(rows, source, before.states(), lit, Optional.empty(), columns).withTint(before.tint());
     }
 
     /**
@@ -361,12 +410,12 @@ public final class LightKernel {
 
     /** @param added null if there are no added rows; then {@code source} is unread */
     private LightRows splice(RowSplice splice, LightRows before, LightRows added, LightSource source) {
-        if (before.state == LightRows.UNREACHED.state && (added == null || added.state == LightRows.UNREACHED.state)) {
+        if (before.isUnreached() && (added == null || added.isUnreached())) {
             return LightRows.UNREACHED;
         }
         HitRows rows = splice.rows();
-        // A layer without a term column has no lit row or no highlight, so 0 stands for its terms. A missing falloff column has
-        // several meanings.
+        // A layer without a term column has no lit row or no highlight, so 0 stands for its terms. A missing falloff column stands for
+        // 1 in one layer and for no lit row in the other.
         Set<LightRows.Column> known = EnumSet.allOf(LightRows.Column.class);
         boolean haveFalloff = before.falloff != null && (added == null || added.falloff != null);
         boolean premultiplied = isPremultiplied(before) && (added == null || isPremultiplied(added));
@@ -391,12 +440,12 @@ public final class LightKernel {
         if (mixed) {
             aim(rows, source);
             terms.cosines(rows, cosine);
-            return buildLayer(rows, source, state, null, ColumnAllocator.NEW_ARRAYS)
+            return buildLayer(rows, source, state, lit, Optional.empty(), ColumnAllocator.NEW_ARRAYS)
                     .withTint(LightRows.readChannels(columns, LightRows.Column.TINT_COLUMNS));
         }
-        return new LightRows(premultiplied ? columns.with(LightRows.Column.FALLOFF, LightRows.PREMULTIPLIED)
-                : haveFalloff || added == null ? columns
-                : columns.with(LightRows.Column.FALLOFF, falloffs(rows, source)), count);
+        return premultiplied ? LightRows.premultiplied(columns, count)
+                : haveFalloff || added == null ? LightRows.lit(columns, count)
+                : LightRows.lit(columns, count).withFalloff(falloffs(rows, source));
     }
 
     /** Returns whether the terms of all lit rows include the falloff. */
@@ -439,8 +488,7 @@ public final class LightKernel {
             tintRows[b] = chosen[b] & ~blocked[b];
         }
         float[][] tint = links.shadowCaster(source).tintColumns(rows, source, tintRows, before.tint, columns);
-        RowBits.selectState(before.state, rows.count, LightRows.LIT, litBefore);
         RowBits.selectState(state, rows.count, LightRows.LIT, lit);
-        return buildLayer(rows, source, state, before, columns).withTint(tint);
+        return buildLayer(rows, source, state, lit, KnownTerms.of(before, rows.count, litBefore), columns).withTint(tint);
     }
 }

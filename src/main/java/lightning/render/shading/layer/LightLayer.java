@@ -8,6 +8,9 @@ public sealed interface LightLayer permits LightRows, WeightedLayer {
     /** Returns for each row the set of visible light samples; see {@link LightRows#visibleSamples}. */
     short[][] visibleSamples();
 
+    /** Returns whether the light reaches no row of the tile, so that none was tested. */
+    boolean isUnreached();
+
     /** Returns the tints of unblocked shadow rays: red, green and blue columns; null if all are 1. */
     float[][] tint();
 

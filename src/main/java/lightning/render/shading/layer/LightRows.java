@@ -10,7 +10,6 @@ import lightning.render.column.ColumnReader;
 import lightning.render.column.ColumnSet;
 import lightning.render.column.ColumnWriter;
 import lightning.render.column.ElementType;
-import lightning.render.column.UniformColumns;
 import lightning.render.shading.TermKernel;
 import lightning.render.shading.Transmittance;
 import lightning.scene.light.Light;
@@ -39,6 +38,20 @@ public final class LightRows implements LightLayer {
     static final int SHADOW_RAY_MASK = UNBLOCKED | BLOCKED;
     /** Number of samples per column of visible samples. */
     static final int SAMPLES_PER_COLUMN = 16;
+
+    /**
+     * What a layer holds. A value rather than a type of its own for each: hot loops read the columns of all kinds in the same way.
+     */
+    public enum Kind {
+        /** The light's cone misses the tile: no row was tested. Shared by all such tiles: {@link LightRows#UNREACHED}. */
+        UNREACHED,
+        /** Rows were tested, and none is lit: states and shadow rays only. */
+        UNLIT,
+        /** Terms of lit rows, with the falloff apart from the cosine. Without a falloff column the light has no falloff: it is 1. */
+        SEPARATE,
+        /** Terms of lit rows without highlights; the cosines include the falloff. */
+        PREMULTIPLIED
+    }
 
     /** Columns of a layer. All code that creates, counts and splices layers uses this list. */
     public enum Column implements ColumnKind {
@@ -96,18 +109,16 @@ public final class LightRows implements LightLayer {
     private static final Set<Column> UNIFORM_COLUMNS = EnumSet.of(Column.COSINE);
     private static final float[] ONES = ones();
     private static final float[] ZEROS = new float[TermKernel.MAX_ROWS];
-    /** Flags in a file for shared columns that are not stored. */
+    /** Kinds in a file that its columns do not tell. */
     private static final int UNREACHED_FLAG = 1;
     private static final int PREMULTIPLIED_FLAG = 2;
     /** For each state and flag, a uniform state column that layers share. Not counted as memory. */
     private static final byte[][] UNIFORM_STATES = uniformStates();
     private static final float[][] WHITE_TINT = {ONES, ONES, ONES};
 
-    /** Falloff column of layers whose terms include the falloff: 1 everywhere, shared and not counted as memory. */
-    static final float[] PREMULTIPLIED = UniformColumns.of(1);
-
     /** Layer whose rows are all outside: shared by all tiles that a light does not reach, and not counted as memory. */
-    public static final LightRows UNREACHED = unlit(uniformStates(OUTSIDE_CONE));
+    public static final LightRows UNREACHED = new LightRows(
+            ColumnSet.none(Column.class).with(Column.STATE, uniformStates(OUTSIDE_CONE)), 0, Kind.UNREACHED);
 
     /** State and shadow ray flags of each row. */
     public final byte[] state;
@@ -117,7 +128,7 @@ public final class LightRows implements LightLayer {
     public final float[] specular;
     /** Grazing terms of metallic materials; null if no row is lit or none is metallic. */
     public final float[] grazing;
-    /** atten·spot; null if no row is lit or the light has no falloff; {@link #PREMULTIPLIED} if the cosines include it. */
+    /** atten·spot; only for kind {@link Kind#SEPARATE}, and null there if it is 1. */
     public final float[] falloff;
     /** Columns of visible samples, as many as the light needs; null if it has one sample or no row sees any. */
     final short[][] visibleSamples;
@@ -129,24 +140,16 @@ public final class LightRows implements LightLayer {
     public final float[][] highlight;
     /** Number of lit rows. */
     public final int litCount;
+    private final Kind kind;
 
     private final ColumnSet<Column> columns;
     /** Bytes that compositing reads, computed on first use; 0 before. Columns are not touched again for it. */
     private int compositingBytes;
 
-    public LightRows(byte[] state, float[] cosine, float[] specular, float[] grazing, float[] falloff, int lit) {
-        this(state, cosine, specular, grazing, falloff, null, lit);
-    }
-
-    public LightRows(byte[] state, float[] cosine, float[] specular, float[] grazing, float[] falloff, short[][] visibleSamples, int lit) {
-        this(ColumnSet.of(Column.class, state, cosine, specular, grazing, falloff, sampleColumn(visibleSamples, 0),
-                sampleColumn(visibleSamples, 1), sampleColumn(visibleSamples, 2),
-                sampleColumn(visibleSamples, 3), null, null, null, null, null, null, null, null, null), lit);
-    }
-
-    LightRows(ColumnSet<Column> columns, int lit) {
+    private LightRows(ColumnSet<Column> columns, int lit, Kind kind) {
         this.columns = columns;
         this.litCount = lit;
+        this.kind = kind;
         state = (byte[]) columns.get(Column.STATE);
         cosine = (float[]) columns.get(Column.COSINE);
         specular = (float[]) columns.get(Column.SPECULAR);
@@ -230,24 +233,65 @@ public final class LightRows implements LightLayer {
 
     /** Creates a layer without lit rows. */
     public static LightRows unlit(byte[] state) {
-        return new LightRows(state, null, null, null, null, 0);
+        return new LightRows(ColumnSet.none(Column.class).with(Column.STATE, state), 0, Kind.UNLIT);
     }
 
-    /** Creates a layer without lit rows, in which samples may be visible. */
-    public static LightRows unlit(byte[] state, short[][] visibleSamples) {
-        return new LightRows(state, null, null, null, null, visibleSamples, 0);
+    /** Creates a layer without lit rows, in which samples may be visible; {@code visibleSamples} may be null. */
+    static LightRows unlit(byte[] state, short[][] visibleSamples) {
+        return unlit(state).withVisibleSamples(visibleSamples);
+    }
+
+    /**
+     * Creates a layer of a light without falloff and highlights.
+     *
+     * @param lit number of lit rows, at least 1
+     */
+    public static LightRows lit(byte[] state, float[] cosine, int lit) {
+        return lit(ColumnSet.none(Column.class).with(Column.STATE, state).with(Column.COSINE, cosine), lit);
+    }
+
+    /** Creates a layer with terms of {@code lit} rows, at least 1, and the falloff apart. */
+    static LightRows lit(ColumnSet<Column> columns, int lit) {
+        return new LightRows(columns, lit, Kind.SEPARATE);
+    }
+
+    /** Creates a layer with terms of {@code lit} rows, at least 1, whose cosines include the falloff. */
+    static LightRows premultiplied(ColumnSet<Column> columns, int lit) {
+        return new LightRows(columns, lit, Kind.PREMULTIPLIED);
+    }
+
+    private LightRows withColumns(ColumnSet<Column> changed) {
+        return new LightRows(changed, litCount, kind);
+    }
+
+    /** Returns this layer with other visible samples, or without them if null. */
+    public LightRows withVisibleSamples(short[][] samples) {
+        ColumnSet<Column> changed = columns;
+        for (int group = 0; group < Column.SAMPLE_COLUMNS.size(); group++) {
+            changed = changed.with(Column.SAMPLE_COLUMNS.get(group), sampleColumn(samples, group));
+        }
+        return samples == visibleSamples ? this : withColumns(changed);
+    }
+
+    /** Returns this layer with other specular terms, and grazing terms of metallic materials; each without them if null. */
+    public LightRows withSpecular(float[] specularTerms, float[] grazingTerms) {
+        return with(Column.SPECULAR, specularTerms).with(Column.GRAZING, grazingTerms);
+    }
+
+    /** Returns this layer with falloffs apart from the cosines; null if all are 1. */
+    public LightRows withFalloff(float[] falloffs) {
+        return new LightRows(columns.with(Column.FALLOFF, falloffs), litCount, Kind.SEPARATE);
     }
 
     /** Returns this layer with other tints, or without tints if null. */
     public LightRows withTint(float[][] tints) {
-        return tints == tint ? this : new LightRows(withChannels(columns, Column.TINT_COLUMNS, tints), litCount);
+        return tints == tint ? this : withColumns(withChannels(columns, Column.TINT_COLUMNS, tints));
     }
 
     /** Returns this layer with other colors of the light's image for its diffuse and specular terms, or without them if null. */
     LightRows withFaceColors(float[][] diffuse, float[][] specular) {
         return diffuse == face && specular == highlight ? this
-                : new LightRows(withChannels(withChannels(columns, Column.FACE_COLUMNS, diffuse), Column.HIGHLIGHT_COLUMNS, specular),
-                        litCount);
+                : withColumns(withChannels(withChannels(columns, Column.FACE_COLUMNS, diffuse), Column.HIGHLIGHT_COLUMNS, specular));
     }
 
     /** Returns this layer without specular terms. */
@@ -276,8 +320,8 @@ public final class LightRows implements LightLayer {
     }
 
     /** Returns this layer with another column, or without it if null; the same rows are lit. */
-    LightRows with(Column kind, float[] column) {
-        return new LightRows(columns.with(kind, column), litCount);
+    LightRows with(Column column, float[] values) {
+        return withColumns(columns.with(column, values));
     }
 
     private static float[] ones() {
@@ -317,27 +361,38 @@ public final class LightRows implements LightLayer {
             compacted = compacted.with(Column.SPECULAR, null);
             compacted = highlight == null ? compacted : withChannels(compacted, Column.HIGHLIGHT_COLUMNS, null);
         }
-        return compacted == columns ? this : new LightRows(compacted, litCount);
+        return compacted == columns ? this : withColumns(compacted);
+    }
+
+    /** Returns what the layer holds. */
+    public Kind kind() {
+        return kind;
+    }
+
+    @Override
+    public boolean isUnreached() {
+        return kind == Kind.UNREACHED;
     }
 
     /** Returns whether the cosines include the falloff. */
     boolean isPremultiplied() {
-        return falloff == PREMULTIPLIED;
+        return kind == Kind.PREMULTIPLIED;
     }
 
     /**
-     * Returns this layer over {@code rows} rows with one column, cosine times falloff, instead of two, if no row has a highlight.
-     * Compositing uses only this product, so the bits are the same. A later falloff edit must recompute the cosines. Overwrites the
-     * cosines.
+     * Returns a compact copy over {@code rows} rows with one column, cosine times falloff, instead of two, if no row has a highlight.
+     * Compositing uses only this product, so the bits are the same. A later falloff edit must recompute the cosines.
      */
-    public LightRows premultiply(int rows) {
-        if (falloff == null || litCount == 0 || grazing != null || specular != null && hasHighlight(rows)) {
-            return this;
+    public LightRows copyPremultiplied(int rows) {
+        if (falloff == null || grazing != null || specular != null && hasHighlight(rows)) {
+            return copyCompact(rows);
         }
+        ColumnSet<Column> own = columns.with(Column.SPECULAR, null).with(Column.FALLOFF, null).deepCopy(rows);
+        float[] product = own.get(Column.COSINE) == cosine ? cosine.clone() : (float[]) own.get(Column.COSINE);
         for (int i = 0; i < rows; i++) {
-            cosine[i] *= falloff[i];
+            product[i] = cosine[i] * falloff[i];
         }
-        return new LightRows(columns.with(Column.SPECULAR, null).with(Column.FALLOFF, PREMULTIPLIED), litCount);
+        return premultiplied(own.with(Column.COSINE, product), litCount).compact(rows);
     }
 
     private boolean hasHighlight(int rows) {
@@ -346,12 +401,12 @@ public final class LightRows implements LightLayer {
 
     /** Returns a {@linkplain #compact compact} copy of this layer over {@code rows} rows. */
     public LightRows copyCompact(int rows) {
-        if (state == UNREACHED.state) {
+        if (isUnreached()) {
             return this;
         }
         LightRows compact = compact(rows);
         ColumnSet<Column> own = compact.columns.deepCopy(rows);
-        return new LightRows(sharedBytes(compact.state) > 0 ? own.with(Column.STATE, compact.state) : own, litCount);
+        return withColumns(sharedBytes(compact.state) > 0 ? own.with(Column.STATE, compact.state) : own);
     }
 
     /** Returns the state of a row without the flags. */
@@ -381,10 +436,13 @@ public final class LightRows implements LightLayer {
 
     /** Writes the layer. */
     public void writeTo(ColumnWriter out) throws IOException {
-        boolean unreached = state == UNREACHED.state;
         out.writeInt(litCount);
-        out.writeInt(unreached ? UNREACHED_FLAG : isPremultiplied() ? PREMULTIPLIED_FLAG : 0);
-        out.writeColumns(unreached ? columns.with(Column.STATE, null) : isPremultiplied() ? columns.with(Column.FALLOFF, null) : columns);
+        out.writeInt(switch (kind) {
+            case UNREACHED -> UNREACHED_FLAG;
+            case UNLIT, SEPARATE -> 0;
+            case PREMULTIPLIED -> PREMULTIPLIED_FLAG;
+        });
+        out.writeColumns(isUnreached() ? columns.with(Column.STATE, null) : columns);
     }
 
     /**
@@ -394,10 +452,12 @@ public final class LightRows implements LightLayer {
      */
     public static LightRows readFrom(ColumnReader in) throws IOException {
         int lit = in.readInt();
-        int shared = in.readInt();
+        int flag = in.readInt();
         ColumnSet<Column> read = in.readColumns(Column.class);
-        LightRows layer = new LightRows(shared == UNREACHED_FLAG ? read.with(Column.STATE, UNREACHED.state)
-                : shared == PREMULTIPLIED_FLAG ? read.with(Column.FALLOFF, PREMULTIPLIED) : read, lit);
+        if (flag == UNREACHED_FLAG) {
+            return UNREACHED;
+        }
+        LightRows layer = new LightRows(read, lit, flag == PREMULTIPLIED_FLAG ? Kind.PREMULTIPLIED : lit == 0 ? Kind.UNLIT : Kind.SEPARATE);
         // Shared columns were written at the length of a full tile.
         return layer.compact(Math.min(layer.state.length, Math.min(length(layer.cosine), length(layer.specular))));
     }

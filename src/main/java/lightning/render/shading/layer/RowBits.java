@@ -50,8 +50,26 @@ public final class RowBits {
         return count;
     }
 
+    /** Receives a run of rows {@code from … to − 1}, whole words. */
+    public interface Run {
+        void accept(int from, int to);
+    }
+
+    /** Visits the longest runs of words that each have a row of the set, among {@code rows} rows. */
+    public static void forEachRun(int[] rowSet, int rows, Run run) {
+        int words = words(rows);
+        int first = 0;
+        while (first < words) {
+            int end = firstEmptyWord(rowSet, first, words);
+            if (end > first) {
+                run.accept(first * WIDTH, end * WIDTH);
+            }
+            first = end + 1;
+        }
+    }
+
     /** Returns the first word from {@code b} on without a row of the set; {@code words} if all have one. */
-    public static int firstEmptyWord(int[] bits, int b, int words) {
+    private static int firstEmptyWord(int[] bits, int b, int words) {
         int end = b;
         while (end < words && bits[end] != 0) {
             end++;

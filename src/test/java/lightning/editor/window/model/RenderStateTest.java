@@ -28,7 +28,7 @@ class RenderStateTest {
     private static final Scene SCENE = StudioScene.of(LightType.POINT);
     private static final Film FILM = Film.black(2, 2);
     private static final UpdatePlan SAMPLES = new UpdatePlan.Relight(new LevelPlan(List.of(), List.of(), true,
-            new MaterialUpdate(new Geometry(SCENE).materials(), MaterialSet.NONE, MaterialSet.NONE, MaterialSet.NONE, MaterialSet.NONE)),
+            new MaterialUpdate(Geometry.of(SCENE).materials(), MaterialSet.NONE, MaterialSet.NONE, MaterialSet.NONE, MaterialSet.NONE)),
             null, 2, 2, true, ShapeChange.NONE, PathUpdate.NONE);
 
     /** Frame of an update that took 60 ms in a cold JVM. */

@@ -27,7 +27,7 @@ class CandidateListTest {
     @Property
     void eyeRays_withCandidates_hitSamePrimitives(@ForAll @IntRange(min = 1, max = 60) int shapes, @ForAll long seed) {
         Scene scene = seed % 2 == 0 ? TraceScenes.randomScene(shapes, seed) : TraceScenes.cloud(shapes, seed);
-        Geometry geometry = new Geometry(scene);
+        Geometry geometry = Geometry.of(scene);
         PacketTracer tracer = new PacketTracer(geometry);
         CameraRays camera = new CameraRays(scene.camera(), new PictureSettings(256, 256, 1));
         Random random = new Random(seed);
@@ -52,7 +52,7 @@ class CandidateListTest {
 
     @Property
     void pointShadowRays_withCandidates_sameOcclusion(@ForAll @IntRange(min = 1, max = 60) int shapes, @ForAll long seed) {
-        Geometry geometry = new Geometry(seed % 2 == 0 ? TraceScenes.randomScene(shapes, seed) : TraceScenes.cloud(shapes, seed));
+        Geometry geometry = Geometry.of(seed % 2 == 0 ? TraceScenes.randomScene(shapes, seed) : TraceScenes.cloud(shapes, seed));
         RandomRays rays = new RandomRays(geometry, seed);
         for (int bundle = 0; bundle < 8; bundle++) {
             Vec3 light = rays.origin();
@@ -77,7 +77,7 @@ class CandidateListTest {
     @Property
     void parallelShadowAndReflectionRays_withCandidates_sameOcclusion(@ForAll @IntRange(min = 1, max = 60) int shapes,
             @ForAll long seed) {
-        Geometry geometry = new Geometry(seed % 2 == 0 ? TraceScenes.randomScene(shapes, seed) : TraceScenes.cloud(shapes, seed));
+        Geometry geometry = Geometry.of(seed % 2 == 0 ? TraceScenes.randomScene(shapes, seed) : TraceScenes.cloud(shapes, seed));
         RandomRays rays = new RandomRays(geometry, seed);
         Random random = new Random(seed);
         for (int bundle = 0; bundle < 8; bundle++) {
@@ -138,7 +138,7 @@ class CandidateListTest {
 
     @Test
     void beamUpFromRoof_hasNoCandidates() {
-        Geometry geometry = new Geometry(TraceScenes.house());
+        Geometry geometry = Geometry.of(TraceScenes.house());
         Vec3 roof = geometry.toRenderSpace(new Vec3(0, 6, 0));
         beam.clear();
         beam.addOrigin(roof.x(), roof.y(), roof.z());
@@ -149,7 +149,7 @@ class CandidateListTest {
 
     @Test
     void shapeBeyondLight_isNoCandidate() {
-        Geometry geometry = new Geometry(TraceScenes.balls());
+        Geometry geometry = Geometry.of(TraceScenes.balls());
         Vec3 from = geometry.toRenderSpace(new Vec3(0, 8, 0));
         beam.clear();
         beam.addOrigin(from.x(), from.y(), from.z());
@@ -164,7 +164,7 @@ class CandidateListTest {
     @Test
     void tileWithSmallShape_excludesOtherShapes() {
         Scene scene = TraceScenes.balls();
-        Geometry geometry = new Geometry(scene);
+        Geometry geometry = Geometry.of(scene);
         new CameraRays(scene.camera(), new PictureSettings(256, 256, 1)).boundBeam(beam, 0, 224, 32, 32);
         candidates.collect(geometry.bvh(), beam);
         assertThat(candidates.count).isEqualTo(1);

@@ -37,7 +37,7 @@ class EqualDistanceTest {
     @ParameterizedTest(name = "{0}")
     @MethodSource("scenes")
     void equalDistances_lowestIndexWinsInEveryTracer(String name, Scene scene) {
-        Geometry geometry = new Geometry(scene);
+        Geometry geometry = Geometry.of(scene);
         PacketTracer byTree = new PacketTracer(geometry.bvh(), 1);
         PacketTracer inTurn = new PacketTracer(geometry.bvh(), Integer.MAX_VALUE);
         RandomRays rays = new RandomRays(geometry, 1);
@@ -80,7 +80,7 @@ class EqualDistanceTest {
     @ParameterizedTest(name = "{0}")
     @MethodSource("scenes")
     void shadowRayEndingAtFirstHit_isUnblocked_andBlockedBeyondIt(String name, Scene scene) {
-        Geometry geometry = new Geometry(scene);
+        Geometry geometry = Geometry.of(scene);
         PacketTracer byTree = new PacketTracer(geometry.bvh(), 1);
         PacketTracer inTurn = new PacketTracer(geometry.bvh(), Integer.MAX_VALUE);
         RandomRays rays = new RandomRays(geometry, 2);

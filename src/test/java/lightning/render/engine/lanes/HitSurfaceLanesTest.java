@@ -28,7 +28,7 @@ class HitSurfaceLanesTest {
     @Test
     void surfacesOfGlass_matchScalarBits() throws Exception {
         Scene scene = JenReader.read(Path.of("scenes/product.jen")).scene();
-        Geometry geometry = new Geometry(scene).shadowGeometry(ShapeLinks.ALL);
+        Geometry geometry = Geometry.of(scene).shadowGeometry(ShapeLinks.ALL);
         Tracer scalar = Engines.SCALAR.tracer(geometry);
         Tracer lanes = new LaneEngine().tracer(geometry);
         var candidates = CandidateList.fromBvh(geometry.tintBvh(), geometry.tintCasters());

@@ -23,7 +23,7 @@ class MeshLaneTracerTest {
         PictureSettings picture =
                 squares ? new PictureSettings((width + 7) / 8 * 8, (height + 7) / 8 * 8, 1) : new PictureSettings(width, height, 1);
         Scene scene = TraceScenes.randomScene(shapes, seed).withPicture(picture);
-        Geometry geometry = new Geometry(scene);
+        Geometry geometry = Geometry.of(scene);
         HitRows expected = rows(geometry, scene, Engines.SCALAR.tracer(geometry));
         HitRows rows = rows(geometry, scene, new MeshLaneTracer(geometry));
         assertThat(rows.count).isEqualTo(expected.count);

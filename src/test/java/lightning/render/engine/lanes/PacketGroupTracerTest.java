@@ -35,7 +35,7 @@ class PacketGroupTracerTest {
 
     @Property
     void nearestHit_matchesBruteForceBitForBit(@ForAll @IntRange(min = 1, max = 40) int shapes, @ForAll long seed) {
-        Geometry geometry = new Geometry(TraceScenes.randomScene(shapes, seed));
+        Geometry geometry = Geometry.of(TraceScenes.randomScene(shapes, seed));
         checkGroups(geometry, seed, (tracer, set) -> {
             tracer.findNearest(set, overflowingCandidates());
             checkRays(tracer, set, (p, i, _) -> {
@@ -50,7 +50,7 @@ class PacketGroupTracerTest {
 
     @Property
     void occlusion_matchesBruteForce(@ForAll @IntRange(min = 1, max = 40) int shapes, @ForAll long seed) {
-        Geometry geometry = new Geometry(TraceScenes.randomScene(shapes, seed));
+        Geometry geometry = Geometry.of(TraceScenes.randomScene(shapes, seed));
         checkGroups(geometry, seed, (tracer, set) -> {
             long blocked = tracer.findBlocked(set, overflowingCandidates());
             checkRays(tracer, set, (p, i, bit) -> assertThat((blocked & bit) != 0)

@@ -34,7 +34,7 @@ class PacketTracerTest {
 
     @Property
     void nearestHit_matchesBruteForceBitForBit(@ForAll @IntRange(min = 1, max = 40) int shapes, @ForAll long seed) {
-        Geometry geometry = new Geometry(TraceScenes.randomScene(shapes, seed));
+        Geometry geometry = Geometry.of(TraceScenes.randomScene(shapes, seed));
         assertNearest(geometry, bvhTracer(geometry), seed);
         assertNearest(geometry, linearTracer(geometry), seed + 1);
     }
@@ -57,7 +57,7 @@ class PacketTracerTest {
 
     @Property
     void occlusion_matchesBruteForce(@ForAll @IntRange(min = 1, max = 40) int shapes, @ForAll long seed) {
-        Geometry geometry = new Geometry(TraceScenes.randomScene(shapes, seed));
+        Geometry geometry = Geometry.of(TraceScenes.randomScene(shapes, seed));
         assertBlocked(geometry, bvhTracer(geometry), seed);
         assertBlocked(geometry, linearTracer(geometry), seed + 1);
     }
@@ -78,7 +78,7 @@ class PacketTracerTest {
 
     @Property
     void surfacesAndDistances_matchScalarCodeBitForBit(@ForAll @IntRange(min = 1, max = 12) int shapes, @ForAll long seed) {
-        Geometry geometry = new Geometry(TraceScenes.randomScene(shapes, seed));
+        Geometry geometry = Geometry.of(TraceScenes.randomScene(shapes, seed));
         PacketTracer tracer = new PacketTracer(geometry);
         RandomRays rays = new RandomRays(geometry, seed);
         Random random = new Random(seed);
@@ -124,7 +124,7 @@ class PacketTracerTest {
     @Test
     void compiledCode_matchesBitForBit() {
         for (Scene scene : new Scene[] {TraceScenes.bird(), TraceScenes.house(), TraceScenes.cloud(60, 5)}) {
-            Geometry geometry = new Geometry(scene);
+            Geometry geometry = Geometry.of(scene);
             PacketTracer tracer = new PacketTracer(geometry);
             CameraRays camera = new CameraRays(scene.camera(), new PictureSettings(320, 320, 1));
             for (int y = 0; y < 320; y++) {
@@ -147,7 +147,7 @@ class PacketTracerTest {
         Scene empty =
                 new Scene(PictureSettings.DEFAULT, Camera.DEFAULT, TraceScenes.bird().world(), java.util.List.of(), java.util.List.of(),
                         java.util.List.of());
-        PacketTracer tracer = new PacketTracer(new Geometry(empty));
+        PacketTracer tracer = new PacketTracer(Geometry.of(empty));
         RandomRays.loadEyeRays(new CameraRays(Camera.DEFAULT, PictureSettings.DEFAULT), 0, 0, packet);
         tracer.findNearest(packet, RayPacket.WIDTH);
         assertThat(packet.primitive).containsOnly(-1);

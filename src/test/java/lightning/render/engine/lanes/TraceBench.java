@@ -36,7 +36,7 @@ final class TraceBench {
     private final CandidateList candidates = new CandidateList();
 
     private TraceBench(Scene scene, int few) {
-        geometry = new Geometry(scene);
+        geometry = Geometry.of(scene);
         camera = new CameraRays(scene.camera(), new PictureSettings(SIZE, SIZE, 1));
         tracer = new PacketTracer(geometry.bvh(), few);
         prepareShadowRays(new Vec3(3, 7, 5));

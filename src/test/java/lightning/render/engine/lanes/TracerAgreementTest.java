@@ -50,7 +50,7 @@ class TracerAgreementTest {
     @Property(tries = 100)
     void shapesWithHoles_sameVisibilityOnBothEngines(@ForAll @IntRange(min = 1, max = 40) int shapes, @ForAll long seed) {
         Scene scene = withHoles(TraceScenes.randomScene(shapes, seed)).withPicture(new PictureSettings(32, 32, 1));
-        Geometry geometry = new Geometry(scene);
+        Geometry geometry = Geometry.of(scene);
         HitRows expected = eyeRows(geometry, scene, Engines.SCALAR.tracer(geometry));
         HitRows rows = eyeRows(geometry, scene, new LaneEngine().tracer(geometry));
         assertThat(Arrays.copyOf(rows.parent, rows.count)).isEqualTo(Arrays.copyOf(expected.parent, expected.count));
@@ -61,7 +61,7 @@ class TracerAgreementTest {
     @Property(tries = 100)
     void shapesWithHoles_sameOcclusionOnBothEngines(@ForAll @IntRange(min = 1, max = 40) int shapes, @ForAll long seed,
             @ForAll boolean toPoints) {
-        Geometry geometry = new Geometry(withHoles(TraceScenes.randomScene(shapes, seed)));
+        Geometry geometry = Geometry.of(withHoles(TraceScenes.randomScene(shapes, seed)));
         var rows = new HitRows(ROWS, TexelColumns.NONE);
         RowShadowRays shadowRays = randomShadowRays(geometry, rows, seed, toPoints);
         int[] selected = selectedRows(seed);
@@ -77,7 +77,7 @@ class TracerAgreementTest {
     void shadowRays_sameHitsOnBothEngines(@ForAll @IntRange(min = 1, max = 40) int shapes, @ForAll long seed, @ForAll boolean toPoints,
             @ForAll boolean holes) {
         Scene scene = TraceScenes.randomScene(shapes, seed);
-        Geometry geometry = new Geometry(holes ? withHoles(scene) : scene);
+        Geometry geometry = Geometry.of(holes ? withHoles(scene) : scene);
         var rows = new HitRows(ROWS, TexelColumns.NONE);
         RowShadowRays shadowRays = randomShadowRays(geometry, rows, seed, toPoints);
         int[] selected = selectedRows(seed);

@@ -105,8 +105,9 @@ class LightSumTest {
                     specular ? new float[][] {column(), column(), column()} : null,
                     grazing ? new float[][] {column(), column(), column()} : null);
         }
-        LightRows untinted = new LightRows(new byte[rows], column(), specular ? column() : null, grazing ? column() : null,
-                random.nextBoolean() ? column() : null, 1);
+        LightRows untinted = LightRows.lit(new byte[rows], column(), 1)
+                .withSpecular(specular ? column() : null, grazing ? column() : null)
+                .withFalloff(random.nextBoolean() ? column() : null);
         return random.nextBoolean() ? untinted : untinted.withTint(new float[][] {column(), column(), column()});
     }
 
@@ -114,6 +115,11 @@ class LightSumTest {
     private static final class Weighted extends WeightedLayer {
         Weighted(float[][] diffuse, float[][] specular, float[][] grazing) {
             super(diffuse, specular, grazing);
+        }
+
+        @Override
+        public boolean isUnreached() {
+            return false;
         }
 
         @Override

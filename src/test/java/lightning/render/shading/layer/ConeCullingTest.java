@@ -31,7 +31,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 class ConeCullingTest {
     private static final Camera AT_ORIGIN = new Camera(Vec3.ZERO, new Vec3(0, 0, -1), Vec3.Y, 40);
 
-    private static final Tracer TRACER = Engines.LANES.tracer(new Geometry(scene(Light.of("l", LightType.POINT))));
+    private static final Tracer TRACER = Engines.LANES.tracer(Geometry.of(scene(Light.of("l", LightType.POINT))));
 
     private static Scene scene(Light light) {
         return new Scene(PictureSettings.DEFAULT, AT_ORIGIN, World.DEFAULT, List.of(), List.of(), List.of(light));
@@ -128,7 +128,7 @@ class ConeCullingTest {
     @CsvSource({"44.9, 0, 0", "45.1, 1, 1"})
     void culledTile_usesNoMemoryAndNoRays(double angle, int rays, int stateBytes) {
         Light light = Light.of("l", LightType.SPOT).withPosition(Vec3.Y).withDirection(Vec3.Y.negated()).withAngle(angle);
-        Geometry empty = new Geometry(scene(light));
+        Geometry empty = Geometry.of(scene(light));
         var kernel = new LightKernel(empty, Engines.LANES.tracer(empty), Engines.LANES.terms(), ViewEffects.ALL);
         LightRows layer = kernel.recompute(rows(new Vec3(1, 0, 0)), LightSource.of(light, scene(light)), ColumnAllocator.NEW_ARRAYS);
         assertThat(kernel.shadowRays()).isEqualTo(rays);
@@ -139,7 +139,7 @@ class ConeCullingTest {
     @Test
     void forcedConeEffect_tracesEveryTile() {
         Light light = Light.of("l", LightType.SPOT).withPosition(Vec3.Y).withDirection(Vec3.Y.negated()).withAngle(10);
-        Geometry empty = new Geometry(scene(light));
+        Geometry empty = Geometry.of(scene(light));
         var kernel = new LightKernel(empty, Engines.LANES.tracer(empty), Engines.LANES.terms(),
                 ViewEffects.ALL.withForced(List.of(RenderEffect.SPOT_CONE)));
         LightRows layer = kernel.recompute(rows(new Vec3(1, 0, 0)), LightSource.of(light, scene(light)), ColumnAllocator.NEW_ARRAYS);
@@ -151,7 +151,7 @@ class ConeCullingTest {
     @CsvSource({"1, 3", "-1, 0"})
     void culledRowInWidenedCone_isLitUnlessFacingAway(float up, int state) {
         Light narrow = Light.of("l", LightType.SPOT).withPosition(Vec3.Y).withDirection(Vec3.Y.negated()).withAngle(10);
-        Geometry empty = new Geometry(scene(narrow));
+        Geometry empty = Geometry.of(scene(narrow));
         var kernel = new LightKernel(empty, Engines.LANES.tracer(empty), Engines.LANES.terms(), ViewEffects.ALL);
         HitRows rows = rows(new Vec3(1, 0, 0));
         rows.ny[0] = up;

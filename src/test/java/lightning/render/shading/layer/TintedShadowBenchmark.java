@@ -75,7 +75,7 @@ final class TintedShadowBenchmark {
         Scene read = JenReader.read(Path.of(args[0])).scene();
         Scene scene = read.withPicture(read.picture().withSize(Integer.parseInt(args[1]), Integer.parseInt(args[2])));
         int rounds = Integer.parseInt(args[3]);
-        var benchmark = new TintedShadowBenchmark(scene, new Geometry(scene), WeightedLight.ofScene(scene),
+        var benchmark = new TintedShadowBenchmark(scene, Geometry.of(scene), WeightedLight.ofScene(scene),
                 args[4].equals("lanes") ? Engines.LANES : Engines.SCALAR);
         double[] all = new double[rounds];
         double[] glass = new double[rounds];

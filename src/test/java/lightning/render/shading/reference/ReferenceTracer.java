@@ -80,7 +80,7 @@ public final class ReferenceTracer {
         this.scene = scene;
         this.forEdges = forEdges;
         mirrorTracer = scene == mirrored ? this : new ReferenceTracer(mirrored, mirrored, forEdges);
-        geometry = new Geometry(scene);
+        geometry = Geometry.of(scene);
         materials = geometry.materials();
         lights = forEdges ? WeightedLight.forEdges(WeightedLight.ofScene(scene)) : WeightedLight.ofScene(scene);
         firstCells = SampleCells.first(scene.picture().sampling());

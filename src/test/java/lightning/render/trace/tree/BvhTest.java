@@ -29,7 +29,7 @@ class BvhTest {
 
     @Property
     void singleRays_matchBruteForce(@ForAll @IntRange(min = 1, max = 60) int shapes, @ForAll long seed) {
-        Geometry geometry = new Geometry(TraceScenes.randomScene(shapes, seed));
+        Geometry geometry = Geometry.of(TraceScenes.randomScene(shapes, seed));
         RandomRays rays = new RandomRays(geometry, seed);
         for (int n = 0; n < 10; n++) {
             rays.fill(packet);
@@ -45,7 +45,7 @@ class BvhTest {
     @Property
     void shadowRayTargetsAndBlockers_matchBruteForce(@ForAll @IntRange(min = 1, max = 60) int shapes, @ForAll long seed,
             @ForAll @IntRange(min = 0, max = 60) int up) {
-        Geometry geometry = new Geometry(TraceScenes.randomScene(shapes, seed));
+        Geometry geometry = Geometry.of(TraceScenes.randomScene(shapes, seed));
         RandomRays rays = new RandomRays(geometry, seed);
         rays.fill(packet);
         for (int i = 0; i < RayPacket.WIDTH; i++) {
@@ -77,12 +77,12 @@ class BvhTest {
     void movedCamera_refitsBoxesWithSameTopology(@ForAll @IntRange(min = 1, max = 60) int shapes, @ForAll long seed,
             @ForAll @DoubleRange(min = -100, max = 100) double by) {
         Scene scene = TraceScenes.randomScene(shapes, seed);
-        Geometry here = new Geometry(scene);
+        Geometry here = Geometry.of(scene);
         Camera camera = scene.camera();
         Vec3 from = camera.from().plus(new Vec3(by, -by / 3, 1));
         Scene moved = scene.withCamera(new Camera(from, from.plus(new Vec3(0.3, 1, 2)), camera.up(), camera.fov()));
         Geometry there = here.forScene(moved, MaterialTable.CASTS_REFLECTIONS);
-        Geometry built = new Geometry(moved);
+        Geometry built = Geometry.of(moved);
         assertThat(there.bvh().child).isSameAs(here.bvh().child);
         assertCovered(there.bvh());
         for (int s = 0; s < shapes; s++) {
@@ -101,7 +101,7 @@ class BvhTest {
     void rotatedCamera_reusesGeometry() {
         Scene scene = TraceScenes.cloud(10, 1);
         Camera camera = scene.camera();
-        Geometry here = new Geometry(scene);
+        Geometry here = Geometry.of(scene);
         Vec3 to = camera.from().plus(new Vec3(1, 2, 3));
         assertThat(here.forScene(scene.withCamera(new Camera(camera.from(), to, camera.up(), 10)), MaterialTable.CASTS_REFLECTIONS))
                 .isSameAs(here);
@@ -109,13 +109,13 @@ class BvhTest {
 
     @Test
     void differentShapes_buildNewTree() {
-        Geometry few = new Geometry(TraceScenes.cloud(10, 1));
+        Geometry few = Geometry.of(TraceScenes.cloud(10, 1));
         assertThat(few.forScene(TraceScenes.cloud(11, 1), MaterialTable.CASTS_REFLECTIONS).primitiveCount()).isEqualTo(11);
     }
 
     @Test
     void emptyScene_hasNoHits() {
-        Geometry geometry = new Geometry(TraceScenes.cloud(0, 1));
+        Geometry geometry = Geometry.of(TraceScenes.cloud(0, 1));
         Ray ray = new Ray(Vec3.ZERO, new Vec3(0, 0, -1));
         assertThat(geometry.nearest(ray)).isEqualTo(-1);
         assertThat(geometry.isBlocked(ray, Double.POSITIVE_INFINITY)).isFalse();
@@ -123,7 +123,7 @@ class BvhTest {
 
     @Test
     void eachShape_isInExactlyOneLeaf() {
-        Bvh bvh = new Geometry(TraceScenes.cloud(1000, 1)).bvh();
+        Bvh bvh = Geometry.of(TraceScenes.cloud(1000, 1)).bvh();
         boolean[] seen = new boolean[1000];
         for (int c : bvh.child) {
             if (c < 0) {
@@ -136,7 +136,7 @@ class BvhTest {
 
     @Test
     void childBoxes_containTheirSubtrees() {
-        assertCovered(new Geometry(TraceScenes.cloud(300, 2)).bvh());
+        assertCovered(Geometry.of(TraceScenes.cloud(300, 2)).bvh());
     }
 
     private static float[] box(Geometry geometry, int s) {
@@ -159,7 +159,7 @@ class BvhTest {
 
     @Test
     void thousandCoincidentShapes_makeShallowTree_andFirstWins() {
-        Geometry geometry = new Geometry(TraceScenes.overlappingShapes(1000));
+        Geometry geometry = Geometry.of(TraceScenes.overlappingShapes(1000));
         assertThat(geometry.bvh().depth).isLessThanOrEqualTo(11);
         Ray ray = new Ray(Vec3.ZERO, geometry.toRenderSpace(Vec3.ZERO));
         assertThat(geometry.nearest(ray)).isZero();
@@ -204,7 +204,7 @@ class BvhTest {
     void overflowingShapes_matchBruteForce(@ForAll long seed) {
         Geometry geometry;
         try {
-            geometry = new Geometry(TraceScenes.skewedShapes(6, seed));
+            geometry = Geometry.of(TraceScenes.skewedShapes(6, seed));
         } catch (IllegalArgumentException refused) {
             return;
         }

@@ -33,7 +33,7 @@ class FullOccluderTest {
      */
     @Property
     void fullOccluder_blocksAllShadowRaysOnEveryEngine(@ForAll long seed) {
-        Geometry geometry = new Geometry(switch (Math.floorMod(seed, 3)) {
+        Geometry geometry = Geometry.of(switch (Math.floorMod(seed, 3)) {
             case 0 -> TraceScenes.randomScene(3, seed);
             case 1 -> TraceScenes.skewedShapes(3, seed);
             default -> TraceScenes.cloud(3, seed);
@@ -178,7 +178,7 @@ class FullOccluderTest {
 
     /** Uses a ball on a floor, and points under it. */
     private boolean ballBlocks(Vec3 light, double extent, boolean toPoints) {
-        Geometry geometry = new Geometry(TraceScenes.ballOnFloor());
+        Geometry geometry = Geometry.of(TraceScenes.ballOnFloor());
         occlusionTest.setRays(box(-0.2f, -2.5f, -5.2f, 0.2f, -2, -4.8f), light, extent, toPoints, _ -> false);
         assertThat(occlusionTest.isFullOccluder(geometry.primitives(), 1)).as("the floor, which has no inside").isFalse();
         return occlusionTest.isFullOccluder(geometry.primitives(), 0);
@@ -191,7 +191,7 @@ class FullOccluderTest {
     }
 
     private boolean cylinderBlocks(boolean caps) {
-        Geometry geometry = new Geometry(TraceScenes.singleSolid(new Solid.Cylinder(caps)));
+        Geometry geometry = Geometry.of(TraceScenes.singleSolid(new Solid.Cylinder(caps)));
         occlusionTest.setRays(box(-0.2f, -2.5f, -5.2f, 0.2f, -2, -4.8f), new Vec3(0, 4, -5), 0.3, true, _ -> false);
         return occlusionTest.isFullOccluder(geometry.primitives(), 0);
     }

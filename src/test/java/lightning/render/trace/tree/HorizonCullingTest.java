@@ -24,7 +24,7 @@ class HorizonCullingTest {
     /** Uses scales from 10⁻³ to 10⁶ and stretched solids, with points and lights near their ends, most of them barely outside. */
     @Property
     void culledPrimitive_isHitByNoShadowRay(@ForAll @IntRange(min = 1, max = 12) int shapes, @ForAll long seed) {
-        Geometry geometry = new Geometry(switch (Math.floorMod(seed, 3)) {
+        Geometry geometry = Geometry.of(switch (Math.floorMod(seed, 3)) {
             case 0 -> TraceScenes.randomScene(shapes, seed);
             case 1 -> TraceScenes.skewedShapes(shapes, seed);
             default -> TraceScenes.cloud(shapes, seed);
@@ -118,7 +118,7 @@ class HorizonCullingTest {
 
     /** Uses a ball on a floor, and points just above the floor around it. */
     private boolean cullsFloor(Vec3 source, boolean toPoints) {
-        Geometry geometry = new Geometry(TraceScenes.ballOnFloor());
+        Geometry geometry = Geometry.of(TraceScenes.ballOnFloor());
         ShadowRayTarget end = toPoints ? geometry.shadowRayTarget(source) : ShadowRayTarget.OFF_SURFACE;
         culling.setRays(box(new float[][] {{-1, 1}, {-0.99f, -0.9f}, {-6, -4}}), source, source, toPoints, s -> end.indexOf(s) >= 0);
         assertThat(culling.isCulled(geometry.primitives(), 0)).isFalse();
