@@ -100,12 +100,12 @@ public record BenchSettings(List<PictureSize> sizes, int figure, int values, boo
         return withFigure(0).with(s -> s.values(0).peers(false));
     }
 
-    /** Tests if code is warmed up before timing, so that times are valid. */
+    /** Returns whether code is warmed up before timing, so that times are valid. */
     boolean isWarm() {
         return repetitions > 1;
     }
 
-    /** Tests if a case is measured. */
+    /** Returns whether a case is measured. */
     boolean includes(PaperCase edit) {
         return figure == 0 ? further || edit.isPrinted() : PaperFigures.shows(figure, edit);
     }

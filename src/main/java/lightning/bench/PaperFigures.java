@@ -50,7 +50,7 @@ public final class PaperFigures {
                 ? Optional.of(new Subject(Integer.parseInt(name), List.of(BIRD))) : Optional.empty();
     }
 
-    /** Tests if a figure has measured edits. */
+    /** Returns whether a figure has measured edits. */
     static boolean isMeasured(int figure) {
         return figure == ALL_EDITS || PICTURE_FIGURES.containsKey(figure) || PICTURE_FIGURES.containsValue(figure);
     }
@@ -60,7 +60,7 @@ public final class PaperFigures {
         return "6 to 11, 13 to 26, B1 to B4 or B for Appendix B";
     }
 
-    /** Tests if a figure includes a case. */
+    /** Returns whether a figure includes a case. */
     static boolean shows(int figure, PaperCase edit) {
         return figure == ALL_EDITS ? edit.isPrinted() : edit.figure().equals("Fig. " + PICTURE_FIGURES.getOrDefault(figure, figure));
     }

@@ -158,7 +158,7 @@ public final class Lightning {
     }
 
     /**
-     * Returns true if the first argument is neither a command nor a scene; picocli would report the argument after it
+     * Returns whether the first argument is neither a command nor a scene; picocli would report the argument after it
      * instead.
      */
     private static boolean isUnknown(CommandLine commands, String... args) {

@@ -87,7 +87,7 @@ public enum MeshFormat {
         return Arrays.stream(values()).flatMap(format -> format.extensions.stream()).toList();
     }
 
-    /** Returns true if the file's name has the extension of a format. */
+    /** Returns whether the file's name has the extension of a format. */
     public static boolean isMeshFileName(String file) {
         return Arrays.stream(values()).anyMatch(format -> format.matchesName(file));
     }

@@ -31,7 +31,7 @@ public final class HelpPages {
     }
 
     /**
-     * Returns true if the command that the arguments name has an option.
+     * Returns whether the command that the arguments name has an option.
      *
      * @param arguments without {@code lightning}
      */

@@ -48,8 +48,8 @@ class AttributePropertiesTest {
     /** Titles, or keywords of scene files, that differ from the name of their component. */
     private static final Map<String,
             String> KEYWORDS = Map.ofEntries(entry("World.lightCount", "lamps"), entry("Transmission.color", "transparency"),
-                    entry("BumpMapping.normalMap", "normals"), entry("Light.angle", "cone half-angle"),
-                    entry("Light.dropoff", "edge falloff"), entry("Light.doors", "barn doors"), entry("Light.profile", "IES profile"),
+                    entry("BumpMapping.normalMap", "normals"), entry("Cone.angle", "cone half-angle"),
+                    entry("Cone.dropoff", "edge falloff"), entry("Light.doors", "barn doors"), entry("Light.profile", "IES profile"),
                     entry("AreaShape.up", "roll axis"), entry("AreaShape.visibility", "visible to camera"),
                     entry("Transmission.ior", "IOR"),
                     entry("Emission.unit", "intensity unit"),

@@ -134,7 +134,7 @@ public class RayKernels {
         CameraRayLanes.pixelRays(camera, column, line, packet.dx, packet.dy, packet.dz, 0);
     }
 
-    /** Tests if a light is blocked, including the time to load the rays. */
+    /** Returns whether a light is blocked, including the time to load the rays. */
     @Benchmark
     @OperationsPerInvocation(SHADOW_RAYS)
     public boolean[] shadow() {

@@ -24,7 +24,7 @@ public final class ShippedFile {
         return Files.exists(shipped) ? shipped : name;
     }
 
-    /** Tests if a file is in the scene folder of the installation. Such files are never overwritten. */
+    /** Returns whether a file is in the scene folder of the installation. Such files are never overwritten. */
     public static boolean isShipped(Path file) {
         String home = System.getProperty("lightning.home");
         return home != null && normalized(file).startsWith(normalized(Path.of(home).resolve(SCENES)));

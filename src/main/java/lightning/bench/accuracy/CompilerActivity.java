@@ -30,7 +30,7 @@ record CompilerActivity(DoubleSupplier compileMs, DoubleSupplier nowMs) {
 
     /** Activity since a start time. */
     record CompilerWatch(CompilerActivity compilers, double startCompileMs, double startMs) {
-        /** Tests if they worked for less than a twentieth of the time. */
+        /** Returns whether they worked for less than a twentieth of the time. */
         boolean isIdle() {
             return compilers.compileMs.getAsDouble() - startCompileMs < BUSY_SHARE * (compilers.nowMs.getAsDouble() - startMs);
         }

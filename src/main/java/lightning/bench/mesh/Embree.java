@@ -42,7 +42,7 @@ public final class Embree implements AutoCloseable {
         responses = process.inputReader(StandardCharsets.UTF_8);
     }
 
-    /** Tests if Embree's headers and a C compiler are installed. */
+    /** Returns whether Embree's headers and a C compiler are installed. */
     public static boolean isInstalled() {
         return Files.exists(HEADER) && compiler().isPresent();
     }

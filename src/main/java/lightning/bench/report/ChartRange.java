@@ -7,12 +7,12 @@ final class ChartRange {
 
     private ChartRange() {}
 
-    /** Tests if a value fits on a logarithmic axis. */
+    /** Returns whether a value fits on a logarithmic axis. */
     static boolean isPlausible(double value) {
         return value > SMALLEST && value < LARGEST;
     }
 
-    /** Tests if a value fits on a logarithmic axis or is exactly 0. */
+    /** Returns whether a value fits on a logarithmic axis or is exactly 0. */
     static boolean isPlausibleOrZero(double value) {
         return value == 0 || isPlausible(value);
     }

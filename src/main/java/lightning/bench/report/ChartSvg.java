@@ -17,7 +17,7 @@ final class ChartSvg {
 
     private static final FontRenderContext METRICS = new FontRenderContext(null, true, true);
 
-    /** Tests if Java can lay out text; Linux needs fontconfig and a font. */
+    /** Returns whether Java can lay out text; Linux needs fontconfig and a font. */
     private static final boolean HAS_FONTS = hasFonts();
 
     private ChartSvg() {}

@@ -15,7 +15,7 @@ public record SystemLoad(double atStart, double atEnd, double others) {
     /** Load average per processor before the run above which the machine is busy, if the share is unknown. */
     private static final double BUSY_LOAD = 0.5;
 
-    /** Tests if other work makes the times unreliable. */
+    /** Returns whether other work makes the times unreliable. */
     public boolean isBusy(int processors) {
         return Double.isNaN(others) ? atStart > BUSY_LOAD * processors : others > BUSY_SHARE;
     }

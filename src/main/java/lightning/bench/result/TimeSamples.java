@@ -19,7 +19,7 @@ public record TimeSamples(double median, double lowerQuartile, double upperQuart
     /** Minimum number of samples for quartiles. */
     private static final int MIN_SAMPLES = 3;
 
-    /** Tests if two tasks differ significantly: both have quartiles, which do not overlap. */
+    /** Returns whether two tasks differ significantly: both have quartiles, which do not overlap. */
     public boolean isDistinctFrom(TimeSamples other) {
         return Math.min(samples.size(), other.samples.size()) >= MIN_SAMPLES
                 && (upperQuartile < other.lowerQuartile || other.upperQuartile < lowerQuartile);

@@ -11,7 +11,7 @@ public final class ClosedPipe {
     private ClosedPipe() {}
 
     /**
-     * Returns true if a stream that failed is the process's own output and its reader has ended. That is no error: Unix programs end
+     * Returns whether a stream that failed is the process's own output and its reader has ended. That is no error: Unix programs end
      * without a message then.
      */
     @SuppressWarnings("resource") // The descriptor belongs to the process.

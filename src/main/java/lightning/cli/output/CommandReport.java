@@ -27,7 +27,7 @@ public final class CommandReport {
         return json;
     }
 
-    /** Returns true if lines are printed when they arise. */
+    /** Returns whether lines are printed when they arise. */
     synchronized boolean printsLines() {
         return !json && !quiet;
     }

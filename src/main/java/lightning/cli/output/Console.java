@@ -25,7 +25,7 @@ public record Console(PrintStream out, PrintStream err, boolean terminal, Comman
         this(out, err, terminal, new CommandReport());
     }
 
-    /** Returns true if progress can be shown. */
+    /** Returns whether progress can be shown. */
     boolean showsProgress() {
         return terminal && report.printsLines();
     }

@@ -27,7 +27,7 @@ public record StepFiles(Path pattern, String stem) {
         return Files.isDirectory(pattern) || name().lastIndexOf('.') <= 0;
     }
 
-    /** Returns true if each step has a file, false if the last one has. */
+    /** Returns whether each step has a file, false if the last one has. */
     boolean isNumbered() {
         return isFolder() || NUMBER.matcher(name()).find();
     }

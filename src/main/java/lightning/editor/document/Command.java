@@ -344,7 +344,7 @@ public enum Command {
         return name().toLowerCase(Locale.ROOT).replace('_', '-');
     }
 
-    /** Tests if the command is enabled. */
+    /** Returns whether the command is enabled. */
     public boolean isEnabled(EditorState s) {
         return disabledReason(s).isEmpty();
     }

@@ -13,12 +13,12 @@ import lightning.base.file.FileState;
  */
 public record DiskStatus(Path file, FileState known, FileState current, boolean isOpenElsewhere) {
 
-    /** Tests if the file existed and was deleted. */
+    /** Returns whether the file existed and was deleted. */
     public boolean isDeleted() {
         return current.equals(FileState.MISSING) && !known.equals(FileState.MISSING);
     }
 
-    /** Tests if another program changed the file. */
+    /** Returns whether another program changed the file. */
     public boolean isChanged() {
         return !current.equals(FileState.MISSING) && !known.hasSameContent(current);
     }

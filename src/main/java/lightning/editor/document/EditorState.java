@@ -54,7 +54,7 @@ public record EditorState(Scene scene, Optional<Frame> frame, Optional<Scene> sc
                 document.isUntitled());
     }
 
-    /** Tests if Set Keyframe applies to a track: of the selected light or its group, of the selected shape or group, or of the camera. */
+    /** Returns whether Set Keyframe applies to a track: of the selected light or its group, of the selected shape or group, or of the camera. */
     public boolean isSelected(TrackTarget target) {
         return switch (target.kind()) {
             case CAMERA -> true;
@@ -79,12 +79,12 @@ public record EditorState(Scene scene, Optional<Frame> frame, Optional<Scene> sc
         return frame.map(Frame::mirroredScene);
     }
 
-    /** Tests if the canvas shows the full image, not a part of it. */
+    /** Returns whether the canvas shows the full image, not a part of it. */
     boolean isFullPicture() {
         return frame.map(Frame::displayMode).orElse(DisplayMode.FULL_PICTURE).isFullPicture();
     }
 
-    /** Tests if there are edits that the traced image does not show, reflections excluded. */
+    /** Returns whether there are edits that the traced image does not show, reflections excluded. */
     public boolean hasPendingEdits() {
         return frame.isEmpty() || !VisibleState.isSame(scene, frame.get().scene());
     }
@@ -99,12 +99,12 @@ public record EditorState(Scene scene, Optional<Frame> frame, Optional<Scene> sc
                 : lacksSamples() ? Optional.of(Messages.tr("the image is not anti-aliased yet")) : Optional.empty();
     }
 
-    /** Tests if the traced image shows the scene, but not its indirect light, which is rendered after direct light. */
+    /** Returns whether the traced image shows the scene, but not its indirect light, which is rendered after direct light. */
     public boolean lacksIndirectLight() {
         return frame.filter(f -> f.showsDirectLightOf(scene)).isPresent();
     }
 
-    /** Tests if the traced image has one sample per pixel center and its anti-aliasing samples are pending. */
+    /** Returns whether the traced image has one sample per pixel center and its anti-aliasing samples are pending. */
     public boolean lacksSamples() {
         return frame.isPresent() && !frame.get().isFinished();
     }

@@ -54,7 +54,7 @@ public sealed interface MixerChannel {
         };
     }
 
-    /** Tests if the scene has this channel. */
+    /** Returns whether the scene has this channel. */
     default boolean isIn(Scene scene) {
         return switch (this) {
             case OfLight(String name) -> scene.light(name).isPresent();
@@ -124,7 +124,7 @@ public sealed interface MixerChannel {
                 ? scene.withLight(LightAttribute.TEMPERATURE.with(LightEdits.light(scene, name), kelvin)) : scene;
     }
 
-    /** Tests if the channel is on; the environment is unless its light is dark. */
+    /** Returns whether the channel is on; the environment is unless its light is dark. */
     default boolean isOn(Scene scene) {
         return switch (this) {
             case OfLight(String name) -> LightEdits.light(scene, name).on();
@@ -148,7 +148,7 @@ public sealed interface MixerChannel {
                 .withGain(world.gain() > 0 ? world.gain() : World.GAIN.initial());
     }
 
-    /** Tests if the channel is solo. */
+    /** Returns whether the channel is solo. */
     default boolean isSolo(Scene scene) {
         return switch (this) {
             case OfLight(String name) -> LightEdits.light(scene, name).solo();
@@ -166,7 +166,7 @@ public sealed interface MixerChannel {
         };
     }
 
-    /** Tests if the channel contributes to the image: it is on and not muted by another's solo. */
+    /** Returns whether the channel contributes to the image: it is on and not muted by another's solo. */
     default boolean isShining(Scene scene) {
         return switch (this) {
             case OfLight(String name) -> scene.isActive(LightEdits.light(scene, name));

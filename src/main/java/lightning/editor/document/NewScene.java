@@ -102,7 +102,7 @@ public final class NewScene {
         return folder().resolve(Messages.tr("untitled") + JenFile.EXTENSION);
     }
 
-    /** Tests if a new scene has this file before it is saved. */
+    /** Returns whether a new scene has this file before it is saved. */
     static boolean isPlaceholder(Path file) {
         return file.equals(placeholder()) && !file.toFile().exists();
     }

@@ -147,7 +147,7 @@ public final class NumericParameter {
         return quantity.unit();
     }
 
-    /** Tests if the parameter belongs to the scene and needs no light. */
+    /** Returns whether the parameter belongs to the scene and needs no light. */
     public boolean isOfScene() {
         return isOfScene;
     }

@@ -137,7 +137,7 @@ public final class OpenDocument {
         return saved.file();
     }
 
-    /** Tests if the document has no file of its own until it is saved: a new scene, or a copy of a shipped one. */
+    /** Returns whether the document has no file of its own until it is saved: a new scene, or a copy of a shipped one. */
     public boolean isUntitled() {
         return untitled;
     }
@@ -226,7 +226,7 @@ public final class OpenDocument {
         return saved.document();
     }
 
-    /** Tests if there are unsaved edits. */
+    /** Returns whether there are unsaved edits. */
     public boolean isDirty() {
         boolean differsFromDisk = knownState().equals(FileState.MISSING) || diskStatus.isDeleted() || ignoresDiskChange;
         return differsFromDisk && !untitled || hasUnsavedLooks || !content().equals(savedDocument().animatedScene());
@@ -259,7 +259,7 @@ public final class OpenDocument {
         ignoresDiskChange = true;
     }
 
-    /** Tests if another program changed or deleted the file since it was last read or saved, according to the last check. */
+    /** Returns whether another program changed or deleted the file since it was last read or saved, according to the last check. */
     public boolean isChangedOnDisk() {
         return diskStatus.isChanged() || diskStatus.isDeleted();
     }

@@ -56,7 +56,7 @@ public final class OpenSceneRegistry implements AutoCloseable {
     }
 
     /**
-     * Tests if another editor has a scene open, resolving links.
+     * Returns whether another editor has a scene open, resolving links.
      *
      * @throws IOException if the folder cannot be read
      */

@@ -20,7 +20,7 @@ public final class TextDifference {
      * @param theirsLine line number in the second text, as {@code mineLine}
      */
     public record Row(int mineLine, String mine, int theirsLine, String theirs) {
-        /** Tests if both texts have the line. */
+        /** Returns whether both texts have the line. */
         public boolean isSame() {
             return mineLine > 0 && theirsLine > 0 && mine.equals(theirs);
         }

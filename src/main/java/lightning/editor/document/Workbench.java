@@ -334,7 +334,7 @@ public final class Workbench implements AutoCloseable {
         }
     }
 
-    /** Tests if a save is pending. */
+    /** Returns whether a save is pending. */
     public boolean isSaving() {
         return !pendingSaves.isEmpty();
     }
@@ -424,7 +424,7 @@ public final class Workbench implements AutoCloseable {
         loop.setView(view);
     }
 
-    /** Tests if every edit is rendered immediately; initially off (paper §3.3). */
+    /** Returns whether every edit is rendered immediately; initially off (paper §3.3). */
     public boolean isLive() {
         return isLive;
     }

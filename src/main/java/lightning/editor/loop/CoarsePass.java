@@ -84,7 +84,7 @@ final class CoarsePass {
         showNext(Double.POSITIVE_INFINITY);
     }
 
-    /** Tests if an image was shown. */
+    /** Returns whether an image was shown. */
     boolean isShown() {
         return shownPixels > 0;
     }

@@ -97,7 +97,7 @@ public record CoarsePicture(Scene scene, Geometry geometry, Film film, double pi
         return small;
     }
 
-    /** Tests if this is a coarse image of a scene, whose size and samples may be others. */
+    /** Returns whether this is a coarse image of a scene, whose size and samples may be others. */
     boolean shows(Scene other) {
         PictureSettings picture = other.picture();
         return scene == other || scene.withPicture(scene.picture().withSize(picture.width(), picture.height())

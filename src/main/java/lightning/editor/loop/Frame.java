@@ -52,12 +52,12 @@ public record Frame(Film film, Film displayed, DisplayMode displayMode, Scene sc
         return new AccuracyGuarantee(seenScenes, ViewEffects.ALL, update.errorBound());
     }
 
-    /** Tests if visible reflective and transparent surfaces, if any, show the current scene. */
+    /** Returns whether visible reflective and transparent surfaces, if any, show the current scene. */
     public boolean mirrorsAreCurrent() {
         return !guarantee().isStale();
     }
 
-    /** Tests if the displayed view has reflective or transparent surfaces that show an older scene. */
+    /** Returns whether the displayed view has reflective or transparent surfaces that show an older scene. */
     public boolean isDisplayStale() {
         return !new RenderedScenes(displayMode.effects().apply(scene), displayMode.effects().apply(mirroredScene)).areReflectionsCurrent();
     }

@@ -141,7 +141,7 @@ final class PictureVerifier implements AutoCloseable {
         runningCount--;
     }
 
-    /** Tests if a verification is running or pending. */
+    /** Returns whether a verification is running or pending. */
     synchronized boolean isBusy() {
         return runningCount > 0;
     }

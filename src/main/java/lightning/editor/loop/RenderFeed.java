@@ -77,7 +77,7 @@ public final class RenderFeed implements RenderListener {
         }
     }
 
-    /** Returns true if the event belongs to the open document. */
+    /** Returns whether the event belongs to the open document. */
     private synchronized boolean changeState(UnaryOperator<RenderState> change) {
         boolean isCurrent = isOpenDocumentCurrent();
         state = isCurrent ? change.apply(state) : state;
@@ -93,7 +93,7 @@ public final class RenderFeed implements RenderListener {
         }
     }
 
-    /** Tests if the minimum interval since the last progress report has passed. The end of a job is always reported. */
+    /** Returns whether the minimum interval since the last progress report has passed. The end of a job is always reported. */
     private boolean isReportDue(int done, int total) {
         long last = lastReportNs.get();
         long now = System.nanoTime();

@@ -108,17 +108,17 @@ public final class RenderLoop implements AutoCloseable {
         return worker.cache();
     }
 
-    /** Tests if a render is running or pending. A verification does not count. */
+    /** Returns whether a render is running or pending. A verification does not count. */
     public boolean isBusy() {
         return queue.isBusy();
     }
 
-    /** Tests if a verification is running or pending. */
+    /** Returns whether a verification is running or pending. */
     public boolean isVerifying() {
         return queue.isVerifying() || verifier.isBusy();
     }
 
-    /** Tests if the loop's thread is running, that is, not closed. */
+    /** Returns whether the loop's thread is running, that is, not closed. */
     boolean isAlive() {
         return thread.isAlive();
     }

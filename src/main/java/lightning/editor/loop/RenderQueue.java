@@ -162,7 +162,7 @@ final class RenderQueue {
     }
 
     /**
-     * Tests if a running job is obsolete for a new scene. An update is not unless it is replaceable, or dragging would starve the image; a
+     * Returns whether a running job is obsolete for a new scene. An update is not unless it is replaceable, or dragging would starve the image; a
      * first pass of another image is.
      */
     private boolean isObsoleteFor(Scene requested) {
@@ -219,7 +219,7 @@ final class RenderQueue {
         render(requestedScene);
     }
 
-    /** Drops pending jobs and stops the running one. Returns true if a scene was pending; its cancellation is not reported elsewhere. */
+    /** Drops pending jobs and stops the running one. Returns whether a scene was pending; its cancellation is not reported elsewhere. */
     synchronized boolean cancel() {
         boolean wasWaiting = waiting.containsKey(Slot.SCENE);
         waiting.keySet().removeAll(EnumSet.of(Slot.SCENE, Slot.REFLECTIONS, Slot.SAMPLES, Slot.VERIFICATION));
@@ -239,7 +239,7 @@ final class RenderQueue {
         return running != null || !waiting.isEmpty();
     }
 
-    /** Tests if a verification is pending or about to start. */
+    /** Returns whether a verification is pending or about to start. */
     synchronized boolean isVerifying() {
         return waiting.containsKey(Slot.VERIFICATION) || running instanceof RenderJob.Verify;
     }

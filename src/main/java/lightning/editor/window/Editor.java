@@ -80,7 +80,7 @@ public final class Editor implements AutoCloseable {
         return window;
     }
 
-    /** Returns true if the picture is rendered and no other task is running. */
+    /** Returns whether the picture is rendered and no other task is running. */
     boolean isIdle() {
         return model.picture().frame() != null && model.fileActivity().file() == null
                 && model.editor().editorStateProperty().get().sceneInProgress().isEmpty();

@@ -298,12 +298,12 @@ final class EditorLayout extends BorderPane {
         }
     }
 
-    /** Returns true if the mouse is over a picture and the focused control uses neither Tab nor the space bar. */
+    /** Returns whether the mouse is over a picture and the focused control uses neither Tab nor the space bar. */
     boolean isOverPictures() {
         return canvases.isHover() && (getScene() == null || !needsTab(getScene().getFocusOwner()));
     }
 
-    /** Returns true if Tab should move the focus: from a text field, or from a control that was reached by the keyboard, not by a click. */
+    /** Returns whether Tab should move the focus: from a text field, or from a control that was reached by the keyboard, not by a click. */
     private static boolean needsTab(Node focusOwner) {
         return focusOwner instanceof TextInputControl || focusOwner instanceof Control && focusOwner.isFocusVisible();
     }

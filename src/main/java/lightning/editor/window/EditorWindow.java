@@ -142,7 +142,7 @@ public final class EditorWindow implements AutoCloseable {
                 .flatMap(Function.identity());
     }
 
-    /** Opens the first scene among dropped files. Returns true if one of them is a scene. */
+    /** Opens the first scene among dropped files. Returns whether one of them is a scene. */
     boolean openDropped(List<File> droppedFiles) {
         Optional<File> scene = droppedFiles.stream().filter(EditorWindow::isScene).findFirst();
         scene.ifPresent(f -> files.load(f.toPath()));

@@ -72,7 +72,7 @@ public class LightningApp extends Application {
         return problem;
     }
 
-    /** Returns true if the editor can open a file with this name. */
+    /** Returns whether the editor can open a file with this name. */
     public static boolean canOpen(String file) {
         return StartupFiles.canOpen(file);
     }

@@ -25,7 +25,7 @@ import lightning.format.jen.JenFile;
 record StartupFiles(OpenDocument document, boolean isStartScene, StartupPreview preview, Path failedFile, Exception failure,
         List<RecoveryFolder.RecoverableScene> findRecoveries, Path fileToImport) {
 
-    /** Returns true if a file's name is that of a scene or of a format that can be imported. */
+    /** Returns whether a file's name is that of a scene or of a format that can be imported. */
     static boolean canOpen(String file) {
         return JenFile.isJenFileName(file) || SceneImporter.isImportName(file);
     }

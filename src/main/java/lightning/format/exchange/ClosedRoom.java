@@ -8,7 +8,7 @@ import lightning.scene.Scene;
 import lightning.scene.material.Material;
 
 /**
- * Tests whether a scene's camera is in a closed room, where most light is indirect: at least nine of ten rays from the camera in all
+ * Returns whether a scene's camera is in a closed room, where most light is indirect: at least nine of ten rays from the camera in all
  * directions hit an object. Windows and doors may be open.
  */
 final class ClosedRoom {

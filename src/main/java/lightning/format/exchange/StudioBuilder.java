@@ -86,7 +86,7 @@ final class StudioBuilder {
     }
 
     /**
-     * Tests if there is something low near at least three corners of the bounding box, and nothing above it: not the inside of a pedestal.
+     * Returns whether there is something low near at least three corners of the bounding box, and nothing above it: not the inside of a pedestal.
      */
     private boolean findFloor() {
         if (scene.stage().shapeCount() == 0) {

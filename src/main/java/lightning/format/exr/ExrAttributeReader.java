@@ -47,7 +47,7 @@ final class ExrAttributeReader {
         }
     }
 
-    /** Returns true if the part has channels with all of these names. */
+    /** Returns whether the part has channels with all of these names. */
     boolean hasChannels(List<String> names) {
         return channels != null && channels.stream().map(ExrChannel::name).toList().containsAll(names);
     }

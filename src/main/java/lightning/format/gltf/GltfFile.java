@@ -51,7 +51,7 @@ public final class GltfFile {
         this.progress = progress;
     }
 
-    /** Returns true if a file starts like a glTF file, in either form. */
+    /** Returns whether a file starts like a glTF file, in either form. */
     public static boolean isGltf(ByteSource source) throws IOException {
         if (source.startsWith(MAGIC)) {
             return true;

@@ -80,7 +80,7 @@ public final class GltfMeshReader {
         return primitive.get("mode").integer(0, 6, TRIANGLES_MODE);
     }
 
-    /** Returns true if a primitive declares triangles with positions. */
+    /** Returns whether a primitive declares triangles with positions. */
     static boolean isDrawable(JsonValue primitive) throws MeshException {
         return mode(primitive) >= TRIANGLES_MODE && primitive.get("attributes").get("POSITION").isPresent();
     }
@@ -188,7 +188,7 @@ public final class GltfMeshReader {
         }
     }
 
-    /** Returns true if tangents apply; those without normals must be ignored: glTF 2.0, §3.7.2.1. */
+    /** Returns whether tangents apply; those without normals must be ignored: glTF 2.0, §3.7.2.1. */
     private static boolean hasTangents(JsonValue attributes) throws MeshException {
         return attributes.get("TANGENT").isPresent() && attributes.get("NORMAL").isPresent();
     }

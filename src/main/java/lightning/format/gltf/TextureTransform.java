@@ -33,7 +33,7 @@ record TextureTransform(int set, double[] matrix) {
         return new TextureTransform(set, new double[] {c * scale[0], s * scale[1], offset[0], -s * scale[0], c * scale[1], offset[1]});
     }
 
-    /** Returns true if two textures of a material have the same placement. */
+    /** Returns whether two textures of a material have the same placement. */
     static boolean areSame(JsonValue texture, JsonValue other) throws MeshException {
         TextureTransform one = of(texture);
         TextureTransform two = of(other);

@@ -62,7 +62,7 @@ final class Exr {
         }
     }
 
-    /** Returns true if the color channels have more bits than a half. */
+    /** Returns whether the color channels have more bits than a half. */
     static boolean hasFullFloats(Path file) throws IOException {
         try (ExrReader reader = new ExrReader(file)) {
             return reader.header().channels().stream().anyMatch(c -> COLORS.contains(c.name()) && c.type() != ExrType.HALF);

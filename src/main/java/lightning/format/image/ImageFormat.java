@@ -135,7 +135,7 @@ public enum ImageFormat {
     }
 
     /**
-     * Returns true if a file of this format stores all bits of a float; reads the header if the format has several number
+     * Returns whether a file of this format stores all bits of a float; reads the header if the format has several number
      * types.
      */
     public boolean hasFullFloats(Path file) throws IOException {
@@ -174,12 +174,12 @@ public enum ImageFormat {
         return "." + name().toLowerCase(Locale.ROOT);
     }
 
-    /** Returns true if a file stores clamped display values instead of the linear film. */
+    /** Returns whether a file stores clamped display values instead of the linear film. */
     public boolean isDisplayReferred() {
         return isDisplayReferred;
     }
 
-    /** Returns true if the format supports layers. */
+    /** Returns whether the format supports layers. */
     public boolean canHaveLayers() {
         return this == EXR;
     }

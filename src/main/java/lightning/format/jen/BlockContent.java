@@ -46,13 +46,13 @@ record BlockContent(BlockType<?> type, String name, Map<String, Value> values, L
         return new BlockContent(type, newName, values, children);
     }
 
-    /** Returns true if {@code property} must be written: it is present and differs from the default. */
+    /** Returns whether {@code property} must be written: it is present and differs from the default. */
     boolean mustWrite(Property<?> property) {
         Value value = values.get(property.name());
         return !(value instanceof Value.Absent) && !value.equals(property.initial());
     }
 
-    /** Returns true if all values are defaults, so that no block is needed. */
+    /** Returns whether all values are defaults, so that no block is needed. */
     boolean isInitial() {
         return type.properties().stream().noneMatch(this::mustWrite);
     }

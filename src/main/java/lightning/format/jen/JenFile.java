@@ -7,7 +7,7 @@ public final class JenFile {
 
     private JenFile() {}
 
-    /** Returns true if a file name has the extension of a scene. */
+    /** Returns whether a file name has the extension of a scene. */
     public static boolean isJenFileName(String file) {
         return file.endsWith(EXTENSION);
     }

@@ -34,7 +34,7 @@ final class KeyframeParser {
         target.keys = new ArrayList<>();
     }
 
-    /** Returns true if values of this property hold until the next keyframe. */
+    /** Returns whether values of this property hold until the next keyframe. */
     static boolean isStepped(Property<?> property) {
         return property.form() == Property.Form.WORD || property.isInteger();
     }

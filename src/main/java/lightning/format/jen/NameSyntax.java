@@ -39,7 +39,7 @@ public final class NameSyntax {
         return -1;
     }
 
-    /** Returns true if the character can be escaped by a backslash. */
+    /** Returns whether the character can be escaped by a backslash. */
     static boolean isEscapable(char c) {
         return c == '"' || c == '\\';
     }

@@ -217,7 +217,7 @@ final class Parser {
         return kind() == Kind.WORD && BlockTypes.of(tokens.text(position)).isPresent();
     }
 
-    /** Returns true if a block {@code material name \{} follows rather than the property {@code material name}. */
+    /** Returns whether a block {@code material name {}} follows rather than the property {@code material name}. */
     private boolean isNamedBlock() {
         return tokens.isName(position + 1) && tokens.kind(position + 2) == Kind.OPEN;
     }

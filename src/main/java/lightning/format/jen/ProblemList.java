@@ -29,7 +29,7 @@ final class ProblemList {
         return entries.isEmpty();
     }
 
-    /** Returns true if the maximum is reached and reading should stop. */
+    /** Returns whether the maximum is reached and reading should stop. */
     boolean isFull() {
         return offsets.size() >= JenLimits.PROBLEMS;
     }

@@ -371,7 +371,7 @@ public final class PropertyEdit {
         }
     }
 
-    /** Returns true if an unquoted {@code none} removes the property. */
+    /** Returns whether an unquoted {@code none} removes the property. */
     private static boolean canBeNone(BlockType<?> type, String property) {
         return type == BlockTypes.PICTURE && property.equals(BlockTypes.INDIRECT.keyword())
                 || type == BlockTypes.WORLD && property.equals(World.ENVIRONMENT.name())

@@ -240,7 +240,7 @@ final class PropertyParser {
         return number;
     }
 
-    /** Returns true if a number, or a string or word in place of a number, follows instead of the next property or block. */
+    /** Returns whether a number, or a string or word in place of a number, follows instead of the next property or block. */
     private boolean isNumber(Block block, int token, boolean isMissing) {
         if (tokens.kind(token) != Kind.WORD) {
             return isValue(tokens.kind(token));

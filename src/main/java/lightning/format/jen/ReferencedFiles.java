@@ -81,7 +81,7 @@ public final class ReferencedFiles {
         });
     }
 
-    /** Returns true if a scene may contain the name: a relative path of plain names that stays inside the folders. */
+    /** Returns whether a scene may contain the name: a relative path of plain names that stays inside the folders. */
     public static boolean isAllowed(String name) {
         return FileName.isAllowed(name);
     }

@@ -56,7 +56,7 @@ final class TokenList {
         return i < size ? KINDS[kinds[i]] : Kind.END;
     }
 
-    /** Returns true if token {@code i} can be a name. */
+    /** Returns whether token {@code i} can be a name. */
     boolean isName(int i) {
         return kind(i) == Kind.WORD || kind(i) == Kind.STRING;
     }

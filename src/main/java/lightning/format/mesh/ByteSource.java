@@ -82,7 +82,7 @@ public final class ByteSource implements AutoCloseable {
         return position < limit || fill(1) ? block[position++] & 0xFF : -1;
     }
 
-    /** Returns true if the next bytes equal the given ones; does not consume them. */
+    /** Returns whether the next bytes equal the given ones; does not consume them. */
     public boolean startsWith(byte[] bytes) throws IOException {
         if (!fill(bytes.length)) {
             return false;

@@ -96,7 +96,7 @@ public final class TextTokenizer {
         }
     }
 
-    /** Returns true if only spaces remain in this line. */
+    /** Returns whether only spaces remain in this line. */
     public boolean isAtLineEnd() throws IOException {
         int c = skipSpaces();
         return c < 0 || c == '\n' || c == '\r';
@@ -112,7 +112,7 @@ public final class TextTokenizer {
         return c;
     }
 
-    /** Returns true if the last token equals the given one, which contains only ASCII letters. */
+    /** Returns whether the last token equals the given one, which contains only ASCII letters. */
     public boolean isToken(String expected) {
         if (length != expected.length()) {
             return false;

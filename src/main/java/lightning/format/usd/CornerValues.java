@@ -103,7 +103,7 @@ record CornerValues(float[] values, int stride, Level level, int[] indices) {
         return indices.length == 0 ? element : indices[element];
     }
 
-    /** Returns true if values are refined as positions are. */
+    /** Returns whether values are refined as positions are. */
     boolean isSmooth() {
         return level == Level.SMOOTH_POINT;
     }

@@ -23,7 +23,7 @@ public final class UsdSubdivision {
 
     private UsdSubdivision() {}
 
-    /** Returns true if a mesh is a subdivision surface that can be refined. */
+    /** Returns whether a mesh is a subdivision surface that can be refined. */
     public static boolean isSurface(JsonValue mesh) throws MeshException {
         return mesh.get("subdivision").isPresent();
     }

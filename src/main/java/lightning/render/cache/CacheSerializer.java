@@ -154,7 +154,7 @@ public final class CacheSerializer {
         return mirrored == null ? null : new BounceImages(mirrored, refracted);
     }
 
-    /** Returns true if two images share the same rows, layers, edge colors and paths, and differ at most in colors and indirect light. */
+    /** Returns whether two images share the same rows, layers, edge colors and paths, and differ at most in colors and indirect light. */
     public static boolean hasSameRows(PixelCache a, PixelCache b) {
         if (!IndirectSerializer.hasSamePaths(a, b) || a.tileCount() != b.tileCount() || a.fineCount() != b.fineCount()) {
             return false;

@@ -49,7 +49,7 @@ public final class CachedTile {
         return max;
     }
 
-    /** Returns true if the deeper levels are stored as rows, false for hit shapes. */
+    /** Returns whether the deeper levels are stored as rows, false for hit shapes. */
     public boolean storesRows() {
         return hitShapes.length == 0;
     }

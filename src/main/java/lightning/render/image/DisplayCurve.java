@@ -50,7 +50,7 @@ public enum DisplayCurve {
         return title;
     }
 
-    /** Returns true if a channel of the shown color depends on all channels. */
+    /** Returns whether a channel of the shown color depends on all channels. */
     boolean mixesChannels() {
         return this == AGX || this == ACES2;
     }

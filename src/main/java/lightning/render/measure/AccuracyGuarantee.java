@@ -36,12 +36,12 @@ public record AccuracyGuarantee(RenderedScenes scenes, ViewEffects view, double 
         return new AccuracyGuarantee(renderer.cache().scenes(), renderer.options().view(), update.errorBound());
     }
 
-    /** Tests if reflections show an older scene that differs visibly. */
+    /** Returns whether reflections show an older scene that differs visibly. */
     public boolean isStale() {
         return !scenes.areReflectionsCurrent();
     }
 
-    /** Tests if a difference from a full trace of the scenes satisfies the guarantee. */
+    /** Returns whether a difference from a full trace of the scenes satisfies the guarantee. */
     public boolean isMetBy(Difference difference) {
         return bound == 0 ? difference.isNone() : difference.maxAbsolute() <= bound;
     }

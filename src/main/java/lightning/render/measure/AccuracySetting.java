@@ -44,7 +44,7 @@ public enum AccuracySetting {
         this.description = note;
     }
 
-    /** Tests if the setting differs from its neighbors for edits of a scene. */
+    /** Returns whether the setting differs from its neighbors for edits of a scene. */
     boolean appliesTo(Scene scene) {
         return switch (this) {
             case FEW_SAMPLES -> scene.lights().stream().anyMatch(Light::isArea);
@@ -78,7 +78,7 @@ public enum AccuracySetting {
         };
     }
 
-    /** Tests if its edits start from the cache of setting exact. */
+    /** Returns whether its edits start from the cache of setting exact. */
     boolean startsFromExact() {
         return this == EXACT_UPDATED || this == EXACT_CURRENT;
     }

@@ -24,7 +24,7 @@ public record EffectCost(RenderEffect effect, List<String> callers, boolean meas
         callers = List.copyOf(callers);
     }
 
-    /** Tests if the scene uses it. */
+    /** Returns whether the scene uses it. */
     public boolean inUse() {
         return !callers.isEmpty();
     }

@@ -18,12 +18,12 @@ import lightning.render.image.Film;
 public record Verification(AccuracyGuarantee guarantee, Film picture, Film full, Difference expectedDifference,
         Difference currentDifference, OptionalDouble fullTraceMs) {
 
-    /** Tests if the image satisfies its guarantee. */
+    /** Returns whether the image satisfies its guarantee. */
     public boolean hasPassed() {
         return guarantee.isMetBy(expectedDifference);
     }
 
-    /** Tests if the verification applies to an image with another guarantee. */
+    /** Returns whether the verification applies to an image with another guarantee. */
     public boolean appliesTo(AccuracyGuarantee other) {
         return guarantee.equals(other);
     }

@@ -79,7 +79,7 @@ public record WarmSaving(UpdateResult measuredUpdate, Timing update, Timing full
         return edit.step().run(renderer, progress).milliseconds();
     }
 
-    /** Tests if it is the saving of this update, by identity. */
+    /** Returns whether it is the saving of this update, by identity. */
     public boolean isOf(UpdateResult shownUpdate) {
         return measuredUpdate == shownUpdate;
     }

@@ -21,7 +21,7 @@ public interface TermKernel {
      * Aims at sample {@code s} of an area light from the rows of a set and the rows that share a word with them. Results for other
      * rows are undefined.
      *
-     * @param rotations sample rotation of each row, see {@link RowShadowRays#rotation}
+     * @param patterns  sample pattern of each row, see {@link RowShadowRays#pattern}
      * @param cosine    receives their {@link LightingEquation#cosine}
      * @param facing    receives those of the set with a cosine above 0
      */

@@ -1,7 +1,7 @@
 /**
  * Lighting equation (paper §2.2), once in readable form and once as loops over columns.
  *
- * <p>{@link lightning.render.shading.LightingEquation} is the equation. {@link lightning.render.shading.reference.ReferenceTracer} is the
+ * <p>{@link lightning.render.shading.LightingEquation} is the equation. {@code ReferenceTracer}, among the tests, is the
  * reference that follows §2.1 of the paper literally. Engines implement {@link lightning.render.shading.TermKernel} and {@link
  * lightning.render.shading.SumKernel} over all rows of a tile. They agree in every bit because all of them round to float at the
  * same places: point, normal, view direction, material colors, light weight, cosine, specular term and falloff. Between two

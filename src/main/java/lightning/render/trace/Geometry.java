@@ -222,7 +222,7 @@ public final class Geometry {
         }
     }
 
-    /** Returns true if any primitive casts shadows. If none does, no shadow rays may be traced. */
+    /** Returns whether any primitive casts shadows. If none does, no shadow rays may be traced. */
     public boolean castsShadows() {
         return castsShadows;
     }
@@ -231,7 +231,7 @@ public final class Geometry {
         return shadowCasters == null || shadowCasters[primitive];
     }
 
-    /** Returns true if {@code other} has these shapes, seen from this camera position; its materials may differ. */
+    /** Returns whether {@code other} has these shapes, seen from this camera position; its materials may differ. */
     public boolean canServe(Scene other) {
         return hasSameShapes(other) && scene.camera().origin().equals(other.camera().origin());
     }
@@ -240,7 +240,7 @@ public final class Geometry {
         return scene.stage().rendered().nodes().equals(other.stage().rendered().nodes()) && hasSameRays(other);
     }
 
-    /** Returns true if another scene's materials produce the same hits: equal normal mapping, refraction and shadow casting. */
+    /** Returns whether another scene's materials produce the same hits: equal normal mapping, refraction and shadow casting. */
     private boolean hasSameRays(Scene other) {
         Stage stage = scene.stage().rendered();
         Stage otherStage = other.stage().rendered();
@@ -253,7 +253,7 @@ public final class Geometry {
     }
 
     /**
-     * Returns true if a scene has these shapes and an eye at a point of it is within the range of coordinates of this render
+     * Returns whether a scene has these shapes and an eye at a point of it is within the range of coordinates of this render
      * space.
      */
     public boolean canServeEye(Scene other, Vec3 eye) {
@@ -337,7 +337,7 @@ public final class Geometry {
         return shapes.get(owner(primitive));
     }
 
-    /** Returns true if a primitive is the face of a visible light, whose name its {@link #shape} has: it is no object of the scene. */
+    /** Returns whether a primitive is the face of a visible light, whose name its {@link #shape} has: it is no object of the scene. */
     public boolean isLightFace(int primitive) {
         return owner(primitive) >= scene.stage().shapes().size();
     }
@@ -414,12 +414,12 @@ public final class Geometry {
         return bvh.nearest(ray);
     }
 
-    /** Returns true if the ray hits any primitive at a distance below {@code limit}, by the BVH. */
+    /** Returns whether the ray hits any primitive at a distance below {@code limit}, by the BVH. */
     public boolean isBlocked(Ray ray, double limit) {
         return bvh.isBlocked(ray, limit);
     }
 
-    /** Returns true if the ray hits any shadow-casting primitive at a distance below {@code limit}. Tests every primitive. */
+    /** Returns whether the ray hits any shadow-casting primitive at a distance below {@code limit}. Tests every primitive. */
     public boolean isBlockedBruteForce(Ray ray, double limit) {
         for (int s = 0; s < primitives.count; s++) {
             if (isShadowCaster(s) && distance(s, ray) < limit) {
@@ -440,7 +440,7 @@ public final class Geometry {
     }
 
     /**
-     * Returns true if any shadow-casting primitive is between a point and a light, both in render space. Tests every primitive.
+     * Returns whether any shadow-casting primitive is between a point and a light, both in render space. Tests every primitive.
      */
     public boolean isBlockedBruteForce(Vec3 point, ShadowRayTarget target) {
         Ray shadowRay = new Ray(point, target.point().minus(point));

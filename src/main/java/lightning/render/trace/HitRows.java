@@ -356,7 +356,7 @@ public final class HitRows {
         return runMaterial[r];
     }
 
-    /** Returns true if the ray reached a row of a transparent material from inside. */
+    /** Returns whether the ray reached a row of a transparent material from inside. */
     public boolean isInside(int row) {
         return insideDistance[row] >= 0;
     }

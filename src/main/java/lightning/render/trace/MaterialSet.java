@@ -30,7 +30,7 @@ public final class MaterialSet {
         return members.isEmpty();
     }
 
-    /** Returns true if any of the rows has one of these materials. */
+    /** Returns whether any of the rows has one of these materials. */
     public boolean intersects(HitRows rows) {
         return countIn(rows) > 0;
     }

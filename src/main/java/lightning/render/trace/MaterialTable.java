@@ -149,7 +149,7 @@ public final class MaterialTable {
         return materials.get(m);
     }
 
-    /** Returns true if material {@code m} casts reflected rays. */
+    /** Returns whether material {@code m} casts reflected rays. */
     public boolean isReflective(int m) {
         return rank[m] < reflectiveCount;
     }
@@ -164,7 +164,7 @@ public final class MaterialTable {
         return transparentCount;
     }
 
-    /** Returns true if material {@code m} is transparent. */
+    /** Returns whether material {@code m} is transparent. */
     public boolean isTransparent(int m) {
         return rank[m] < transparentCount;
     }
@@ -200,13 +200,13 @@ public final class MaterialTable {
         return metalF0 != null && materials.get(m).isMetallic();
     }
 
-    /** Returns true if rows of the material have specular terms. */
+    /** Returns whether rows of the material have specular terms. */
     public boolean isSpecular(int m) {
         return isMetallic(m) || specular[3 * m] > 0 || specular[3 * m + 1] > 0 || specular[3 * m + 2] > 0;
     }
 
     /**
-     * Returns true if rows of material {@code m} have texture colors, from its texture or from vertex colors of any shape that uses it.
+     * Returns whether rows of material {@code m} have texture colors, from its texture or from vertex colors of any shape that uses it.
      */
     public boolean isTextured(int m) {
         return texels[m].has(ColumnGroup.TEXEL);
@@ -226,12 +226,12 @@ public final class MaterialTable {
         return materials.get(m).alpha();
     }
 
-    /** Returns true if any material casts no shadows. */
+    /** Returns whether any material casts no shadows. */
     public boolean hasShadowlessMaterials() {
         return materials.stream().anyMatch(m -> !m.transmission().castsShadows());
     }
 
-    /** Returns true if any material is metallic. */
+    /** Returns whether any material is metallic. */
     public boolean hasMetallic() {
         return metalF0 != null;
     }

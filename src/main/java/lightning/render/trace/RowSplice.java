@@ -61,7 +61,7 @@ public final class RowSplice {
         }
     }
 
-    /** Returns true if all old rows keep their positions and none were added; then columns are shared without copying. */
+    /** Returns whether all old rows keep their positions and none were added; then columns are shared without copying. */
     public boolean isUnchanged() {
         return added == null && source.length == old.count && (source.length == 0 || source[0] == 0 && end[0] == source.length);
     }

@@ -186,12 +186,12 @@ public final class ShapeChange {
         return after == null ? previous : after;
     }
 
-    /** Returns true if any primitive is completely unchanged, including its material. */
+    /** Returns whether any primitive is completely unchanged, including its material. */
     public boolean hasUnchanged() {
         return hasUnchanged;
     }
 
-    /** Returns true if all rays hit the same surfaces: only names of groups or invisible shapes differ. */
+    /** Returns whether all rays hit the same surfaces: only names of groups or invisible shapes differ. */
     public boolean isEmpty() {
         return visibleChanges.isEmpty();
     }
@@ -216,7 +216,7 @@ public final class ShapeChange {
         return tintChanges;
     }
 
-    /** Returns true if every unchanged primitive keeps its index. */
+    /** Returns whether every unchanged primitive keeps its index. */
     public boolean hasSameIndices() {
         return hasSameIndices;
     }
@@ -242,7 +242,7 @@ public final class ShapeChange {
     }
 
     /**
-     * Returns true if a test holds for the indices of all unchanged primitives.
+     * Returns whether a test holds for the indices of all unchanged primitives.
      *
      * @param count number of primitives before
      */
@@ -251,7 +251,7 @@ public final class ShapeChange {
                 .allMatch(s -> before == null ? test.test(s, s) : newIndex[s] < 0 || test.test(s, newIndex[s]));
     }
 
-    /** Returns true if the unchanged primitives are linked as before. */
+    /** Returns whether the unchanged primitives are linked as before. */
     public boolean hasSameLinks(Scene previous, Scene target, ShapeLinks links) {
         if (before == null || links.isAll()) {
             return true;
@@ -261,13 +261,13 @@ public final class ShapeChange {
         return IntStream.range(0, newIndex.length).allMatch(s -> newIndex[s] < 0 || oldLinks[s] == newLinks[newIndex[s]]);
     }
 
-    /** Returns true if shadow rays to a point in render space end on the same unchanged primitives as before. */
+    /** Returns whether shadow rays to a point in render space end on the same unchanged primitives as before. */
     public boolean hasSameTarget(Vec3 point) {
         return before == null
                 || before.shadowRayTarget(point).hasSameContacts(after.shadowRayTarget(point), s -> newIndex[s], this::existedBefore);
     }
 
-    /** Returns true if a new primitive existed before. */
+    /** Returns whether a new primitive existed before. */
     private boolean existedBefore(int primitive) {
         for (int s : newIndex) {
             if (s == primitive) {

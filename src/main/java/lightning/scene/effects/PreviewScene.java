@@ -59,7 +59,7 @@ public final class PreviewScene {
                 effects.with(RenderEffect.SHADOWS, showsShadows).with(RenderEffect.REFLECTION, showsReflections(scene)));
     }
 
-    /** Returns true if the preview of a scene can show the shadows of one light: the environment's lights become lights of the scene. */
+    /** Returns whether the preview of a scene can show the shadows of one light: the environment's lights become lights of the scene. */
     public static boolean canShowShadows(Scene scene) {
         return scene.rig().effectiveLights().size() <= SceneLimits.MAX_LIGHTS;
     }
@@ -78,7 +78,7 @@ public final class PreviewScene {
                 .map(light -> light.name().equals(shadowLight) ? light : LightAttribute.SHADOWED_BY.with(light, ShapeLinks.NONE)).toList());
     }
 
-    /** Returns true if the preview of a scene shows reflections. */
+    /** Returns whether the preview of a scene shows reflections. */
     static boolean showsReflections(Scene scene) {
         return scene.picture().depth() > 0;
     }

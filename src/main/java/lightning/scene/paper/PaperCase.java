@@ -44,7 +44,7 @@ public record PaperCase(String name, String figure, double paperSaving, List<Sce
         return SceneDiff.describe(scenes.get(scenes.size() - 2), after());
     }
 
-    /** Tests if the paper prints this edit. */
+    /** Returns whether the paper prints this edit. */
     public boolean isPrinted() {
         return !figure.isEmpty();
     }

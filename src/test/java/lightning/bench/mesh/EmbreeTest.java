@@ -100,7 +100,7 @@ class EmbreeTest {
     }
 
     /**
-     * Tests if Embree's point is on its triangle, within float accuracy. If Embree misses our hit, tests if some ray moved by that error
+     * Returns whether Embree's point is on its triangle, within float accuracy. If Embree misses our hit, tests if some ray moved by that error
      * misses it too.
      */
     private boolean isExplained(double[] ray, double ours, double theirs, int triangle) {
@@ -120,7 +120,7 @@ class EmbreeTest {
     }
 
     /**
-     * Tests if the point at a distance is off a triangle by at most the margin, which grows with the slant of the ray. The slant itself has
+     * Returns whether the point at a distance is off a triangle by at most the margin, which grows with the slant of the ray. The slant itself has
      * an error of the margin relative to the triangle's smallest height.
      */
     private boolean isOnTriangle(double[] ray, double distance, int triangle) {

@@ -130,7 +130,7 @@ class SmallWindowTest extends EditorFixture {
         }
     }
 
-    /** Returns true if a node and all its parents are visible. */
+    /** Returns whether a node and all its parents are visible. */
     private static boolean isVisible(Node node) {
         return node == null || node.isVisible() && isVisible(node.getParent());
     }
@@ -209,7 +209,7 @@ class SmallWindowTest extends EditorFixture {
         return false;
     }
 
-    /** Returns true if the displayed text is shorter than the full text. */
+    /** Returns whether the displayed text is shorter than the full text. */
     private static boolean isClipped(Labeled labeled) {
         return labeled.isVisible() && labeled.getText() != null && labeled.getChildrenUnmodifiable().stream()
                 .anyMatch(n -> n instanceof Text t && !(n instanceof FontIcon) && !t.getText().equals(labeled.getText()));

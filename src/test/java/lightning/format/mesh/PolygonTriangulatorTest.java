@@ -89,7 +89,7 @@ class PolygonTriangulatorTest {
                 .isEqualTo(3 * (PolygonTriangulator.MAX_CORNERS - 1));
     }
 
-    /** Returns true if one triangle has both corners, and thus an edge between them. */
+    /** Returns whether one triangle has both corners, and thus an edge between them. */
     private static boolean contains(int[] triangles, int a, int b) {
         int matches = 0;
         for (int t = 0; t < triangles.length; t += 3) {

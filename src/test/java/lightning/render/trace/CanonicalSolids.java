@@ -86,7 +86,7 @@ final class CanonicalSolids {
         return box;
     }
 
-    /** Returns true if a point belongs to the round side. */
+    /** Returns whether a point belongs to the round side. */
     static boolean isSide(Solid.Canonical solid, double x, double y, double z) {
         double[] out = new double[3];
         SolidKind.of(solid).geometry().outwardNormal(data(solid), 0, x, y, z, out);

@@ -133,13 +133,13 @@ final class ExactSolids {
         return CanonicalSolids.isOpen(solid) ? sideInterval(solid, o, d, grow) : insideInterval(solid, o, d, grow);
     }
 
-    /** Returns true if a part of a ray is certainly between the rims. */
+    /** Returns whether a part of a ray is certainly between the rims. */
     static boolean isBetweenRims(BigDecimal[] o, BigDecimal[] d, BigDecimal from, BigDecimal to, double error) {
         Interval rims = rimInterval(o, d, new BigDecimal(-error));
         return rims.contains(from) && rims.contains(to);
     }
 
-    /** Returns true if a part of a ray is certainly beyond the rims. */
+    /** Returns whether a part of a ray is certainly beyond the rims. */
     static boolean isBeyondRims(BigDecimal[] o, BigDecimal[] d, BigDecimal from, BigDecimal to, double error) {
         return rimInterval(o, d, new BigDecimal(error)).intersect(new Interval(from, to)).isEmpty();
     }

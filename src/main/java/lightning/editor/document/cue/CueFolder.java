@@ -157,7 +157,7 @@ public final class CueFolder {
         lighting.write(file(name, LIGHTS_EXTENSION));
     }
 
-    /** Tests if a cue with that name exists. */
+    /** Returns whether a cue with that name exists. */
     public boolean has(String name) {
         return Files.exists(file(name, LIGHTS_EXTENSION));
     }

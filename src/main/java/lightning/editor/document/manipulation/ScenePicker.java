@@ -47,7 +47,7 @@ public final class ScenePicker {
      */
     public record SurfaceHit(String shape, Vec3 point, Vec3 normal, Vec3 eye) {}
 
-    /** Tests if it is valid for {@code other} too. */
+    /** Returns whether it is valid for {@code other} too. */
     public boolean isValidFor(Scene other) {
         return geometry.canServe(other) && scene.camera().equals(other.camera()) && scene.picture().equals(other.picture());
     }

@@ -61,7 +61,7 @@ public final class ColorTableActions {
         view.set(view.get().withLut(table));
     }
 
-    /** Returns true if the previous session used a lookup table. */
+    /** Returns whether the previous session used a lookup table. */
     public static boolean hasStoredTable(Preferences preferences) {
         return !preferences.hasValue(KEY, "");
     }

@@ -90,7 +90,7 @@ public final class MixerPane extends VBox {
         VisibilityListener.attach(this, this::subscribe);
     }
 
-    /** Returns true if the focus is in the mixer, which then was opened by the user. */
+    /** Returns whether the focus is in the mixer, which then was opened by the user. */
     private boolean hasFocus(Node owner) {
         return owner == null || owner == this || owner.getParent() != null && hasFocus(owner.getParent());
     }

@@ -18,7 +18,7 @@ enum StripDetail {
     /** Minimum height of a mixer with stops, pixels. */
     private static final double STOPS_HEIGHT = 192;
 
-    /** Returns true if a strip that shows this much has all parts of the other. */
+    /** Returns whether a strip that shows this much has all parts of the other. */
     boolean includes(StripDetail other) {
         return compareTo(other) <= 0;
     }

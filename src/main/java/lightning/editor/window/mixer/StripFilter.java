@@ -35,7 +35,7 @@ enum StripFilter {
         };
     }
 
-    /** Returns true if a strip's name, light group and type contain all words of the query, ignoring case. */
+    /** Returns whether a strip's name, light group and type contain all words of the query, ignoring case. */
     static boolean matches(String query, MixerChannel channel, Scene scene) {
         String title = channel.title() + switch (channel) {
             case MixerChannel.OfLight(String name) -> scene.light(name).map(StripFilter::searchText).orElse("");

@@ -31,7 +31,7 @@ public enum CameraNavigation {
         return Messages.tr(hint);
     }
 
-    /** Returns true if a press starts a drag of the view, whatever is under the pointer. */
+    /** Returns whether a press starts a drag of the view, whatever is under the pointer. */
     public boolean movesView(MouseEvent press) {
         return switch (this) {
             case LIGHTNING -> press.isShiftDown();

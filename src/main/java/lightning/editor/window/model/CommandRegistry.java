@@ -58,7 +58,7 @@ public final class CommandRegistry {
         return Optional.ofNullable(toggleStates.get(command));
     }
 
-    /** Returns true if the command has an action. A command without one stands for a choice among values. */
+    /** Returns whether the command has an action. A command without one stands for a choice among values. */
     public boolean hasAction(Command command) {
         return actions.containsKey(command);
     }

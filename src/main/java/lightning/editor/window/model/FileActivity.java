@@ -31,7 +31,7 @@ public final class FileActivity {
         changeListener.run();
     }
 
-    /** Ends the activity on a file, successful or not. Returns true if it was still active. */
+    /** Ends the activity on a file, successful or not. Returns whether it was still active. */
     public boolean end(Path file) {
         boolean wasActive = isActive(file);
         if (wasActive) {
@@ -63,7 +63,7 @@ public final class FileActivity {
         }
     }
 
-    /** Cancels the activity. Returns true if there was one. */
+    /** Cancels the activity. Returns whether there was one. */
     boolean cancel() {
         boolean wasActive = file != null;
         file = null;

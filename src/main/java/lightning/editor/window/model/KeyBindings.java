@@ -40,12 +40,12 @@ public final class KeyBindings {
         return binding(command).map(KeyLabel::text).orElse("");
     }
 
-    /** Returns true if a key event matches a command's shortcut. */
+    /** Returns whether a key event matches a command's shortcut. */
     public boolean matches(Command command, KeyEvent event) {
         return binding(command).filter(k -> k.match(event)).isPresent();
     }
 
-    /** Returns true if a command's shortcut differs from its default. */
+    /** Returns whether a command's shortcut differs from its default. */
     public boolean isChanged(Command command) {
         return !binding(command).equals(defaultBinding(command));
     }

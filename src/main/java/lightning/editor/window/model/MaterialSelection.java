@@ -60,7 +60,7 @@ public final class MaterialSelection {
     }
 
     /**
-     * Returns true if both scenes certainly have equal shapes and materials, by identity of their lists. Edits of lights share both lists.
+     * Returns whether both scenes certainly have equal shapes and materials, by identity of their lists. Edits of lights share both lists.
      */
     public static boolean haveSameMaterials(Scene a, Scene b) {
         return a.nodes() == b.nodes() && a.materials() == b.materials();

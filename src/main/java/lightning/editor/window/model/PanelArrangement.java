@@ -71,7 +71,7 @@ public record PanelArrangement(List<Slot> slots, Map<PanelPlace, Command> fronts
         return Optional.ofNullable(fronts.get(dock));
     }
 
-    /** Returns true if a panel can be docked. */
+    /** Returns whether a panel can be docked. */
     public boolean contains(Command panel) {
         return slots.stream().anyMatch(s -> s.panel() == panel);
     }
@@ -86,7 +86,7 @@ public record PanelArrangement(List<Slot> slots, Map<PanelPlace, Command> fronts
         return slot(panel).dock();
     }
 
-    /** Returns true if a panel is open and not behind another one. */
+    /** Returns whether a panel is open and not behind another one. */
     public boolean isShown(Command panel) {
         return slot(panel).open() && (slot(panel).floating() || fronts.get(slot(panel).dock()) == panel);
     }

@@ -12,7 +12,7 @@ public enum PanelPlace {
         this.title = title;
     }
 
-    /** Returns true if the place is a part of the editor's window. */
+    /** Returns whether the place is a part of the editor's window. */
     public boolean isDock() {
         return this != WINDOW;
     }

@@ -42,7 +42,7 @@ public final class PictureDisplay {
                 () -> effects.set(withShown.apply(effects.get(), !isShown.test(effects.get()))));
     }
 
-    /** Returns true if the complete picture is shown. */
+    /** Returns whether the complete picture is shown. */
     public boolean isFullPicture() {
         return mode.isFullPicture();
     }

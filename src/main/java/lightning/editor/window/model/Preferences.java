@@ -71,7 +71,7 @@ public final class Preferences {
         return values.getProperty(key, defaultValue);
     }
 
-    /** Returns true if a key has the given value. */
+    /** Returns whether a key has the given value. */
     public boolean hasValue(String key, String value) {
         return text(key).equals(value);
     }

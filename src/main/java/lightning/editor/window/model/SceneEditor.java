@@ -206,7 +206,7 @@ public final class SceneEditor {
         }
     }
 
-    /** Returns true if an animation is open. Edits of an animation do not change the document and are discarded when it closes. */
+    /** Returns whether an animation is open. Edits of an animation do not change the document and are discarded when it closes. */
     public boolean isAnimating() {
         return animationScene != null;
     }

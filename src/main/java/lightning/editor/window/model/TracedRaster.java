@@ -130,7 +130,7 @@ public final class TracedRaster implements RenderListener {
         }
     }
 
-    /** Returns true if a part of the picture is coarse, or newer than the last frame. */
+    /** Returns whether a part of the picture is coarse, or newer than the last frame. */
     public synchronized boolean isUnfinished() {
         return coarseFilm != null || isUnfinished;
     }
@@ -215,7 +215,7 @@ public final class TracedRaster implements RenderListener {
         dirty = dirty.plus(part.left(), part.top(), part.right(), part.bottom());
     }
 
-    /** Returns true if a part shows another picture. */
+    /** Returns whether a part shows another picture. */
     public synchronized boolean isPatched() {
         return !patch.isEmpty();
     }

@@ -42,7 +42,7 @@ public final class WindowLayout {
             this.share = share;
         }
 
-        /** Returns true if the preview is an inset in a corner of the traced picture. */
+        /** Returns whether the preview is an inset in a corner of the traced picture. */
         public boolean hasInset() {
             return this == PICTURE_LARGE;
         }

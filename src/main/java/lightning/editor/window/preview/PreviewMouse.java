@@ -95,7 +95,7 @@ final class PreviewMouse {
                 : selection.node().flatMap(n -> NodeGizmo.of(editor.scene(), n, camera.get(), canvas));
     }
 
-    /** Returns true if a drag from this point would move a light or a handle. */
+    /** Returns whether a drag from this point would move a light or a handle. */
     boolean canGrab(double x, double y) {
         return !lightsAt(x, y).isEmpty() || handles().flatMap(g -> pick(g, x, y)).isPresent();
     }

@@ -171,7 +171,7 @@ final class OutlinePane extends VBox {
         return selected == null ? -1 : stage.path(selected.name()).map(places -> OutlineRow.indexOf(list.getItems(), places)).orElse(-1);
     }
 
-    /** Returns true if a row lies strictly between the first and last visible cells, which may be clipped. */
+    /** Returns whether a row lies strictly between the first and last visible cells, which may be clipped. */
     private boolean isInView(int row) {
         return list.lookup(".virtual-flow") instanceof VirtualFlow<?> flow && flow.getFirstVisibleCell() != null
                 && flow.getFirstVisibleCell().getIndex() < row && row < flow.getLastVisibleCell().getIndex();

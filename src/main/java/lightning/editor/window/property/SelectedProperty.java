@@ -40,7 +40,7 @@ sealed interface SelectedProperty {
     /** Returns the target of the property's keyframes. */
     TrackTarget keyTarget();
 
-    /** Returns true if the property can be animated in the scene. */
+    /** Returns whether the property can be animated in the scene. */
     default boolean canHaveKeys(Scene scene) {
         return text().isPresent() && keyTarget().existsIn(scene)
                 && keyTarget().attribute(scene, name()).<SceneAttribute<?, ?>>map(a -> a)

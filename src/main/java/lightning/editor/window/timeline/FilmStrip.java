@@ -162,7 +162,7 @@ final class FilmStrip implements AutoCloseable {
         return !closed && visibleFrames.contains(frame) && (isOutdated(frame, thumbnail) || thumbnail != null && thumbnail.view != view);
     }
 
-    /** Returns true if a newer film version exists that has not failed. */
+    /** Returns whether a newer film version exists that has not failed. */
     private boolean isOutdated(int frame, Thumbnail thumbnail) {
         long version = status.version(frame);
         return version != (thumbnail == null ? 0 : thumbnail.version) && version != failedVersions.getOrDefault(frame, 0L);
@@ -205,7 +205,7 @@ final class FilmStrip implements AutoCloseable {
         });
     }
 
-    /** Returns true if the shot has the same frame range. */
+    /** Returns whether the shot has the same frame range. */
     boolean matches(Shot shot) {
         return frames.shot().first() == shot.first() && frames.shot().last() == shot.last();
     }
@@ -228,7 +228,7 @@ final class FilmStrip implements AutoCloseable {
         return state == FrameState.CURRENT && !status.isCurrent(frame) ? FrameState.STALE : state;
     }
 
-    /** Returns true if the thumbnail of a frame shows the newest edit. */
+    /** Returns whether the thumbnail of a frame shows the newest edit. */
     boolean isUpToDate(int frame) {
         Thumbnail thumbnail = thumbnails.get(frame);
         return thumbnail != null && thumbnail.version == status.version(frame) && state(frame) == FrameState.CURRENT;

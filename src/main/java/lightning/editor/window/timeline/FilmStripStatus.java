@@ -115,7 +115,7 @@ final class FilmStripStatus implements ShotListener {
         return versions.getOrDefault(frame, 0L);
     }
 
-    /** Returns true if the film of a frame shows the newest edit. */
+    /** Returns whether the film of a frame shows the newest edit. */
     synchronized boolean isCurrent(int frame) {
         return !pendingFrames.contains(frame) && shot.state(frame) == FrameState.CURRENT;
     }
@@ -125,7 +125,7 @@ final class FilmStripStatus implements ShotListener {
         return Optional.ofNullable(problems.get(frame));
     }
 
-    /** Returns true if a machine was lost and its frames have not all been rendered again. */
+    /** Returns whether a machine was lost and its frames have not all been rendered again. */
     synchronized boolean hasLostMachine() {
         return hasLostMachine;
     }

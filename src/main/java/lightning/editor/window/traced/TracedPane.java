@@ -315,7 +315,7 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         }
     }
 
-    /** Returns true if no picture is shown yet. */
+    /** Returns whether no picture is shown yet. */
     public boolean isEmpty() {
         return picture.emptyProperty().get();
     }
@@ -348,7 +348,7 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
                 : Messages.tr("Not anti-aliased");
     }
 
-    /** Tests if the last render was canceled or failed, and no other one is running. */
+    /** Returns whether the last render was canceled or failed, and no other one is running. */
     private boolean isStopped() {
         RenderState state = traced.renderStateProperty().get();
         return editor.editorStateProperty().get().sceneInProgress().isEmpty() && (state.canceled() || state.problem() != null);

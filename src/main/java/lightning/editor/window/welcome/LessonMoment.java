@@ -22,7 +22,7 @@ record LessonMoment(Scene scene, EditorState state, Optional<Command> command, i
         return command.filter(c -> c == expected).isPresent();
     }
 
-    /** Tests if the lights or their light groups differ from those of another moment. */
+    /** Returns whether the lights or their light groups differ from those of another moment. */
     boolean hasOtherLights(LessonMoment start) {
         return !scene.rig().equals(start.scene.rig());
     }

@@ -62,7 +62,7 @@ public final class TimeSlicedTask {
         }
     }
 
-    /** Returns true if any task waits for the next pulse. */
+    /** Returns whether any task waits for the next pulse. */
     public static boolean isAnyRunning() {
         return runningCount > 0;
     }

@@ -36,7 +36,7 @@ public record KeyframeReduction(double unit) {
         return kept;
     }
 
-    /** Tests whether all keys between the first and the last equal their interpolation. */
+    /** Returns whether all keys between the first and the last equal their interpolation. */
     private boolean isRedundant(List<Keyframe> keys, boolean isLinear) {
         Keyframe first = keys.getFirst();
         Keyframe last = keys.getLast();

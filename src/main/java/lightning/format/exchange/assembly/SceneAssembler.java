@@ -248,7 +248,7 @@ public final class SceneAssembler {
         return valid;
     }
 
-    /** Returns true if the scene can find a file of this name, after copying it from the source's folder if it is there. */
+    /** Returns whether the scene can find a file of this name, after copying it from the source's folder if it is there. */
     public boolean hasOrCopiesFile(FileKind kind, String name) {
         try {
             Optional<Path> file = kind.find(source.toAbsolutePath().getParent(), name);
@@ -259,7 +259,7 @@ public final class SceneAssembler {
         }
     }
 
-    /** Returns true if the scene can find a file of this name. */
+    /** Returns whether the scene can find a file of this name. */
     public boolean hasFile(FileKind kind, String name) {
         try {
             return kind.find(folder(), name).isPresent();
@@ -285,7 +285,7 @@ public final class SceneAssembler {
         return BigDecimal.valueOf(v).setScale(decimals, RoundingMode.HALF_EVEN).doubleValue();
     }
 
-    /** Returns true if an image starts with the signature of a supported format. */
+    /** Returns whether an image starts with the signature of a supported format. */
     public static boolean isPngOrJpeg(byte[] start) {
         return start.length > 3 && ((start[0] & 0xFF) == 0x89 && start[1] == 'P' || (start[0] & 0xFF) == 0xFF && (start[1] & 0xFF) == 0xD8);
     }

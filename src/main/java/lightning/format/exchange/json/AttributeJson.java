@@ -34,7 +34,7 @@ import tools.jackson.databind.node.ObjectNode;
 public final class AttributeJson {
     private AttributeJson() {}
 
-    /** Tests whether the scene can find a file that a light references. */
+    /** Returns whether the scene can find a file that a light references. */
     public interface FileLookup {
         boolean contains(FileKind kind, String name);
     }

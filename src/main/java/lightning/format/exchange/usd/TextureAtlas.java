@@ -75,7 +75,7 @@ final class TextureAtlas {
         return (int) Math.rint(Math.clamp(s, 0, 1) * max);
     }
 
-    /** Returns true if values above 1 were drawn as 1. */
+    /** Returns whether values above 1 were drawn as 1. */
     boolean isClamped() {
         return isClamped;
     }

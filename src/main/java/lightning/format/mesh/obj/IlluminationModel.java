@@ -37,22 +37,22 @@ public enum IlluminationModel {
         return index == number && index >= 0 && index < values().length ? Optional.of(values()[index]) : Optional.empty();
     }
 
-    /** Returns true if lights create highlights (Ks, Ns). */
+    /** Returns whether lights create highlights (Ks, Ns). */
     public boolean hasHighlights() {
         return hasHighlights;
     }
 
-    /** Returns true if the surface reflects other surfaces. */
+    /** Returns whether the surface reflects other surfaces. */
     public boolean isReflective() {
         return isReflective;
     }
 
-    /** Returns true if the surface transmits light even without an opacity in the file. */
+    /** Returns whether the surface transmits light even without an opacity in the file. */
     boolean isTransmissive() {
         return isTransmissive;
     }
 
-    /** Returns true if the surface refracts transmitted light. */
+    /** Returns whether the surface refracts transmitted light. */
     public boolean isRefractive() {
         return isRefractive;
     }

@@ -28,7 +28,7 @@ public record MtlMaterial(String name, IlluminationModel illumination, Rgb diffu
      */
     private static final double MIN_SHININESS = 1;
 
-    /** Returns true if lights create highlights: the model has them, and the exponent is large enough. */
+    /** Returns whether lights create highlights: the model has them, and the exponent is large enough. */
     public boolean hasHighlights() {
         return illumination.hasHighlights() && !(shininess.isPresent() && shininess.getAsDouble() < MIN_SHININESS);
     }

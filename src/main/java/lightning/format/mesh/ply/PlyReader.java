@@ -34,7 +34,7 @@ public final class PlyReader {
         this.notes = notes;
     }
 
-    /** Returns true if a file has the PLY signature. */
+    /** Returns whether a file has the PLY signature. */
     public static boolean isPly(ByteSource source) throws IOException {
         return source.startsWith(MAGIC);
     }

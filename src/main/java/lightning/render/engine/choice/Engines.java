@@ -20,12 +20,12 @@ public final class Engines {
 
     private Engines() {}
 
-    /** Returns true if this CPU and JVM have useful lanes: the vector module, and vectors wide enough. */
+    /** Returns whether this CPU and JVM have useful lanes: the vector module, and vectors wide enough. */
     public static boolean hasLanes() {
         return LaneSupport.AVAILABLE;
     }
 
-    /** Returns true if the process uses the fastest engine: it is warm, or has nothing to warm up. */
+    /** Returns whether the process uses the fastest engine: it is warm, or has nothing to warm up. */
     public static boolean isFastestInUse() {
         return current == FASTEST;
     }

@@ -14,7 +14,7 @@ public record LaneEngine() implements Engine {
      */
     private static final int MIN_FLOAT_LANES = 8;
 
-    /** Returns true if this CPU's vectors are wide enough; the vector module must be present. */
+    /** Returns whether this CPU's vectors are wide enough; the vector module must be present. */
     public static boolean hasWideVectors() {
         return FloatVector.SPECIES_PREFERRED.length() >= MIN_FLOAT_LANES;
     }

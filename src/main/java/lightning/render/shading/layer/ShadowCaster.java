@@ -49,7 +49,7 @@ final class ShadowCaster {
     private boolean hasPointTargets;
     /** Origins of the rays whose occluders were collected last. */
     private PointBox origins;
-    /** Tests whether a target lies on a primitive. */
+    /** Returns whether a target lies on a primitive. */
     private IntPredicate isUnderTarget = s -> false;
     /** Shadow ray targets of point lights. */
     private final Map<Vec3, ShadowRays> pointTargets = new HashMap<>();

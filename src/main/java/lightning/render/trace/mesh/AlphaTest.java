@@ -3,6 +3,6 @@ package lightning.render.trace.mesh;
 /** Alpha test of one ray against a mesh with cutouts. */
 @FunctionalInterface
 public interface AlphaTest {
-    /** Returns true if a triangle has a hole where the ray hits it at a distance. */
+    /** Returns whether a triangle has a hole where the ray hits it at a distance. */
     boolean passes(int triangle, double t);
 }

@@ -4,7 +4,7 @@ package lightning.render.trace.mesh;
 @FunctionalInterface
 public interface GroupAlphaTest {
     /**
-     * Returns true if a triangle has a hole where a ray hits it at a distance.
+     * Returns whether a triangle has a hole where a ray hits it at a distance.
      *
      * @param ray ray number: {@code k · WIDTH + i} for ray i of packet k
      */

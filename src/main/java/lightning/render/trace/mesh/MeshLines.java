@@ -227,7 +227,7 @@ final class MeshLines {
         return Math.max(Math.abs(origins[0][i]), Math.max(Math.abs(origins[1][i]), Math.abs(origins[2][i])));
     }
 
-    /** Returns true if all rays end at one point, at distance 1 or less; writes {@link #endSpread}. */
+    /** Returns whether all rays end at one point, at distance 1 or less; writes {@link #endSpread}. */
     private boolean hasCommonEnd(int[] active, int packets, double[] limits) {
         int first = rays.first;
         double x = rays.ox[first] + rays.dx[first];

@@ -244,7 +244,7 @@ public final class MeshPacketTraversal {
     }
 
     /**
-     * Tests the triangles of a leaf, whose box is {@code tree.box[box]}, against rays of a beam. Returns true if any hit is
+     * Tests the triangles of a leaf, whose box is {@code tree.box[box]}, against rays of a beam. Returns whether any hit is
      * nearer than before.
      */
     private boolean testLeaf(int leaf, int box, long rayMask, int from, int end, MeshBeam beam, int enters) {

@@ -226,7 +226,7 @@ final class MeshRay {
         return slots;
     }
 
-    /** Returns true if the padded ray may enter a box, whose first value is {@code box[i]}, at a distance up to {@code limit}. */
+    /** Returns whether the padded ray may enter a box, whose first value is {@code box[i]}, at a distance up to {@code limit}. */
     boolean entersBox(float[] box, int i, double limit) {
         int x = inverseX > 0 ? i : i + 8;
         int y = inverseY > 0 ? i + 16 : i + 24;

@@ -90,7 +90,7 @@ final class MeshRayLanes {
         }
     }
 
-    /** Returns true if rays of a packet start where the first ray of the group does, before the transform. */
+    /** Returns whether rays of a packet start where the first ray of the group does, before the transform. */
     private boolean startsAtFirst(RayBatch p, int mask) {
         int different = 0;
         for (int h = 0; h < RayBatch.WIDTH; h += DoubleLanes.COUNT) {

@@ -119,7 +119,7 @@ public final class MeshRayQuery {
         return triangle;
     }
 
-    /** Returns true if the ray hits a triangle at a distance below {@code limit}. */
+    /** Returns whether the ray hits a triangle at a distance below {@code limit}. */
     public boolean isBlocked(double limit) {
         return traversal.isBlocked(solid.tree, ray, alphaTest, limit);
     }

@@ -50,7 +50,7 @@ final class MeshTraversal {
         return triangle < 0 ? MeshRay.MISS : nearestDistance;
     }
 
-    /** Returns true if the ray hits a triangle at a distance below {@code limit}. */
+    /** Returns whether the ray hits a triangle at a distance below {@code limit}. */
     boolean isBlocked(MeshTree tree, MeshRay ray, AlphaTest alphaTest, double limit) {
         ensureCapacity(tree);
         int top = push(tree, ray, 0, 0, limit);

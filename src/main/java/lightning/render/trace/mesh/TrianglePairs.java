@@ -163,7 +163,7 @@ final class TrianglePairs {
         return isSame(start(e), end(f)) && isSame(end(e), start(f));
     }
 
-    /** Returns true if two vertices have the same position, in every bit. */
+    /** Returns whether two vertices have the same position, in every bit. */
     private boolean isSame(int v, int w) {
         return v == w || bits(v, 0) == bits(w, 0) && bits(v, 1) == bits(w, 1) && bits(v, 2) == bits(w, 2);
     }

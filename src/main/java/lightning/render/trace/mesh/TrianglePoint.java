@@ -74,7 +74,7 @@ public final class TrianglePoint {
         return v > 0 ? v < 1 ? v : 1 : 0;
     }
 
-    /** Returns true if the mesh has vertex normals. */
+    /** Returns whether the mesh has vertex normals. */
     public boolean isSmooth() {
         return mesh.normals() != null;
     }
@@ -89,7 +89,7 @@ public final class TrianglePoint {
         return mesh.normals()[3 * vertex[v] + axis];
     }
 
-    /** Returns true if the mesh has vertex tangents. */
+    /** Returns whether the mesh has vertex tangents. */
     public boolean hasTangents() {
         return mesh.tangents() != null;
     }

@@ -162,7 +162,7 @@ public final class PrimitiveTable {
     }
 
     /**
-     * Returns true if rays read the same bits of primitive {@code s} and of primitive {@code t} of another table in the same
+     * Returns whether rays read the same bits of primitive {@code s} and of primitive {@code t} of another table in the same
      * render space. Materials, bent normals and transmission may differ.
      */
     public boolean hasSameGeometry(int s, PrimitiveTable other, int t) {
@@ -225,7 +225,7 @@ public final class PrimitiveTable {
         }
     }
 
-    /** Returns true if any primitive is a mesh. */
+    /** Returns whether any primitive is a mesh. */
     public boolean hasMeshes() {
         return meshes != null;
     }
@@ -260,12 +260,12 @@ public final class PrimitiveTable {
                 : mesh.surfaceDistance(px, py, pz) / maxScale(s);
     }
 
-    /** Returns true if any primitive has cutouts. */
+    /** Returns whether any primitive has cutouts. */
     public boolean hasCutouts() {
         return traits.hasCutouts();
     }
 
-    /** Returns true if primitive {@code s} has cutouts. */
+    /** Returns whether primitive {@code s} has cutouts. */
     public boolean hasCutout(int s) {
         return cutout(s) != null;
     }
@@ -289,17 +289,17 @@ public final class PrimitiveTable {
         return bumpMapping(s) != null || mesh(s) != null && mesh(s).mesh().normals() != null;
     }
 
-    /** Returns true if primitive {@code s} refracts rays like primitive {@code t} of another table. */
+    /** Returns whether primitive {@code s} refracts rays like primitive {@code t} of another table. */
     public boolean refractsLike(int s, PrimitiveTable o, int t) {
         return traits.refractsLike(s, o.traits, t);
     }
 
-    /** Returns true if primitive {@code s} has the bump mapping of primitive {@code t} of another table. */
+    /** Returns whether primitive {@code s} has the bump mapping of primitive {@code t} of another table. */
     public boolean hasSameNormals(int s, PrimitiveTable o, int t) {
         return traits.hasSameNormals(s, o.traits, t);
     }
 
-    /** Returns true if primitive {@code s} shows vertex colors. */
+    /** Returns whether primitive {@code s} shows vertex colors. */
     public boolean hasVertexColors(int s) {
         return meshes != null && stage.shapes().get(owner[s]).solid() instanceof Solid.TriangleMesh triangles
                 && triangles.hasVertexColors();
@@ -310,7 +310,7 @@ public final class PrimitiveTable {
         return SolidKind.fromOrdinal(kind[s]);
     }
 
-    /** Returns true if the eye is on primitive {@code s}, which then does not hide other primitives from it. */
+    /** Returns whether the eye is on primitive {@code s}, which then does not hide other primitives from it. */
     public boolean isEyeOnSurface(int s) {
         return eyeOnSurface[s];
     }
@@ -465,7 +465,7 @@ public final class PrimitiveTable {
         return out > t ? out : SolidGeometry.MISS;
     }
 
-    /** Returns true if any primitive transmits shadow rays with a tint. */
+    /** Returns whether any primitive transmits shadow rays with a tint. */
     public boolean hasShadowTints() {
         return traits.hasShadowTints();
     }
@@ -475,7 +475,7 @@ public final class PrimitiveTable {
         return traits.shadowTint(s);
     }
 
-    /** Returns true if primitive {@code s} tints shadow rays like primitive {@code t} of another table. */
+    /** Returns whether primitive {@code s} tints shadow rays like primitive {@code t} of another table. */
     public boolean hasSameShadowTint(int s, PrimitiveTable o, int t) {
         return traits.hasSameShadowTint(s, o.traits, t);
     }

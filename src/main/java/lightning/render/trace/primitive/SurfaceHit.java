@@ -140,7 +140,7 @@ public final class SurfaceHit {
         backZ = (float) (hitZ - geometricZ * offset);
     }
 
-    /** Returns true if the ray reached the latest surface from inside, along its outward normal. */
+    /** Returns whether the ray reached the latest surface from inside, along its outward normal. */
     public boolean isInside() {
         return inside;
     }
@@ -176,7 +176,7 @@ public final class SurfaceHit {
                 + smoothNormal.liftZ * smoothNormal.liftZ);
     }
 
-    /** Returns true if the latest primitive is a mesh with vertex normals. */
+    /** Returns whether the latest primitive is a mesh with vertex normals. */
     public boolean isSmooth(PrimitiveTable primitives, int s) {
         return primitives.mesh(s) != null && facet.isSmooth();
     }

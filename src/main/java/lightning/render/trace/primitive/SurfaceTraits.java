@@ -59,38 +59,38 @@ final class SurfaceTraits {
         return shadowTints == null ? null : shadowTints[s];
     }
 
-    /** Returns true if any primitive tints shadow rays. */
+    /** Returns whether any primitive tints shadow rays. */
     boolean hasShadowTints() {
         return shadowTints != null;
     }
 
-    /** Returns true if primitive {@code s} tints shadow rays like primitive {@code t} of another table. */
+    /** Returns whether primitive {@code s} tints shadow rays like primitive {@code t} of another table. */
     boolean hasSameShadowTint(int s, SurfaceTraits o, int t) {
         Material one = shadowTint(s);
         Material other = o.shadowTint(t);
         return one == other || one != null && other != null && one.hasSameShadowTint(other) && hasSameNormals(s, o, t);
     }
 
-    /** Returns true if any primitive has cutouts. */
+    /** Returns whether any primitive has cutouts. */
     boolean hasCutouts() {
         return cutouts != null;
     }
 
-    /** Returns true if primitive {@code s} has the cutouts of primitive {@code t} of another table. */
+    /** Returns whether primitive {@code s} has the cutouts of primitive {@code t} of another table. */
     boolean hasSameCutout(int s, SurfaceTraits o, int t) {
         AlphaCutout one = cutout(s);
         AlphaCutout other = o.cutout(t);
         return one == other || one != null && other != null && one.hasSameHoles(other);
     }
 
-    /** Returns true if primitive {@code s} refracts rays like primitive {@code t} of another table. */
+    /** Returns whether primitive {@code s} refracts rays like primitive {@code t} of another table. */
     boolean refractsLike(int s, SurfaceTraits o, int t) {
         Transmission one = transmission(s);
         Transmission other = o.transmission(t);
         return one == other || one != null && other != null && one.refractsLike(other);
     }
 
-    /** Returns true if primitive {@code s} has the bump mapping of primitive {@code t} of another table. */
+    /** Returns whether primitive {@code s} has the bump mapping of primitive {@code t} of another table. */
     boolean hasSameNormals(int s, SurfaceTraits o, int t) {
         BumpMapping one = bumpMapping(s);
         BumpMapping other = o.bumpMapping(t);

@@ -125,7 +125,7 @@ class Frustum extends SolidGeometry {
         out[2] = side ? z : 0;
     }
 
-    /** Returns true if a point of the surface belongs to the side instead of a cap, by the nearest of them. */
+    /** Returns whether a point of the surface belongs to the side instead of a cap, by the nearest of them. */
     private static boolean isSide(double[] data, int at, double x, double y, double z) {
         double top = data[at + TOP_RADIUS];
         if (data[at + CAPS] == 0) {

@@ -30,7 +30,7 @@ public abstract class SolidGeometry {
             SurfaceContact touch, double margin);
 
     /**
-     * Returns true if {@link #distance} is certain to be a miss for all rays within a range of heights.
+     * Returns whether {@link #distance} is certain to be a miss for all rays within a range of heights.
      *
      * @param minY minimum y of their origins
      * @param maxY maximum y of their origins

@@ -27,12 +27,12 @@ public final class BoxRay {
         return inverse < -MAX_INVERSE ? -MAX_INVERSE : inverse > MAX_INVERSE ? MAX_INVERSE : inverse;
     }
 
-    /** Returns true if the ray has a positive direction on the axis. */
+    /** Returns whether the ray has a positive direction on the axis. */
     boolean isForward(int axis) {
         return (axis == 0 ? inverseX : axis == 1 ? inverseY : inverseZ) > 0;
     }
 
-    /** Returns true if the ray may hit the box {@code boxes[at … at + 5]} at a distance up to {@code limit}. */
+    /** Returns whether the ray may hit the box {@code boxes[at … at + 5]} at a distance up to {@code limit}. */
     public boolean hits(float[] boxes, int at, double limit) {
         double in = 0;
         double out = limit;

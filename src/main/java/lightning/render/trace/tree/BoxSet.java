@@ -54,7 +54,7 @@ public final class BoxSet {
         return boxes.length == 0;
     }
 
-    /** Returns true if any ray of a beam can hit any of the boxes. */
+    /** Returns whether any ray of a beam can hit any of the boxes. */
     public boolean intersects(RayBeam beam) {
         for (int a = 0; a < groupBoxes.length; a += 6) {
             if (beam.entryTime(groupBoxes, a) < Double.POSITIVE_INFINITY) {
@@ -68,7 +68,7 @@ public final class BoxSet {
         return false;
     }
 
-    /** Returns true if a ray can hit any of the boxes at a distance up to {@code limit}. */
+    /** Returns whether a ray can hit any of the boxes at a distance up to {@code limit}. */
     public boolean intersects(BoxRay ray, double limit) {
         for (int a = 0; a < groupBoxes.length; a += 6) {
             if (ray.hits(groupBoxes, a, limit)) {

@@ -163,7 +163,7 @@ public final class Bvh {
         return traversal(ray).nearest();
     }
 
-    /** Returns true if a ray hits any primitive at a distance below {@code limit}. */
+    /** Returns whether a ray hits any primitive at a distance below {@code limit}. */
     public boolean isBlocked(Ray ray, double limit) {
         return traversal(ray).isBlocked(limit);
     }

@@ -51,7 +51,7 @@ public final class CandidateList {
         return c;
     }
 
-    /** Returns true if no ray of the beam can hit a primitive. */
+    /** Returns whether no ray of the beam can hit a primitive. */
     public boolean isEmpty() {
         return count == 0 && !overflow;
     }

@@ -59,7 +59,7 @@ public final class FullOcclusionTest {
         this.canHoldEnd = canHoldEnd;
     }
 
-    /** Returns true if primitive {@code s} certainly blocks all shadow rays. */
+    /** Returns whether primitive {@code s} certainly blocks all shadow rays. */
     public boolean isFullOccluder(PrimitiveTable primitives, int s) {
         if (primitives.mesh(s) != null || primitives.isEyeOnSurface(s) || primitives.hasCutout(s) || canHoldEnd.test(s)) {
             return false;
@@ -91,7 +91,7 @@ public final class FullOcclusionTest {
                 && isAboveRounding(m, i, t, Math.max(Math.abs(vx), Math.max(Math.abs(vy), Math.abs(vz))) - radius);
     }
 
-    /** Returns true if all corners of the box, scaled and translated to a point of local space, are inside at a depth. */
+    /** Returns whether all corners of the box, scaled and translated to a point of local space, are inside at a depth. */
     private boolean isInside(SolidGeometry form, double[] m, int i, double x, double y, double z, double scale, double depth) {
         if (!(form.insideDepth(m, i, x, y, z) >= depth)) {
             return false;
@@ -111,7 +111,7 @@ public final class FullOcclusionTest {
     }
 
     /**
-     * Returns true if the margin exceeds the rounding errors of these numbers; {@code minDirectionLength} is a lower bound on
+     * Returns whether the margin exceeds the rounding errors of these numbers; {@code minDirectionLength} is a lower bound on
      * the length of any direction.
      */
     private boolean isAboveRounding(double[] m, int i, double t, double minDirectionLength) {

@@ -143,7 +143,7 @@ public final class RayTraversal {
         return probe.nearest(nearestDistance);
     }
 
-    /** Returns true if the ray hits any primitive at a distance below {@code limit}. */
+    /** Returns whether the ray hits any primitive at a distance below {@code limit}. */
     public boolean isBlocked(double limit) {
         if (lastOccluder >= 0 && boxRay.hits(bvh.boxes, bvh.leafBox[lastOccluder], limit) && isBlockedBy(lastOccluder, limit)) {
             return true;
@@ -170,7 +170,7 @@ public final class RayTraversal {
         return false;
     }
 
-    /** Returns true if the ray hits any candidate at a distance below {@code limit}; moves that candidate to the front. */
+    /** Returns whether the ray hits any candidate at a distance below {@code limit}; moves that candidate to the front. */
     public boolean isBlocked(double limit, CandidateList candidates) {
         if (candidates.overflow) {
             return isBlocked(limit);

@@ -94,7 +94,7 @@ public final class ShadowRayTarget {
         return Math.abs(point.x()) + Math.abs(point.y()) + Math.abs(point.z());
     }
 
-    /** Returns true if a point is in the box {@code boxes[at … at + 5]} or within a margin of it on each axis. */
+    /** Returns whether a point is in the box {@code boxes[at … at + 5]} or within a margin of it on each axis. */
     private static boolean contains(float[] boxes, int at, Vec3 p, double margin) {
         return p.x() >= boxes[at] - margin && p.x() <= boxes[at + 3] + margin
                 && p.y() >= boxes[at + 1] - margin && p.y() <= boxes[at + 4] + margin
@@ -102,7 +102,7 @@ public final class ShadowRayTarget {
     }
 
     /**
-     * Returns true if this target and {@code after} touch the same unchanged primitives.
+     * Returns whether this target and {@code after} touch the same unchanged primitives.
      *
      * @param newIndex maps old primitive indices to new ones; negative if removed or changed
      * @param existedBefore true for new primitives that existed before
@@ -127,7 +127,7 @@ public final class ShadowRayTarget {
         return point;
     }
 
-    /** Returns true if the point is on no primitive. */
+    /** Returns whether the point is on no primitive. */
     public boolean isOffSurface() {
         return primitive.length == 0;
     }
@@ -137,12 +137,12 @@ public final class ShadowRayTarget {
         return primitive.length == 0 ? -1 : Arrays.binarySearch(primitive, s);
     }
 
-    /** Returns true if the light is on the primitive of an index, for a row at a point in render space. */
+    /** Returns whether the light is on the primitive of an index, for a row at a point in render space. */
     public boolean touches(int index, double x, double y, double z) {
         return Math.abs(x) + Math.abs(y) + Math.abs(z) >= minRowDistance[index];
     }
 
-    /** Returns true if the light is on primitive {@code s}, for a row at a point in render space. */
+    /** Returns whether the light is on primitive {@code s}, for a row at a point in render space. */
     public boolean touches(int s, Vec3 row) {
         int index = indexOf(s);
         return index >= 0 && touches(index, row.x(), row.y(), row.z());

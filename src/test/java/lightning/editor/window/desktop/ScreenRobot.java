@@ -131,7 +131,7 @@ final class ScreenRobot {
         return true;
     }
 
-    /** Returns true if every pixel of a picture appears somewhere on the screen. */
+    /** Returns whether every pixel of a picture appears somewhere on the screen. */
     private boolean shows(BufferedImage picture) {
         BufferedImage screen = screen();
         for (int y = 0; y + picture.getHeight() <= screen.getHeight(); y++) {
