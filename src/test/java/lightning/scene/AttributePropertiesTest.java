@@ -49,7 +49,7 @@ class AttributePropertiesTest {
     private static final Map<String,
             String> KEYWORDS = Map.ofEntries(entry("World.lightCount", "lamps"), entry("Transmission.color", "transparency"),
                     entry("BumpMapping.normalMap", "normals"), entry("Cone.angle", "cone half-angle"),
-                    entry("Cone.dropoff", "edge falloff"), entry("Light.doors", "barn doors"), entry("Light.profile", "IES profile"),
+                    entry("Cone.dropoff", "edge falloff"), entry("Cone.doors", "barn doors"), entry("Cone.profile", "IES profile"),
                     entry("AreaShape.up", "roll axis"), entry("AreaShape.visibility", "visible to camera"),
                     entry("Transmission.ior", "IOR"),
                     entry("Emission.unit", "intensity unit"),
