@@ -8,9 +8,11 @@ import javafx.scene.control.TableView;
 import lightning.bench.accuracy.IndirectSweep;
 import lightning.editor.document.Command;
 import lightning.editor.window.EditorFixture;
+import lightning.editor.window.OwnEditor;
 import lightning.scene.IndirectSettings;
 import org.junit.jupiter.api.Test;
 
+@OwnEditor
 class IndirectAccuracyPaneTest extends EditorFixture {
     private TableView<IndirectSweep.Point> table() {
         return robot.lookup("#indirect-table").query();
