@@ -8,7 +8,7 @@ import java.util.List;
 import java.util.Optional;
 import lightning.base.work.Progress;
 import lightning.bench.accuracy.ModernCases;
-import lightning.sample.Slow;
+import lightning.sample.Nightly;
 import lightning.scene.IndirectSettings;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -19,8 +19,9 @@ class IndirectBenchTest {
     @TempDir
     private Path folder;
 
+    /** {@link HarnessTest} runs the other parts of a benchmark in the usual check. */
     @Test
-    @Slow
+    @Nightly
     void quickRun_measuresRoomAndGrowth() throws Exception {
         BenchSettings settings = BenchSettings.quick(2, 1).indirectOnly().withRepetitions(1);
         Harness harness = new Harness(settings, List.of(), List.of(), folder, List.of(), Progress.NONE);

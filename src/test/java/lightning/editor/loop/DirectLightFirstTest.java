@@ -17,6 +17,7 @@ import lightning.render.relight.tile.RenderOptions;
 import lightning.render.shading.ReferenceTracer;
 import lightning.render.trace.Geometry;
 import lightning.sample.IndirectScenes;
+import lightning.sample.Slow;
 import lightning.scene.IndirectSettings;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
@@ -107,6 +108,7 @@ class DirectLightFirstTest {
     }
 
     @Test
+    @Slow
     void movedObject_showsDirectLightFirstAndKeepsPaths() throws InterruptedException {
         Scene slow = slowScene();
         loop.render(slow);
@@ -120,6 +122,7 @@ class DirectLightFirstTest {
     }
 
     @Test
+    @Slow
     void draggedObject_showsEachPlaceWithDirectLightAndKeepsPathsAtTheEnd() throws InterruptedException {
         Scene slow = slowScene();
         loop.render(slow);
@@ -139,6 +142,7 @@ class DirectLightFirstTest {
     }
 
     @Test
+    @Slow
     void cameraMovedWhilePathsAreKept_isExact() throws InterruptedException {
         Scene slow = slowScene();
         loop.render(slow);
