@@ -2,6 +2,10 @@ package lightning.editor.window;
 
 import java.nio.file.Path;
 import java.util.List;
+import javafx.event.Event;
+import javafx.scene.Node;
+import javafx.scene.input.KeyCode;
+import javafx.scene.input.KeyEvent;
 import javafx.stage.Stage;
 import javafx.stage.Window;
 import lightning.editor.document.OpenDocument;
@@ -27,12 +31,15 @@ record EditorReset(Stage stage, Editor editor, double x, double y, double width,
     /** Folder that does not exist, so all settings have their defaults. */
     private static final Path NO_PREFERENCES = Path.of("target/no-preferences");
 
+    private static final int ESCAPES = 3;
+
     static EditorReset of(Stage stage, Editor editor) {
         return new EditorReset(stage, editor, stage.getX(), stage.getY(), stage.getWidth(), stage.getHeight());
     }
 
     void restore(OpenDocument document) {
         hideOtherWindows();
+        cancelTools();
         restoreWindow();
         restoreSettings();
         editor.model().open(document);
@@ -48,6 +55,14 @@ record EditorReset(Stage stage, Editor editor, double x, double y, double width,
         // On the headless platform, a window that closes would keep the focus.
         stage.requestFocus();
         List.copyOf(Window.getWindows()).reversed().stream().filter(window -> window != stage).forEach(Window::hide);
+    }
+
+    /** Each Escape ends one of a drag, a tool and a choice of pixels or a region, which outlive their document. */
+    private void cancelTools() {
+        Node picture = stage.getScene().lookup("#traced-picture");
+        for (int i = 0; i < ESCAPES; i++) {
+            Event.fireEvent(picture, new KeyEvent(KeyEvent.KEY_PRESSED, "", "", KeyCode.ESCAPE, false, false, false, false));
+        }
     }
 
     private void restoreWindow() {
