@@ -15,6 +15,7 @@ import java.util.stream.Stream;
 import lightning.ExampleProcess.Result;
 import lightning.cli.HelpPages;
 import lightning.format.gltf.GltfFixtures;
+import lightning.sample.Nightly;
 import lightning.sample.Slow;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.Assumptions;
@@ -35,6 +36,8 @@ class ExamplesTest {
             Pattern.compile("program povray not found|needs ffmpeg, which is not installed|USD files need ");
     /** User files that examples read. */
     private static final List<String> PICTURES = List.of("before.png", "after.png", "before.pfm", "after.pfm");
+
+    private static final Set<String> MEASUREMENTS = Set.of("bench", "tour", "effects");
 
     @TempDir
     private static Path folder;
@@ -92,6 +95,20 @@ class ExamplesTest {
 
     @TestFactory
     Stream<DynamicTest> everyExample_succeeds() throws IOException {
+        return tests(false);
+    }
+
+    /**
+     * Commands that measure take half of the time. In the usual check, {@code BenchCommandTest}, {@code OtherCommandsTest} and {@code
+     * JsonReportTest} run them.
+     */
+    @TestFactory
+    @Nightly
+    Stream<DynamicTest> everyMeasurement_succeeds() throws IOException {
+        return tests(true);
+    }
+
+    private static Stream<DynamicTest> tests(boolean measurements) throws IOException {
         List<DocExample> examples = new ArrayList<>(DocExample.fromHelp());
         for (Path document : DocsTest.pages()) {
             String markdown = Files.readString(document);
@@ -99,7 +116,8 @@ class ExamplesTest {
             examples.addAll(DocExample.fromIndentedLines(document.toString(), markdown));
         }
         Set<List<String>> seen = new HashSet<>();
-        return examples.stream().filter(example -> seen.add(example.testArguments()))
+        return examples.stream().filter(example -> MEASUREMENTS.contains(example.arguments().getFirst()) == measurements)
+                .filter(example -> seen.add(example.testArguments()))
                 .map(example -> dynamicTest(example.source() + ": " + String.join(" ", example.arguments()), () -> check(example)));
     }
 

@@ -16,6 +16,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import lightning.sample.Nightly;
 import lightning.sample.Packaged;
 import org.assertj.core.api.ThrowingConsumer;
 import org.junit.jupiter.api.Test;
@@ -122,7 +123,9 @@ class ProgramFolderIT {
         assertThat(folder.resolve("balls-checker_png.png")).as("a texture beside the export").exists();
     }
 
+    /** {@link LauncherTest} checks the choice of archives in the usual check; making them takes a minute. */
     @Test
+    @Nightly
     @EnabledOnOs(OS.LINUX)
     void classArchive_isUsed_andIgnoredIfBroken() throws Exception {
         String plain = checked();
@@ -139,7 +142,9 @@ class ProgramFolderIT {
         assertBrokenArchiveIsIgnored(archive, what -> assertThat(checked()).as(what).isEqualTo(plain));
     }
 
+    /** As above. */
     @Test
+    @Nightly
     @EnabledOnOs(OS.LINUX)
     void shortRender_usesFastStartingJava_longRenderRestarts() throws Exception {
         String few = "light a point { at 0 3 3 }\n";

@@ -15,7 +15,7 @@ import lightning.bench.result.IndirectCost;
 import lightning.bench.result.IndirectGrowth;
 import lightning.bench.result.SampleResults;
 import lightning.bench.result.TimeSamples;
-import lightning.sample.Slow;
+import lightning.sample.Nightly;
 import lightning.scene.IndirectSettings;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -26,8 +26,9 @@ class IndirectBenchTest {
     @TempDir
     private Path folder;
 
+    /** {@link HarnessTest} runs the other parts of a benchmark in the usual check. */
     @Test
-    @Slow
+    @Nightly
     void quickRun_measuresRoomAndGrowth() throws Exception {
         BenchSettings settings = BenchSettings.quick(2, 1).indirectOnly().withRepetitions(1);
         Harness harness = new Harness(settings, List.of(), List.of(), folder, List.of(), Progress.NONE);

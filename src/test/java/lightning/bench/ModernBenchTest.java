@@ -14,6 +14,7 @@ import lightning.bench.result.ModernSampling;
 import lightning.bench.result.ModernScene;
 import lightning.format.jen.JenReader;
 import lightning.format.pov.PovRayRunner;
+import lightning.sample.Nightly;
 import lightning.sample.Slow;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -30,7 +31,9 @@ class ModernBenchTest {
         return new Harness(settings, List.of(scene), List.of(), folder, List.of(), Progress.NONE).run((_, _) -> {}, Progress.NONE);
     }
 
+    /** {@link HarnessTest} runs the other parts of a benchmark in the usual check. */
     @Test
+    @Nightly
     void quickRun_measuresEachPictureAndEachProgram() throws Exception {
         BenchResults results = run(BenchSettings.quick(2, 1).modernOnly().withRepetitions(1).withProcesses(1));
         assertThat(results.problems()).isEmpty();

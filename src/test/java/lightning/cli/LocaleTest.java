@@ -11,6 +11,7 @@ import java.util.Locale;
 import java.util.stream.Stream;
 import lightning.sample.DefaultLocale;
 import lightning.sample.Slow;
+import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -20,7 +21,21 @@ import org.junit.jupiter.params.provider.MethodSource;
 @Slow
 class LocaleTest {
     @TempDir
+    private static Path shared;
+
+    private static Path scene;
+    private static Path outputs;
+    private static List<String> expected;
+
+    @TempDir
     private Path folder;
+
+    @BeforeAll
+    static void runInRootLocale() throws Exception {
+        scene = CliResult.scene(shared);
+        outputs = Files.createDirectory(shared.resolve("here"));
+        expected = DefaultLocale.during(Locale.ROOT, () -> exactCommands(scene, outputs));
+    }
 
     static Stream<Locale> locales() {
         return Stream.of(Locale.of("ar", "EG"), Locale.of("tr", "TR"), Locale.GERMANY);
@@ -29,10 +44,7 @@ class LocaleTest {
     @ParameterizedTest
     @MethodSource("locales")
     void filesAndOutput_areLocaleIndependent(Locale locale) throws Exception {
-        Path scene = CliResult.scene(folder);
-        Path outputs = Files.createDirectory(folder.resolve("here"));
         Path abroad = Files.createDirectory(folder.resolve("abroad"));
-        List<String> expected = DefaultLocale.during(Locale.ROOT, () -> exactCommands(scene, outputs));
         assertThat(DefaultLocale.during(locale, () -> exactCommands(scene, abroad))).isEqualTo(expected);
         assertThat(names(outputs)).hasSizeGreaterThan(6).isEqualTo(names(abroad));
         for (String file : names(outputs)) {
@@ -73,7 +85,6 @@ class LocaleTest {
     /** Egypt's digits differ from ASCII digits; {@link BenchCommandTest} covers the slowest command. */
     @Test
     void measurements_useAsciiDigits() throws Exception {
-        Path scene = CliResult.scene(folder);
         assertThat(DefaultLocale.during(Locale.of("ar", "EG"), () -> List.of(
                 CliResult.run("tour", scene, "-o", folder.resolve("tour"), "--size", "24x16", "--repetitions", "1").assertSuccess().out(),
                 CliResult.run("effects", scene, "--repetitions", "1").assertSuccess().out())))

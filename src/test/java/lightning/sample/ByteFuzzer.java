@@ -5,16 +5,22 @@ import java.util.SplittableRandom;
 
 /**
  * Common part of the fuzzers. {@code -Dlightning.tries=N} sets the number of tries, {@code -Dlightning.fuzz.seed=S} another seed; a failed
- * try is identified by its number and repeated with the same seed.
+ * try is identified by its number and repeated with the same seed. Without a number, the usual check makes a tenth of the tries of the
+ * nightly one.
  */
 public final class ByteFuzzer {
     private static final long SEED = Long.getLong("lightning.fuzz.seed", 1);
+    private static final int PERCENT = Integer.getInteger("lightning.fuzz.percent", 100);
 
     private ByteFuzzer() {}
 
-    /** Returns the number of tries. */
-    public static int tryCount(int usual) {
-        return Integer.getInteger("lightning.tries", usual);
+    /**
+     * Returns the number of tries.
+     *
+     * @param nightly number of the nightly check
+     */
+    public static int tryCount(int nightly) {
+        return Integer.getInteger("lightning.tries", (int) ((long) nightly * PERCENT / 100));
     }
 
     /** Returns the random generator of one try. */

@@ -9,40 +9,86 @@ import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.Locale;
 import java.util.Optional;
+import org.junit.platform.engine.TestExecutionResult;
 import org.junit.platform.engine.support.descriptor.ClassSource;
 import org.junit.platform.launcher.TestExecutionListener;
 import org.junit.platform.launcher.TestIdentifier;
 import org.junit.platform.launcher.TestPlan;
 
 /**
- * Records what each test class costs: a line {@code seconds class} in {@code target/processor-times/PROCESS}. It counts the
- * processor time of the whole Java process, with its compilers and its garbage collector but without programs that a test starts.
+ * Records what each test class costs: a line {@code seconds class programs elapsed} in {@code target/processor-times/PROCESS}.
  * {@code sort -rn target/processor-times/*} lists the slowest first.
+ *
+ * <p>{@code seconds} is the processor time of the whole Java process, with its compilers and its garbage collector, and of the programs
+ * that the class started and that have ended. {@code programs} is the share of the programs; 0 on systems other than Linux.
+ * {@code elapsed} is the wall time, which depends on what else runs.
  */
 public final class ProcessorTimes implements TestExecutionListener {
     private static final OperatingSystemMXBean SYSTEM = ManagementFactory.getPlatformMXBean(OperatingSystemMXBean.class);
+    private static final Path STATUS = Path.of("/proc/self/stat");
+    /** Fields after the name of the program: processor time of ended programs in user mode and in the kernel; proc_pid_stat(5). */
+    private static final int PROGRAMS_USER = 13;
+    private static final int PROGRAMS_KERNEL = 14;
+    private static final double TICKS_PER_SECOND = 100;
 
-    private long began;
+    /**
+     * Times since the start of the process, seconds.
+     *
+     * @param own processor time of this process
+     * @param programs processor time of the programs that have ended
+     * @param elapsed wall time since an arbitrary moment
+     */
+    private record Times(double own, double programs, double elapsed) {
+        static Times now() {
+            return new Times(SYSTEM.getProcessCpuTime() * 1e-9, ofPrograms(), System.nanoTime() * 1e-9);
+        }
+
+        private static double ofPrograms() {
+            if (!Files.isReadable(STATUS)) {
+                return 0;
+            }
+            try {
+                String line = Files.readString(STATUS);
+                String[] fields = line.substring(line.lastIndexOf(')') + 2).split(" ");
+                return (Long.parseLong(fields[PROGRAMS_USER]) + Long.parseLong(fields[PROGRAMS_KERNEL])) / TICKS_PER_SECOND;
+            } catch (IOException e) {
+                throw new UncheckedIOException(e);
+            }
+        }
+    }
+
+    private Times last = Times.now();
+    private TestPlan plan;
 
     @Override
     public void testPlanExecutionStarted(TestPlan plan) {
-        began = SYSTEM.getProcessCpuTime();
+        this.plan = plan;
     }
 
-    /** Each class that Maven runs is a plan of its own. */
+    /** Also counts what happened since the end of the previous class, such as the search for tests. */
     @Override
-    public void testPlanExecutionFinished(TestPlan plan) {
-        double seconds = (SYSTEM.getProcessCpuTime() - began) * 1e-9;
-        String name = plan.getRoots().stream().flatMap(root -> plan.getDescendants(root).stream())
-                .flatMap(test -> className(test).stream()).findFirst().orElse("none");
+    public void executionFinished(TestIdentifier test, TestExecutionResult result) {
+        if (isTopLevel(test)) {
+            className(test).ifPresent(this::record);
+        }
+    }
+
+    private boolean isTopLevel(TestIdentifier test) {
+        return plan.getParent(test).map(parent -> plan.getParent(parent).isEmpty()).orElse(false);
+    }
+
+    private void record(String name) {
+        Times now = Times.now();
+        double programs = now.programs() - last.programs();
         Path file = Path.of("target/processor-times/" + ProcessHandle.current().pid());
         try {
             Files.createDirectories(file.getParent());
-            Files.writeString(file, String.format(Locale.ROOT, "%.2f %s%n", seconds, name), StandardOpenOption.CREATE,
-                    StandardOpenOption.APPEND);
+            Files.writeString(file, String.format(Locale.ROOT, "%.2f %s %.2f %.2f%n", now.own() - last.own() + programs, name, programs,
+                    now.elapsed() - last.elapsed()), StandardOpenOption.CREATE, StandardOpenOption.APPEND);
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
+        last = now;
     }
 
     private static Optional<String> className(TestIdentifier test) {

@@ -104,7 +104,7 @@ class VisibleStateTest {
     }
 
     /** Checks that the normal form renders the same image in every bit. */
-    @Property(tries = 60)
+    @Property
     void visibleState_rendersSamePicture(@ForAll("sessions") EditSession session) {
         Scene last = session.scenes().getLast();
         // Bulbs find their lights by name.

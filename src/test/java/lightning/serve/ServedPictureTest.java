@@ -59,7 +59,7 @@ class ServedPictureTest {
         return filled;
     }
 
-    @Property(tries = 100, edgeCases = EdgeCasesMode.NONE)
+    @Property(edgeCases = EdgeCasesMode.NONE)
     void everyServedPicture_equalsAFullTrace(@ForAll("steps") List<String> steps) throws Exception {
         Path folder = Path.of("").toAbsolutePath();
         try (Server server = new Server(new ServerOptions(2, 500_000_000)); TestClient client = new TestClient(server)) {
@@ -112,7 +112,7 @@ class ServedPictureTest {
     }
 
     /** Random scenes of every kind, with random edits of lights, materials and objects in words. */
-    @Property(tries = 60, edgeCases = EdgeCasesMode.NONE)
+    @Property(edgeCases = EdgeCasesMode.NONE)
     @StatisticsReport(onFailureOnly = true)
     void editsOfRandomScenes_equalFullTraces(@ForAll("sessions") EditSession session) throws Exception {
         Path folder = Files.createTempDirectory("lightning-serve");

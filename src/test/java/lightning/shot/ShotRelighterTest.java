@@ -73,7 +73,7 @@ class ShotRelighterTest {
         return Arbitraries.of(0L, 100_000L, 1_000_000L, Long.MAX_VALUE);
     }
 
-    @Property(edgeCases = EdgeCasesMode.NONE, tries = 10)
+    @Property(edgeCases = EdgeCasesMode.NONE)
     @Slow
     void everyFrame_afterAllEdits_matchesReference(@ForAll("stories") Scenario scenario, @ForAll("budgets") long memory,
             @ForAll @IntRange(min = 1, max = 3) int threads, @ForAll @IntRange(min = 1, max = 15) int settles,

@@ -10,6 +10,7 @@ import lightning.render.fulltrace.TraditionalTracer;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
 import lightning.render.trace.Geometry;
+import lightning.sample.Nightly;
 import lightning.sample.Slow;
 import lightning.scene.Scene;
 import lightning.scene.light.Light;
@@ -23,7 +24,9 @@ class SceneLightingTest {
     /** Minimum visible area of a light: 1/500 of the image. */
     private static final long MIN_PIXELS = SIZE * SIZE / 500;
 
+    /** Changes only with the scenes, whose pictures are checked below in the usual check. */
     @ParameterizedTest
+    @Nightly
     @MethodSource("names")
     void everyLight_changesThePictureInPlaces(String name) {
         Scene small = SceneFiles.read(name, SIZE);

@@ -17,6 +17,7 @@ import lightning.render.relight.tile.RenderOptions;
 import lightning.render.shading.reference.ReferenceTracer;
 import lightning.render.trace.Geometry;
 import lightning.sample.IndirectScenes;
+import lightning.sample.Slow;
 import lightning.scene.IndirectSettings;
 import lightning.scene.Scene;
 import lightning.scene.node.Shape;
@@ -114,6 +115,7 @@ class DirectLightFirstTest {
     }
 
     @Test
+    @Slow
     void movedObject_showsDirectLightFirstAndKeepsPaths() throws InterruptedException {
         Scene slow = slowScene();
         loop.render(slow);
@@ -127,6 +129,7 @@ class DirectLightFirstTest {
     }
 
     @Test
+    @Slow
     void draggedObject_showsEachPlaceWithDirectLightAndKeepsPathsAtTheEnd() throws InterruptedException {
         Scene slow = slowScene();
         loop.render(slow);
@@ -146,6 +149,7 @@ class DirectLightFirstTest {
     }
 
     @Test
+    @Slow
     void cameraMovedWhilePathsAreKept_isExact() throws InterruptedException {
         Scene slow = slowScene();
         loop.render(slow);

@@ -11,6 +11,7 @@ import javafx.stage.WindowEvent;
 import lightning.editor.document.Command;
 import org.junit.jupiter.api.Test;
 
+@OwnEditor
 class ClosedEditorTest extends EditorFixture {
     private List<WeakReference<?>> before;
 

@@ -13,6 +13,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /** Closed panels and closed editors leave no thread running. */
+@OwnEditor
 class ClosedPanelTest extends EditorFixture {
 
     private static Set<Thread> threads() {

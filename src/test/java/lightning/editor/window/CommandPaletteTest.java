@@ -16,6 +16,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
 /** The palette finds every command by a few letters, and custom shortcuts run their commands. */
+@OwnEditor
 class CommandPaletteTest extends EditorFixture {
     @AfterEach
     void closeWindows() {

@@ -105,6 +105,7 @@ class DockedPanelsTest extends EditorFixture {
     }
 
     @Test
+    @OwnEditor
     void key_opensFocusesAndCloses() {
         robot.push(KeyCode.F4);
         waitFor("a fader has the focus", () -> isIn(focusOwner(), "mixer"));
@@ -187,6 +188,7 @@ class DockedPanelsTest extends EditorFixture {
     }
 
     @Test
+    @OwnEditor
     void arrangement_afterRestart_isRestored() throws Exception {
         run(Command.CUES);
         run(Command.MIXER);

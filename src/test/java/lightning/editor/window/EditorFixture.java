@@ -3,6 +3,7 @@ package lightning.editor.window;
 import static lightning.editor.window.TestEditors.inWindowThread;
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -20,6 +21,7 @@ import lightning.base.math.Vec3;
 import lightning.base.work.Await;
 import lightning.editor.document.Command;
 import lightning.editor.document.FileThread;
+import lightning.editor.document.OpenDocument;
 import lightning.editor.document.RecoveryFolder;
 import lightning.editor.document.manipulation.Viewport;
 import lightning.editor.window.command.FilePrompt;
@@ -33,16 +35,26 @@ import lightning.editor.window.widget.PictureView;
 import lightning.render.shading.reference.ReferenceTracer;
 import lightning.sample.Slow;
 import lightning.scene.light.Light;
+import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.MethodOrderer;
+import org.junit.jupiter.api.TestInfo;
+import org.junit.jupiter.api.TestMethodOrder;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.api.io.TempDir;
 import org.testfx.api.FxRobot;
 import org.testfx.api.FxToolkit;
 import org.testfx.util.WaitForAsyncUtils;
 
-/** Editor of a small scene with one light of each type, all of them in view. */
+/**
+ * Editor of a small scene with one light of each type, all of them in view.
+ *
+ * <p>The tests of a class share one editor, which {@link EditorReset} resets before each test, so they pass in any order: it is random, and
+ * {@code -Dlightning.seed=N} selects another. A test with {@link OwnEditor} opens and closes an editor of its own.
+ */
 @ExtendWith(JavaFxRequirement.class)
+@TestMethodOrder(MethodOrderer.Random.class)
 @Slow
 public abstract class EditorFixture {
     private static final String SCENE = """
@@ -58,6 +70,16 @@ public abstract class EditorFixture {
             light sun directional { at 0 2.8 0  direction 0.3 -1 -0.4  intensity 0.4 }
             light stage spot { at 2 2.2 0.5  direction -2 -1.5 -0.5  angle 30  intensity 1.5 }
             """;
+
+    /** Distance of the mouse from the window's lower right corner between tests, pixels. */
+    private static final double CORNER = 8;
+
+    /** Folder of the shared editor's preferences. */
+    @TempDir
+    static Path sharedFolder;
+
+    private static OpenEditor shared;
+    private static EditorFixture current;
 
     @TempDir
     public Path folder;
@@ -75,15 +97,44 @@ public abstract class EditorFixture {
         return SCENE;
     }
 
+    /**
+     * Editor with its window.
+     *
+     * @param initial window and settings that each test starts with
+     */
+    private record OpenEditor(Stage stage, Editor editor, EditorReset initial) {}
+
     @BeforeEach
+    final void prepareEditor(TestInfo test) throws Exception {
+        current = this;
+        if (OwnEditor.Uses.isUsedBy(test)) {
+            closeShared();
+            open();
+        } else if (shared == null) {
+            open(sharedFolder);
+            shared = new OpenEditor(stage, editor, EditorReset.of(stage, editor));
+        } else {
+            stage = shared.stage();
+            editor = shared.editor();
+            OpenDocument document = TestEditors.document(writeScene());
+            FxToolkit.setupFixture(() -> shared.initial().restore(document));
+            waitForPicture();
+        }
+    }
+
+    /** Opens an editor. */
     void open() throws Exception {
+        open(folder);
+    }
+
+    private void open(Path settings) throws Exception {
         FxToolkit.registerPrimaryStage();
-        Path file = Files.writeString(folder.resolve("desk.jen"), sceneText());
+        Path file = writeScene();
         FxToolkit.setupFixture(() -> {
             ColorTheme.DARK.apply();
             stage = new Stage();
             var thread = new FileThread(Platform::runLater);
-            var preferences = new Preferences(folder.resolve("own"), thread);
+            var preferences = new Preferences(settings.resolve("own"), thread);
             var sight = TestEditors.startupSession(TestEditors.document(file), TestEditors.layout(file), preferences,
                     new RecoveryFolder(EditorPaths.dataFolder().resolve("recovery")), thread);
             editor = new Editor(stage, sight, preferences, thread, new PromptAnswers(), 1000, 700);
@@ -91,31 +142,59 @@ public abstract class EditorFixture {
         waitForPicture();
     }
 
+    private Path writeScene() throws IOException {
+        return Files.writeString(folder.resolve("desk.jen"), sceneText());
+    }
+
     @AfterEach
-    void close() throws Exception {
+    final void leaveEditor() throws Exception {
         robot.release(new javafx.scene.input.MouseButton[0]);
         robot.release(new javafx.scene.input.KeyCode[0]);
+        if (shared == null) {
+            close();
+        } else {
+            FxToolkit.setupFixture(shared.initial()::hideOtherWindows);
+            FastRobot.settle();
+            // So that a click there and a click of the next test are no double click.
+            robot.moveTo(stage.getX() + stage.getWidth() - CORNER, stage.getY() + stage.getHeight() - CORNER);
+        }
+    }
+
+    /** Closes the editor. */
+    void close() throws Exception {
         FxToolkit.setupFixture(() -> {
             editor.close();
             stage.close();
         });
     }
 
-    private final class PromptAnswers implements FilePrompt {
+    @AfterAll
+    static void closeShared() throws Exception {
+        if (shared != null) {
+            OpenEditor open = shared;
+            shared = null;
+            FxToolkit.setupFixture(() -> {
+                open.editor().close();
+                open.stage().close();
+            });
+        }
+    }
+
+    private static final class PromptAnswers implements FilePrompt {
         @Override
         public Optional<Path> sceneToOpen(Path from) {
-            openedFolder = from;
-            return Optional.ofNullable(answer);
+            current.openedFolder = from;
+            return Optional.ofNullable(current.answer);
         }
 
         @Override
         public Optional<Path> sceneToWrite(Path proposal) {
-            return Optional.ofNullable(answer);
+            return Optional.ofNullable(current.answer);
         }
 
         @Override
         public Optional<Path> pictureToWrite(Path proposal) {
-            return Optional.ofNullable(answer);
+            return Optional.ofNullable(current.answer);
         }
     }
 

@@ -76,6 +76,7 @@ class FilesTest extends EditorFixture {
     }
 
     @Test
+    @OwnEditor
     void openDialog_startsInTheFolderOfTheLastScene() throws Exception {
         answer = null;
         startCommand(Command.LOAD_FILE);
@@ -372,6 +373,7 @@ class FilesTest extends EditorFixture {
     }
 
     @Test
+    @OwnEditor
     void recentScene_isOpenedFromTheMenu() throws IOException {
         answer = Files.writeString(folder.resolve("other.jen"), Files.readString(folder.resolve("desk.jen")));
         startCommand(Command.LOAD_FILE);
@@ -464,6 +466,7 @@ class FilesTest extends EditorFixture {
     }
 
     @Test
+    @OwnEditor
     void accuracyChoice_isSavedImmediately() {
         robot.interact(() -> model().accuracyModeProperty().set(AccuracyMode.RATIO));
         waitFor("the preference is saved",

@@ -2,12 +2,13 @@ package lightning.editor.window;
 
 import lightning.base.text.Language;
 import lightning.base.text.Messages;
-import lightning.sample.Slow;
+import lightning.sample.Nightly;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 
-@Slow
+/** {@link EnglishTextClippingTest} runs in the usual check. */
+@Nightly
 class GermanTextClippingTest extends TextClippingFixture {
     @BeforeAll
     static void setLanguage() {

@@ -21,6 +21,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
 /** Clicking an edit in the list restores its state. */
+@OwnEditor
 class HistoryPaneTest extends EditorFixture {
     @AfterEach
     void closeWindows() {

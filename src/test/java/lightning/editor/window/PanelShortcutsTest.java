@@ -83,7 +83,9 @@ class PanelShortcutsTest extends EditorFixture {
         assertThat(model().picture().frame().scene()).isEqualTo(model().editor().scene());
     }
 
+    /** The mixer keeps its search for the next scene. */
     @Test
+    @OwnEditor
     void typedText_runsNoCommand() {
         open(Command.MIXER);
         TextField search = robot.lookup("#mixer-search").query();

@@ -11,6 +11,7 @@ import org.junit.jupiter.api.Test;
 import org.testfx.util.WaitForAsyncUtils;
 
 /** Requests a picture that exceeds any memory. */
+@OwnEditor
 class TooLargeWindowTest extends EditorFixture {
     @Test
     void memoryError_inStatus_omitsCommandLineOptions() {

@@ -17,6 +17,7 @@ import lightning.scene.AntialiasMode;
 import org.junit.jupiter.api.Test;
 
 /** The pictures have the sizes that the layout commands give them. */
+@OwnEditor
 class WindowLayoutTest extends EditorFixture {
     private boolean isVisible(String query) {
         return robot.lookup(query).tryQuery().isPresent();

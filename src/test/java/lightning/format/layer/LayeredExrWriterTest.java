@@ -66,7 +66,7 @@ class LayeredExrWriterTest {
         return EditSession.sessions();
     }
 
-    @Property(tries = 20, edgeCases = EdgeCasesMode.NONE)
+    @Property(edgeCases = EdgeCasesMode.NONE)
     void layers_sumToTheImageBitForBit(@ForAll("sessions") EditSession session, @ForAll Accuracy accuracy,
             @ForAll ReflectionMode reflections, @ForAll MirrorStorage storage, @ForAll boolean indirect) throws IOException {
         try (Renderer renderer = new Renderer(new RenderOptions(accuracy, reflections, storage, 2))) {
@@ -96,7 +96,7 @@ class LayeredExrWriterTest {
         }
     }
 
-    @Property(tries = 20, edgeCases = EdgeCasesMode.NONE)
+    @Property(edgeCases = EdgeCasesMode.NONE)
     void lightLayers_sumToItsContributionBitForBit(@ForAll("sessions") EditSession session) throws IOException {
         Scene scene = session.scenes().getFirst();
         Scene directScene = scene.withPicture(scene.picture().withDepth(0).withSampling(SamplingSettings.DEFAULT));
@@ -145,7 +145,7 @@ class LayeredExrWriterTest {
         }
     }
 
-    @Property(tries = 10, edgeCases = EdgeCasesMode.NONE)
+    @Property(edgeCases = EdgeCasesMode.NONE)
     void surfaceChannels_matchThePixelCenterRay(@ForAll("sessions") EditSession session) throws IOException {
         Scene scene = session.scenes().getLast();
         try (Renderer renderer = new Renderer(RenderOptions.DEFAULT.withThreads(1))) {

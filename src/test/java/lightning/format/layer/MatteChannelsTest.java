@@ -54,7 +54,7 @@ class MatteChannelsTest {
         return EditSession.sessions();
     }
 
-    @Property(tries = 20, edgeCases = EdgeCasesMode.NONE)
+    @Property(edgeCases = EdgeCasesMode.NONE)
     void coverages_areThoseOfTheSamples(@ForAll("sessions") EditSession session, @ForAll AntialiasMode mode,
             @ForAll @IntRange(min = 2, max = 5) int grid) throws IOException {
         try (Renderer renderer = new Renderer(RenderOptions.DEFAULT.withThreads(2))) {

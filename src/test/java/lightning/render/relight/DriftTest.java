@@ -11,6 +11,7 @@ import lightning.render.relight.plan.ReflectionMode;
 import lightning.render.relight.tile.MirrorStorage;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.render.shading.reference.ReferenceTracer;
+import lightning.sample.Nightly;
 import lightning.sample.Slow;
 import lightning.sample.StudioScene;
 import lightning.scene.Scene;
@@ -30,7 +31,9 @@ class DriftTest {
         return new Renderer(new RenderOptions(accuracy, ReflectionMode.CURRENT, MirrorStorage.FULL_ROWS, 1));
     }
 
+    /** {@link ExactnessTest} makes short sessions in the usual check. */
     @Test
+    @Nightly
     void tenThousandEdits_matchAtExactAccuracy() {
         RandomEdits edits = new RandomEdits(1);
         Scene scene = StudioScene.withFourLights(12, 10);
@@ -45,7 +48,9 @@ class DriftTest {
         }
     }
 
+    /** {@link RatioTest} makes short sessions in the usual check. */
     @Test
+    @Nightly
     void tenThousandEdits_stayInvisibleAtRatioAccuracy() {
         RandomEdits edits = new RandomEdits(2);
         Scene scene = StudioScene.withFourLights(12, 10);

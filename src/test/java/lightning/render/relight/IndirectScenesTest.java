@@ -22,6 +22,7 @@ import lightning.render.relight.tile.MirrorStorage;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.render.shading.reference.ReferenceTracer;
 import lightning.sample.IndirectScenes;
+import lightning.sample.Slow;
 import lightning.scene.IndirectSettings;
 import lightning.scene.Scene;
 import lightning.scene.effects.RenderEffect;
@@ -31,6 +32,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** Tests that all renderers add the indirect light of the reference, on all engines and any number of threads. */
+@Slow
 class IndirectScenesTest {
 
     static Stream<String> names() {

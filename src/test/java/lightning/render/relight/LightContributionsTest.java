@@ -46,7 +46,7 @@ class LightContributionsTest {
         return EditSession.sessions();
     }
 
-    @Property(tries = 25, edgeCases = EdgeCasesMode.NONE)
+    @Property(edgeCases = EdgeCasesMode.NONE)
     void imageWithoutLight_matchesReference(@ForAll("sessions") EditSession session) {
         try (Renderer renderer = new Renderer(OPTIONS)) {
             Scene scene = session.scenes().getLast();

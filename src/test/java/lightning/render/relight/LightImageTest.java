@@ -38,7 +38,7 @@ class LightImageTest {
     }
 
     /** Each case traces the reference for each light of each scene, so few cases take as long as another property. */
-    @Property(tries = 10, edgeCases = EdgeCasesMode.NONE)
+    @Property(edgeCases = EdgeCasesMode.NONE)
     void lightImage_matchesReferenceOfSingleLight(@ForAll("sessions") EditSession session, @ForAll ReflectionMode reflections,
             @ForAll @IntRange(min = 1, max = 2) int threads) {
         try (Renderer renderer = new Renderer(new RenderOptions(Accuracy.EXACT, reflections, MirrorStorage.FULL_ROWS, threads))) {
@@ -62,7 +62,7 @@ class LightImageTest {
      * The background lights the picture, but is no part of a light's contribution. Full traces with indirect light are slow, so each step
      * checks one light, in turns; the property above checks all lights of each step.
      */
-    @Property(tries = 10, edgeCases = EdgeCasesMode.NONE)
+    @Property(edgeCases = EdgeCasesMode.NONE)
     void lightImageWithIndirectLight_matchesFullTraceOfSingleLight(@ForAll("sessions") EditSession session,
             @ForAll ReflectionMode reflections, @ForAll @IntRange(min = 1, max = 2) int threads) {
         try (Renderer renderer = new Renderer(new RenderOptions(Accuracy.EXACT, reflections, MirrorStorage.FULL_ROWS, threads));

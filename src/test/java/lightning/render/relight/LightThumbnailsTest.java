@@ -29,7 +29,7 @@ class LightThumbnailsTest {
         return EditSession.sessions();
     }
 
-    @Property(tries = 60, edgeCases = EdgeCasesMode.NONE)
+    @Property(edgeCases = EdgeCasesMode.NONE)
     void lightThumbnail_matchesLightImageBits(@ForAll("sessions") EditSession session, @ForAll Accuracy accuracy,
             @ForAll ReflectionMode reflections, @ForAll @IntRange(min = 1, max = 70) int width,
             @ForAll @IntRange(min = 1, max = 70) int height, @ForAll boolean indirect) {

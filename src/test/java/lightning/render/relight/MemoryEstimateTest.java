@@ -88,7 +88,7 @@ class MemoryEstimateTest {
     @ParameterizedTest
     @EnumSource(AntialiasMode.class)
     void forecastWithIndirectLight_isCloseToActual(AntialiasMode antialias) throws Exception {
-        Scene scene = IndirectScenes.with(ballsScene(640, 448, antialias, 2));
+        Scene scene = IndirectScenes.with(ballsScene(320, 224, antialias, 2));
         MemoryForecast forecast = MemoryForecast.of(scene, OPTIONS);
         assertThat(forecast.bytes(scene.picture())).isCloseTo(usedBytes(scene, OPTIONS), withPercentage(25));
         assertThat(MemoryForecast.upperOf(scene, OPTIONS, PictureParts.ALL, SmallPictures.UNSEEN).bytes(scene.picture()))

@@ -27,6 +27,7 @@ import lightning.render.relight.tile.RenderOptions;
 import lightning.render.shading.RayCounts;
 import lightning.render.shading.layer.ConeChange;
 import lightning.render.trace.Geometry;
+import lightning.sample.Nightly;
 import lightning.sample.Slow;
 import lightning.scene.Scene;
 import lightning.scene.light.Light;
@@ -152,9 +153,20 @@ class PaperCasesTest {
     }
 
     @ParameterizedTest
-    @MethodSource("sceneNames")
+    @ValueSource(strings = {"bird", "spaceship"})
     @Slow
+    void everyCaseOfThePapersScenes_equalsTheTraditionalTrace(String name) {
+        assertEveryCaseEqualsTheTraditionalTrace(name);
+    }
+
+    @ParameterizedTest
+    @MethodSource("sceneNames")
+    @Nightly
     void everyCaseOfEveryScene_equalsTheTraditionalTrace(String name) {
+        assertEveryCaseEqualsTheTraditionalTrace(name);
+    }
+
+    private static void assertEveryCaseEqualsTheTraditionalTrace(String name) {
         Scene scene = SceneFiles.read(name, 24);
         Geometry geometry = Geometry.of(scene);
         RenderOptions options = RenderOptions.DEFAULT.withReflections(ReflectionMode.CURRENT).withThreads(2);

@@ -12,7 +12,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.TimeUnit;
 import lightning.base.text.ReleaseInfo;
-import lightning.sample.Slow;
+import lightning.sample.Nightly;
 import lightning.shot.ShotListener;
 import lightning.shot.ShotRelighter;
 import org.junit.jupiter.api.Test;
@@ -20,9 +20,9 @@ import org.junit.jupiter.api.io.TempDir;
 
 /**
  * Starts three nodes and a client at the same moment. {@code -Dlightning.starts=50} repeats it as often. Prints the seconds until all nodes
- * are in use.
+ * are in use. {@link ClusterTest} starts nodes one after the other in the usual check.
  */
-@Slow
+@Nightly
 final class ConcurrentStartTest {
     private static final int STARTS = Integer.getInteger("lightning.starts", 1);
     private static final int NODES = 3;

@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import lightning.base.work.Await;
-import lightning.sample.Slow;
+import lightning.sample.Nightly;
 import org.jgroups.JChannel;
 import org.jgroups.protocols.DISCARD;
 import org.jgroups.protocols.TCP;
@@ -17,8 +17,11 @@ import org.jgroups.stack.ProtocolStack;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Checks that parts of a cluster that lost each other, or never met, merge: in each pair of members both receive the other's messages. */
-@Slow
+/**
+ * Checks that parts of a cluster that lost each other, or never met, merge: in each pair of members both receive the other's messages.
+ * {@link TlsNetworkTest} checks connections in the usual check, without waiting for timeouts.
+ */
+@Nightly
 final class NetworkSplitTest {
     private static final NodeConfig.Timing QUICK = new NodeConfig.Timing(500, 4000, 1000, 1000);
     private static final int MEMBERS = 4;

@@ -19,7 +19,7 @@ import lightning.format.jen.JenReader;
 import lightning.format.jen.PropertyEdit;
 import lightning.render.fulltrace.TraditionalTracer;
 import lightning.render.image.Film;
-import lightning.sample.Slow;
+import lightning.sample.Nightly;
 import lightning.shot.FrameState;
 import lightning.shot.HostLostException;
 import lightning.shot.ShotListener;
@@ -32,9 +32,10 @@ import org.junit.jupiter.api.io.TempDir;
 
 /**
  * Kills and restarts three node processes at random moments during edits, and compares every film of every frame with its full trace.
- * {@code -Dlightning.kills=100} kills as often, and suspends every tenth node until it counts as lost.
+ * {@code -Dlightning.kills=100} kills as often, and suspends every tenth node until it counts as lost. {@link RenderNodeTest} and {@link
+ * ClusterTest} end nodes in the usual check.
  */
-@Slow
+@Nightly
 final class NodeKillTest {
     private static final int KILLS = Integer.getInteger("lightning.kills", 1);
     private static final int NODES = 3;

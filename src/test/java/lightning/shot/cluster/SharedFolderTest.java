@@ -6,12 +6,15 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import lightning.base.work.Await;
-import lightning.sample.Slow;
+import lightning.sample.Nightly;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Node processes with a common folder, like machines with a shared home folder. */
-@Slow
+/**
+ * Node processes with a common folder, like machines with a shared home folder. {@link RenderNodeTest} uses folders of nodes in the usual
+ * check.
+ */
+@Nightly
 final class SharedFolderTest {
     private static final String REFUSED = "another node uses this folder; choose another one with --folder";
 

@@ -17,6 +17,7 @@ import lightning.editor.document.OpenDocument;
 import lightning.editor.document.cue.Lighting;
 import lightning.editor.document.cue.LightingBlend;
 import lightning.editor.window.EditorFixture;
+import lightning.editor.window.OwnEditor;
 import lightning.editor.window.widget.PictureView;
 import lightning.format.jen.JenReader;
 import lightning.render.shading.reference.ReferenceTracer;
@@ -24,6 +25,7 @@ import lightning.scene.Scene;
 import org.junit.jupiter.api.Test;
 import org.testfx.util.WaitForAsyncUtils;
 
+@OwnEditor
 class CuePaneTest extends EditorFixture {
     private Scene day;
     private Scene night;

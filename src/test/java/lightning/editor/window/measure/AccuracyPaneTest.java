@@ -10,6 +10,7 @@ import lightning.editor.document.Command;
 import lightning.editor.document.DeskScene;
 import lightning.editor.document.EditOutcome;
 import lightning.editor.window.EditorFixture;
+import lightning.editor.window.OwnEditor;
 import lightning.editor.window.widget.PictureView;
 import lightning.render.image.DifferenceImage;
 import lightning.render.image.Film;
@@ -20,6 +21,7 @@ import lightning.render.shading.reference.ReferenceTracer;
 import lightning.scene.Scene;
 import org.junit.jupiter.api.Test;
 
+@OwnEditor
 class AccuracyPaneTest extends EditorFixture {
 
     private void dim() {

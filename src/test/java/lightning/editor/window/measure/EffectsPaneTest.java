@@ -7,10 +7,12 @@ import javafx.scene.input.KeyCode;
 import lightning.editor.document.Command;
 import lightning.editor.document.DeskScene;
 import lightning.editor.window.EditorFixture;
+import lightning.editor.window.OwnEditor;
 import lightning.render.shading.reference.ReferenceTracer;
 import lightning.scene.effects.RenderEffect;
 import org.junit.jupiter.api.Test;
 
+@OwnEditor
 class EffectsPaneTest extends EditorFixture {
 
     private boolean isListed(String id) {

@@ -7,10 +7,12 @@ import javafx.scene.Node;
 import javafx.scene.control.TableView;
 import lightning.editor.document.Command;
 import lightning.editor.window.EditorFixture;
+import lightning.editor.window.OwnEditor;
 import lightning.render.measure.IndirectSweep;
 import lightning.scene.IndirectSettings;
 import org.junit.jupiter.api.Test;
 
+@OwnEditor
 class IndirectAccuracyPaneTest extends EditorFixture {
     private TableView<IndirectSweep.Point> table() {
         return robot.lookup("#indirect-table").query();

@@ -25,6 +25,7 @@ import lightning.editor.document.EditOutcome;
 import lightning.editor.document.LightGroupEdits;
 import lightning.editor.document.MixerEdits;
 import lightning.editor.window.EditorFixture;
+import lightning.editor.window.OwnEditor;
 import lightning.editor.window.widget.PercentText;
 import lightning.render.image.Film;
 import lightning.render.relight.LightImage;
@@ -36,6 +37,7 @@ import lightning.scene.light.Light;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
+@OwnEditor
 class MixerPaneTest extends EditorFixture {
     private Scene first;
 

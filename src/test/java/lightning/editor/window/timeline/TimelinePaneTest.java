@@ -14,6 +14,7 @@ import lightning.editor.document.Command;
 import lightning.editor.document.NumericParameter;
 import lightning.editor.document.OpenDocument;
 import lightning.editor.window.EditorFixture;
+import lightning.editor.window.OwnEditor;
 import lightning.format.jen.JenReader;
 import lightning.render.shading.reference.ReferenceTracer;
 import lightning.scene.light.LightAttribute;
@@ -25,6 +26,7 @@ import lightning.scene.shot.TrackTarget;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
+@OwnEditor
 class TimelinePaneTest extends EditorFixture {
     private static final String SHOT = """
             shot {

@@ -27,6 +27,7 @@ import lightning.editor.document.LightEdits;
 import lightning.editor.document.NumericParameter;
 import lightning.editor.window.EditorFixture;
 import lightning.editor.window.FastRobot;
+import lightning.editor.window.OwnEditor;
 import lightning.editor.window.model.AccuracyMode;
 import lightning.editor.window.model.WindowLayout.CanvasLayout;
 import lightning.editor.window.widget.PictureView;
@@ -303,6 +304,7 @@ class TracedPaneTest extends EditorFixture {
 
     /** Analysis views belong to the window: not to the scene, the undo history, saved images or the preferences. */
     @Test
+    @OwnEditor
     void analysisViews_areNotStored() throws IOException {
         choose("view-agx");
         Scene scene = model().editor().scene();
@@ -357,6 +359,7 @@ class TracedPaneTest extends EditorFixture {
     }
 
     @Test
+    @OwnEditor
     void colorTable_isAppliedStoredAndRemoved() throws IOException {
         answer = Files.writeString(folder.resolve("inverse.cube"), "LUT_1D_SIZE 2\n1 1 1\n0 0 0\n");
         int[] before = model().picture().raster().pixels().pixels().clone();

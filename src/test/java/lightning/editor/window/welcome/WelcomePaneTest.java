@@ -16,6 +16,7 @@ import javafx.scene.input.MouseButton;
 import lightning.editor.document.Command;
 import lightning.editor.document.LightEdits;
 import lightning.editor.window.EditorFixture;
+import lightning.editor.window.OwnEditor;
 import lightning.format.jen.JenFile;
 import org.junit.jupiter.api.Test;
 
@@ -77,6 +78,7 @@ class WelcomePaneTest extends EditorFixture {
     }
 
     @Test
+    @OwnEditor
     void showAtStart_isStored() {
         showPage();
         robot.interact(() -> robot.lookup("#welcome-show").<CheckBox>query().setSelected(false));
@@ -86,6 +88,7 @@ class WelcomePaneTest extends EditorFixture {
     }
 
     @Test
+    @OwnEditor
     void recentFiles_areOffered() throws IOException {
         Path second = Files.copy(model().editor().document().file(), folder.resolve("second.jen"));
         robot.interact(() -> editor.files().load(second));

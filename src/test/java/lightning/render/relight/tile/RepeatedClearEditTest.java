@@ -76,7 +76,7 @@ class RepeatedClearEditTest {
         };
     }
 
-    @Property(tries = 20)
+    @Property
     void editsInAnyOrder_equalReference(@ForAll Random random, @ForAll boolean scalar, @ForAll MirrorStorage storage) {
         Scene scene = scene();
         try (Renderer renderer = new Renderer(options(scalar ? Engines.SCALAR : Engines.LANES, storage))) {

@@ -50,7 +50,7 @@ class RepeatedEditTest {
         return tiles;
     }
 
-    @Property(tries = 25)
+    @Property
     void dragOfTwoLightsInTurn_equalsFullTrace(@ForAll Random random, @ForAll MirrorStorage storage,
             @ForAll @IntRange(min = 7, max = 30) int lights) {
         RenderOptions options = RenderOptions.DEFAULT.withReflections(ReflectionMode.CURRENT).withStorage(storage);
@@ -89,7 +89,7 @@ class RepeatedEditTest {
         return scene.withLights(lights);
     }
 
-    @Property(tries = 25)
+    @Property
     void editsOfOtherThanLights_equalFullTrace(@ForAll Random random, @ForAll MirrorStorage storage,
             @ForAll @IntRange(min = 11, max = 30) int lights) {
         Scene scene = NIGHT.withLights(NIGHT.lights().subList(0, lights));

@@ -1,0 +1,98 @@
+package lightning.editor.window;
+
+import java.nio.file.Path;
+import java.util.List;
+import javafx.event.Event;
+import javafx.scene.Node;
+import javafx.scene.input.KeyCode;
+import javafx.scene.input.KeyEvent;
+import javafx.stage.Stage;
+import javafx.stage.Window;
+import lightning.editor.document.OpenDocument;
+import lightning.editor.window.model.AccuracyMode;
+import lightning.editor.window.model.EditorModel;
+import lightning.editor.window.model.PanelArrangement;
+import lightning.editor.window.model.Preferences;
+import lightning.editor.window.model.UiLanguage;
+import lightning.editor.window.widget.ColorTheme;
+import lightning.render.relight.SceneView;
+import lightning.scene.effects.ViewEffects;
+
+/**
+ * Returns an open editor to the state in which it opened: opens a document, closes all other windows and restores all settings. Call its
+ * methods on the window's thread.
+ *
+ * @param x initial position of the window's left edge, pixels of the screen
+ * @param y initial position of its upper edge, pixels
+ * @param width initial width of the window, pixels
+ * @param height initial height of the window, pixels
+ */
+record EditorReset(Stage stage, Editor editor, double x, double y, double width, double height) {
+    /** Folder that does not exist, so all settings have their defaults. */
+    private static final Path NO_PREFERENCES = Path.of("target/no-preferences");
+
+    private static final int ESCAPES = 3;
+
+    static EditorReset of(Stage stage, Editor editor) {
+        return new EditorReset(stage, editor, stage.getX(), stage.getY(), stage.getWidth(), stage.getHeight());
+    }
+
+    void restore(OpenDocument document) {
+        hideOtherWindows();
+        cancelTools();
+        restoreWindow();
+        restoreSettings();
+        editor.model().open(document);
+        editor.model().picture().viewProperty().set(SceneView.of(document.scene()));
+        editor.model().editor().materialShownProperty().set(false);
+        editor.model().materials().choose("");
+        editor.model().editor().message().clear();
+        editor.window().focus();
+    }
+
+    /** Closes secondary windows, menus and dialogs. */
+    void hideOtherWindows() {
+        // On the headless platform, a window that closes would keep the focus.
+        stage.requestFocus();
+        List.copyOf(Window.getWindows()).reversed().stream().filter(window -> window != stage).forEach(Window::hide);
+    }
+
+    /** Each Escape ends one of a drag, a tool and a choice of pixels or a region, which outlive their document. */
+    private void cancelTools() {
+        Node picture = stage.getScene().lookup("#traced-picture");
+        for (int i = 0; i < ESCAPES; i++) {
+            Event.fireEvent(picture, new KeyEvent(KeyEvent.KEY_PRESSED, "", "", KeyCode.ESCAPE, false, false, false, false));
+        }
+    }
+
+    private void restoreWindow() {
+        ColorTheme.DARK.apply();
+        stage.setFullScreen(false);
+        stage.setX(x);
+        stage.setY(y);
+        stage.setWidth(width);
+        stage.setHeight(height);
+        if (!stage.isShowing()) {
+            stage.show();
+        }
+        stage.requestFocus();
+    }
+
+    private void restoreSettings() {
+        EditorModel model = editor.model();
+        var defaults = new Preferences(NO_PREFERENCES, Runnable::run);
+        model.layout().restore(defaults);
+        model.layout().panelsHiddenProperty().set(false);
+        model.layout().filmStripShownProperty().set(false);
+        model.layout().panelsProperty().set(PanelArrangement.INITIAL.closeAll());
+        model.accuracyModeProperty().set(AccuracyMode.EXACT);
+        model.editor().liveProperty().set(false);
+        model.previewSettings().restore(defaults);
+        model.previewSettings().gizmosHiddenProperty().set(false);
+        model.commands().keyBindings().reset();
+        model.renderMachines().restore(defaults);
+        model.languageProperty().set(UiLanguage.SYSTEM);
+        model.pictureDisplay().onlySelectedProperty().set(false);
+        model.pictureDisplay().effectsProperty().set(ViewEffects.ALL);
+    }
+}
