@@ -8,6 +8,7 @@ import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyEvent;
 import javafx.stage.Stage;
 import javafx.stage.Window;
+import lightning.editor.document.Command;
 import lightning.editor.document.OpenDocument;
 import lightning.editor.window.model.AccuracyMode;
 import lightning.editor.window.model.EditorModel;
@@ -92,7 +93,9 @@ record EditorReset(Stage stage, Editor editor, double x, double y, double width,
         model.commands().keyBindings().reset();
         model.renderMachines().restore(defaults);
         model.languageProperty().set(UiLanguage.SYSTEM);
-        model.pictureDisplay().onlySelectedProperty().set(false);
+        if (model.commands().toggleState(Command.ONLY_SELECTED).orElseThrow().getValue()) {
+            model.commands().run(Command.ONLY_SELECTED);
+        }
         model.pictureDisplay().effectsProperty().set(ViewEffects.ALL);
     }
 }

@@ -47,11 +47,6 @@ public final class PictureDisplay {
         return mode.isFullPicture();
     }
 
-    /** Returns whether only the selected light's contribution is shown. */
-    public BooleanProperty onlySelectedProperty() {
-        return onlySelected;
-    }
-
     public ObjectProperty<ViewEffects> effectsProperty() {
         return effects;
     }
