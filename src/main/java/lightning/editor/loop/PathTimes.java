@@ -2,17 +2,23 @@ package lightning.editor.loop;
 
 /** Expected time of tracing paths of indirect light again after an edit of objects, from the last such update. Not thread-safe. */
 final class PathTimes {
-    /** Time from which a picture with direct light is shown first, in seconds. */
-    private static final double SLOW_SECONDS = 0.15;
+    /** Usual time from which a picture with direct light is shown first, in seconds. */
+    static final double SLOW_SECONDS = 0.15;
     /** Usual time of an edit's paths, relative to that of all paths: half of the rays and filters are kept. */
     private static final double REPEATED_SHARE = 0.5;
 
+    private final double slowSeconds;
     private double pathSeconds;
     private double directSeconds;
 
+    /** @param slowSeconds time from which a picture with direct light is shown first, in seconds */
+    PathTimes(double slowSeconds) {
+        this.slowSeconds = slowSeconds;
+    }
+
     /** Returns whether the next edit of objects is expected to spend long on paths. */
     boolean areSlow() {
-        return pathSeconds > SLOW_SECONDS;
+        return pathSeconds > slowSeconds;
     }
 
     /** Records that all paths were built, for a picture with direct light. */

@@ -29,8 +29,13 @@ public final class RenderLoop implements AutoCloseable {
 
     /** Starts the thread. Renders nothing until a scene is requested. */
     public RenderLoop(RenderOptions options, RenderListener listener) {
+        this(options, listener, PathTimes.SLOW_SECONDS);
+    }
+
+    /** @param slowPaths time of paths of indirect light from which a picture with direct light is shown first, in seconds */
+    RenderLoop(RenderOptions options, RenderListener listener, double slowPaths) {
         verifier = new PictureVerifier(options.threads(), listener);
-        worker = new RenderWorker(options, queue, verifier, listener);
+        worker = new RenderWorker(options, queue, verifier, listener, new PathTimes(slowPaths));
         thread = DedicatedThread.create("lightning-render", new RenderJobRunner(queue, worker, listener));
         thread.start();
     }

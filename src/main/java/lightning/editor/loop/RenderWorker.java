@@ -51,13 +51,14 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
     private volatile double slowSeconds;
     /** Pixels of coarse images that all threads trace per second. */
     private volatile double coarsePixelsPerSecond;
-    private final PathTimes pathTimes = new PathTimes();
+    private final PathTimes pathTimes;
     /** Cache of the last picture with indirect light while one without it is shown, to keep its paths; otherwise null. */
     private PixelCache pathsCache;
     /** Cache of the last reported image, weakly referenced so that readers do not keep it in memory. */
     private volatile WeakReference<PixelCache> publishedCache = new WeakReference<>(null);
 
-    RenderWorker(RenderOptions options, RenderQueue queue, PictureVerifier verifier, RenderListener listener) {
+    RenderWorker(RenderOptions options, RenderQueue queue, PictureVerifier verifier, RenderListener listener, PathTimes pathTimes) {
+        this.pathTimes = pathTimes;
         renderer = new Renderer(options);
         this.queue = queue;
         this.verifier = verifier;

@@ -26,9 +26,12 @@ import org.junit.jupiter.api.Test;
 
 /** The picture with direct light that precedes the one with indirect light. */
 class DirectLightFirstTest {
+    /** Paths count as slow even if they take no time at all, so that these tests do not depend on the speed of the machine. */
+    private static final double ALWAYS_SLOW = -1;
+
     private final RecordingRenderListener listener = new RecordingRenderListener();
     private final RenderLoop loop =
-            new RenderLoop(RenderOptions.DEFAULT.withReflections(ReflectionMode.STALE).withThreads(2), listener);
+            new RenderLoop(RenderOptions.DEFAULT.withReflections(ReflectionMode.STALE).withThreads(2), listener, ALWAYS_SLOW);
     private final Scene scene = IndirectScenes.all().get("mirror ball");
 
     @AfterEach
