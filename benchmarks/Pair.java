@@ -57,8 +57,9 @@ final class Pair {
         Scene read = JenReader.read(Path.of(args[0])).scene();
         Scene scene = read.withPicture(new PictureSettings(1920, 1080, read.picture().depth()));
         try (var renderer = new Renderer(RenderOptions.DEFAULT.withReflections(ReflectionMode.STALE).withThreads(THREADS));
-                var workers = new WorkerPool(THREADS)) {
-            var geometry = Geometry.of(scene);
+                var preparing = new Renderer(RenderOptions.DEFAULT.withThreads(THREADS)); var workers = new WorkerPool(THREADS)) {
+            // By a renderer, because builds differ in how geometry is made.
+            Geometry geometry = preparing.prepare(scene);
             print("full-trace",
                     times(FIRST_WINDOW, () -> {}, () -> new TraditionalTracer(scene, geometry).trace(workers, Progress.NONE)),
                     0, 0);

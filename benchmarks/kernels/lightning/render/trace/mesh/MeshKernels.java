@@ -6,7 +6,7 @@ import lightning.bench.mesh.BumpySphere;
 import lightning.bench.mesh.RaySet;
 import lightning.bench.mesh.RaySetGenerator;
 import lightning.render.engine.KernelAgreement;
-import lightning.render.trace.solid.RayBatch;
+import lightning.render.trace.solid.LaneRays;
 import lightning.scene.node.Mesh;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.BenchmarkMode;
@@ -31,7 +31,7 @@ import org.openjdk.jmh.annotations.Warmup;
 public class MeshKernels {
     private static final int RAYS = 1 << 14;
     private static final int SIZE = 256;
-    private static final int GROUP = MeshPacketTraversal.PACKETS * RayBatch.WIDTH;
+    private static final int GROUP = MeshPacketTraversal.PACKETS * LaneRays.WIDTH;
     private static final double[] IDENTITY = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
 
     @Param({"10000", "1000000"})
@@ -41,8 +41,8 @@ public class MeshKernels {
     public RaySet.Kind kind;
 
     private final MeshPacketTraversal packets = new MeshPacketTraversal();
-    private final RayBatch[] rays = new RayBatch[RAYS / RayBatch.WIDTH];
-    private final double[] limits = new double[RayBatch.WIDTH];
+    private final LaneRays[] rays = new LaneRays[RAYS / LaneRays.WIDTH];
+    private final double[] limits = new double[LaneRays.WIDTH];
     private final int[] hitFlags = new int[RAYS];
     private MeshSolid solid;
     private boolean anyHit;
@@ -70,8 +70,8 @@ public class MeshKernels {
         MeshRayQuery probe = new MeshRayQuery();
         int hits = 0;
         for (int i = 0; i < RAYS; i++) {
-            RayBatch p = rays[i / RayBatch.WIDTH];
-            int k = i % RayBatch.WIDTH;
+            LaneRays p = rays[i / LaneRays.WIDTH];
+            int k = i % LaneRays.WIDTH;
             probe.setRay(solid, p.ox[k], p.oy[k], p.oz[k], p.dx[k], p.dy[k], p.dz[k]);
             int expected =
                     anyHit ? (probe.isBlocked(1) ? 0 : -1) : probe.nearest(Double.POSITIVE_INFINITY) < MeshRay.MISS ? probe.triangle() : -1;
@@ -84,11 +84,11 @@ public class MeshKernels {
     }
 
     private void addRay(int i, double[] r) {
-        if (i % RayBatch.WIDTH == 0) {
-            rays[i / RayBatch.WIDTH] = new RayBatch();
+        if (i % LaneRays.WIDTH == 0) {
+            rays[i / LaneRays.WIDTH] = new LaneRays();
         }
-        RayBatch p = rays[i / RayBatch.WIDTH];
-        int k = i % RayBatch.WIDTH;
+        LaneRays p = rays[i / LaneRays.WIDTH];
+        int k = i % LaneRays.WIDTH;
         p.ox[k] = r[0];
         p.oy[k] = r[1];
         p.oz[k] = r[2];
@@ -103,8 +103,8 @@ public class MeshKernels {
     public int[] search() {
         for (int n = 0; n < RAYS; n += GROUP) {
             packets.beginGroup(solid, IDENTITY, 0);
-            for (int i = n; i < n + GROUP; i += RayBatch.WIDTH) {
-                packets.addPacket(rays[i / RayBatch.WIDTH], -1 >>> -RayBatch.WIDTH, limits);
+            for (int i = n; i < n + GROUP; i += LaneRays.WIDTH) {
+                packets.addPacket(rays[i / LaneRays.WIDTH], -1 >>> -LaneRays.WIDTH, limits);
             }
             if (anyHit) {
                 packets.findBlocked();
@@ -112,9 +112,9 @@ public class MeshKernels {
                 packets.findNearest();
             }
             for (int i = 0; i < GROUP; i++) {
-                int k = i / RayBatch.WIDTH;
-                boolean there = (packets.hitMask(k) >>> i % RayBatch.WIDTH & 1) != 0;
-                hitFlags[n + i] = !there ? -1 : anyHit ? 0 : packets.triangle(k, i % RayBatch.WIDTH);
+                int k = i / LaneRays.WIDTH;
+                boolean there = (packets.hitMask(k) >>> i % LaneRays.WIDTH & 1) != 0;
+                hitFlags[n + i] = !there ? -1 : anyHit ? 0 : packets.triangle(k, i % LaneRays.WIDTH);
             }
         }
         return hitFlags;

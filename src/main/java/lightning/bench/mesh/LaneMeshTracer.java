@@ -11,22 +11,22 @@ import jdk.incubator.vector.VectorSpecies;
 import lightning.render.trace.mesh.MeshPacketTraversal;
 import lightning.render.trace.mesh.MeshSolid;
 import lightning.render.trace.solid.DoubleLanes;
-import lightning.render.trace.solid.RayBatch;
+import lightning.render.trace.solid.LaneRays;
 
 /** Tracer of ray sets with our vector lanes, on the calling thread. */
 public final class LaneMeshTracer {
     private static final double[] IDENTITY = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
     private static final ThreadMXBean THREADS = ManagementFactory.getThreadMXBean();
-    private static final int RAYS_PER_GROUP = MeshPacketTraversal.PACKETS * RayBatch.WIDTH;
-    private static final int ALL_LANES = -1 >>> -RayBatch.WIDTH;
+    private static final int RAYS_PER_GROUP = MeshPacketTraversal.PACKETS * LaneRays.WIDTH;
+    private static final int ALL_LANES = -1 >>> -LaneRays.WIDTH;
 
     private static final VectorSpecies<Float> FLOATS =
             VectorSpecies.of(float.class, VectorShape.forBitSize(DoubleLanes.SPECIES.vectorBitSize() / 2));
 
     private final MeshSolid solid;
     private final MeshPacketTraversal packets = new MeshPacketTraversal();
-    private final RayBatch rays = new RayBatch();
-    private final double[] limits = new double[RayBatch.WIDTH];
+    private final LaneRays rays = new LaneRays();
+    private final double[] limits = new double[LaneRays.WIDTH];
     /** Number of hits, so that the compiler does not eliminate the search. */
     private int hits;
 
@@ -43,7 +43,7 @@ public final class LaneMeshTracer {
         for (int n = 0; n < set.count(); n += RAYS_PER_GROUP) {
             packets.beginGroup(solid, IDENTITY, 0);
             int end = Math.min(n + RAYS_PER_GROUP, set.count());
-            for (int i = n; i < end; i += RayBatch.WIDTH) {
+            for (int i = n; i < end; i += LaneRays.WIDTH) {
                 load(set, i);
                 packets.addPacket(rays, ALL_LANES, limits);
             }
@@ -52,7 +52,7 @@ public final class LaneMeshTracer {
             } else {
                 packets.findNearest();
             }
-            for (int k = 0; n + k * RayBatch.WIDTH < end; k++) {
+            for (int k = 0; n + k * LaneRays.WIDTH < end; k++) {
                 hits += Integer.bitCount(packets.hitMask(k));
             }
         }
@@ -69,7 +69,7 @@ public final class LaneMeshTracer {
     }
 
     private static void load(float[] from, int at, double[] to) {
-        for (int i = 0; i < RayBatch.WIDTH; i += DoubleLanes.COUNT) {
+        for (int i = 0; i < LaneRays.WIDTH; i += DoubleLanes.COUNT) {
             ((DoubleVector) FloatVector.fromArray(FLOATS, from, at + i).convertShape(VectorOperators.F2D, DoubleLanes.SPECIES, 0))
                     .intoArray(to, i);
         }

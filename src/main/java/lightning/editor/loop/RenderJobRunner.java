@@ -12,7 +12,7 @@ record RenderJobRunner(RenderQueue queue, RenderJobHandler handler, RenderListen
          *
          * @throws CancellationException if {@code signal} was canceled; the image is then unchanged
          */
-        void handle(RenderQueue.RenderJob job, RenderQueue.CancelSignal signal);
+        void handle(RenderQueue.Job job, RenderQueue.CancelSignal signal);
 
         /** Returns the scene of the current image; null before the first. */
         Scene renderedScene();
@@ -42,7 +42,7 @@ record RenderJobRunner(RenderQueue queue, RenderJobHandler handler, RenderListen
         try (handler) {
             while (true) {
                 var signal = new RenderQueue.CancelSignal(new ProgressReport(listener));
-                RenderQueue.RenderJob job = queue.take(signal);
+                RenderQueue.Job job = queue.take(signal);
                 if (job == null) {
                     return;
                 }
@@ -59,7 +59,7 @@ record RenderJobRunner(RenderQueue queue, RenderJobHandler handler, RenderListen
         }
     }
 
-    private void tryJob(RenderQueue.RenderJob job, RenderQueue.CancelSignal signal) {
+    private void tryJob(RenderQueue.Job job, RenderQueue.CancelSignal signal) {
         try {
             handler.handle(job, signal);
         } catch (CancellationException e) {

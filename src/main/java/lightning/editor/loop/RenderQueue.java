@@ -12,24 +12,24 @@ import lightning.scene.Scene;
  */
 final class RenderQueue {
     /** Job of the queue. */
-    public sealed interface RenderJob {
-        record Render(Scene scene) implements RenderJob {}
+    public sealed interface Job {
+        record Render(Scene scene) implements Job {}
 
-        record UpdateReflections() implements RenderJob {}
+        record UpdateReflections() implements Job {}
 
         /** Renders the missing anti-aliasing samples of the image. */
-        record RenderSamples() implements RenderJob {}
+        record RenderSamples() implements Job {}
 
-        record Verify() implements RenderJob {}
+        record Verify() implements Job {}
 
         /** Drops the cache, for the document of that number. */
-        record DropPicture(long number) implements RenderJob {}
+        record DropPicture(long number) implements Job {}
 
         /** Displays the current image in another display mode. */
-        public record Redisplay() implements RenderJob {}
+        public record Redisplay() implements Job {}
 
         /** Switches the renderer's options, then renders {@code scene}; null if nothing was rendered yet. */
-        record ChangeOptions(RenderOptions options, Scene scene) implements RenderJob {}
+        record ChangeOptions(RenderOptions options, Scene scene) implements Job {}
 
         /** Returns the slot in which it waits. */
         private Slot slot() {
@@ -107,29 +107,29 @@ final class RenderQueue {
     }
 
     /** Newest waiting job of each kind. A change of options gets its scene when it starts. */
-    private final Map<Slot, RenderJob> waiting = new EnumMap<>(Slot.class);
+    private final Map<Slot, Job> waiting = new EnumMap<>(Slot.class);
     private boolean closed;
-    private RenderJob running;
+    private Job running;
     private Scene rendered;
     private CancelSignal cancelSignal;
 
-    private void add(RenderJob job) {
+    private void add(Job job) {
         waiting.put(job.slot(), job);
         notifyAll();
     }
 
     /** Returns the scene that waits; null if none does. */
     private Scene waitingScene() {
-        return waiting.get(Slot.SCENE) instanceof RenderJob.Render r ? r.scene() : null;
+        return waiting.get(Slot.SCENE) instanceof Job.Render r ? r.scene() : null;
     }
 
     synchronized void render(Scene requested) {
-        add(new RenderJob.Render(requested));
+        add(new Job.Render(requested));
         if (requested != rendered) {
             postponeSamples();
         }
         if (isObsoleteFor(requested)) {
-            if (running instanceof RenderJob.UpdateReflections) {
+            if (running instanceof Job.UpdateReflections) {
                 // Reflections of the newer scene are still requested.
                 add(running);
             }
@@ -152,13 +152,13 @@ final class RenderQueue {
 
     private void replaceRunning() {
         if (waiting.containsKey(Slot.SCENE) && cancelSignal != null && cancelSignal.isReplaceable
-                && !(running instanceof RenderJob.ChangeOptions || isRunning(waitingScene()))) {
+                && !(running instanceof Job.ChangeOptions || isRunning(waitingScene()))) {
             cancelSignal.preempt();
         }
     }
 
     private boolean isRunning(Scene requested) {
-        return running instanceof RenderJob.Render r && r.scene() == requested;
+        return running instanceof Job.Render r && r.scene() == requested;
     }
 
     /**
@@ -168,48 +168,48 @@ final class RenderQueue {
     private boolean isObsoleteFor(Scene requested) {
         return switch (running) {
             case null -> false;
-            case RenderJob.Render r -> !r.scene().hasSameView(requested);
-            case RenderJob.ChangeOptions r -> r.scene() != null && !r.scene().hasSameView(requested);
-            case RenderJob.UpdateReflections _ -> true;
-            case RenderJob.RenderSamples _,RenderJob.Verify _,RenderJob.Redisplay _,RenderJob.DropPicture _ -> false;
+            case Job.Render r -> !r.scene().hasSameView(requested);
+            case Job.ChangeOptions r -> r.scene() != null && !r.scene().hasSameView(requested);
+            case Job.UpdateReflections _ -> true;
+            case Job.RenderSamples _,Job.Verify _,Job.Redisplay _,Job.DropPicture _ -> false;
         };
     }
 
     synchronized void requestReflections() {
-        add(new RenderJob.UpdateReflections());
+        add(new Job.UpdateReflections());
     }
 
     /** Requests the missing samples of the image, at the lowest priority. */
     synchronized void requestSamples() {
-        add(new RenderJob.RenderSamples());
+        add(new Job.RenderSamples());
     }
 
     /** Lets other jobs run before samples, whose start is not visible. */
     private void postponeSamples() {
-        if (running instanceof RenderJob.RenderSamples) {
+        if (running instanceof Job.RenderSamples) {
             add(running);
             cancelSignal.preempt();
         }
     }
 
     synchronized void requestVerification() {
-        add(new RenderJob.Verify());
+        add(new Job.Verify());
     }
 
     synchronized void requestRedisplay() {
-        add(new RenderJob.Redisplay());
+        add(new Job.Redisplay());
         postponeSamples();
     }
 
     /** Drops all pending work, running work and the cache for another document. */
     synchronized void open(Scene requested, long number) {
         cancel();
-        add(new RenderJob.DropPicture(number));
+        add(new Job.DropPicture(number));
         render(requested);
     }
 
     synchronized void changeOptions(RenderOptions requested) {
-        add(new RenderJob.ChangeOptions(requested, null));
+        add(new Job.ChangeOptions(requested, null));
         postponeSamples();
     }
 
@@ -241,11 +241,11 @@ final class RenderQueue {
 
     /** Returns whether a verification is pending or about to start. */
     synchronized boolean isVerifying() {
-        return waiting.containsKey(Slot.VERIFICATION) || running instanceof RenderJob.Verify;
+        return waiting.containsKey(Slot.VERIFICATION) || running instanceof Job.Verify;
     }
 
     /** Waits for a job. Returns null when the queue is closed. */
-    synchronized RenderJob take(CancelSignal newSignal) throws InterruptedException {
+    synchronized Job take(CancelSignal newSignal) throws InterruptedException {
         while (!closed && waiting.isEmpty()) {
             wait();
         }
@@ -257,12 +257,12 @@ final class RenderQueue {
         return running;
     }
 
-    private RenderJob next() {
-        RenderJob first = waiting.remove(waiting.keySet().iterator().next());
-        if (first instanceof RenderJob.ChangeOptions change) {
+    private Job next() {
+        Job first = waiting.remove(waiting.keySet().iterator().next());
+        if (first instanceof Job.ChangeOptions change) {
             Scene scene = waitingScene();
             waiting.remove(Slot.SCENE);
-            return new RenderJob.ChangeOptions(change.options(), scene == null ? rendered : scene);
+            return new Job.ChangeOptions(change.options(), scene == null ? rendered : scene);
         }
         return first;
     }

@@ -84,16 +84,16 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
     }
 
     @Override
-    public void handle(RenderQueue.RenderJob job, RenderQueue.CancelSignal signal) {
+    public void handle(RenderQueue.Job job, RenderQueue.CancelSignal signal) {
         verifier.stopIdleWork();
         switch (job) {
-            case RenderQueue.RenderJob.Render r -> renderScene(r.scene(), signal);
-            case RenderQueue.RenderJob.ChangeOptions r -> changeOptions(r, signal);
-            case RenderQueue.RenderJob.UpdateReflections _ -> updateReflections(signal);
-            case RenderQueue.RenderJob.Redisplay _ -> redisplay(signal);
-            case RenderQueue.RenderJob.RenderSamples _ -> renderSamples(signal);
-            case RenderQueue.RenderJob.Verify _ -> startVerification(signal);
-            case RenderQueue.RenderJob.DropPicture f -> dropDocument(f.number());
+            case RenderQueue.Job.Render r -> renderScene(r.scene(), signal);
+            case RenderQueue.Job.ChangeOptions r -> changeOptions(r, signal);
+            case RenderQueue.Job.UpdateReflections _ -> updateReflections(signal);
+            case RenderQueue.Job.Redisplay _ -> redisplay(signal);
+            case RenderQueue.Job.RenderSamples _ -> renderSamples(signal);
+            case RenderQueue.Job.Verify _ -> startVerification(signal);
+            case RenderQueue.Job.DropPicture f -> dropDocument(f.number());
         }
     }
 
@@ -109,7 +109,7 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
         }
     }
 
-    private void changeOptions(RenderQueue.RenderJob.ChangeOptions job, RenderQueue.CancelSignal signal) {
+    private void changeOptions(RenderQueue.Job.ChangeOptions job, RenderQueue.CancelSignal signal) {
         renderer.setOptions(job.options());
         pathsCache = null;
         if (!renderer.state().hasPicture()) {

@@ -83,8 +83,8 @@ class RenderJobRunnerModelTest {
         }
 
         @Override
-        public void handle(RenderQueue.RenderJob work, RenderQueue.CancelSignal stop) {
-            if (work instanceof RenderQueue.RenderJob.Render(Scene scene)) {
+        public void handle(RenderQueue.Job work, RenderQueue.CancelSignal stop) {
+            if (work instanceof RenderQueue.Job.Render(Scene scene)) {
                 tiles(stop);
                 if (scene == broken) {
                     throw new IllegalStateException("broken");
@@ -93,7 +93,7 @@ class RenderJobRunnerModelTest {
                 if (!isFinished) {
                     queue.requestSamples();
                 }
-            } else if (work instanceof RenderQueue.RenderJob.RenderSamples && !isFinished) {
+            } else if (work instanceof RenderQueue.Job.RenderSamples && !isFinished) {
                 tiles(stop);
                 show(renderedScene, true);
             }

@@ -24,7 +24,7 @@ class RenderQueueModelTest {
     /** Model of a render loop that only records its jobs. */
     private static final class QueueConsumer {
         private final RenderQueue queue;
-        private final List<RenderQueue.RenderJob> finished = new ArrayList<>();
+        private final List<RenderQueue.Job> finished = new ArrayList<>();
         private volatile boolean canceled;
         private boolean started;
         private boolean isIdle;
@@ -37,7 +37,7 @@ class RenderQueueModelTest {
         void run() throws InterruptedException {
             while (true) {
                 var stop = new RenderQueue.CancelSignal((_, _) -> {});
-                RenderQueue.RenderJob work = queue.take(stop);
+                RenderQueue.Job work = queue.take(stop);
                 if (work == null) {
                     return;
                 }
@@ -62,9 +62,9 @@ class RenderQueueModelTest {
             }
         }
 
-        private synchronized void finish(RenderQueue.RenderJob work) {
+        private synchronized void finish(RenderQueue.Job work) {
             finished.add(work);
-            shown = work instanceof RenderQueue.RenderJob.Render(Scene scene) ? scene : shown;
+            shown = work instanceof RenderQueue.Job.Render(Scene scene) ? scene : shown;
         }
 
         private synchronized void setIdle(boolean nothingLeft) {
@@ -72,7 +72,7 @@ class RenderQueueModelTest {
             notifyAll();
         }
 
-        synchronized List<RenderQueue.RenderJob> finished() {
+        synchronized List<RenderQueue.Job> finished() {
             return List.copyOf(finished);
         }
 
@@ -99,8 +99,8 @@ class RenderQueueModelTest {
             taker.awaitRest();
             check(taker.shown() == THIRD, "last requested edit rendered last");
             int before = -1;
-            for (RenderQueue.RenderJob work : taker.finished()) {
-                int number = List.of(FIRST, SECOND, THIRD).indexOf(((RenderQueue.RenderJob.Render) work).scene());
+            for (RenderQueue.Job work : taker.finished()) {
+                int number = List.of(FIRST, SECOND, THIRD).indexOf(((RenderQueue.Job.Render) work).scene());
                 check(number > before, "no older edit rendered after a newer one");
                 before = number;
             }
@@ -123,11 +123,11 @@ class RenderQueueModelTest {
             queue.requestRedisplay();
             other.end();
             taker.awaitRest();
-            List<RenderQueue.RenderJob> done = taker.finished();
-            check(done.contains(new RenderQueue.RenderJob.UpdateReflections()), "reflections not lost");
-            check(done.contains(new RenderQueue.RenderJob.Redisplay()), "redisplay not lost");
-            check(done.contains(new RenderQueue.RenderJob.Verify()), "verification not lost");
-            check(done.contains(new RenderQueue.RenderJob.ChangeOptions(RenderOptions.DEFAULT, null)), "options not lost");
+            List<RenderQueue.Job> done = taker.finished();
+            check(done.contains(new RenderQueue.Job.UpdateReflections()), "reflections not lost");
+            check(done.contains(new RenderQueue.Job.Redisplay()), "redisplay not lost");
+            check(done.contains(new RenderQueue.Job.Verify()), "verification not lost");
+            check(done.contains(new RenderQueue.Job.ChangeOptions(RenderOptions.DEFAULT, null)), "options not lost");
             check(done.size() == 4, "no job runs twice");
             queue.close();
             loop.end();
@@ -144,7 +144,7 @@ class RenderQueueModelTest {
             taker.awaitBegun();
             queue.render(FIRST);
             taker.awaitRest();
-            check(taker.finished().contains(new RenderQueue.RenderJob.UpdateReflections()), "reflections still requested");
+            check(taker.finished().contains(new RenderQueue.Job.UpdateReflections()), "reflections still requested");
             check(taker.shown() == FIRST, "edit rendered");
             queue.close();
             loop.end();
@@ -158,7 +158,7 @@ class RenderQueueModelTest {
             var asked = new CountDownLatch(1);
             queue.requestSamples();
             var samples = new RenderQueue.CancelSignal((_, _) -> {});
-            check(queue.take(samples) instanceof RenderQueue.RenderJob.RenderSamples, "samples rendered without other jobs");
+            check(queue.take(samples) instanceof RenderQueue.Job.RenderSamples, "samples rendered without other jobs");
             ScheduleExplorer.ConcurrentRun window = ScheduleExplorer.startConcurrently(() -> {
                 queue.render(FIRST);
                 asked.countDown();
@@ -166,9 +166,9 @@ class RenderQueueModelTest {
             asked.await();
             check(samples.isCanceled() && samples.isPreempted(), "samples preempted silently");
             check(!queue.finishJob(null), "edit pending");
-            check(queue.take(new RenderQueue.CancelSignal((_, _) -> {})) instanceof RenderQueue.RenderJob.Render, "edit before samples");
+            check(queue.take(new RenderQueue.CancelSignal((_, _) -> {})) instanceof RenderQueue.Job.Render, "edit before samples");
             check(!queue.finishJob(FIRST), "samples still requested");
-            check(queue.take(new RenderQueue.CancelSignal((_, _) -> {})) instanceof RenderQueue.RenderJob.RenderSamples,
+            check(queue.take(new RenderQueue.CancelSignal((_, _) -> {})) instanceof RenderQueue.Job.RenderSamples,
                     "they come after the edit");
             check(queue.finishJob(FIRST), "no job left");
             window.end();
@@ -202,8 +202,8 @@ class RenderQueueModelTest {
             var taker = new QueueConsumer(queue);
             ScheduleExplorer.ConcurrentRun loop = ScheduleExplorer.startConcurrently(taker::run);
             taker.awaitRest();
-            check(taker.finished().equals(List.of(new RenderQueue.RenderJob.Render(FIRST), new RenderQueue.RenderJob.RenderSamples(),
-                    new RenderQueue.RenderJob.Verify())), "what is seen first comes first");
+            check(taker.finished().equals(List.of(new RenderQueue.Job.Render(FIRST), new RenderQueue.Job.RenderSamples(),
+                    new RenderQueue.Job.Verify())), "what is seen first comes first");
             queue.close();
             loop.end();
         });
@@ -237,7 +237,7 @@ class RenderQueueModelTest {
             window.end();
             check(update.isCanceled() && update.isPreempted(), "update preempted silently");
             check(!queue.finishJob(null), "newer scene pending");
-            check(queue.take(new RenderQueue.CancelSignal((_, _) -> {})).equals(new RenderQueue.RenderJob.Render(SECOND)),
+            check(queue.take(new RenderQueue.CancelSignal((_, _) -> {})).equals(new RenderQueue.Job.Render(SECOND)),
                     "newer scene rendered");
         });
     }
@@ -264,7 +264,7 @@ class RenderQueueModelTest {
             var stops = new ArrayList<RenderQueue.CancelSignal>();
             ScheduleExplorer.ConcurrentRun loop = ScheduleExplorer.startConcurrently(() -> {
                 var stop = new RenderQueue.CancelSignal((_, _) -> {});
-                boolean larger = queue.take(stop) instanceof RenderQueue.RenderJob.Render(Scene scene) && scene == LARGER;
+                boolean larger = queue.take(stop) instanceof RenderQueue.Job.Render(Scene scene) && scene == LARGER;
                 synchronized (stops) {
                     stops.add(larger ? stop : null);
                     stops.notifyAll();
@@ -308,7 +308,7 @@ class RenderQueueModelTest {
             check(busy || taker.shown() == FIRST, "request pending, running or done");
             queue.requestVerification();
             boolean verifying = queue.isVerifying();
-            check(verifying || taker.finished().contains(new RenderQueue.RenderJob.Verify()), "verification pending, running or done");
+            check(verifying || taker.finished().contains(new RenderQueue.Job.Verify()), "verification pending, running or done");
             queue.close();
             loop.end();
         });

@@ -68,7 +68,7 @@ final class WorldPane extends VBox {
                         FileField.forWorld(editor, model.commands(), model.fileImporter(), visibleState),
                         new EnvironmentPicture(editor, visibleState), environmentRows,
                         number(NumericParameter.AMBIENCE), backgroundRows, number(NumericParameter.METERS)),
-                SectionLayout.section(Messages.tr("Indirect Light"), new IndirectRows(editor, model.commands(), visibleState)),
+                SectionLayout.section(Messages.tr("Indirect Light"), new IndirectControls(editor, model.commands(), visibleState)),
                 SectionLayout.section(Messages.tr("View"), SectionLayout.caption(Messages.tr("View Transform")), curveBox(), exposure,
                         lut(model)));
         setVgrow(scroll, Priority.ALWAYS);

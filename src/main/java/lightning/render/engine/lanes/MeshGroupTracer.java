@@ -48,7 +48,7 @@ final class MeshGroupTracer {
     private boolean passes(int ray, int triangle, double t) {
         RayPacket p = currentGroup[packetIndices[ray / W]];
         int i = ray % W;
-        return cutoutTest.setRay(currentMesh, p.ox[i], p.oy[i], p.oz[i], p.dx[i], p.dy[i], p.dz[i]).passes(triangle, t);
+        return cutoutTest.setRay(currentMesh, p.ox[i], p.oy[i], p.oz[i], p.dx[i], p.dy[i], p.dz[i]).isHole(triangle, t);
     }
 
     /** Returns the rays of packet {@code k} that are in a set. */

@@ -1,10 +1,10 @@
 package lightning.render.engine.lanes;
 
-import lightning.render.trace.solid.RayBatch;
+import lightning.render.trace.solid.LaneRays;
 import lightning.render.trace.tree.ShadowRayTarget;
 
 /** Packet of rays, one per lane, with their hits. Reused; not thread-safe. */
-public final class RayPacket extends RayBatch {
+public final class RayPacket extends LaneRays {
     /** Distance from which primitives do not block; used only by {@link PacketTracer#findBlocked}. */
     public final double[] limit = new double[WIDTH];
     /** Target of shadow rays to a light, at distance 1; used only by {@link PacketTracer#findBlocked}. */

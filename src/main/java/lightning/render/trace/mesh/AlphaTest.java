@@ -4,5 +4,5 @@ package lightning.render.trace.mesh;
 @FunctionalInterface
 public interface AlphaTest {
     /** Returns whether a triangle has a hole where the ray hits it at a distance. */
-    boolean passes(int triangle, double t);
+    boolean isHole(int triangle, double t);
 }

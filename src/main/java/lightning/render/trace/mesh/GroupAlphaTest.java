@@ -8,5 +8,5 @@ public interface GroupAlphaTest {
      *
      * @param ray ray number: {@code k · WIDTH + i} for ray i of packet k
      */
-    boolean passes(int ray, int triangle, double t);
+    boolean isHole(int ray, int triangle, double t);
 }

@@ -1,6 +1,6 @@
 package lightning.render.trace.mesh;
 
-import lightning.render.trace.solid.RayBatch;
+import lightning.render.trace.solid.LaneRays;
 
 /**
  * Filter of the rays that may hit triangles of a leaf, and of those triangles, for rays traced together. Holds scratch memory:
@@ -41,7 +41,7 @@ final class LeafRayFilter {
     LeafRayFilter(MeshFloatLines lines, int[] firstSlot, int capacity) {
         this.lines = lines;
         this.firstSlot = firstSlot;
-        enteringRays = new int[capacity / RayBatch.WIDTH];
+        enteringRays = new int[capacity / LaneRays.WIDTH];
         slots = new int[capacity];
     }
 
@@ -71,10 +71,10 @@ final class LeafRayFilter {
         }
         lines.prepareBoxTests();
         int count = 0;
-        for (int i = from; i < end; i += RayBatch.WIDTH) {
-            int requested = (int) (rayMask >>> i) & -1 >>> -RayBatch.WIDTH;
+        for (int i = from; i < end; i += LaneRays.WIDTH) {
+            int requested = (int) (rayMask >>> i) & -1 >>> -LaneRays.WIDTH;
             int entering = requested == 0 ? 0 : lines.enteringRays(newTree.box, box, i) & requested;
-            enteringRays[i / RayBatch.WIDTH] = entering;
+            enteringRays[i / LaneRays.WIDTH] = entering;
             count += Integer.bitCount(entering);
         }
         if (inLanes && count > MAX_SINGLE_RAYS) {
@@ -93,8 +93,8 @@ final class LeafRayFilter {
         hasManyTriangles = Integer.bitCount(triangles) >= MANY_TRIANGLES;
         long rays = 0;
         long multiple = 0;
-        for (int i = from; triangles != 0 && i < end; i += RayBatch.WIDTH) {
-            int requested = (int) (rayMask >>> i) & -1 >>> -RayBatch.WIDTH;
+        for (int i = from; triangles != 0 && i < end; i += LaneRays.WIDTH) {
+            int requested = (int) (rayMask >>> i) & -1 >>> -LaneRays.WIDTH;
             if (requested != 0) {
                 rays |= (long) (requested
                         & commonOriginCulling.candidateLines(lines, i, triangles, margin, entryBits, slots, firstSlot)) << i;
@@ -108,8 +108,8 @@ final class LeafRayFilter {
     private long testSeparately(int from, int end) {
         long rays = 0;
         long multiple = 0;
-        for (int i = from; i < end; i += RayBatch.WIDTH) {
-            for (int left = enteringRays[i / RayBatch.WIDTH]; left != 0; left &= left - 1) {
+        for (int i = from; i < end; i += LaneRays.WIDTH) {
+            for (int left = enteringRays[i / LaneRays.WIDTH]; left != 0; left &= left - 1) {
                 int k = i + Integer.numberOfTrailingZeros(left);
                 int candidates = lines.candidateSlots(tree.vertex, leaf, extent, k);
                 slots[k] = candidates;
@@ -128,8 +128,8 @@ final class LeafRayFilter {
         float margin = CommonOriginCulling.margin(lines.sharedWidth, extent);
         long rays = 0;
         long multiple = 0;
-        for (int i = from; i < end; i += RayBatch.WIDTH) {
-            for (int left = enteringRays[i / RayBatch.WIDTH]; left != 0; left &= left - 1) {
+        for (int i = from; i < end; i += LaneRays.WIDTH) {
+            for (int left = enteringRays[i / LaneRays.WIDTH]; left != 0; left &= left - 1) {
                 int k = i + Integer.numberOfTrailingZeros(left);
                 int candidates = commonOriginCulling.candidateSlots(lines.stepX[k], lines.stepY[k], lines.stepZ[k], margin);
                 slots[k] = candidates;

@@ -12,7 +12,7 @@ import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.IntVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorSpecies;
-import lightning.render.trace.solid.RayBatch;
+import lightning.render.trace.solid.LaneRays;
 
 /**
  * Beam of a packet's rays, tested against all eight boxes of a node in one operation.
@@ -64,7 +64,7 @@ final class MeshBeam {
     private void boundAxis(float low, float high, float[] step, int from, int end, int at) {
         FloatVector lowStep = FloatVector.broadcast(LANES, Float.POSITIVE_INFINITY);
         FloatVector highStep = lowStep.neg();
-        for (int i = from; i < end; i += RayBatch.WIDTH) {
+        for (int i = from; i < end; i += LaneRays.WIDTH) {
             VectorMask<Float> active = VectorMask.fromLong(LANES, rays >>> i);
             FloatVector d = FloatVector.fromArray(LANES, step, i);
             lowStep = lowStep.blend(d, d.compare(LT, lowStep).and(active));
@@ -78,7 +78,7 @@ final class MeshBeam {
         FloatVector high = low.neg();
         FloatVector lowStep = low;
         FloatVector highStep = high;
-        for (int i = from; i < end; i += RayBatch.WIDTH) {
+        for (int i = from; i < end; i += LaneRays.WIDTH) {
             VectorMask<Float> active = VectorMask.fromLong(LANES, rays >>> i);
             FloatVector o = FloatVector.fromArray(LANES, start, i);
             FloatVector w = FloatVector.fromArray(LANES, lineWidth, i);

@@ -16,7 +16,7 @@ import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorShape;
 import jdk.incubator.vector.VectorSpecies;
 import lightning.render.trace.solid.DoubleLanes;
-import lightning.render.trace.solid.RayBatch;
+import lightning.render.trace.solid.LaneRays;
 
 /**
  * Conservative float version of a group's lines ({@link MeshLines}) for tests against boxes. Reused; not thread-safe.
@@ -132,12 +132,12 @@ final class MeshFloatLines {
         startDistanceIsZero = false;
         for (int k = 0; k < packets; k++) {
             if (active[k] != 0) {
-                computeStarts(tree, depth, k * RayBatch.WIDTH);
-                computeIntercepts(startX, inverseStepX, lowX, highX, k * RayBatch.WIDTH);
-                computeIntercepts(startY, inverseStepY, lowY, highY, k * RayBatch.WIDTH);
-                computeIntercepts(startZ, inverseStepZ, lowZ, highZ, k * RayBatch.WIDTH);
+                computeStarts(tree, depth, k * LaneRays.WIDTH);
+                computeIntercepts(startX, inverseStepX, lowX, highX, k * LaneRays.WIDTH);
+                computeIntercepts(startY, inverseStepY, lowY, highY, k * LaneRays.WIDTH);
+                computeIntercepts(startZ, inverseStepZ, lowZ, highZ, k * LaneRays.WIDTH);
             }
-            writeLimits(limits, k * RayBatch.WIDTH, active[k]);
+            writeLimits(limits, k * LaneRays.WIDTH, active[k]);
         }
     }
 
@@ -154,7 +154,7 @@ final class MeshFloatLines {
         }
         for (int k = 0; k < packets; k++) {
             lines.computeSteps(k, active, tooShort, stepX, stepY, stepZ);
-            writeLimits(limits, k * RayBatch.WIDTH, active[k]);
+            writeLimits(limits, k * LaneRays.WIDTH, active[k]);
         }
         hasSharedStart = !lines.hasSkewedRays && width < MAX_WIDTH;
     }
@@ -167,12 +167,12 @@ final class MeshFloatLines {
             return;
         }
         boxTestsPrepared = true;
-        int end = packetCount * RayBatch.WIDTH;
+        int end = packetCount * LaneRays.WIDTH;
         Arrays.fill(startX, 0, end, sharedX);
         Arrays.fill(startY, 0, end, sharedY);
         Arrays.fill(startZ, 0, end, sharedZ);
         Arrays.fill(lineWidth, 0, end, sharedWidth);
-        for (int h = 0; h < end; h += RayBatch.WIDTH) {
+        for (int h = 0; h < end; h += LaneRays.WIDTH) {
             computeIntercepts(stepX, startX, inverseStepX, lowX, highX, h);
             computeIntercepts(stepY, startY, inverseStepY, lowY, highY, h);
             computeIntercepts(stepZ, startZ, inverseStepZ, lowZ, highZ, h);
@@ -187,19 +187,19 @@ final class MeshFloatLines {
 
     /** Writes the limits of the lines of a packet. */
     private void writeLimits(double[] limits, int packet, int active) {
-        for (int h = packet; active != 0 && h < packet + RayBatch.WIDTH; h += DoubleLanes.COUNT) {
+        for (int h = packet; active != 0 && h < packet + LaneRays.WIDTH; h += DoubleLanes.COUNT) {
             DoubleVector distance = lines.reversed ? broadcast(SPECIES, 1) : fromArray(SPECIES, limits, h);
             ((FloatVector) distance.sub(fromArray(SPECIES, startDistance, h)).mul(fromArray(SPECIES, maxComponent, h)).mul(ROUND_UP)
                     .convertShape(D2F, HALF, 0))
                     .reinterpretAsInts().intoArray(limitBits, h);
         }
-        for (int inactive = ~active & -1 >>> -RayBatch.WIDTH; inactive != 0; inactive &= inactive - 1) {
+        for (int inactive = ~active & -1 >>> -LaneRays.WIDTH; inactive != 0; inactive &= inactive - 1) {
             limitBits[packet + Integer.numberOfTrailingZeros(inactive)] = -1;
         }
     }
 
     private void computeStarts(MeshTree tree, double depth, int packet) {
-        for (int h = packet; h < packet + RayBatch.WIDTH; h += DoubleLanes.COUNT) {
+        for (int h = packet; h < packet + LaneRays.WIDTH; h += DoubleLanes.COUNT) {
             DoubleVector inverseLength = fromArray(SPECIES, lines.inverseMaxComponent, h);
             DoubleVector length = fromArray(SPECIES, maxComponent, h);
             DoubleVector t = inverseLength.mul(depth);
@@ -260,7 +260,7 @@ final class MeshFloatLines {
     /** Returns the largest limit of the rays {@code i … end − 1}. */
     int maxLimitBits(int i, int end) {
         IntVector max = IntVector.fromArray(INTS, limitBits, i);
-        for (int h = i + RayBatch.WIDTH; h < end; h += RayBatch.WIDTH) {
+        for (int h = i + LaneRays.WIDTH; h < end; h += LaneRays.WIDTH) {
             max = max.max(IntVector.fromArray(INTS, limitBits, h));
         }
         return max.reduceLanes(MAX);
@@ -269,8 +269,8 @@ final class MeshFloatLines {
     /** Returns the rays of a set, among the packets {@code from … end − 1}, that may hit the box at {@code b[i]}. */
     long enteringRays(float[] b, int i, long rayMask, int from, int end) {
         long entering = 0;
-        for (int h = from; h < end; h += RayBatch.WIDTH) {
-            if ((rayMask >>> h & -1 >>> -RayBatch.WIDTH) != 0) {
+        for (int h = from; h < end; h += LaneRays.WIDTH) {
+            if ((rayMask >>> h & -1 >>> -LaneRays.WIDTH) != 0) {
                 entering |= (long) enteringRays(b, i, h) << h;
             }
         }

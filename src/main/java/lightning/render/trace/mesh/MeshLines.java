@@ -16,7 +16,7 @@ import jdk.incubator.vector.LongVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorSpecies;
 import lightning.render.trace.solid.DoubleLanes;
-import lightning.render.trace.solid.RayBatch;
+import lightning.render.trace.solid.LaneRays;
 
 /**
  * Rays of a group as lines with a chosen end and a new start. Reused; not thread-safe.
@@ -135,15 +135,15 @@ final class MeshLines {
         for (int k = 0; k < packets; k++) {
             int entering = 0;
             int longEnough = 0;
-            for (int h = 0; h < RayBatch.WIDTH; h += DoubleLanes.COUNT) {
-                entering |= clip(tree, limits, k * RayBatch.WIDTH + h) << h;
-                longEnough |= (int) fromArray(SPECIES, maxComponent, k * RayBatch.WIDTH + h).compare(GE, MIN_LENGTH).toLong() << h;
+            for (int h = 0; h < LaneRays.WIDTH; h += DoubleLanes.COUNT) {
+                entering |= clip(tree, limits, k * LaneRays.WIDTH + h) << h;
+                longEnough |= (int) fromArray(SPECIES, maxComponent, k * LaneRays.WIDTH + h).compare(GE, MIN_LENGTH).toLong() << h;
             }
             tooShort[k] = active[k] & ~longEnough;
             active[k] &= entering & longEnough;
             if (active[k] != 0) {
-                depth = Math.min(depth, entryDepth(k * RayBatch.WIDTH, active[k]));
-                hasSkewedRays |= reversed && hasSkewedRays(k * RayBatch.WIDTH, active[k]);
+                depth = Math.min(depth, entryDepth(k * LaneRays.WIDTH, active[k]));
+                hasSkewedRays |= reversed && hasSkewedRays(k * LaneRays.WIDTH, active[k]);
             }
         }
         return depth * START_FACTOR;
@@ -154,9 +154,9 @@ final class MeshLines {
         double pad = rays.padding[rays.first];
         if (reversed) {
             DoubleVector max = broadcast(SPECIES, 0);
-            for (int i = 0; i < packets * RayBatch.WIDTH; i += DoubleLanes.COUNT) {
+            for (int i = 0; i < packets * LaneRays.WIDTH; i += DoubleLanes.COUNT) {
                 DoubleVector p = fromArray(SPECIES, rays.padding, i);
-                max = max.blend(p, p.compare(GT, max).and(VectorMask.fromLong(SPECIES, active[i / RayBatch.WIDTH] >>> i % RayBatch.WIDTH)));
+                max = max.blend(p, p.compare(GT, max).and(VectorMask.fromLong(SPECIES, active[i / LaneRays.WIDTH] >>> i % LaneRays.WIDTH)));
             }
             pad = max.reduceLanes(MAX);
         }
@@ -172,8 +172,8 @@ final class MeshLines {
     void computeSteps(int k, int[] active, int[] tooShort, float[] stepX, float[] stepY, float[] stepZ) {
         int longEnough = 0;
         int straight = 0;
-        for (int i = 0; i < RayBatch.WIDTH; i += DoubleLanes.COUNT) {
-            int h = k * RayBatch.WIDTH + i;
+        for (int i = 0; i < LaneRays.WIDTH; i += DoubleLanes.COUNT) {
+            int h = k * LaneRays.WIDTH + i;
             DoubleVector x = fromArray(SPECIES, directions[0], h);
             DoubleVector y = fromArray(SPECIES, directions[1], h);
             DoubleVector z = fromArray(SPECIES, directions[2], h);
@@ -195,7 +195,7 @@ final class MeshLines {
     /** Returns the smallest entry depth of a packet's rays. */
     private double entryDepth(int packet, int active) {
         DoubleVector minDepth = broadcast(SPECIES, Double.POSITIVE_INFINITY);
-        for (int h = 0; h < RayBatch.WIDTH; h += DoubleLanes.COUNT) {
+        for (int h = 0; h < LaneRays.WIDTH; h += DoubleLanes.COUNT) {
             DoubleVector in = fromArray(SPECIES, startDistance, packet + h).mul(fromArray(SPECIES, maxComponent, packet + h));
             minDepth = minDepth.blend(in, in.compare(LT, minDepth).and(VectorMask.fromLong(SPECIES, active >>> h)));
         }
@@ -204,7 +204,7 @@ final class MeshLines {
 
     private boolean hasSkewedRays(int packet, int active) {
         int skewed = 0;
-        for (int h = 0; h < RayBatch.WIDTH; h += DoubleLanes.COUNT) {
+        for (int h = 0; h < LaneRays.WIDTH; h += DoubleLanes.COUNT) {
             skewed |= (int) fromArray(SPECIES, maxComponent, packet + h)
                     .compare(LT, fromArray(SPECIES, tolerance, packet + h).mul(MIN_STRAIGHT_RATIO))
                     .toLong() << h;
@@ -234,8 +234,8 @@ final class MeshLines {
         double y = rays.oy[first] + rays.dy[first];
         double z = rays.oz[first] + rays.dz[first];
         DoubleVector maxDistance = broadcast(SPECIES, 0);
-        for (int i = 0; i < packets * RayBatch.WIDTH; i += DoubleLanes.COUNT) {
-            VectorMask<Double> activeLanes = VectorMask.fromLong(SPECIES, active[i / RayBatch.WIDTH] >>> i % RayBatch.WIDTH);
+        for (int i = 0; i < packets * LaneRays.WIDTH; i += DoubleLanes.COUNT) {
+            VectorMask<Double> activeLanes = VectorMask.fromLong(SPECIES, active[i / LaneRays.WIDTH] >>> i % LaneRays.WIDTH);
             if (fromArray(SPECIES, limits, i).compare(GT, 1).and(activeLanes).anyTrue()) {
                 return false;
             }
@@ -256,14 +256,14 @@ final class MeshLines {
     private void reverseAxis(int axis, int packets) {
         double end = origins[axis][0];
         double[] origin = forwardLines[0][axis];
-        for (int i = 0; i < packets * RayBatch.WIDTH; i += DoubleLanes.COUNT) {
+        for (int i = 0; i < packets * LaneRays.WIDTH; i += DoubleLanes.COUNT) {
             broadcast(SPECIES, end).intoArray(origins[axis], i);
             fromArray(SPECIES, origin, i).sub(end).intoArray(directions[axis], i);
         }
     }
 
     private void invertAxis(int axis, int packets) {
-        for (int i = 0; i < packets * RayBatch.WIDTH; i += DoubleLanes.COUNT) {
+        for (int i = 0; i < packets * LaneRays.WIDTH; i += DoubleLanes.COUNT) {
             DoubleVector inverseLength = broadcast(SPECIES, 1).div(fromArray(SPECIES, directions[axis], i));
             inverseLength.blend(MeshRay.MAX_INVERSE, inverseLength.compare(GT, MeshRay.MAX_INVERSE))
                     .blend(-MeshRay.MAX_INVERSE, inverseLength.compare(LT, -MeshRay.MAX_INVERSE))

@@ -9,7 +9,7 @@ import jdk.incubator.vector.IntVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorSpecies;
 import lightning.render.trace.solid.DoubleLanes;
-import lightning.render.trace.solid.RayBatch;
+import lightning.render.trace.solid.LaneRays;
 
 /**
  * Lane version of {@link MeshRayQuery} for groups of rays, with the same bits. Holds scratch memory: use one per thread.
@@ -27,9 +27,9 @@ import lightning.render.trace.solid.RayBatch;
  */
 public final class MeshPacketTraversal {
     /** Maximum number of packets of a group: 64 rays. */
-    public static final int PACKETS = 64 / RayBatch.WIDTH;
+    public static final int PACKETS = 64 / LaneRays.WIDTH;
 
-    private static final int MAX_RAYS = PACKETS * RayBatch.WIDTH;
+    private static final int MAX_RAYS = PACKETS * LaneRays.WIDTH;
     /** Maximum difference of the steps of rays in a beam. */
     private static final float MAX_STEP_SPREAD = 1;
     /** Maximum distance between the origins of rays in a beam, relative to the mesh's largest coordinate. */
@@ -111,10 +111,10 @@ public final class MeshPacketTraversal {
      * @param mask rays of the packet to trace, one bit each; not 0
      * @param limits maximum distance of each ray, {@code double[WIDTH]}
      */
-    public void addPacket(RayBatch p, int mask, double[] limits) {
-        int to = count * RayBatch.WIDTH;
+    public void addPacket(LaneRays p, int mask, double[] limits) {
+        int to = count * LaneRays.WIDTH;
         rays.addPacket(tree, map, mapAt, p, mask, to);
-        System.arraycopy(limits, 0, hitLimit, to, RayBatch.WIDTH);
+        System.arraycopy(limits, 0, hitLimit, to, LaneRays.WIDTH);
         activeMasks[count++] = mask;
     }
 
@@ -130,7 +130,7 @@ public final class MeshPacketTraversal {
 
     /** Returns the rays of packet {@code k} that hit a triangle, one bit each. */
     public int hitMask(int k) {
-        return (int) (hitRays >>> k * RayBatch.WIDTH) & -1 >>> -RayBatch.WIDTH;
+        return (int) (hitRays >>> k * LaneRays.WIDTH) & -1 >>> -LaneRays.WIDTH;
     }
 
     /**
@@ -138,28 +138,28 @@ public final class MeshPacketTraversal {
      * ray.
      */
     public double distance(int k, int i) {
-        return hitLimit[k * RayBatch.WIDTH + i];
+        return hitLimit[k * LaneRays.WIDTH + i];
     }
 
     /** Returns the triangle that the ray hits first, the lowest among equal distances. */
     public int triangle(int k, int i) {
-        return triangle[k * RayBatch.WIDTH + i];
+        return triangle[k * LaneRays.WIDTH + i];
     }
 
     private void search(boolean stopAtAnyHit) {
         anyHit = stopAtAnyHit;
-        int end = count * RayBatch.WIDTH;
+        int end = count * LaneRays.WIDTH;
         hitRays = 0;
         lines.setRays(tree, activeMasks, shortRays, count, hitLimit, anyHit);
         activeRays = 0;
         for (int k = 0; k < count; k++) {
-            activeRays |= (long) activeMasks[k] << k * RayBatch.WIDTH;
+            activeRays |= (long) activeMasks[k] << k * LaneRays.WIDTH;
         }
         if (!traverseAsBeam(0, end)) {
-            for (int i = 0; i < end; i += RayBatch.WIDTH) {
-                if (activeMasks[i / RayBatch.WIDTH] != 0 && (count == 1 || !traverseAsBeam(i, i + RayBatch.WIDTH))) {
+            for (int i = 0; i < end; i += LaneRays.WIDTH) {
+                if (activeMasks[i / LaneRays.WIDTH] != 0 && (count == 1 || !traverseAsBeam(i, i + LaneRays.WIDTH))) {
                     lines.prepareBoxTests();
-                    for (int left = activeMasks[i / RayBatch.WIDTH]; left != 0; left &= left - 1) {
+                    for (int left = activeMasks[i / LaneRays.WIDTH]; left != 0; left &= left - 1) {
                         traverseRay(i + Integer.numberOfTrailingZeros(left), 0, 0);
                     }
                 }
@@ -167,7 +167,7 @@ public final class MeshPacketTraversal {
         }
         for (int k = 0; k < count; k++) {
             for (int left = shortRays[k]; left != 0; left &= left - 1) {
-                testAllLeaves(k * RayBatch.WIDTH + Integer.numberOfTrailingZeros(left));
+                testAllLeaves(k * LaneRays.WIDTH + Integer.numberOfTrailingZeros(left));
             }
         }
     }
@@ -418,7 +418,7 @@ public final class MeshPacketTraversal {
     /** Accepts a hit if it counts and is nearer than before. */
     private boolean acceptHit(int i, int id, double t) {
         if ((anyHit ? t < hitLimit[i] : t < MeshRay.MISS && (t < hitLimit[i] || t == hitLimit[i] && (!hasHit(i) || id < triangle[i])))
-                && (alphaTest == null || !alphaTest.passes(i, id, t))) {
+                && (alphaTest == null || !alphaTest.isHole(i, id, t))) {
             triangle[i] = id;
             hitRays |= 1L << i;
             if (anyHit) {

@@ -11,7 +11,7 @@ import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorShape;
 import jdk.incubator.vector.VectorSpecies;
 import lightning.render.trace.solid.DoubleLanes;
-import lightning.render.trace.solid.RayBatch;
+import lightning.render.trace.solid.LaneRays;
 
 /** Lane version of {@link MeshRay} for the rays of a group, operation by operation. Reused; not thread-safe. */
 final class MeshRayLanes {
@@ -61,13 +61,13 @@ final class MeshRayLanes {
      * @param mask rays of the packet, not 0; values of other rays are undefined
      * @param to index of the first ray; 0 starts a new group
      */
-    void addPacket(MeshTree tree, double[] m, int at, RayBatch p, int mask, int to) {
+    void addPacket(MeshTree tree, double[] m, int at, LaneRays p, int mask, int to) {
         if (to == 0) {
             first = Integer.numberOfTrailingZeros(mask);
             hasCommonOrigin = true;
         }
         boolean sameOrigin = to > 0 && hasCommonOrigin && startsAtFirst(p, mask);
-        for (int h = 0; h < RayBatch.WIDTH; h += DoubleLanes.COUNT) {
+        for (int h = 0; h < LaneRays.WIDTH; h += DoubleLanes.COUNT) {
             if (sameOrigin) {
                 repeatOrigin(to + h);
             } else {
@@ -83,7 +83,7 @@ final class MeshRayLanes {
         if (sameOrigin) {
             return;
         }
-        for (int h = 0; hasCommonOrigin && h < RayBatch.WIDTH; h += DoubleLanes.COUNT) {
+        for (int h = 0; hasCommonOrigin && h < LaneRays.WIDTH; h += DoubleLanes.COUNT) {
             VectorMask<Double> different = fromArray(SPECIES, ox, to + h).compare(NE, ox[first])
                     .or(fromArray(SPECIES, oy, to + h).compare(NE, oy[first])).or(fromArray(SPECIES, oz, to + h).compare(NE, oz[first]));
             hasCommonOrigin = (different.toLong() & mask >>> h) == 0;
@@ -91,9 +91,9 @@ final class MeshRayLanes {
     }
 
     /** Returns whether rays of a packet start where the first ray of the group does, before the transform. */
-    private boolean startsAtFirst(RayBatch p, int mask) {
+    private boolean startsAtFirst(LaneRays p, int mask) {
         int different = 0;
-        for (int h = 0; h < RayBatch.WIDTH; h += DoubleLanes.COUNT) {
+        for (int h = 0; h < LaneRays.WIDTH; h += DoubleLanes.COUNT) {
             different |= (int) fromArray(SPECIES, p.ox, h).compare(NE, firstX).or(fromArray(SPECIES, p.oy, h).compare(NE, firstY))
                     .or(fromArray(SPECIES, p.oz, h).compare(NE, firstZ)).toLong() << h;
         }
@@ -107,7 +107,7 @@ final class MeshRayLanes {
         broadcast(SPECIES, padding[first]).intoArray(padding, to);
     }
 
-    private void transformOrigins(MeshTree tree, double[] m, int i, RayBatch p, int from, int to) {
+    private void transformOrigins(MeshTree tree, double[] m, int i, LaneRays p, int from, int to) {
         DoubleVector x = fromArray(SPECIES, p.ox, from);
         DoubleVector y = fromArray(SPECIES, p.oy, from);
         DoubleVector z = fromArray(SPECIES, p.oz, from);
@@ -122,7 +122,7 @@ final class MeshRayLanes {
                 .add(tree.maxCoordinate).mul(MeshRay.PADDING_SHARE).intoArray(padding, to);
     }
 
-    private void transformDirections(double[] m, int i, RayBatch p, int from, int to) {
+    private void transformDirections(double[] m, int i, LaneRays p, int from, int to) {
         DoubleVector x = fromArray(SPECIES, p.dx, from);
         DoubleVector y = fromArray(SPECIES, p.dy, from);
         DoubleVector z = fromArray(SPECIES, p.dz, from);
@@ -133,7 +133,7 @@ final class MeshRayLanes {
 
     /** Computes the inverse directions of the first packets. */
     void computeInverses(int packets) {
-        for (int h = 0; h < packets * RayBatch.WIDTH; h += DoubleLanes.COUNT) {
+        for (int h = 0; h < packets * LaneRays.WIDTH; h += DoubleLanes.COUNT) {
             inverse(dx, inverseX, h);
             inverse(dy, inverseY, h);
             inverse(dz, inverseZ, h);

@@ -56,7 +56,7 @@ public final class MeshRayQuery {
         triangle = -1;
         for (int i = 0; i < mesh.triangleCount(); i++) {
             double t = ray.distance(mesh.positions(), 3 * v[3 * i], 3 * v[3 * i + 1], 3 * v[3 * i + 2], 1);
-            if (t < best && (alphaTest == null || !alphaTest.passes(i, t))) {
+            if (t < best && (alphaTest == null || !alphaTest.isHole(i, t))) {
                 best = t;
                 triangle = i;
             }

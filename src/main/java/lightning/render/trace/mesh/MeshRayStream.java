@@ -8,7 +8,7 @@ import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.IntVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorSpecies;
-import lightning.render.trace.solid.RayBatch;
+import lightning.render.trace.solid.LaneRays;
 
 /**
  * Finds all hits of many rays on a mesh in one walk over its BVH (Barringer and Akenine-Möller 2014, Dynamic Ray Stream Traversal).
@@ -43,8 +43,8 @@ public final class MeshRayStream {
     private final int[] rayCount = new int[3];
     private final RayTrianglePairs pairs = new RayTrianglePairs(rays, limit);
     /** Rays of each packet that may reach the mesh, and those too short for lines. */
-    private final int[] activeMasks = new int[MAX_RAYS / RayBatch.WIDTH];
-    private final int[] shortRays = new int[MAX_RAYS / RayBatch.WIDTH];
+    private final int[] activeMasks = new int[MAX_RAYS / LaneRays.WIDTH];
+    private final int[] shortRays = new int[MAX_RAYS / LaneRays.WIDTH];
     /** Children of the current node that each ray of its list enters, and zeros for whole vectors. */
     private final int[] entered = new int[MAX_RAYS + INTS.length()];
     /** Triangles of the current leaf that each ray of its list may hit. */
@@ -83,10 +83,10 @@ public final class MeshRayStream {
      * @param mask rays of the packet to trace, one bit each; not 0
      * @param limits maximum distance of each ray, {@code double[WIDTH]}
      */
-    public void addPacket(RayBatch p, int mask, double[] limits) {
-        int to = packets * RayBatch.WIDTH;
+    public void addPacket(LaneRays p, int mask, double[] limits) {
+        int to = packets * LaneRays.WIDTH;
         rays.addPacket(tree, map, mapAt, p, mask, to);
-        System.arraycopy(limits, 0, limit, to, RayBatch.WIDTH);
+        System.arraycopy(limits, 0, limit, to, LaneRays.WIDTH);
         activeMasks[packets++] = mask;
     }
 
@@ -98,10 +98,10 @@ public final class MeshRayStream {
         Arrays.fill(rayCount, 0);
         for (int k = 0; k < packets; k++) {
             for (int left = activeMasks[k]; left != 0; left &= left - 1) {
-                writeRecord(k * RayBatch.WIDTH + Integer.numberOfTrailingZeros(left));
+                writeRecord(k * LaneRays.WIDTH + Integer.numberOfTrailingZeros(left));
             }
             for (int left = shortRays[k]; left != 0; left &= left - 1) {
-                testAllLeaves(k * RayBatch.WIDTH + Integer.numberOfTrailingZeros(left));
+                testAllLeaves(k * LaneRays.WIDTH + Integer.numberOfTrailingZeros(left));
             }
         }
         for (int axis = 0; axis < 3; axis++) {

@@ -41,7 +41,7 @@ final class MeshTraversal {
                 int id = MeshTree.id(tree.triangle[MeshTree.WIDTH * leaf + s]);
                 double t = distance(tree, ray, leaf, s);
                 if (t < MeshRay.MISS && (t < nearestDistance || t == nearestDistance && (triangle < 0 || id < triangle))
-                        && (alphaTest == null || !alphaTest.passes(id, t))) {
+                        && (alphaTest == null || !alphaTest.isHole(id, t))) {
                     nearestDistance = t;
                     triangle = id;
                 }
@@ -64,7 +64,7 @@ final class MeshTraversal {
             for (int slots = ray.hitSlots(tree.vertex, MeshTree.LEAF_FLOATS * leaf); slots != 0; slots &= slots - 1) {
                 int s = Integer.numberOfTrailingZeros(slots);
                 double t = distance(tree, ray, leaf, s);
-                if (t < limit && (alphaTest == null || !alphaTest.passes(MeshTree.id(tree.triangle[MeshTree.WIDTH * leaf + s]), t))) {
+                if (t < limit && (alphaTest == null || !alphaTest.isHole(MeshTree.id(tree.triangle[MeshTree.WIDTH * leaf + s]), t))) {
                     return true;
                 }
             }

@@ -45,7 +45,7 @@ public final class CutoutTest implements AlphaTest {
     }
 
     @Override
-    public boolean passes(int part, double t) {
+    public boolean isHole(int part, double t) {
         double x = ox + t * dx;
         double y = oy + t * dy;
         double z = oz + t * dz;

@@ -418,11 +418,11 @@ public final class PrimitiveTable {
     private double cutoutDistance(int s, double ox, double oy, double oz, double dx, double dy, double dz, SurfaceContact contact, double t,
             double limit,
             CutoutTest cutoutTest) {
-        if (!cutoutTest.passes(0, t)) {
+        if (!cutoutTest.isHole(0, t)) {
             return t;
         }
         double out = exitDistance(s, ox, oy, oz, dx, dy, dz, contact, t);
-        return out < SolidGeometry.MISS && out <= limit && !cutoutTest.passes(0, out) ? out : SolidGeometry.MISS;
+        return out < SolidGeometry.MISS && out <= limit && !cutoutTest.isHole(0, out) ? out : SolidGeometry.MISS;
     }
 
     /** Returns the distance to a surface without cutouts. */

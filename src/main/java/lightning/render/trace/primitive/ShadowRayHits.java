@@ -58,7 +58,7 @@ public final class ShadowRayHits {
 
     /** Adds a hit unless it is at or beyond the limit, or in a hole; {@code cutoutTest} is null if there are no cutouts. */
     public void add(int s, int partIndex, double distance, double limit, CutoutTest cutoutTest) {
-        if (!(distance < limit) || distance == Double.POSITIVE_INFINITY || cutoutTest != null && cutoutTest.passes(partIndex, distance)) {
+        if (!(distance < limit) || distance == Double.POSITIVE_INFINITY || cutoutTest != null && cutoutTest.isHole(partIndex, distance)) {
             return;
         }
         if (count == t.length) {

@@ -16,7 +16,7 @@ final class CylinderLanes {
     private CylinderLanes() {}
 
     /** Writes the intervals of the lanes {@code from … to − 1} inside the infinite cylinder. */
-    static void writeSideIntervals(double[] m, int i, RayBatch p, IntervalHitLanes slab, int from, int to) {
+    static void writeSideIntervals(double[] m, int i, LaneRays p, IntervalHitLanes slab, int from, int to) {
         for (int h = from; h < to; h += DoubleLanes.COUNT) {
             DoubleVector x = fromArray(SPECIES, p.ox, h);
             DoubleVector y = fromArray(SPECIES, p.oy, h);

@@ -17,7 +17,7 @@ final class FrustumLanes {
     private FrustumLanes() {}
 
     /** Writes the intervals of the lanes {@code from … to − 1} inside the side. */
-    static void writeSideIntervals(double[] m, int i, RayBatch p, IntervalHitLanes slab, int from, int to) {
+    static void writeSideIntervals(double[] m, int i, LaneRays p, IntervalHitLanes slab, int from, int to) {
         double taper = 1 - m[i + Frustum.TOP_RADIUS];
         for (int h = from; h < to; h += DoubleLanes.COUNT) {
             DoubleVector x = fromArray(SPECIES, p.ox, h);

@@ -15,11 +15,11 @@ import jdk.incubator.vector.VectorMask;
 /** Lane version of {@link IntervalHit}, operation by operation. */
 final class IntervalHitLanes {
     /** Local y of the origins and of the directions. */
-    final double[] oy = new double[RayBatch.WIDTH];
-    final double[] dy = new double[RayBatch.WIDTH];
+    final double[] oy = new double[LaneRays.WIDTH];
+    final double[] dy = new double[LaneRays.WIDTH];
     /** Intervals of the rays inside the side. */
-    final double[] sideIn = new double[RayBatch.WIDTH];
-    final double[] sideOut = new double[RayBatch.WIDTH];
+    final double[] sideIn = new double[LaneRays.WIDTH];
+    final double[] sideOut = new double[LaneRays.WIDTH];
 
     /** Writes the distances of {@link IntervalHit#hitWithCaps} for the lanes {@code from … to − 1} to {@code out}. */
     void hitWithCaps(double[] out, int from, int to) {

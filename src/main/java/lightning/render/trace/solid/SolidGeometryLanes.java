@@ -8,7 +8,7 @@ public final class SolidGeometryLanes {
      * Writes the distances of {@link SolidGeometry#distance} for the lanes {@code from … to − 1}, whole vectors, to
      * {@code out}.
      */
-    public void distances(SolidKind kind, double[] data, int at, RayBatch rays, double[] out, int from, int to) {
+    public void distances(SolidKind kind, double[] data, int at, LaneRays rays, double[] out, int from, int to) {
         switch (kind) {
             case SPHERE -> SphereLanes.distances(data, at, rays, out, from, to);
             case CYLINDER -> {

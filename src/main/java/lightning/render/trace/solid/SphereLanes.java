@@ -16,7 +16,7 @@ final class SphereLanes {
     private SphereLanes() {}
 
     /** Writes the distances of the lanes {@code from … to − 1} to {@code out}. */
-    static void distances(double[] m, int i, RayBatch p, double[] out, int from, int to) {
+    static void distances(double[] m, int i, LaneRays p, double[] out, int from, int to) {
         for (int h = from; h < to; h += DoubleLanes.COUNT) {
             DoubleVector x = fromArray(SPECIES, p.ox, h);
             DoubleVector y = fromArray(SPECIES, p.oy, h);

@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Random;
 import java.util.function.ToDoubleFunction;
-import lightning.render.trace.solid.RayBatch;
+import lightning.render.trace.solid.LaneRays;
 import lightning.sample.SampleMeshes;
 import lightning.sample.Slow;
 import lightning.scene.node.Mesh;
@@ -19,10 +19,10 @@ class MeshPacketTraversalTest {
 
     private final MeshPacketTraversal traversal = new MeshPacketTraversal();
     private final MeshRayQuery rayQuery = new MeshRayQuery();
-    private final RayBatch[] group = new RayBatch[MeshPacketTraversal.PACKETS];
+    private final LaneRays[] group = new LaneRays[MeshPacketTraversal.PACKETS];
     private final int[] masks = new int[MeshPacketTraversal.PACKETS];
-    private final double[][] limits = new double[MeshPacketTraversal.PACKETS][RayBatch.WIDTH];
-    private final boolean[][] expected = new boolean[MeshPacketTraversal.PACKETS][RayBatch.WIDTH];
+    private final double[][] limits = new double[MeshPacketTraversal.PACKETS][LaneRays.WIDTH];
+    private final boolean[][] expected = new boolean[MeshPacketTraversal.PACKETS][LaneRays.WIDTH];
 
     @Property
     void packets_matchSingleRays(@ForAll @IntRange(min = 0, max = 300) int triangles, @ForAll long seed) {
@@ -93,10 +93,10 @@ class MeshPacketTraversalTest {
         float[] v = mesh.positions();
         double[] at = new double[3];
         for (int g = 0; g < MeshPacketTraversal.PACKETS; g++) {
-            RayBatch p = new RayBatch();
+            LaneRays p = new LaneRays();
             group[g] = p;
-            masks[g] = -1 >>> -RayBatch.WIDTH;
-            for (int i = 0; i < RayBatch.WIDTH; i++) {
+            masks[g] = -1 >>> -LaneRays.WIDTH;
+            for (int i = 0; i < LaneRays.WIDTH; i++) {
                 int corner = (first + random.nextInt(triangles)) * 3;
                 int a = 3 * mesh.triangles()[corner];
                 int b = 3 * mesh.triangles()[corner + random.nextInt(2)];
@@ -128,12 +128,12 @@ class MeshPacketTraversalTest {
         int kind = random.nextInt(4);
         double off = random.nextBoolean() ? 0 : Math.pow(10, -18 * random.nextDouble()) / scale;
         for (int g = 0; g < count; g++) {
-            RayBatch p = new RayBatch();
+            LaneRays p = new LaneRays();
             group[g] = p;
             do {
-                masks[g] = (random.nextInt(3) == 0 ? random.nextInt() : -1) & -1 >>> -RayBatch.WIDTH;
+                masks[g] = (random.nextInt(3) == 0 ? random.nextInt() : -1) & -1 >>> -LaneRays.WIDTH;
             } while (masks[g] == 0);
-            for (int i = 0; i < RayBatch.WIDTH; i++) {
+            for (int i = 0; i < LaneRays.WIDTH; i++) {
                 double apart = kind > 0 ? spread / scale : 0;
                 p.ox[i] = o[0] + apart * random.nextGaussian();
                 p.oy[i] = o[1] + apart * random.nextGaussian();
@@ -159,7 +159,7 @@ class MeshPacketTraversalTest {
         }
     }
 
-    private void setRay(MeshSolid solid, double[] m, RayBatch p, int i) {
+    private void setRay(MeshSolid solid, double[] m, LaneRays p, int i) {
         rayQuery.setRay(solid, m[0] * p.ox[i] + m[1] * p.oy[i] + m[2] * p.oz[i] + m[3],
                 m[4] * p.ox[i] + m[5] * p.oy[i] + m[6] * p.oz[i] + m[7], m[8] * p.ox[i] + m[9] * p.oy[i] + m[10] * p.oz[i] + m[11],
                 m[0] * p.dx[i] + m[1] * p.dy[i] + m[2] * p.dz[i], m[4] * p.dx[i] + m[5] * p.dy[i] + m[6] * p.dz[i],
@@ -178,7 +178,7 @@ class MeshPacketTraversalTest {
         traversal.findNearest();
         for (int g = 0; g < count; g++) {
             assertThat(traversal.hitMask(g) & ~masks[g]).isZero();
-            for (int i = 0; i < RayBatch.WIDTH; i++) {
+            for (int i = 0; i < LaneRays.WIDTH; i++) {
                 if ((masks[g] >>> i & 1) != 0) {
                     setRay(solid, m, group[g], i);
                     double t = rayQuery.nearest(limits[g][i]);
@@ -195,7 +195,7 @@ class MeshPacketTraversalTest {
     private void assertBlocked(MeshSolid solid, double[] m, int count, Random random) {
         boolean shadowRays = random.nextBoolean();
         for (int g = 0; g < count; g++) {
-            for (int i = 0; i < RayBatch.WIDTH; i++) {
+            for (int i = 0; i < LaneRays.WIDTH; i++) {
                 setRay(solid, m, group[g], i);
                 double t = rayQuery.nearest(Double.POSITIVE_INFINITY);
                 limits[g][i] = shadowRays ? 1 : random.nextInt(3) == 0 ? limits[g][i] : random.nextBoolean() ? t : Math.nextUp(t);
@@ -205,7 +205,7 @@ class MeshPacketTraversalTest {
         search(solid, m, count);
         traversal.findBlocked();
         for (int g = 0; g < count; g++) {
-            for (int i = 0; i < RayBatch.WIDTH; i++) {
+            for (int i = 0; i < LaneRays.WIDTH; i++) {
                 assertThat((traversal.hitMask(g) >>> i & 1) != 0).as("ray %s of packet %s", i, g).isEqualTo(expected[g][i]);
             }
         }

@@ -7,7 +7,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
 import java.util.stream.IntStream;
-import lightning.render.trace.solid.RayBatch;
+import lightning.render.trace.solid.LaneRays;
 import lightning.sample.SampleMeshes;
 import lightning.sample.Slow;
 import lightning.scene.node.Mesh;
@@ -42,11 +42,11 @@ class MeshRayStreamTest {
     @Test
     void raysWithoutLength_hitNothingElse() {
         MeshSolid solid = new MeshSolid(SampleMeshes.ball(10, 20, false));
-        RayBatch packet = packet(new Random(5), SampleMeshes.ball(10, 20, false), 1);
+        LaneRays packet = packet(new Random(5), SampleMeshes.ball(10, 20, false), 1);
         Arrays.fill(packet.dx, 1e-300);
         Arrays.fill(packet.dy, 0);
         Arrays.fill(packet.dz, 0);
-        assertMatches(solid, List.of(packet), new int[] {-1 >>> -RayBatch.WIDTH}, 1);
+        assertMatches(solid, List.of(packet), new int[] {-1 >>> -LaneRays.WIDTH}, 1);
     }
 
     private void check(int triangles, Random random, int times) {
@@ -54,24 +54,24 @@ class MeshRayStreamTest {
                 : SampleMeshes.ball(3 + triangles / 20, 5 + triangles / 20, false);
         MeshSolid solid = new MeshSolid(mesh);
         for (int n = 0; n < times; n++) {
-            int count = 1 + random.nextInt(random.nextBoolean() ? 4 : MeshRayStream.MAX_RAYS / RayBatch.WIDTH);
+            int count = 1 + random.nextInt(random.nextBoolean() ? 4 : MeshRayStream.MAX_RAYS / LaneRays.WIDTH);
             double far = Math.pow(10, random.nextInt(6) == 0 ? 6 : random.nextInt(2));
-            List<RayBatch> packets = new ArrayList<>();
+            List<LaneRays> packets = new ArrayList<>();
             int[] masks = new int[count];
             for (int k = 0; k < count; k++) {
                 packets.add(packet(random, mesh, far));
-                masks[k] = 1 + random.nextInt(-1 >>> -RayBatch.WIDTH);
+                masks[k] = 1 + random.nextInt(-1 >>> -LaneRays.WIDTH);
             }
             assertMatches(solid, packets, masks, random.nextBoolean() ? 1 : Double.POSITIVE_INFINITY);
         }
     }
 
     /** Creates rays from far and near, many of them through vertices and edges. */
-    private static RayBatch packet(Random random, Mesh mesh, double far) {
-        RayBatch p = new RayBatch();
+    private static LaneRays packet(Random random, Mesh mesh, double far) {
+        LaneRays p = new LaneRays();
         float[] v = mesh.positions();
         double[] at = new double[3];
-        for (int i = 0; i < RayBatch.WIDTH; i++) {
+        for (int i = 0; i < LaneRays.WIDTH; i++) {
             for (int k = 0; k < 3; k++) {
                 at[k] = random.nextGaussian();
             }
@@ -94,8 +94,8 @@ class MeshRayStreamTest {
         return p;
     }
 
-    private void assertMatches(MeshSolid solid, List<RayBatch> packets, int[] masks, double limit) {
-        double[] limits = new double[RayBatch.WIDTH];
+    private void assertMatches(MeshSolid solid, List<LaneRays> packets, int[] masks, double limit) {
+        double[] limits = new double[LaneRays.WIDTH];
         Arrays.fill(limits, limit);
         stream.begin(solid, UNCHANGED, 0);
         for (int k = 0; k < packets.size(); k++) {
@@ -103,17 +103,17 @@ class MeshRayStreamTest {
         }
         stream.findAllHits();
         List<List<Hit>> found = new ArrayList<>();
-        for (int i = 0; i < packets.size() * RayBatch.WIDTH; i++) {
+        for (int i = 0; i < packets.size() * LaneRays.WIDTH; i++) {
             found.add(new ArrayList<>());
         }
         for (int n = 0; n < stream.hitCount(); n++) {
             found.get(stream.hitRay(n)).add(new Hit(stream.hitTriangle(n), stream.hitDistance(n)));
         }
         for (int i = 0; i < found.size(); i++) {
-            RayBatch p = packets.get(i / RayBatch.WIDTH);
-            int lane = i % RayBatch.WIDTH;
+            LaneRays p = packets.get(i / LaneRays.WIDTH);
+            int lane = i % LaneRays.WIDTH;
             List<Hit> expected = List.of();
-            if ((masks[i / RayBatch.WIDTH] >>> lane & 1) != 0) {
+            if ((masks[i / LaneRays.WIDTH] >>> lane & 1) != 0) {
                 rayQuery.setRay(solid, p.ox[lane], p.oy[lane], p.oz[lane], p.dx[lane], p.dy[lane], p.dz[lane]);
                 rayQuery.collectHits(limit);
                 expected = IntStream.range(0, rayQuery.hitCount())

@@ -3,7 +3,7 @@ package lightning.render.trace.solid;
 import jdk.incubator.vector.FloatVector;
 
 /** Small batch of rays, one per lane. */
-public class RayBatch {
+public class LaneRays {
     /** Capacity: the number of float lanes of this CPU. */
     public static final int WIDTH = FloatVector.SPECIES_PREFERRED.length();
 

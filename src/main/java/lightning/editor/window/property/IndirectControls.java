@@ -25,7 +25,7 @@ import lightning.scene.attribute.NumericKind;
 import lightning.scene.attribute.SceneAttribute;
 
 /** Settings of the scene's indirect light, shown only while it is on. */
-final class IndirectRows extends VBox {
+final class IndirectControls extends VBox {
     private final SceneEditor editor;
     private final ToggleButton on = new ToggleButton();
     private final ComboBox<Integer> rays = new ComboBox<>();
@@ -36,7 +36,7 @@ final class IndirectRows extends VBox {
     private boolean isUpdating;
 
     /** @param visibleState  state as in {@link PropertyPane} */
-    IndirectRows(SceneEditor editor, CommandRegistry commands, ObservableValue<EditorState> visibleState) {
+    IndirectControls(SceneEditor editor, CommandRegistry commands, ObservableValue<EditorState> visibleState) {
         this.editor = editor;
         on.setId("world-indirect");
         on.setAccessibleText(Messages.tr("Indirect Light"));
