@@ -44,21 +44,16 @@ public final class ColumnSet<C extends Enum<C> & ColumnKind> {
     }
 
     /**
-     * Returns a set of columns of all kinds.
+     * Returns a set of columns.
      *
-     * @param columns one array per kind, in the order of the kinds; null for missing ones
+     * @param columns one array for each of the first kinds, in their order; null for missing ones
      */
     public static <C extends Enum<C> & ColumnKind> ColumnSet<C> of(Class<C> kinds, Object... columns) {
         C[] allKinds = kindsOf(kinds);
-        if (columns.length != allKinds.length) {
-            throw new IllegalArgumentException("expected " + allKinds.length + " columns, found " + columns.length);
+        if (columns.length > allKinds.length) {
+            throw new IllegalArgumentException("expected at most " + allKinds.length + " columns, found " + columns.length);
         }
         return new ColumnSet<>(allKinds, columns);
-    }
-
-    /** Returns a set without a column. */
-    public static <C extends Enum<C> & ColumnKind> ColumnSet<C> none(Class<C> kinds) {
-        return new ColumnSet<>(kindsOf(kinds), new Object[0]);
     }
 
     /** Allocates columns of some kinds for {@code rows} rows, all 0. */

@@ -209,8 +209,8 @@ public final class RatioKernel {
             return LightRows.UNREACHED;
         }
         LightRows layer = before.litCount() == 0 ? LightRows.unlit(before.states())
-                : LightRows.lit(before.states(), ZEROS, before.litCount())
-                        .withSpecular(before.specular == null ? null : ZEROS, before.grazing == null ? null : ZEROS);
+                : LightRows.lit(before.states(), new LightRows.Terms(ZEROS, before.specular == null ? null : ZEROS,
+                        before.grazing == null ? null : ZEROS, null), before.litCount());
         return layer.withVisibleSamples(before.visibleSamples()).withTint(before.tint());
     }
 

@@ -185,9 +185,9 @@ final class AreaLightKernel {
         RowBits.selectState(changed.state, rows.count, LightRows.LIT, anyLit);
         int lit = RowBits.count(anyLit, rows.count);
         return lit == 0 ? LightRows.unlit(changed.state, changed.visibleSamples)
-                : LightRows.lit(changed.state, merge(rows, before.cosine, changed.cosine, 0, columns), lit)
-                        .withSpecular(merge(rows, before.specular, changed.specular, 0, columns),
-                                merge(rows, before.grazing, changed.grazing, 0, columns))
+                : LightRows.lit(changed.state, new LightRows.Terms(merge(rows, before.cosine, changed.cosine, 0, columns),
+                        merge(rows, before.specular, changed.specular, 0, columns),
+                        merge(rows, before.grazing, changed.grazing, 0, columns), null), lit)
                         .withVisibleSamples(changed.visibleSamples)
                         .withFaceColors(mergeColors(rows, before.face, changed.face, columns),
                                 mergeColors(rows, before.highlight, changed.highlight, columns));

@@ -148,9 +148,9 @@ final class AreaTermSums {
             return LightRows.unlit(state, visibleSamples);
         }
         int samples = source.samples(rows).samples();
-        LightRows layer = LightRows.lit(state, meanColumn(diffuseSum, samples, rows, columns), lit)
-                .withSpecular(hasSpecular ? meanColumn(specularSum, samples, rows, columns) : null,
-                        hasMetallic ? meanColumn(grazingSum, samples, rows, columns) : null)
+        LightRows layer = LightRows.lit(state, new LightRows.Terms(meanColumn(diffuseSum, samples, rows, columns),
+                hasSpecular ? meanColumn(specularSum, samples, rows, columns) : null,
+                hasMetallic ? meanColumn(grazingSum, samples, rows, columns) : null, null), lit)
                 .withVisibleSamples(visibleSamples);
         return source.samples(rows).color == null ? layer
                 : layer.withFaceColors(meanColors(diffuseColor, diffuseSum, rows, columns),

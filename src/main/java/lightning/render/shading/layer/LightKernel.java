@@ -195,7 +195,7 @@ public final class LightKernel {
                 TermColumnWriter.SpecularColumns.of(known.map(KnownTerms::layer).orElse(null)), columns);
         float[] falloffs = known.isPresent() && known.get().haveFalloffs() ? known.get().layer.falloff
                 : columnWriter.falloffColumn(rows, source, columns);
-        return LightRows.lit(state, diffuse, count).withSpecular(speculars.specular(), speculars.grazing()).withFalloff(falloffs);
+        return LightRows.lit(state, new LightRows.Terms(diffuse, speculars.specular(), speculars.grazing(), falloffs), count);
     }
 
     /**

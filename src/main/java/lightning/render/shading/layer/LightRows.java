@@ -118,7 +118,10 @@ public final class LightRows implements LightLayer {
 
     /** Layer whose rows are all outside: shared by all tiles that a light does not reach, and not counted as memory. */
     public static final LightRows UNREACHED = new LightRows(
-            ColumnSet.none(Column.class).with(Column.STATE, uniformStates(OUTSIDE_CONE)), 0, Kind.UNREACHED);
+            ColumnSet.of(Column.class, uniformStates(OUTSIDE_CONE)), 0, Kind.UNREACHED);
+
+    /** Columns that a premultiplied layer does not have. */
+    private static final Set<Column> SEPARATE_COLUMNS = EnumSet.of(Column.SPECULAR, Column.FALLOFF);
 
     /** State and shadow ray flags of each row. */
     public final byte[] state;
@@ -233,7 +236,7 @@ public final class LightRows implements LightLayer {
 
     /** Creates a layer without lit rows. */
     public static LightRows unlit(byte[] state) {
-        return new LightRows(ColumnSet.none(Column.class).with(Column.STATE, state), 0, Kind.UNLIT);
+        return new LightRows(ColumnSet.of(Column.class, state), 0, Kind.UNLIT);
     }
 
     /** Creates a layer without lit rows, in which samples may be visible; {@code visibleSamples} may be null. */
@@ -242,12 +245,22 @@ public final class LightRows implements LightLayer {
     }
 
     /**
-     * Creates a layer of a light without falloff and highlights.
+     * Terms of all rows, 0 for rows that are not lit.
+     *
+     * @param cosine   as {@link LightRows#cosine}
+     * @param specular as {@link LightRows#specular}; null if no row has a highlight
+     * @param grazing  as {@link LightRows#grazing}; null if no row is metallic
+     * @param falloff  as {@link LightRows#falloff}; null if all are 1
+     */
+    public record Terms(float[] cosine, float[] specular, float[] grazing, float[] falloff) {}
+
+    /**
+     * Creates a layer of one sample with the falloff apart.
      *
      * @param lit number of lit rows, at least 1
      */
-    public static LightRows lit(byte[] state, float[] cosine, int lit) {
-        return lit(ColumnSet.none(Column.class).with(Column.STATE, state).with(Column.COSINE, cosine), lit);
+    public static LightRows lit(byte[] state, Terms terms, int lit) {
+        return lit(ColumnSet.of(Column.class, state, terms.cosine, terms.specular, terms.grazing, terms.falloff), lit);
     }
 
     /** Creates a layer with terms of {@code lit} rows, at least 1, and the falloff apart. */
@@ -266,16 +279,16 @@ public final class LightRows implements LightLayer {
 
     /** Returns this layer with other visible samples, or without them if null. */
     public LightRows withVisibleSamples(short[][] samples) {
+        if (samples == visibleSamples) {
+            return this;
+        }
         ColumnSet<Column> changed = columns;
         for (int group = 0; group < Column.SAMPLE_COLUMNS.size(); group++) {
-            changed = changed.with(Column.SAMPLE_COLUMNS.get(group), sampleColumn(samples, group));
+            Column kind = Column.SAMPLE_COLUMNS.get(group);
+            short[] column = sampleColumn(samples, group);
+            changed = column == changed.get(kind) ? changed : changed.with(kind, column);
         }
-        return samples == visibleSamples ? this : withColumns(changed);
-    }
-
-    /** Returns this layer with other specular terms, and grazing terms of metallic materials; each without them if null. */
-    public LightRows withSpecular(float[] specularTerms, float[] grazingTerms) {
-        return with(Column.SPECULAR, specularTerms).with(Column.GRAZING, grazingTerms);
+        return withColumns(changed);
     }
 
     /** Returns this layer with falloffs apart from the cosines; null if all are 1. */
@@ -387,7 +400,7 @@ public final class LightRows implements LightLayer {
         if (falloff == null || grazing != null || specular != null && hasHighlight(rows)) {
             return copyCompact(rows);
         }
-        ColumnSet<Column> own = columns.with(Column.SPECULAR, null).with(Column.FALLOFF, null).deepCopy(rows);
+        ColumnSet<Column> own = columns.without(SEPARATE_COLUMNS).deepCopy(rows);
         float[] product = own.get(Column.COSINE) == cosine ? cosine.clone() : (float[]) own.get(Column.COSINE);
         for (int i = 0; i < rows; i++) {
             product[i] = cosine[i] * falloff[i];

@@ -105,9 +105,8 @@ class LightSumTest {
                     specular ? new float[][] {column(), column(), column()} : null,
                     grazing ? new float[][] {column(), column(), column()} : null);
         }
-        LightRows untinted = LightRows.lit(new byte[rows], column(), 1)
-                .withSpecular(specular ? column() : null, grazing ? column() : null)
-                .withFalloff(random.nextBoolean() ? column() : null);
+        LightRows untinted = LightRows.lit(new byte[rows], new LightRows.Terms(column(), specular ? column() : null,
+                grazing ? column() : null, random.nextBoolean() ? column() : null), 1);
         return random.nextBoolean() ? untinted : untinted.withTint(new float[][] {column(), column(), column()});
     }
 
