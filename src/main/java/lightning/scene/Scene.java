@@ -23,7 +23,7 @@ import lightning.scene.node.SceneNode;
 public record Scene(PictureSettings picture, Camera camera, World world, Stage stage, LightRig rig) implements SceneBuilder.With {
 
     public Scene {
-        rig.names().checkDisjoint(stage.names());
+        rig.checkDisjoint(stage.names());
         rig = rig.withEnvironment(world.environmentLights(rig::isNameUsed), world.meters());
         stage = stage.withBulbs(rig).withFaces(rig);
         OverflowCheck.check(stage, rig);

@@ -1,2 +1,2 @@
-/** What commands write: messages, progress, tables, reports, pictures and the exit code. */
+/** Output of commands: messages, progress, tables, reports, pictures and the exit code. */
 package lightning.cli.output;

@@ -15,7 +15,7 @@ import lightning.editor.window.widget.PanelWindow;
  * Moves the keyboard focus between the pictures, lists and panels of the editor, and its panels in windows of their own.
  *
  * @param editor returns the editor's window
- * @param areas parts of the editor's window, in order; those not shown are skipped /
+ * @param areas parts of the editor's window, in order; those not shown are skipped
  */
 record PanelFocus(Supplier<Window> editor, List<Node> areas) {
     void registerCommands(CommandRegistry commands) {

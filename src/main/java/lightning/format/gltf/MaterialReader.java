@@ -9,7 +9,7 @@ import lightning.format.mesh.MeshException;
 /**
  * Reader for the materials of a glTF file.
  *
- * @param notes receives omitted features /
+ * @param notes receives omitted features
  */
 record MaterialReader(GltfFile file, ConversionNotes notes) {
     private static final int REPEAT = 10497;

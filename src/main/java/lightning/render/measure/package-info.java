@@ -1,2 +1,2 @@
-/** What a picture costs and how exact it is: verification against a full trace, guarantees, savings, and what accuracy and effects cost. */
+/** Measurements of cost and exactness of pictures: verification against a full trace, guarantees, savings, and what accuracy and effects cost. */
 package lightning.render.measure;

@@ -3,7 +3,7 @@ package lightning.render.relight;
 import lightning.render.cache.PixelCache;
 import lightning.render.relight.plan.Accuracy;
 
-/** What a renderer holds of its picture. Immutable: an update makes the next state, and the renderer replaces its state in one assignment. */
+/** State of a renderer's picture. Immutable: an update makes the next state, and the renderer replaces its state in one assignment. */
 public sealed interface PictureState {
 
     /** No picture. */

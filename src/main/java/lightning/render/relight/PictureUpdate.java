@@ -55,7 +55,7 @@ record PictureUpdate(RenderOptions options, WorkerPool workers, RepeatedEditDete
             plan = Dispatcher.plan(step.state().newest(), planned.target, planned.updatesMirrors, options.method());
         }
         UpdatePlan reported = plan instanceof UpdatePlan.Nothing ? planned.update() : plan;
-        step = step.then(updateTo(planned.target, plan, step.state(), centersOnly));
+        step = step.then(updateTo(step.state(), plan, planned.target, centersOnly));
         UpdatePlan refresh = options.method().refresh(step.state().newest(), exposure, curve);
         if (refresh instanceof UpdatePlan.Relight relight) {
             step = step.then(relight(step.state(), relight, step.state().newest().scene(), false));
@@ -65,9 +65,8 @@ record PictureUpdate(RenderOptions options, WorkerPool workers, RepeatedEditDete
             step = centersOnly ? step.then(defer(unfinished, step.work(), System.nanoTime() - start))
                     : step.then(renderSamples(unfinished, unfinished.samples().plan(unfinished.centers())));
         }
-        WorkCounts work = step.work();
-        return new Outcome(step.state(), new UpdateResult(reported, work.rowsTouched(), work.rowsComposed(), work.bytesMoved(), work.rays(),
-                System.nanoTime() - start, bound, refresh instanceof UpdatePlan.Relight));
+        return new Outcome(step.state(),
+                result(reported, step.work(), System.nanoTime() - start, bound, refresh instanceof UpdatePlan.Relight));
     }
 
     /**
@@ -81,8 +80,12 @@ record PictureUpdate(RenderOptions options, WorkerPool workers, RepeatedEditDete
         UpdatePlan plan = pending.plan(unfinished.centers());
         Step step = renderSamples(unfinished, plan);
         WorkCounts work = pending.deferredWork().plus(step.work());
-        return new Outcome(step.state(), new UpdateResult(plan, work.rowsTouched(), work.rowsComposed(), work.bytesMoved(), work.rays(),
-                pending.nanoseconds() + System.nanoTime() - start, 0, false));
+        return new Outcome(step.state(), result(plan, work, pending.nanoseconds() + System.nanoTime() - start, 0, false));
+    }
+
+    private static UpdateResult result(UpdatePlan plan, WorkCounts work, long nanoseconds, double bound, boolean refreshed) {
+        return new UpdateResult(plan, work.rowsTouched(), work.rowsComposed(), work.bytesMoved(), work.rays(), nanoseconds, bound,
+                refreshed);
     }
 
     /** Goes to the picture that an update was planned from; renders samples that could not follow the update. */
@@ -96,7 +99,7 @@ record PictureUpdate(RenderOptions options, WorkerPool workers, RepeatedEditDete
                         : Step.start(from);
     }
 
-    private Step updateTo(Scene target, UpdatePlan plan, PictureState from, boolean centersOnly) {
+    private Step updateTo(PictureState from, UpdatePlan plan, Scene target, boolean centersOnly) {
         return switch (plan) {
             case UpdatePlan.Nothing _ -> Step.start(from);
             case UpdatePlan.FirstPass first -> firstPass(from, first, target, centersOnly && canDeferSamples(target));

@@ -141,7 +141,7 @@ public final class Renderer implements AutoCloseable {
         try {
             return render(target, progress);
         } catch (PictureTooLargeException e) {
-            if (state instanceof PictureState.Empty) {
+            if (!state.hasPicture()) {
                 throw e;
             }
             clear();

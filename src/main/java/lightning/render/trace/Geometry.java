@@ -2,7 +2,6 @@ package lightning.render.trace;
 
 import java.lang.ref.SoftReference;
 import java.lang.ref.WeakReference;
-import java.util.List;
 import java.util.Map;
 import java.util.WeakHashMap;
 import java.util.concurrent.ConcurrentHashMap;
@@ -37,20 +36,12 @@ public final class Geometry {
 
     private final ShapeSurfaces surfaces;
     private final ShadowBlockers blockers;
-    /** Parts of these, for hot code. */
     private final Scene scene;
-    private final List<Shape> shapes;
     private final PrimitiveTable primitives;
     private final MaterialTable materials;
     private final Bvh bvh;
-    private final Predicate<Material> castsReflections;
-    /** Primitives that cast shadows; null if all do. */
-    private final boolean[] shadowCasters;
     private final boolean castsShadows;
-    /** BVH over the primitives that transmit and tint light; null if there are none. */
-    private final Bvh tintBvh;
-    private final boolean[] tintCasters;
-    /** Meshes among these that do not contain the eye, ascending. */
+    /** Meshes among {@link #tintCasters} that do not contain the eye, ascending. */
     private final int[] tintMeshes;
     /** Light buffers by the array of the area's x coordinates. Guarded by itself. */
     private final Map<double[], SoftReference<LightBuffers>> lightBuffers = new WeakHashMap<>();
@@ -67,16 +58,11 @@ public final class Geometry {
     private Geometry(ShapeSurfaces surfaces, Bvh bvh, PrimitiveTable primitives, ShadowBlockers blockers) {
         this.surfaces = surfaces;
         scene = surfaces.scene();
-        shapes = surfaces.shapes();
-        castsReflections = surfaces.castsReflections();
         materials = surfaces.materials();
         this.bvh = bvh;
         this.primitives = primitives;
         this.blockers = blockers;
-        shadowCasters = blockers.shadowCasters();
         castsShadows = blockers.castShadows();
-        tintBvh = blockers.tintBvh();
-        tintCasters = blockers.tintCasters();
         tintMeshes = tintMeshes();
         hasShadowlessMaterials = materials.hasShadowlessMaterials();
     }
@@ -101,7 +87,7 @@ public final class Geometry {
     }
 
     private Geometry withMaterials(Scene other) {
-        return new Geometry(surfaces.withMaterialsOf(other, castsReflections), bvh, primitives, blockers);
+        return new Geometry(surfaces.withMaterialsOf(other, castsReflections()), bvh, primitives, blockers);
     }
 
     /** Returns a version in which only some primitives cast shadows; the BVH contains only these. */
@@ -168,12 +154,12 @@ public final class Geometry {
      * Returns for each primitive whether it transmits and tints light, or null if none does; callers must not modify the array.
      */
     public boolean[] tintCasters() {
-        return tintCasters;
+        return blockers.tintCasters();
     }
 
     /** Returns the BVH over the primitives that transmit and tint light; null if there are none. */
     public Bvh tintBvh() {
-        return tintBvh;
+        return blockers.tintBvh();
     }
 
     /**
@@ -198,6 +184,7 @@ public final class Geometry {
     }
 
     private int[] tintMeshes() {
+        boolean[] tintCasters = tintCasters();
         return IntStream.range(0, tintCasters == null ? 0 : tintCasters.length)
                 .filter(s -> tintCasters[s] && primitives.mesh(s) != null && !primitives.isEyeOnSurface(s))
                 .toArray();
@@ -215,6 +202,7 @@ public final class Geometry {
         Vec3 d = shadowRay.direction();
         hits.clear();
         hits.selectRay(0);
+        boolean[] tintCasters = tintCasters();
         for (int s = 0; tintCasters != null && s < tintCasters.length; s++) {
             if (tintCasters[s]) {
                 primitives.addHits(s, o.x(), o.y(), o.z(), d.x(), d.y(), d.z(), target.touches(s, o), limit, probe, true, hits);
@@ -228,7 +216,7 @@ public final class Geometry {
     }
 
     private boolean isShadowCaster(int primitive) {
-        return shadowCasters == null || shadowCasters[primitive];
+        return blockers.shadowCasters() == null || blockers.shadowCasters()[primitive];
     }
 
     /** Returns whether {@code other} has these shapes, seen from this camera position; its materials may differ. */
@@ -279,7 +267,7 @@ public final class Geometry {
         if (!hasSameShapes(other)) {
             return of(other, newCastsReflections);
         }
-        return canServe(other) && castsReflections == newCastsReflections ? withMaterialsOf(other)
+        return canServe(other) && castsReflections() == newCastsReflections ? withMaterialsOf(other)
                 : seenFrom(other, newCastsReflections);
     }
 
@@ -315,7 +303,7 @@ public final class Geometry {
 
     /** Returns the predicate that selects the materials that cast reflected rays. */
     public Predicate<Material> castsReflections() {
-        return castsReflections;
+        return surfaces.castsReflections();
     }
 
     public MaterialTable materials() {
@@ -334,7 +322,7 @@ public final class Geometry {
 
     /** Returns the shape that a primitive belongs to. */
     public Shape shape(int primitive) {
-        return shapes.get(owner(primitive));
+        return surfaces.shapes().get(owner(primitive));
     }
 
     /** Returns whether a primitive is the face of a visible light, whose name its {@link #shape} has: it is no object of the scene. */
@@ -344,7 +332,7 @@ public final class Geometry {
 
     /** Returns whether the scene has visible lights. */
     boolean hasLightFaces() {
-        return shapes.size() > scene.stage().shapes().size();
+        return surfaces.shapes().size() > scene.stage().shapes().size();
     }
 
     /** Returns whether a bump or normal map bends the normals of a primitive. */

@@ -21,6 +21,7 @@ import lightning.scene.value.SceneLimits;
 public record AreaShape(double radius, double spread, double width, double height, Vec3 up, int samples,
         FaceVisibility visibility, boolean hardShadows) implements AreaShapeBuilder.With {
     static final NumericKind<Double> EXTENTS = NumericKind.number(0, SceneLimits.MAX_EXTENT, 0.1);
+    static final NumericKind<Vec3> UPS = NumericKind.direction();
     static final NumericKind<Double> SPREADS = NumericKind.degrees(0, SceneLimits.MAX_SPREAD, 0.5);
     static final NumericKind<Integer> SAMPLE_COUNTS = NumericKind.integer(SceneLimits.MIN_LIGHT_SAMPLES, SceneLimits.MAX_LIGHT_SAMPLES);
 
@@ -33,7 +34,7 @@ public record AreaShape(double radius, double spread, double width, double heigh
         SPREADS.check("spread", spread);
         EXTENTS.check("width", width);
         EXTENTS.check("height", height);
-        NumericKind.direction().check("up", up);
+        UPS.check("up", up);
         SAMPLE_COUNTS.check("samples", samples);
     }
 

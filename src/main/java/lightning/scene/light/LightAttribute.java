@@ -121,7 +121,7 @@ public final class LightAttribute<V> extends SceneAttribute<Light, V> {
             of("height", AreaShape.EXTENTS, AreaShape.DEFAULT.height(),
                     "scene units", l -> l.area().height(), (l, v) -> l.withArea(l.area().withHeight(v)), Section.AREA,
                     Map.of(RECT, LightTerm.SOURCE));
-    public static final LightAttribute<Vec3> UP = of("up", "roll axis", NumericKind.direction(), AreaShape.DEFAULT.up(),
+    public static final LightAttribute<Vec3> UP = of("up", "roll axis", AreaShape.UPS, AreaShape.DEFAULT.up(),
             "any nonzero vector", l -> l.area().up(), (l, v) -> l.withArea(l.area().withUp(v)), Section.AREA,
             Map.of(RECT, LightTerm.SOURCE, DISC, LightTerm.SOURCE));
     public static final LightAttribute<Optional<LightTexture>> TEXTURE =
@@ -142,8 +142,8 @@ public final class LightAttribute<V> extends SceneAttribute<Light, V> {
             of("solo", ChoiceKind.YES_OR_NO, Switches.DEFAULT.solo(), "", Light::solo, Light::withSolo,
                     Section.SWITCHES, Map.of());
     public static final LightAttribute<String> LIGHT_GROUP =
-            of("bank", "light group", new ValueKind.NameKind(ValueKind.NameKind.Referent.LIGHT_GROUP,
-                    Messages.key("Light group of this light")), "", "name of a light group", Light::lightGroup, Light::withLightGroup,
+            of("bank", "light group", Switches.GROUPS, Switches.DEFAULT.lightGroup(), "name of a light group", Light::lightGroup,
+                    Light::withLightGroup,
                     Section.SWITCHES, Map.of());
     public static final LightAttribute<ShapeLinks> ILLUMINATES = of("illuminates", new ValueKind.LinksKind(
             Messages.key("Illuminates"), Messages.key("Objects and groups that the light illuminates")),

@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
 import lightning.base.text.Quote;
+import lightning.scene.node.NodeNames;
 import lightning.scene.value.SceneLimits;
 
 /**
@@ -107,8 +108,13 @@ public final class LightRig {
         return meters == METERS ? light : Emission.withUnit(light, IntensityUnit.RELATIVE, meters);
     }
 
-    public LightRigNames names() {
-        return names;
+    /**
+     * Checks the names of nodes for conflicts with its lights and groups.
+     *
+     * @throws IllegalArgumentException if a shape or a group has the name of a light or a light group
+     */
+    public void checkDisjoint(NodeNames nodes) {
+        names.checkDisjoint(nodes);
     }
 
     /** Returns the index of the light of that name, or −1. */

@@ -7,7 +7,7 @@ import lightning.base.text.Quote;
 import lightning.scene.node.NodeNames;
 
 /** Table of the names of a rig's lights and groups, shared by all rigs with the same names. */
-public final class LightRigNames {
+final class LightRigNames {
     private final List<Light> lights;
     private final List<LightGroup> lightGroups;
     private final Map<String, Integer> lightIndices;
@@ -48,7 +48,7 @@ public final class LightRigNames {
      *
      * @throws IllegalArgumentException if a shape or a group has the name of a light or a light group
      */
-    public void checkDisjoint(NodeNames nodes) {
+    void checkDisjoint(NodeNames nodes) {
         if (disjoint == nodes) {
             return;
         }

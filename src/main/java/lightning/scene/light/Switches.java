@@ -1,7 +1,8 @@
 package lightning.scene.light;
 
 import io.soabase.recordbuilder.core.RecordBuilder;
-import lightning.scene.value.SceneLimits;
+import lightning.base.text.Messages;
+import lightning.scene.attribute.ValueKind;
 
 /**
  * Whether a light shines.
@@ -12,13 +13,14 @@ import lightning.scene.value.SceneLimits;
  */
 @RecordBuilder
 public record Switches(boolean on, boolean solo, String lightGroup) implements SwitchesBuilder.With {
+    static final ValueKind.NameKind GROUPS =
+            new ValueKind.NameKind(ValueKind.NameKind.Referent.LIGHT_GROUP, Messages.key("Light group of this light"));
+
     /** Initial values of a light: on, in no group. */
     public static final Switches DEFAULT = new Switches(true, false, "");
 
     /** @throws IllegalArgumentException if a group has no name that a scene allows */
     public Switches {
-        if (!lightGroup.isEmpty()) {
-            SceneLimits.checkName(lightGroup);
-        }
+        GROUPS.check("bank", lightGroup);
     }
 }

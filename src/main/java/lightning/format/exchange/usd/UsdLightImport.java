@@ -39,7 +39,7 @@ import lightning.scene.value.SceneLimits;
  * @param upright rotation of the stage to a scene with y up
  * @param meters meters per scene unit
  * @param notes receives what cannot be imported
- * @param softCones profiles of the scene's soft cones /
+ * @param softCones profiles of the scene's soft cones
  */
 record UsdLightImport(SceneAssembler assembler, Transform upright, double meters, ConversionNotes notes, SoftCones softCones) {
     private static final MathContext DIGITS = new MathContext(12);

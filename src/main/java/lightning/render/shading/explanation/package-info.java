@@ -1,2 +1,2 @@
-/** What the light of one pixel consists of. */
+/** Explanation of a pixel: the contributions of all lights. */
 package lightning.render.shading.explanation;

@@ -1,2 +1,2 @@
-/** A light's layer: what it contributes to each row of a tile, and its updates. */
+/** Layer of one light: its contribution to each row of a tile, and updates of it. */
 package lightning.render.shading.layer;
