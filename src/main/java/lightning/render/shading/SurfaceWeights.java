@@ -26,21 +26,32 @@ public final class SurfaceWeights {
         return tint[c];
     }
 
-    /** Returns the factor of diffuse, ambient and emitted light. */
+    /** Returns the factor of emitted light that an image multiplies, as in {@link LightingEquation#addMapped}. */
     public float bodyWeight(float kr, int c) {
         return hit.backSide() == null ? 1 - kr
                 : (1 - reflectance(kr)) * ClearMaterialShader.bodyShare(hit.backSide().transmission()) * tint[c];
     }
 
-    /** Returns the factor of the mirrored ray. */
-    public float mirrorWeight(float kr, int c) {
-        return hit.backSide() == null ? kr : reflectance(kr) * tint[c];
+    /**
+     * Returns what the body sends of a light, multiplied in the order of the {@link LightingEquation}: a product of weights may be so small
+     * that it has lost its precision, which a bright light would amplify.
+     *
+     * @param light light before the weights, kd·Idiff for diffuse light, linear, ≥ 0
+     */
+    public float body(float light, float kr, int c) {
+        return hit.backSide() == null ? light * (1 - kr)
+                : light * ((1 - reflectance(kr)) * ClearMaterialShader.bodyShare(hit.backSide().transmission())) * tint[c];
     }
 
-    /** Returns the factor of the refracted ray. */
-    public float refractionWeight(float kr, int c) {
+    /** Returns the part of the mirrored ray, whose color has the channel {@code color}. */
+    public float mirrored(float color, float kr, int c) {
+        return hit.backSide() == null ? kr * color : reflectance(kr) * color * tint[c];
+    }
+
+    /** Returns the part of the refracted ray, whose color has the channel {@code color}; 0 for an opaque surface. */
+    public float refracted(float color, float kr, int c) {
         return hit.backSide() == null ? 0
-                : (1 - reflectance(kr)) * ClearMaterialShader.channel(hit.backSide().transmission().color(), c) * tint[c];
+                : (1 - reflectance(kr)) * ClearMaterialShader.channel(hit.backSide().transmission().color(), c) * color * tint[c];
     }
 
     private float reflectance(float kr) {

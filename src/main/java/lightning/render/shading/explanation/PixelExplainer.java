@@ -134,7 +134,7 @@ public final class PixelExplainer {
                     case AMBIENT -> ambient;
                     case GLOW -> glow;
                 };
-                part[c] = (map == null ? amount : amount * map[c]) * share.bodyWeight(kr, c);
+                part[c] = map == null ? share.body(amount, kr, c) : share.bodyWeight(kr, c) * (amount * map[c]);
             }
             color[c] = materials.isTransparent(hit.material())
                     ? share.color(c, emitted, hit.diffuse()[c], diffuse,

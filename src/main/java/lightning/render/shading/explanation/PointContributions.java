@@ -28,7 +28,7 @@ public record PointContributions(SurfacePoint at, float[] reflectivity, SurfaceW
     public float[] ofLight(LightReport light) {
         float[] added = new float[3];
         for (int c = 0; c < 3; c++) {
-            added[c] = at.diffuse()[c] * light.diffuse()[c] * surfaceShare.bodyWeight(reflectivity[c], c)
+            added[c] = surfaceShare.body(at.diffuse()[c] * light.diffuse()[c], reflectivity[c], c)
                     + (at.specular()[c] * light.highlight()[c] + light.sheen()[c]) * surfaceShare.interiorTint(c);
         }
         return added;
@@ -38,23 +38,23 @@ public record PointContributions(SurfacePoint at, float[] reflectivity, SurfaceW
     public float[] ofIndirect(float[] light) {
         float[] added = new float[3];
         for (int c = 0; c < 3; c++) {
-            added[c] = at.diffuse()[c] * light[c] * surfaceShare.bodyWeight(reflectivity[c], c);
+            added[c] = surfaceShare.body(at.diffuse()[c] * light[c], reflectivity[c], c);
         }
         return added;
     }
 
     /** Returns the mirrored ray's contribution, kr·Cr for an opaque surface, linear, {@code float[3]}. */
     public float[] reflectedPart(float[] color) {
-        return new float[] {surfaceShare.mirrorWeight(reflectivity[0], 0) * color[0],
-            surfaceShare.mirrorWeight(reflectivity[1], 1) * color[1],
-            surfaceShare.mirrorWeight(reflectivity[2], 2) * color[2]};
+        return new float[] {surfaceShare.mirrored(color[0], reflectivity[0], 0),
+            surfaceShare.mirrored(color[1], reflectivity[1], 1),
+            surfaceShare.mirrored(color[2], reflectivity[2], 2)};
     }
 
     /** Returns the refracted ray's contribution, linear, {@code float[3]}. */
     public float[] refractedPart(float[] color) {
-        return new float[] {surfaceShare.refractionWeight(reflectivity[0], 0) * color[0],
-            surfaceShare.refractionWeight(reflectivity[1], 1) * color[1],
-            surfaceShare.refractionWeight(reflectivity[2], 2) * color[2]};
+        return new float[] {surfaceShare.refracted(color[0], reflectivity[0], 0),
+            surfaceShare.refracted(color[1], reflectivity[1], 1),
+            surfaceShare.refracted(color[2], reflectivity[2], 2)};
     }
 
     /**
