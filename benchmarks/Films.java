@@ -8,9 +8,9 @@ import lightning.format.jen.JenReader;
 import lightning.render.image.Film;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.UpdateResult;
-import lightning.render.relight.plan.Accuracy;
-import lightning.render.relight.plan.ReflectionMode;
-import lightning.render.relight.tile.MirrorStorage;
+import lightning.render.relight.paper.Accuracy;
+import lightning.render.relight.paper.MirrorStorage;
+import lightning.render.relight.paper.ReflectionMode;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Scene;
 

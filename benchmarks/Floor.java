@@ -13,7 +13,7 @@ import lightning.render.engine.choice.Engines;
 import lightning.render.fulltrace.TraditionalTracer;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.UpdateResult;
-import lightning.render.relight.plan.ReflectionMode;
+import lightning.render.relight.paper.ReflectionMode;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.PictureSettings;
 import lightning.scene.Scene;

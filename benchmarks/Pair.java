@@ -16,7 +16,7 @@ import lightning.render.engine.choice.Engines;
 import lightning.render.fulltrace.TraditionalTracer;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.UpdateResult;
-import lightning.render.relight.plan.ReflectionMode;
+import lightning.render.relight.paper.ReflectionMode;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.render.trace.Geometry;
 import lightning.scene.PictureSettings;

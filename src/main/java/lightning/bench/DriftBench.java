@@ -13,15 +13,12 @@ import lightning.render.image.Film;
 import lightning.render.measure.PictureError;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.UpdateResult;
-import lightning.render.relight.plan.Accuracy;
-import lightning.render.relight.plan.ReflectionMode;
+import lightning.render.relight.paper.Accuracy;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Scene;
 
 /** Benchmark of image error after 1, 10, 100, … edits, at each accuracy. */
 final class DriftBench {
-    private static final RenderOptions CURRENT = RenderOptions.DEFAULT.withReflections(ReflectionMode.CURRENT);
-
     private final NamedScene named;
     private final Scene scene;
     private final int threads;
@@ -40,7 +37,7 @@ final class DriftBench {
         List<DriftPoint> points = new ArrayList<>();
         Scene target = scene;
         List<Renderer> renderers = Arrays.stream(Accuracy.values())
-                .map(accuracy -> new Renderer(CURRENT.withAccuracy(accuracy).withThreads(threads))).toList();
+                .map(accuracy -> new Renderer(RenderOptions.DEFAULT.withAccuracy(accuracy).withThreads(threads))).toList();
         int[] refreshes = new int[renderers.size()];
         try (WorkerPool workers = new WorkerPool(threads)) {
             for (Renderer renderer : renderers) {

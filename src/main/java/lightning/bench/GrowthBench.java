@@ -12,7 +12,6 @@ import lightning.bench.result.GrowthPoint;
 import lightning.bench.result.MeasurementFailure;
 import lightning.bench.result.TimeSamples;
 import lightning.render.relight.MemoryEstimate;
-import lightning.render.relight.plan.ReflectionMode;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Scene;
 import lightning.scene.paper.PaperCase;
@@ -99,7 +98,7 @@ final class GrowthBench {
     }
 
     private UpdateSaving reflections(Scene scene, PaperCase edit, Progress progress) {
-        try (UpdateSavingMeter meter = meter(RenderOptions.DEFAULT.withReflections(ReflectionMode.STALE))) {
+        try (UpdateSavingMeter meter = meter(RenderOptions.DEFAULT.withReflectionsOnRequest())) {
             return meter.reflections(scene, edit.after(), progress);
         }
     }

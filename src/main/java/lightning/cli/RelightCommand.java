@@ -10,8 +10,8 @@ import java.util.stream.Stream;
 import lightning.base.work.WorkerPool;
 import lightning.cli.option.LayerOptions;
 import lightning.cli.option.PictureOptions;
-import lightning.cli.option.ReflectionsOption;
 import lightning.cli.option.ThreadsOption;
+import lightning.cli.option.UpdateOptions;
 import lightning.cli.output.BadInputException;
 import lightning.cli.output.Console;
 import lightning.cli.output.ExitCode;
@@ -32,8 +32,6 @@ import lightning.render.measure.Verification;
 import lightning.render.measure.WarmSaving;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.UpdateResult;
-import lightning.render.relight.plan.Accuracy;
-import lightning.render.relight.tile.MirrorStorage;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Scene;
 import picocli.CommandLine.ArgGroup;
@@ -81,16 +79,8 @@ final class RelightCommand implements Callable<Integer> {
     private LayerOptions layers;
     @ArgGroup(exclusive = true, multiplicity = "1..*", heading = "%nEdits:%n")
     private List<EditStep> steps;
-    @Option(names = "--accuracy", paramLabel = "ACCURACY", defaultValue = "exact",
-            description = "exact (bit-identical to a full trace) or ratio (fast, approximate 1998 method with an error bound) "
-                    + "(default: exact).")
-    private Accuracy accuracy;
     @Mixin
-    private ReflectionsOption reflections;
-    @Option(names = "--update-reflections",
-            description = "Keep reflections stale until the last edit, then update them in a separate step (1998 method).")
-    private boolean updateReflections;
-    private MirrorStorage storage = MirrorStorage.FULL_ROWS;
+    private UpdateOptions updates;
     @Option(names = "--verify", description = "Verify each image against full traces.")
     private boolean verify;
     @Option(names = "--no-savings",
@@ -101,18 +91,6 @@ final class RelightCommand implements Callable<Integer> {
     private Path saveFile;
 
     private final List<RelightReport.Step> reports = new ArrayList<>();
-
-    /** Command-line names of {@link MirrorStorage}. */
-    enum Storage { ROWS, SHAPES }
-
-    @Option(names = "--storage", paramLabel = "WHAT", defaultValue = "rows",
-            description = "Cache for reflections: rows (fast) or shapes (small) (default: rows).")
-    private void setStorage(Storage value) {
-        storage = switch (value) {
-            case ROWS -> MirrorStorage.FULL_ROWS;
-            case SHAPES -> MirrorStorage.SMALLEST;
-        };
-    }
 
     RelightCommand(Console console) {
         this.console = console;
@@ -141,9 +119,8 @@ final class RelightCommand implements Callable<Integer> {
             InputFiles.referencedBy(edited.getLast(), input.path().toAbsolutePath().getParent()).check(saveFile);
         }
         Scene before = picture.apply(document.scene());
-        RenderOptions options =
-                new RenderOptions(accuracy, updateReflections ? reflections.staleValue() : reflections.value(), storage, threads.count())
-                        .withMemory(PictureOutput.availableMemory(before, pictures.file(1)));
+        RenderOptions options = updates.apply(RenderOptions.DEFAULT.withThreads(threads.count()))
+                .withMemory(PictureOutput.availableMemory(before, pictures.file(1)));
         boolean allKept = true;
         UpdateResult first;
         try (Renderer renderer = new Renderer(options); WorkerPool workers = new WorkerPool(threads.count());
@@ -155,7 +132,7 @@ final class RelightCommand implements Callable<Integer> {
                 Optional<Path> pictureFile = pictures.written(step, last);
                 allKept &= relight(output.view(scene), step, pictureFile, false, (r, progress) -> r.render(scene, progress), renderer,
                         workers, bar);
-                if (updateReflections && step == last) {
+                if (updates.updatesReflectionsLast() && step == last) {
                     allKept &= relight(output.view(scene), step, pictureFile, true, Renderer::updateReflections, renderer, workers, bar);
                 }
                 Optional<Path> matteFile = mattes.isPresent() ? mattes.get().written(step, last) : Optional.empty();

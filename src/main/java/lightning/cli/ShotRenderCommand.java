@@ -30,7 +30,6 @@ import lightning.format.jen.JenDocument;
 import lightning.format.jen.JenFile;
 import lightning.format.layer.FrameTime;
 import lightning.render.cache.PixelCache;
-import lightning.render.relight.plan.ReflectionMode;
 import lightning.render.relight.plan.UpdatePlan;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Scene;
@@ -182,7 +181,7 @@ final class ShotRenderCommand implements Callable<Integer> {
 
     private void renderFrames(ShotFrames shot, Scene scene, List<Integer> frames, long memory, FrameSink sink) throws IOException {
         RenderOptions options =
-                RenderOptions.DEFAULT.withReflections(ReflectionMode.CURRENT).withThreads(threads.count()).withMemory(memory);
+                RenderOptions.DEFAULT.withThreads(threads.count()).withMemory(memory);
         try (ProgressBar bar = new ProgressBar(console, "rendering")) {
             FrameSequenceRenderer.render(frames, frame -> shot.shot().sceneAt(scene, frame), options, bar.cancellationOnly(),
                     (frame, cache, update) -> {

@@ -31,7 +31,6 @@ import lightning.format.pov.PovScene;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
 import lightning.render.relight.MemoryEstimate;
-import lightning.render.relight.plan.ReflectionMode;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Scene;
 import lightning.scene.paper.PaperCase;
@@ -109,7 +108,7 @@ final class TourCommand implements Callable<Integer> {
     }
 
     private RenderOptions options() {
-        return RenderOptions.DEFAULT.withReflections(reflections.value()).withThreads(threads.count());
+        return reflections.apply(RenderOptions.DEFAULT).withThreads(threads.count());
     }
 
     private boolean runTour(Scene sized, List<PaperCase> cases, Optional<PovRayRunner> pov, UpdateSavingMeter meter, ProgressBar bar)
@@ -155,7 +154,7 @@ final class TourCommand implements Callable<Integer> {
     private boolean updateMirrors(List<PaperCase> cases, TourTable table, UpdateSavingMeter meter, ProgressBar bar,
             List<TourReport.Edit> edits) throws IOException {
         Optional<PaperCase> edit = cases.stream().filter(c -> c.name().equals("position")).findFirst();
-        if (edit.isEmpty() || reflections.value() == ReflectionMode.CURRENT) {
+        if (edit.isEmpty() || !reflections.isStale()) {
             return true;
         }
         UpdateSaving saving = meter.reflections(edit.get().before(), edit.get().after(), bar.cancellationOnly());

@@ -11,10 +11,7 @@ import lightning.render.image.Film;
 import lightning.render.relight.MemoryEstimate;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.UpdateResult;
-import lightning.render.relight.plan.Accuracy;
-import lightning.render.relight.plan.ReflectionMode;
 import lightning.render.relight.plan.UpdatePlan;
-import lightning.render.relight.tile.MirrorStorage;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.render.trace.Geometry;
 import lightning.scene.Scene;
@@ -60,7 +57,7 @@ public final class LocalFrameHost implements FrameHost {
     }
 
     private LocalFrameHost(RenderOptions options, FrameStore store) {
-        this.options = options.withAccuracy(Accuracy.EXACT).withReflections(ReflectionMode.CURRENT).withStorage(MirrorStorage.FULL_ROWS);
+        this.options = options.withDefaultMethod();
         this.store = store;
     }
 

@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import lightning.base.work.Progress;
 import lightning.bench.result.DriftCurve;
 import lightning.bench.result.DriftPoint;
-import lightning.render.relight.plan.Accuracy;
+import lightning.render.relight.paper.Accuracy;
 import org.junit.jupiter.api.Test;
 
 class DriftBenchTest {

@@ -17,7 +17,7 @@ import lightning.format.jen.JenReader;
 import lightning.render.relight.MemoryEstimate;
 import lightning.render.relight.PictureTooLargeException;
 import lightning.render.relight.Renderer;
-import lightning.render.relight.tile.MirrorStorage;
+import lightning.render.relight.paper.MirrorStorage;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Scene;
 import org.junit.jupiter.api.Test;

@@ -11,7 +11,7 @@ import lightning.bench.result.DriftCurve;
 import lightning.bench.result.DriftPoint;
 import lightning.bench.result.GrowthCurve;
 import lightning.bench.result.GrowthPoint;
-import lightning.render.relight.plan.Accuracy;
+import lightning.render.relight.paper.Accuracy;
 
 /** Report sections of image drift and growth of times. */
 final class CurveSections {

@@ -7,7 +7,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Collectors;
 import lightning.render.measure.AccuracySetting;
-import lightning.render.relight.plan.Accuracy;
+import lightning.render.relight.paper.Accuracy;
 
 /**
  * Colors of charts. In the page each is a variable of the style sheet, such as {@code --paper}, which depends on the theme; {@link #color}

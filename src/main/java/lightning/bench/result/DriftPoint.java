@@ -1,7 +1,7 @@
 package lightning.bench.result;
 
 import lightning.render.measure.PictureError;
-import lightning.render.relight.plan.Accuracy;
+import lightning.render.relight.paper.Accuracy;
 
 /**
  * Image error after a number of edits.

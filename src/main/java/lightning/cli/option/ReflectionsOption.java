@@ -1,7 +1,8 @@
 package lightning.cli.option;
 
 import lightning.cli.output.BadInputException;
-import lightning.render.relight.plan.ReflectionMode;
+import lightning.render.relight.paper.ReflectionMode;
+import lightning.render.relight.tile.RenderOptions;
 import picocli.CommandLine.Option;
 
 /** Option {@code --reflections}. */
@@ -11,16 +12,21 @@ public final class ReflectionsOption {
                     + "(default: current).")
     private ReflectionMode reflections;
 
-    /** Returns the requested mode, or the default. */
-    public ReflectionMode value() {
-        return reflections == null ? ReflectionMode.CURRENT : reflections;
+    /** Returns whether reflections are updated on request only. */
+    public boolean isStale() {
+        return reflections == ReflectionMode.STALE;
     }
 
-    /** Returns the stale mode for a command that updates reflections in a separate step; rejects an explicit {@code current}. */
-    public ReflectionMode staleValue() throws BadInputException {
+    /** Returns the options with the requested mode, or the default. */
+    public RenderOptions apply(RenderOptions options) {
+        return reflections == null ? options : options.withReflections(reflections);
+    }
+
+    /** Returns the options in stale mode for a command that updates reflections in a separate step; rejects an explicit {@code current}. */
+    RenderOptions applyStale(RenderOptions options) throws BadInputException {
         if (reflections == ReflectionMode.CURRENT) {
             throw new BadInputException("--update-reflections updates stale reflections; with --reflections current they need no update");
         }
-        return ReflectionMode.STALE;
+        return options.withReflectionsOnRequest();
     }
 }

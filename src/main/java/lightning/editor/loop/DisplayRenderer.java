@@ -5,7 +5,6 @@ import lightning.base.work.Progress;
 import lightning.render.image.Film;
 import lightning.render.relight.PictureTooLargeException;
 import lightning.render.relight.Renderer;
-import lightning.render.relight.plan.ReflectionMode;
 import lightning.scene.Scene;
 import lightning.scene.effects.ViewEffects;
 
@@ -27,7 +26,7 @@ final class DisplayRenderer implements AutoCloseable {
 
     /** Renders the image without some effects. Its reflections show the scene that the full image's reflections show. */
     private Renderer renderWithEffects(Renderer renderer, ViewEffects effects, Progress progress) {
-        var options = renderer.options().withReflections(ReflectionMode.STALE).withView(effects)
+        var options = renderer.options().withReflectionsOnRequest().withView(effects)
                 .withMemory(renderer.options().memory() - renderer.state().bytes());
         if (effectRenderer == null) {
             effectRenderer = new Renderer(options);

@@ -16,9 +16,8 @@ import lightning.render.relight.PictureTooLargeException;
 import lightning.render.relight.PlannedUpdate;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.UpdateResult;
-import lightning.render.relight.plan.Accuracy;
 import lightning.render.relight.plan.PathUpdate;
-import lightning.render.relight.plan.ReflectionMode;
+import lightning.render.relight.plan.UpdateMethod;
 import lightning.render.relight.plan.UpdatePlan;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.render.shading.RenderedScenes;
@@ -43,7 +42,7 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
     private UpdateResult lastUpdate;
     /** Step of the image. */
     private Frame.Step lastStep;
-    private Accuracy lastAccuracy;
+    private UpdateMethod lastMethod;
     private Scene renderedScene;
     /** Description of the last update if it was slow; else empty. Written by the thread that finds out. */
     private volatile String slowUpdate = "";
@@ -239,7 +238,7 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
     private ProgressiveDisplay startUpdate(Scene requested, Scene scene, PlannedUpdate planned, RenderQueue.CancelSignal signal) {
         String kind = planned.update().description();
         var scenes = new RenderedScenes(scene,
-                renderer.options().reflections() == ReflectionMode.CURRENT ? scene : renderer.cache().mirroredScene());
+                renderer.options().keepsReflectionsCurrent() ? scene : renderer.cache().mirroredScene());
         boolean canShow = displayMode.isFullPicture() && CoarseSteps.of(scene.picture()).first() > 0;
         var display = new ProgressiveDisplay(signal, requested, listener, seconds -> {
             slowUpdate = kind;
@@ -324,14 +323,14 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
                     r.setView(usedView.exposure(), usedView.steepestCurve());
                     return repeatStep.run(r, progress);
                 }));
-        lastAccuracy = renderer.options().accuracy();
+        lastMethod = renderer.options().method();
         lastStep = result;
         show(update, signal);
     }
 
-    /** Returns the cache that the update starts from; null if a repetition cannot start from it, as its accuracy differs. */
+    /** Returns the cache that the update starts from; null if a repetition cannot start from it, as its method differs. */
     private PixelCache startCache() {
-        return renderer.state().hasPicture() && renderer.options().accuracy() == lastAccuracy ? renderer.state().lastFinished() : null;
+        return renderer.state().hasPicture() && renderer.options().method().equals(lastMethod) ? renderer.state().lastFinished() : null;
     }
 
     private void dropDocument(long number) {

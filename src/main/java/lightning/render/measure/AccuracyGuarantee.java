@@ -15,8 +15,6 @@ import lightning.render.image.Difference;
 import lightning.render.image.Film;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.UpdateResult;
-import lightning.render.relight.plan.Accuracy;
-import lightning.render.relight.plan.ReflectionMode;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.render.shading.RenderedScenes;
 import lightning.render.trace.Geometry;
@@ -85,7 +83,7 @@ public record AccuracyGuarantee(RenderedScenes scenes, ViewEffects view, double 
         if (view.equals(ViewEffects.ALL)) {
             return new TraditionalTracer(seenScenes.scene(), seenScenes.mirrored(), geometry).trace(workers, progress).film();
         }
-        RenderOptions options = RenderOptions.DEFAULT.withAccuracy(Accuracy.EXACT).withReflections(ReflectionMode.STALE).withView(view)
+        RenderOptions options = RenderOptions.DEFAULT.withReflectionsOnRequest().withView(view)
                 .withThreads(workers.count());
         try (Renderer renderer = new Renderer(options)) {
             renderer.render(seenScenes.mirrored(), progress);

@@ -2,8 +2,7 @@ package lightning.render.measure;
 
 import java.util.Set;
 import lightning.render.engine.choice.Engines;
-import lightning.render.relight.plan.Accuracy;
-import lightning.render.relight.plan.ReflectionMode;
+import lightning.render.relight.paper.Accuracy;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.AntialiasMode;
 import lightning.scene.PictureSettings;
@@ -67,13 +66,13 @@ public enum AccuracySetting {
 
     /** Returns the render options of the setting. */
     RenderOptions options() {
-        RenderOptions exact = RenderOptions.DEFAULT.withAccuracy(Accuracy.EXACT).withEngines(Engines.FASTEST);
+        RenderOptions exact = RenderOptions.DEFAULT.withEngines(Engines.FASTEST);
         return switch (this) {
-            case HALF_RESOLUTION, FEW_SAMPLES, NO_ANTIALIASING, EXACT_CURRENT -> exact.withReflections(ReflectionMode.CURRENT);
-            case FAST_SHADING -> exact.withReflections(ReflectionMode.STALE)
+            case HALF_RESOLUTION, FEW_SAMPLES, NO_ANTIALIASING, EXACT_CURRENT -> exact;
+            case FAST_SHADING -> exact.withReflectionsOnRequest()
                     .withView(ViewEffects.ALL.withHidden(Set.of(RenderEffect.SHADOWS, RenderEffect.REFLECTION)));
-            case RATIO -> exact.withReflections(ReflectionMode.STALE).withAccuracy(Accuracy.RATIO);
-            case EXACT, EXACT_UPDATED -> exact.withReflections(ReflectionMode.STALE);
+            case RATIO -> exact.withReflectionsOnRequest().withAccuracy(Accuracy.RATIO);
+            case EXACT, EXACT_UPDATED -> exact.withReflectionsOnRequest();
             case FULL_TRACE -> throw new IllegalArgumentException("expected a setting of a re-render, found the full trace");
         };
     }

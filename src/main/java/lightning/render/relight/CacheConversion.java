@@ -74,7 +74,7 @@ record CacheConversion(PixelCache cache, RenderOptions options) {
             if (fine.length > 0) {
                 FineTile tile = cache.fineTile(i).map(center, centers,
                         (places, block) -> threads.get(worker).forTile(i).convert(places, block, top, mirrors));
-                fine[i] = options.accuracy().isExact() ? tile.withoutColors() : tile;
+                fine[i] = options.method().isExact() ? tile.withoutColors() : tile;
             }
         }, progress);
         WorkCounts work = threads.stream().flatMap(thread -> thread.workers().stream()).map(TileConverter::work).reduce(WorkCounts.NONE,

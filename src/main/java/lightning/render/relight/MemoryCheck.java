@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.concurrent.CancellationException;
 import lightning.render.cache.PixelCache;
 import lightning.render.gather.PathsTooLargeException;
-import lightning.render.relight.tile.MirrorStorage;
+import lightning.render.relight.paper.MirrorStorage;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.render.trace.MeshMemory;
 import lightning.scene.PictureSettings;

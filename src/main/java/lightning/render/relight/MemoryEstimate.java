@@ -65,7 +65,7 @@ public final class MemoryEstimate {
             case EVERY -> sampling.samplesPerPixel();
         };
         // Samples store their colors if errors are bounded.
-        long colored = !options.accuracy().isExact() ? samples : sampling.antialias() == AntialiasMode.EVERY ? 0 : 1;
+        long colored = !options.method().isExact() ? samples : sampling.antialias() == AntialiasMode.EVERY ? 0 : 1;
         return IndirectEstimate.upperBound(picture, levels, texelBytes, lights, glows) + pixels(picture)
                 * (samples * (row + mirrored) + colored * BYTES_PER_COLOR + edgeColorBytes(sampling)
                         + (sampling.isSupersampled() ? 3 * BYTES_PER_COLOR : 0));

@@ -1,7 +1,7 @@
 package lightning.render.relight;
 
 import lightning.render.cache.PixelCache;
-import lightning.render.relight.plan.Accuracy;
+import lightning.render.relight.plan.UpdateMethod;
 
 /** State of a renderer's picture. Immutable: an update makes the next state, and the renderer replaces its state in one assignment. */
 public sealed interface PictureState {
@@ -19,9 +19,9 @@ public sealed interface PictureState {
     /**
      * A picture with all samples that its scene requires.
      *
-     * @param accuracy accuracy of its layers; it differs from the renderer's options after a change, until the next update
+     * @param method method of its layers; it differs from the renderer's options after a change, until the next update
      */
-    record Finished(PixelCache cache, Accuracy accuracy) implements PictureState {}
+    record Finished(PixelCache cache, UpdateMethod method) implements PictureState {}
 
     /** Returns whether no sample is missing that the scene requires; true without a picture. */
     default boolean isFinished() {
@@ -34,8 +34,8 @@ public sealed interface PictureState {
     }
 
     /** Returns the state that shows a cache, or no picture if it is null. */
-    static PictureState of(PixelCache finished, Accuracy accuracy) {
-        return finished == null ? new Empty() : new Finished(finished, accuracy);
+    static PictureState of(PixelCache finished, UpdateMethod method) {
+        return finished == null ? new Empty() : new Finished(finished, method);
     }
 
     /** Returns the cache of the newest picture; null if there is none. */
@@ -64,8 +64,8 @@ public sealed interface PictureState {
                 + (finished == null || finished == newest ? 0 : MemoryEstimate.usedBytes(finished));
     }
 
-    /** Returns whether its layers must be converted before an update with this accuracy. */
-    default boolean needsConversion(Accuracy to) {
-        return this instanceof Finished picture && picture.accuracy() != to;
+    /** Returns whether its layers must be converted before an update with this method. */
+    default boolean needsConversion(UpdateMethod to) {
+        return this instanceof Finished picture && !picture.method().equals(to);
     }
 }

@@ -49,7 +49,7 @@ record PictureUpdate(RenderOptions options, WorkerPool workers, RepeatedEditDete
         long start = System.nanoTime() - planned.nanoseconds;
         UpdatePlan plan = planned.difference;
         Step step = startFrom(from, planned);
-        if (step.state().needsConversion(options.accuracy()) && !(plan instanceof UpdatePlan.FirstPass)) {
+        if (step.state().needsConversion(options.method()) && !(plan instanceof UpdatePlan.FirstPass)) {
             step = step.then(convert(step.state()));
             // Lights and rows are the same, but layers have another accuracy.
             plan = Dispatcher.plan(step.state().newest(), planned.target, planned.updatesMirrors, options.method());
@@ -91,7 +91,7 @@ record PictureUpdate(RenderOptions options, WorkerPool workers, RepeatedEditDete
     /** Goes to the picture that an update was planned from; renders samples that could not follow the update. */
     private Step startFrom(PictureState from, PlannedUpdate planned) {
         if (planned.base != from.newest()) {
-            return Step.start(new Finished(planned.base, from instanceof Finished picture ? picture.accuracy() : options.accuracy()));
+            return Step.start(new Finished(planned.base, from instanceof Finished picture ? picture.method() : options.method()));
         }
         return from instanceof CentersOnly unfinished && planned.difference instanceof UpdatePlan.Relight next
                 && !unfinished.samples().canReuseMirrors(unfinished.centers(), next, planned.target)
@@ -115,12 +115,12 @@ record PictureUpdate(RenderOptions options, WorkerPool workers, RepeatedEditDete
 
     /** Scaled contributions are off by the loss of all their scalings, and centers and samples must be off by the same. */
     boolean canDeferSamples(Scene target) {
-        return options.accuracy().isExact() && RenderJob.needsEdges(target);
+        return options.method().isExact() && RenderJob.needsEdges(target);
     }
 
     private Step convert(PictureState from) {
         CacheConversion.Result result = new CacheConversion(from.newest(), options).run(workers, progress);
-        return new Step(new Finished(result.cache(), options.accuracy()), result.work());
+        return new Step(new Finished(result.cache(), options.method()), result.work());
     }
 
     /**
@@ -158,7 +158,7 @@ record PictureUpdate(RenderOptions options, WorkerPool workers, RepeatedEditDete
     }
 
     private Finished finished(CacheBuilder.BuildResult result) {
-        return new Finished(result.cache(), options.accuracy());
+        return new Finished(result.cache(), options.method());
     }
 
     /** @param memory bytes that are free for centers and samples */

@@ -10,7 +10,6 @@ import lightning.render.image.DisplayCurve;
 import lightning.render.image.Film;
 import lightning.render.relight.plan.Dispatcher;
 import lightning.render.relight.plan.PathUpdate;
-import lightning.render.relight.plan.ReflectionMode;
 import lightning.render.relight.plan.UpdatePlan;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.render.relight.tile.RepeatedEditDetector;
@@ -63,8 +62,9 @@ public final class Renderer implements AutoCloseable {
      * cache only if the view or the mirror storage changes.
      */
     public void setOptions(RenderOptions to) {
-        if (!state.isFinished() && (to.accuracy() != options.accuracy() || to.reflections() != options.reflections())) {
-            // Samples cannot follow centers of another accuracy.
+        if (!state.isFinished()
+                && !(to.method().equals(options.method()) && to.keepsReflectionsCurrent() == options.keepsReflectionsCurrent())) {
+            // Samples cannot follow centers of another method.
             restore(state.lastFinished());
         }
         if (to.threads() != options.threads()) {
@@ -72,7 +72,7 @@ public final class Renderer implements AutoCloseable {
             workers = new WorkerPool(to.threads());
         }
         boolean canReuse = to.view().hasSameTrace(options.view()) && to.storage() == options.storage()
-                && (!state.needsConversion(to.accuracy()) || CacheConversion.canConvert(state.newest()));
+                && (!state.needsConversion(to.method()) || CacheConversion.canConvert(state.newest()));
         options = to;
         if (!canReuse) {
             clear();
@@ -81,12 +81,12 @@ public final class Renderer implements AutoCloseable {
 
     /** Plans the update of the film to the target scene. */
     public PlannedUpdate plan(Scene target) {
-        return plan(options.view().apply(target), options.reflections() == ReflectionMode.CURRENT);
+        return plan(options.view().apply(target), options.keepsReflectionsCurrent());
     }
 
     /** Plans the update of the film to the target scene, with mirror images if they show the scene rendered last. */
     private PlannedUpdate planKeepingReflectionsCurrent(Scene target) {
-        return plan(options.view().apply(target), options.reflections() == ReflectionMode.CURRENT || cache().hasCurrentReflections());
+        return plan(options.view().apply(target), options.keepsReflectionsCurrent() || cache().hasCurrentReflections());
     }
 
     /**
@@ -114,7 +114,7 @@ public final class Renderer implements AutoCloseable {
         PendingSamples.Start base = state instanceof PictureState.CentersOnly unfinished
                 ? unfinished.samples().chooseStart(newest, target, mirrors)
                 : new PendingSamples.Start(newest, Dispatcher.plan(newest, target, mirrors, options.method()));
-        UpdatePlan reported = base.plan() instanceof UpdatePlan.Nothing && state.needsConversion(options.accuracy())
+        UpdatePlan reported = base.plan() instanceof UpdatePlan.Nothing && state.needsConversion(options.method())
                 ? new CacheConversion(newest, options).plan() : base.plan();
         return new PlannedUpdate(target, mirrors, base.plan(), reported, base.from(), newest, System.nanoTime() - start);
     }
@@ -262,7 +262,7 @@ public final class Renderer implements AutoCloseable {
      * @param saved result of {@link #cache}, from this renderer or one that differs only in its reflection mode or threads
      */
     public void restore(PixelCache saved) {
-        state = PictureState.of(saved, options.accuracy());
+        state = PictureState.of(saved, options.method());
         repeatedEdits.reset();
     }
 

@@ -14,7 +14,7 @@ import lightning.base.work.Progress;
 import lightning.editor.loop.DisplayMode;
 import lightning.editor.loop.Frame;
 import lightning.render.relight.Renderer;
-import lightning.render.relight.plan.ReflectionMode;
+import lightning.render.relight.paper.ReflectionMode;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.sample.TransparentScenes;
 import lightning.scene.Scene;

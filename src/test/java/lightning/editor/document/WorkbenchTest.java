@@ -17,7 +17,7 @@ import lightning.base.math.Vec3;
 import lightning.base.work.Await;
 import lightning.editor.loop.RecordingRenderListener;
 import lightning.render.measure.Verification;
-import lightning.render.relight.plan.ReflectionMode;
+import lightning.render.relight.paper.ReflectionMode;
 import lightning.render.relight.plan.UpdatePlan;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Scene;

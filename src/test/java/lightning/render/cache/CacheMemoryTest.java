@@ -13,7 +13,7 @@ import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.base.work.Progress;
 import lightning.render.relight.Renderer;
-import lightning.render.relight.plan.Accuracy;
+import lightning.render.relight.paper.Accuracy;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.render.shading.layer.LightRows;
 import lightning.sample.Slow;

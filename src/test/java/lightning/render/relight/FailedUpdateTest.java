@@ -9,7 +9,7 @@ import lightning.base.work.Progress;
 import lightning.render.cache.PixelCache;
 import lightning.render.image.DisplayCurve;
 import lightning.render.image.Film;
-import lightning.render.relight.plan.Accuracy;
+import lightning.render.relight.paper.Accuracy;
 import lightning.render.relight.plan.UpdatePlan;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.render.shading.reference.ReferenceTracer;

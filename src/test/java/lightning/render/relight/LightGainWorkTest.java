@@ -8,9 +8,9 @@ import lightning.base.work.Progress;
 import lightning.format.jen.JenException;
 import lightning.format.jen.JenReader;
 import lightning.render.image.FilmAssert;
+import lightning.render.relight.paper.MirrorStorage;
+import lightning.render.relight.paper.ReflectionMode;
 import lightning.render.relight.plan.LightUpdate;
-import lightning.render.relight.plan.ReflectionMode;
-import lightning.render.relight.tile.MirrorStorage;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.render.shading.reference.ReferenceTracer;
 import lightning.sample.StudioScene;
@@ -93,7 +93,7 @@ class LightGainWorkTest {
         Scene scene = StudioScene.of(type);
         scene = scene.withLight(scene.lights().getFirst().withContribution(Contribution.DEFAULT.withCastsShadows(false)));
         try (Renderer renderer = new Renderer(new lightning.render.relight.tile.RenderOptions(
-                lightning.render.relight.plan.Accuracy.EXACT, ReflectionMode.CURRENT, MirrorStorage.FULL_ROWS, 1))) {
+                lightning.render.relight.paper.Accuracy.EXACT, ReflectionMode.CURRENT, MirrorStorage.FULL_ROWS, 1))) {
             UpdateResult first = renderer.render(scene, lightning.base.work.Progress.NONE);
             assertThat(first.rays().shadow()).isZero();
             assertThat(renderer.film().hasSameBits(new ReferenceTracer(scene).trace())).isTrue();

@@ -86,8 +86,8 @@ class LightLinkWorkTest {
 
     @Test
     void otherLights_keepLayers() {
-        StudioRenderer studio = new StudioRenderer(lightning.render.relight.plan.ReflectionMode.CURRENT,
-                lightning.render.relight.tile.MirrorStorage.FULL_ROWS,
+        StudioRenderer studio = new StudioRenderer(lightning.render.relight.paper.ReflectionMode.CURRENT,
+                lightning.render.relight.paper.MirrorStorage.FULL_ROWS,
                 StudioScene.withFourLights(30, 24));
         try (studio) {
             assertThat(StudioRenderer.layers(illuminate(studio, ShapeLinks.only("floor"))).stream().skip(1))

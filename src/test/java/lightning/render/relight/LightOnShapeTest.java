@@ -8,7 +8,7 @@ import lightning.format.jen.JenReader;
 import lightning.render.engine.Engine;
 import lightning.render.engine.choice.Engines;
 import lightning.render.image.FilmAssert;
-import lightning.render.relight.tile.MirrorStorage;
+import lightning.render.relight.paper.MirrorStorage;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.render.shading.reference.ReferenceTracer;
 import lightning.scene.Scene;

@@ -4,9 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import lightning.base.work.Progress;
 import lightning.render.image.Film;
-import lightning.render.relight.plan.Accuracy;
-import lightning.render.relight.plan.ReflectionMode;
-import lightning.render.relight.tile.MirrorStorage;
+import lightning.render.relight.paper.Accuracy;
+import lightning.render.relight.paper.MirrorStorage;
+import lightning.render.relight.paper.ReflectionMode;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.sample.EditSession;
 import lightning.sample.IndirectScenes;

@@ -7,7 +7,7 @@ import java.util.List;
 import lightning.base.work.Progress;
 import lightning.render.cache.PixelCache;
 import lightning.render.image.FilmAssert;
-import lightning.render.relight.plan.ReflectionMode;
+import lightning.render.relight.paper.ReflectionMode;
 import lightning.render.relight.plan.UpdatePlan;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.render.relight.tile.RepeatedEditDetector;

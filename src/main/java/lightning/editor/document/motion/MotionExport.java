@@ -9,7 +9,6 @@ import java.util.stream.IntStream;
 import lightning.base.work.Progress;
 import lightning.format.image.ImageFile;
 import lightning.render.image.ViewTransform;
-import lightning.render.relight.plan.ReflectionMode;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Scene;
 import lightning.scene.value.SceneLimits;
@@ -55,7 +54,7 @@ public record MotionExport(Scene scene, RecordedShot recordedShot, int pictureCo
      */
     public void write(Path folder, String name, Progress progress, IntConsumer listener) throws IOException {
         FrameSequenceRenderer.render(IntStream.range(0, pictureCount).boxed().toList(), this::scene,
-                RenderOptions.DEFAULT.withReflections(ReflectionMode.CURRENT), progress, (number, cache, _) -> {
+                RenderOptions.DEFAULT, progress, (number, cache, _) -> {
                     ImageFile.write(folder.resolve(file(name, number)), cache.film(), view);
                     listener.accept(number + 1);
                 });

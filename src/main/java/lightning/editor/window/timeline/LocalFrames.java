@@ -7,7 +7,6 @@ import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
 import lightning.render.relight.MemoryEstimate;
 import lightning.render.relight.Renderer;
-import lightning.render.relight.plan.ReflectionMode;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
@@ -31,7 +30,7 @@ record LocalFrames(ShotRelighter shot, AtomicBoolean pictureBusy) implements Fil
     }
 
     private static RenderOptions options() {
-        return RenderOptions.DEFAULT.withReflections(ReflectionMode.CURRENT);
+        return RenderOptions.DEFAULT;
     }
 
     /** Returns the memory that a shot's thumbnails may take, bytes. */

@@ -12,7 +12,6 @@ import lightning.format.image.ImageFile;
 import lightning.format.image.ImageFormat;
 import lightning.format.jen.InputFiles;
 import lightning.render.image.ViewTransform;
-import lightning.render.relight.plan.ReflectionMode;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.PictureSettings;
 import lightning.scene.shot.AnimatedScene;
@@ -71,7 +70,7 @@ record ShotExport(AnimatedScene scene, int first, int last, ShotFormat format, V
             throws IOException {
         List<Integer> frameNumbers = IntStream.rangeClosed(first, last).boxed().toList();
         RenderOptions options =
-                RenderOptions.DEFAULT.withReflections(ReflectionMode.CURRENT).withMemory(HeapBudget.availableBytes() - reservedBytes);
+                RenderOptions.DEFAULT.withMemory(HeapBudget.availableBytes() - reservedBytes);
         FrameSequenceRenderer.render(frameNumbers, scene::sceneAt, options, progress, (frame, cache, update) -> {
             sink.frameRendered(frame, cache, update);
             listener.accept(frame - first + 1);

@@ -60,6 +60,11 @@ public record RatioMethod() implements UpdateMethod {
     }
 
     @Override
+    public boolean isExact() {
+        return false;
+    }
+
+    @Override
     public boolean storesGains() {
         return true;
     }

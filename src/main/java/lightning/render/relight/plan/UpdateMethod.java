@@ -43,6 +43,9 @@ public interface UpdateMethod {
      */
     long bytesPerRow(Light light, boolean metallic, boolean tinted);
 
+    /** Returns whether films have the bits of a full trace; otherwise all samples keep their colors, which bound the error. */
+    boolean isExact();
+
     /** Returns whether layers contain the lights' gains on shapes, so that they become invalid if groups of shapes change. */
     boolean storesGains();
 

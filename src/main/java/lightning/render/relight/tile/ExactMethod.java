@@ -40,6 +40,11 @@ public record ExactMethod() implements UpdateMethod {
     }
 
     @Override
+    public boolean isExact() {
+        return true;
+    }
+
+    @Override
     public boolean storesGains() {
         return false;
     }

@@ -13,12 +13,16 @@ import lightning.render.trace.HitRows;
 import lightning.render.trace.MaterialSet;
 import lightning.render.trace.RowSplice;
 
-/** Updater that leaves a compact layer with the bits of a full trace in all its terms. */
-record ExactUpdater(LightKernel kernel, boolean premultiplies, ScratchColumns scratch) implements LayerUpdater {
+/** Updater that leaves a compact layer with the bits of a full trace in all its terms. Use one instance per thread. */
+final class ExactUpdater implements LayerUpdater {
+    private final LightKernel kernel;
+    private final boolean premultiplies;
+    private final ScratchColumns scratch = new ScratchColumns();
 
     /** @param premultiplies true if recomputed layers without highlights store cosine times falloff */
     ExactUpdater(LightKernel kernel, boolean premultiplies) {
-        this(kernel, premultiplies, new ScratchColumns());
+        this.kernel = kernel;
+        this.premultiplies = premultiplies;
     }
 
     /** Uses scratch columns, so that only stored columns need new memory. */

@@ -115,9 +115,9 @@ final class IndirectBuilder {
         return pointChanges;
     }
 
-    /** Returns the solver for lights with rounded weights. Layers of some accuracies contain the exact weights, so they are replaced by terms. */
+    /** Returns the solver for lights with rounded weights. Layers of some methods contain the exact weights, so they are replaced by terms. */
     private SurfelSolver edgeSolver(SurfelSolver solver, GatherStructure structure, TileLevel[] surfels) {
-        if (job.options().accuracy().isExact()) {
+        if (job.options().method().isExact()) {
             return solver;
         }
         TileLevel[] terms = new TileLevel[surfels.length];

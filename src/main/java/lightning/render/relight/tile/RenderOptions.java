@@ -5,9 +5,10 @@ import lightning.base.work.HeapBudget;
 import lightning.base.work.WorkerPool;
 import lightning.render.engine.EngineChoice;
 import lightning.render.engine.choice.Engines;
+import lightning.render.relight.paper.Accuracy;
+import lightning.render.relight.paper.MirrorStorage;
 import lightning.render.relight.paper.RatioMethod;
-import lightning.render.relight.plan.Accuracy;
-import lightning.render.relight.plan.ReflectionMode;
+import lightning.render.relight.paper.ReflectionMode;
 import lightning.render.relight.plan.UpdateMethod;
 import lightning.scene.effects.ViewEffects;
 
@@ -35,6 +36,21 @@ public record RenderOptions(Accuracy accuracy, ReflectionMode reflections, Mirro
     /** Creates options with all effects. */
     public RenderOptions(Accuracy accuracy, ReflectionMode reflections, MirrorStorage storage, int threads) {
         this(accuracy, reflections, storage, threads, ViewEffects.ALL);
+    }
+
+    /** Returns these options with the method of the default ones: exact, with current reflections and full rows. */
+    public RenderOptions withDefaultMethod() {
+        return withAccuracy(DEFAULT.accuracy).withReflections(DEFAULT.reflections).withStorage(DEFAULT.storage);
+    }
+
+    /** Returns these options with mirror images that keep showing an earlier scene until they are updated (paper §4.8). */
+    public RenderOptions withReflectionsOnRequest() {
+        return withReflections(ReflectionMode.STALE);
+    }
+
+    /** Returns whether every edit updates mirror images. */
+    public boolean keepsReflectionsCurrent() {
+        return reflections == ReflectionMode.CURRENT;
     }
 
     /** Returns the update method of this accuracy. */

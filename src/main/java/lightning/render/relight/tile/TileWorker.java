@@ -267,13 +267,13 @@ final class TileWorker {
      * Composes the first level, unless its colors are unchanged, and builds the tile.
      *
      * @param film previous colors
-     * @param fine true if the rows are finer samples, whose colors only accuracy ratio stores, to bound its errors
+     * @param fine true if the rows are finer samples, whose colors are stored only to bound errors
      */
     private CachedTile buildTile(SamplePositions places, TileLevel top, BounceLevels.TracedLevels below, boolean isUnchanged,
             float[][] film, EdgeColors edges, boolean fine) {
         TileLevel[] levels = below.levels().clone();
         levels[0] = top;
-        boolean storesColors = !fine || !job.options().accuracy().isExact();
+        boolean storesColors = !fine || !job.options().method().isExact();
         if (!isUnchanged) {
             colors = storesColors ? new float[3][Film.TILE_PIXELS] : sampleColors();
             eyeWorker.composer.fillBackground(top.rows(), job.scene(), places, colors);

@@ -20,7 +20,7 @@ import lightning.render.column.ColumnWriter;
 import lightning.render.fulltrace.TraditionalTracer;
 import lightning.render.image.FilmAssert;
 import lightning.render.relight.Renderer;
-import lightning.render.relight.plan.ReflectionMode;
+import lightning.render.relight.paper.ReflectionMode;
 import lightning.render.shading.layer.LightRows;
 import lightning.scene.Scene;
 import lightning.scene.light.Light;

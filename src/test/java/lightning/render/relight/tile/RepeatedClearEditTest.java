@@ -15,6 +15,7 @@ import lightning.render.engine.Engine;
 import lightning.render.engine.choice.Engines;
 import lightning.render.image.FilmAssert;
 import lightning.render.relight.Renderer;
+import lightning.render.relight.paper.MirrorStorage;
 import lightning.render.shading.reference.ReferenceTracer;
 import lightning.scene.AntialiasMode;
 import lightning.scene.Camera;

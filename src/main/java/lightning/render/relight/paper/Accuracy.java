@@ -1,4 +1,4 @@
-package lightning.render.relight.plan;
+package lightning.render.relight.paper;
 
 /** Accuracy of updates after an edit. */
 public enum Accuracy {

@@ -1,4 +1,4 @@
-package lightning.render.relight.plan;
+package lightning.render.relight.paper;
 
 /** Update mode of mirror images after an edit. */
 public enum ReflectionMode {

@@ -1,4 +1,4 @@
-package lightning.render.relight.tile;
+package lightning.render.relight.paper;
 
 /** Storage of the mirror levels. */
 public enum MirrorStorage {
