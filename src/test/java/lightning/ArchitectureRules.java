@@ -28,6 +28,12 @@ final class ArchitectureRules {
     private static final String REFERENCE =
             "lightning\\.render\\.shading\\.reference\\.Reference(Tracer|Indirect|GatherPoints|GatherRay|PointLight)(\\$.*)?";
 
+    /** Types outside their package that know the methods of 1998: at most twelve. */
+    private static final String METHODS_OF_1998 =
+            "lightning\\.(render\\.relight\\.(tile\\.(RenderOptions(Builder)?|BounceLevels))"
+                    + "|render\\.measure\\.AccuracySetting|editor\\.window\\.model\\.AccuracyMode|cli\\.option\\.(UpdateOptions|ReflectionsOption)"
+                    + "|bench\\.(DriftBench|result\\.DriftPoint|report\\.(PlotColor|CurveSections)))(\\$.*)?";
+
     private ArchitectureRules() {}
 
     static ArchRule onlyEditorUsesJavaFx() {
@@ -72,6 +78,14 @@ final class ArchitectureRules {
                                 .or(assignableTo(RandomAccessFile.class)).or(assignableTo(FileReader.class)))))
                         .as("only RegularFile opens files named by users")
                         .allowEmptyShould(true));
+    }
+
+    /** The methods of 1998 are choices of the options, the editor, the command line and the benchmark. Everything else asks the options. */
+    static ArchRule methodsOf1998AreKnownByFew() {
+        return noClasses().that(not(resideInAPackage("lightning.render.relight.paper")).and(not(nameMatching(METHODS_OF_1998))))
+                .should().dependOnClassesThat().resideInAPackage("lightning.render.relight.paper")
+                .as("only the listed classes know the methods of 1998")
+                .allowEmptyShould(true);
     }
 
     /** Checked exceptions reach the user and must not look like internal errors. */

@@ -107,6 +107,18 @@ class ArchitectureTest {
     }
 
     @Test
+    void program_methodsOf1998AreKnownByFew() {
+        ArchitectureRules.methodsOf1998AreKnownByFew().check(PROGRAM);
+    }
+
+    @Test
+    void otherUseOfAMethodOf1998_isReported() throws IOException {
+        assertReported(ArchitectureRules.methodsOf1998AreKnownByFew(), "only the listed classes know the methods of 1998",
+                "package lightning.render.relight.paper; public class Accuracy {}",
+                "package lightning.editor.loop; class Bad { lightning.render.relight.paper.Accuracy accuracy; }");
+    }
+
+    @Test
     void program_menusContainOnlyCommandItems() {
         ArchitectureRules.onlyCommandItemsCreateMenuItems().check(PROGRAM);
     }

@@ -3,7 +3,6 @@ package lightning.bench.result;
 import com.fasterxml.jackson.annotation.JsonProperty;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import lightning.base.text.DecimalNumber;
 import lightning.render.measure.PictureError;
 
@@ -129,7 +128,7 @@ record CsvRow(String kind, String scene, int width, int height, String edit, Str
     private static CsvRow drift(DriftCurve drift, DriftPoint point) {
         UpdateWork bound = new UpdateWork("", 0, 0, 0, 0, 0, NONE, NONE, NONE, point.bound());
         return row("drift", drift.scene(), drift.width(), drift.height(), "", Integer.toString(point.edits()),
-                point.accuracy().name().toLowerCase(Locale.ROOT), NO_SAMPLES, NONE, NONE, bound, point.error());
+                point.setting(), NO_SAMPLES, NONE, NONE, bound, point.error());
     }
 
     static CsvRow row(String kind, String scene, int width, int height, String edit, String value, String setting, TimeSamples time,

@@ -1,5 +1,6 @@
 package lightning.bench.result;
 
+import java.util.Locale;
 import lightning.render.measure.PictureError;
 import lightning.render.relight.paper.Accuracy;
 
@@ -11,4 +12,9 @@ import lightning.render.relight.paper.Accuracy;
  * @param bound     the engine's error bound of any value, linear; 0 at setting exact
  * @param refreshes number of recomputations so far because the bound was exceeded
  */
-public record DriftPoint(Accuracy accuracy, int edits, PictureError error, double bound, int refreshes) {}
+public record DriftPoint(Accuracy accuracy, int edits, PictureError error, double bound, int refreshes) {
+    /** Returns the name of its accuracy in files and tables. */
+    public String setting() {
+        return accuracy.name().toLowerCase(Locale.ROOT);
+    }
+}

@@ -2,7 +2,6 @@ package lightning.cli.output;
 
 import java.util.EnumSet;
 import java.util.HashMap;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import java.util.function.ToDoubleFunction;
@@ -195,7 +194,7 @@ public final class BenchTable {
 
     private static String drift(DriftPoint point) {
         return Console.text("after %s, accuracy %s: %s, by at most %.2g (limit %.2g)", Console.count(point.edits(), "edit"),
-                point.accuracy().name().toLowerCase(Locale.ROOT),
+                point.setting(),
                 (point.error().values() == 1 ? "1 value differs" : point.error().values() + " values differ"), point.error().maxAbsolute(),
                 point.bound());
     }

@@ -32,7 +32,7 @@ final class DisplayRenderer implements AutoCloseable {
             effectRenderer = new Renderer(options);
         }
         effectRenderer.setOptions(options);
-        Scene mirrored = renderer.cache().mirroredScene();
+        Scene mirrored = renderer.cache().mirrored().scene();
         update(mirrored, renderer.state().isFinished(), progress);
         if (!effectRenderer.cache().hasCurrentReflections()) {
             effectRenderer.updateReflections(progress);

@@ -238,7 +238,7 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
     private ProgressiveDisplay startUpdate(Scene requested, Scene scene, PlannedUpdate planned, RenderQueue.CancelSignal signal) {
         String kind = planned.update().description();
         var scenes = new RenderedScenes(scene,
-                renderer.options().keepsReflectionsCurrent() ? scene : renderer.cache().mirroredScene());
+                renderer.options().keepsReflectionsCurrent() ? scene : renderer.cache().mirrored().scene());
         boolean canShow = displayMode.isFullPicture() && CoarseSteps.of(scene.picture()).first() > 0;
         var display = new ProgressiveDisplay(signal, requested, listener, seconds -> {
             slowUpdate = kind;
@@ -368,7 +368,7 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
 
     private void publish(Film displayed, DisplayMode mode) {
         publishedCache = new WeakReference<>(renderer.cache());
-        listener.rendered(new Frame(renderer.film(), displayed, mode, renderedScene, renderer.cache().mirroredScene(), lastUpdate,
+        listener.rendered(new Frame(renderer.film(), displayed, mode, renderedScene, renderer.cache().mirrored().scene(), lastUpdate,
                 renderer.cache().geometry(), renderer.cache().indirect() == null ? null : renderer.cache().indirect().light(),
                 lastStep, renderer.state().isFinished()));
     }

@@ -27,7 +27,8 @@ public record CacheMetadata(Geometry geometry, RenderedScenes scenes, List<Cache
     }
 
     public static CacheMetadata of(PixelCache cache) {
-        return new CacheMetadata(cache.geometry(), cache.scenes(), cache.lights(), cache.mirroredLights(), Paths.of(cache.indirect()),
-                Paths.of(cache.mirroredIndirect()));
+        return new CacheMetadata(cache.geometry(), cache.scenes(), cache.shown().lights(), cache.mirrored().lights(),
+                Paths.of(cache.indirect()),
+                Paths.of(cache.mirrored().indirect()));
     }
 }

@@ -106,8 +106,9 @@ public final class CacheSerializer {
             fine[i] = new FineTile(withColors(fine[i].first(), colors), withColors(fine[i].rest(), colors), colors.readFloatArrays());
         }
         colors.expectEnd();
-        return new PixelCache(outline.geometry(), tiles, fine, outline.scenes(), outline.lights(), outline.mirroredLights(),
-                indirect.scene(), indirect.mirrored());
+        return new PixelCache(outline.geometry(), tiles, fine,
+                new CachedScene(outline.scenes().scene(), outline.lights(), indirect.scene()),
+                new CachedScene(outline.scenes().mirrored(), outline.mirroredLights(), indirect.mirrored()));
     }
 
     private static FineSamples readSamples(IndirectSerializer.Pair indirect, ColumnReader in) throws IOException {

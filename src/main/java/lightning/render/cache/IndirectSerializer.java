@@ -17,7 +17,7 @@ final class IndirectSerializer {
         NONE, SAME, SAME_PATHS, OWN_PATHS;
 
         static Mirrored of(PixelCache cache) {
-            IndirectCache mirrored = cache.mirroredIndirect();
+            IndirectCache mirrored = cache.mirrored().indirect();
             IndirectCache shown = cache.indirect();
             return mirrored == null ? NONE : mirrored == shown ? SAME
                     : shown != null && mirrored.structure() == shown.structure() ? SAME_PATHS : OWN_PATHS;
@@ -36,7 +36,7 @@ final class IndirectSerializer {
      */
     record Pair(IndirectCache scene, IndirectCache mirrored) {
         static Pair of(PixelCache cache) {
-            return new Pair(cache.indirect(), cache.mirroredIndirect());
+            return new Pair(cache.indirect(), cache.mirrored().indirect());
         }
 
         /** Returns the light to which weights belong; {@link #NO_PATHS} for none. */
@@ -57,10 +57,10 @@ final class IndirectSerializer {
             writeLayers(cache.indirect(), out);
         }
         if (mirrored == Mirrored.OWN_PATHS) {
-            cache.mirroredIndirect().structure().writeTo(out);
+            cache.mirrored().indirect().structure().writeTo(out);
         }
         if (mirrored.isOfItsOwn()) {
-            writeLayers(cache.mirroredIndirect(), out);
+            writeLayers(cache.mirrored().indirect(), out);
         }
     }
 
@@ -114,7 +114,7 @@ final class IndirectSerializer {
             write(cache.indirect().light(), out);
         }
         if (Mirrored.of(cache).isOfItsOwn()) {
-            write(cache.mirroredIndirect().light(), out);
+            write(cache.mirrored().indirect().light(), out);
         }
     }
 
@@ -138,7 +138,7 @@ final class IndirectSerializer {
     /** Returns whether two images have the same paths and layers of surfels, and differ at most in the light. */
     static boolean hasSamePaths(PixelCache a, PixelCache b) {
         return Mirrored.of(a) == Mirrored.of(b) && hasSamePaths(a.indirect(), b.indirect())
-                && hasSamePaths(a.mirroredIndirect(), b.mirroredIndirect());
+                && hasSamePaths(a.mirrored().indirect(), b.mirrored().indirect());
     }
 
     private static boolean hasSamePaths(IndirectCache a, IndirectCache b) {

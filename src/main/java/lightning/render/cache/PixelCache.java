@@ -18,31 +18,21 @@ public final class PixelCache {
     private final Geometry geometry;
     private final CachedTile[] tiles;
     private final FineTile[] fineTiles;
-    private final RenderedScenes scenes;
-    private final List<CachedLight> lights;
-    private final List<CachedLight> mirroredLights;
-    private final IndirectCache indirect;
-    private final IndirectCache mirroredIndirect;
+    private final CachedScene shown;
+    private final CachedScene mirrored;
 
     /**
      * @param tiles pixel centers; empty if all pixels have several samples
      * @param fineTiles finer samples of each tile; empty without anti-aliasing
-     * @param scenes scene of the film and the first level, and scene of the reflection levels and Cr
-     * @param lights all lights of the scene, in order
-     * @param mirroredLights all lights of the reflected scene, in order
-     * @param indirect indirect light of the scene, or null
-     * @param mirroredIndirect indirect light of the reflected scene, or null
+     * @param shown scene of the film and the first level
+     * @param mirrored scene of the reflection levels and Cr
      */
-    public PixelCache(Geometry geometry, CachedTile[] tiles, FineTile[] fineTiles, RenderedScenes scenes, List<CachedLight> lights,
-            List<CachedLight> mirroredLights, IndirectCache indirect, IndirectCache mirroredIndirect) {
+    public PixelCache(Geometry geometry, CachedTile[] tiles, FineTile[] fineTiles, CachedScene shown, CachedScene mirrored) {
         this.geometry = geometry;
         this.tiles = tiles;
         this.fineTiles = fineTiles;
-        this.scenes = scenes;
-        this.lights = List.copyOf(lights);
-        this.mirroredLights = List.copyOf(mirroredLights);
-        this.indirect = indirect;
-        this.mirroredIndirect = mirroredIndirect;
+        this.shown = shown;
+        this.mirrored = mirrored;
     }
 
     /** Returns the geometry with the materials of the first level. */
@@ -52,7 +42,7 @@ public final class PixelCache {
 
     /** Returns the geometry with the materials of the reflection levels. */
     public Geometry mirroredGeometry() {
-        return geometry.withMaterialsOf(scenes.mirrored());
+        return geometry.withMaterialsOf(mirrored.scene());
     }
 
     /** Returns the number of tiles of pixel centers; 0 if all pixels have several samples. */
@@ -89,44 +79,39 @@ public final class PixelCache {
         return result;
     }
 
+    /** Returns the scene of the film and of the first level. */
+    public CachedScene shown() {
+        return shown;
+    }
+
+    /** Returns the scene of the reflections. */
+    public CachedScene mirrored() {
+        return mirrored;
+    }
+
     /** Returns the scene of the film. */
     public Scene scene() {
-        return scenes.scene();
+        return shown.scene();
+    }
+
+    /** Returns the indirect light of the scene of the film; null if it has none. */
+    public IndirectCache indirect() {
+        return shown.indirect();
     }
 
     /** Returns whether mirror images show the same scene as the rest. */
     public boolean hasCurrentReflections() {
-        return mirroredScene().equals(scene());
+        return mirrored.scene().equals(shown.scene());
     }
 
-    /** Returns the scene of the reflections. */
-    public Scene mirroredScene() {
-        return scenes.mirrored();
+    /** Returns whether mirror images show the same scene by the same indirect light. */
+    public boolean hasSameIndirectInMirrors() {
+        return mirrored.indirect() == shown.indirect() && hasCurrentReflections();
     }
 
     /** Returns the scenes of the film and of the reflections. */
     public RenderedScenes scenes() {
-        return scenes;
-    }
-
-    /** Returns the lights of the scene, in order, with the stamps of their first-level layers. */
-    public List<CachedLight> lights() {
-        return lights;
-    }
-
-    /** Returns the lights of the reflected scene, in order, with the stamps of their layers in reflection levels. */
-    public List<CachedLight> mirroredLights() {
-        return mirroredLights;
-    }
-
-    /** Returns the indirect light of the scene; null if it has none. */
-    public IndirectCache indirect() {
-        return indirect;
-    }
-
-    /** Returns the indirect light of the reflected scene; null if it has none. */
-    public IndirectCache mirroredIndirect() {
-        return mirroredIndirect;
+        return new RenderedScenes(shown.scene(), mirrored.scene());
     }
 
     /** Returns the image as a view of the tiles' arrays. */
@@ -175,8 +160,8 @@ public final class PixelCache {
 
     /** Returns the bytes of indirect light, without the weights of rows. */
     public long indirectBytes() {
-        return (indirect == null ? 0 : indirect.bytes())
-                + (mirroredIndirect == null || mirroredIndirect == indirect ? 0 : mirroredIndirect.bytes());
+        return (shown.indirect() == null ? 0 : shown.indirect().bytes())
+                + (mirrored.indirect() == null || mirrored.indirect() == shown.indirect() ? 0 : mirrored.indirect().bytes());
     }
 
     /** Returns the number of hit rows of all samples and levels. */

@@ -5,6 +5,7 @@ import java.util.concurrent.CancellationException;
 import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
 import lightning.render.cache.CachedLight;
+import lightning.render.cache.CachedScene;
 import lightning.render.cache.CachedTile;
 import lightning.render.cache.FineTile;
 import lightning.render.cache.PixelCache;
@@ -41,15 +42,16 @@ record CacheConversion(PixelCache cache, RenderOptions options) {
 
     /** Returns whether a cache can be converted: neither mirror levels stored as hit shapes, which have no rows, nor indirect light. */
     static boolean canConvert(PixelCache cache) {
-        return cache.indirect() == null && cache.mirroredIndirect() == null && cache.allTiles().stream().allMatch(CachedTile::storesRows);
+        return cache.indirect() == null && cache.mirrored().indirect() == null
+                && cache.allTiles().stream().allMatch(CachedTile::storesRows);
     }
 
     /** Returns the conversion as a plan. */
     UpdatePlan plan() {
         int depth = cache.scene().picture().depth();
         MaterialTable materials = cache.geometry().materials();
-        return new UpdatePlan.Relight(LevelPlan.refresh(cache.scene(), cache.lights(), materials, light -> light.stamp() != null),
-                LevelPlan.refresh(cache.mirroredScene(), cache.mirroredLights(), materials, light -> light.stamp() != null), depth, depth,
+        return new UpdatePlan.Relight(LevelPlan.refresh(cache.shown(), materials, light -> light.stamp() != null),
+                LevelPlan.refresh(cache.mirrored(), materials, light -> light.stamp() != null), depth, depth,
                 PathUpdate.unchanged(cache));
     }
 
@@ -58,8 +60,8 @@ record CacheConversion(PixelCache cache, RenderOptions options) {
 
     /** @throws CancellationException if {@code progress} requested cancellation */
     Result run(WorkerPool workers, Progress progress) {
-        var top = LevelLights.of(cache.scene(), cache.lights());
-        var mirrors = LevelLights.of(cache.mirroredScene(), cache.mirroredLights());
+        var top = LevelLights.of(cache.shown());
+        var mirrors = LevelLights.of(cache.mirrored());
         List<EngineWorkers<TileConverter>> threads =
                 EngineWorkers.perThread(workers.count(), options.engines(), engine -> new TileConverter(cache, options, engine));
         CachedTile[] tiles = new CachedTile[cache.tileCount()];
@@ -79,18 +81,18 @@ record CacheConversion(PixelCache cache, RenderOptions options) {
         }, progress);
         WorkCounts work = threads.stream().flatMap(thread -> thread.workers().stream()).map(TileConverter::work).reduce(WorkCounts.NONE,
                 WorkCounts::plus);
-        return new Result(new PixelCache(cache.geometry(), tiles, fine, cache.scenes(), recomputed(cache.lights()),
-                recomputed(cache.mirroredLights()), null, null), work);
+        return new Result(new PixelCache(cache.geometry(), tiles, fine, recomputed(cache.shown()), recomputed(cache.mirrored())), work);
     }
 
-    private static List<CachedLight> recomputed(List<CachedLight> lights) {
-        return lights.stream().map(CachedLight::withComputedStamp).toList();
+    /** Returns the scene with stamps of layers that were just computed; only scenes without indirect light are converted. */
+    private static CachedScene recomputed(CachedScene known) {
+        return new CachedScene(known.scene(), known.lights().stream().map(CachedLight::withComputedStamp).toList(), null);
     }
 
     /** Lights of a scene that levels show: as they shine and as they are cached. */
     private record LevelLights(Scene scene, WeightedLight[] lights, List<CachedLight> cachedLights) {
-        static LevelLights of(Scene scene, List<CachedLight> known) {
-            return new LevelLights(scene, WeightedLight.ofScene(scene), known);
+        static LevelLights of(CachedScene known) {
+            return new LevelLights(known.scene(), WeightedLight.ofScene(known.scene()), known.lights());
         }
     }
 
@@ -128,7 +130,7 @@ record CacheConversion(PixelCache cache, RenderOptions options) {
 
         TileConverter(PixelCache cache, RenderOptions to, Engine engine) {
             eye = new LayerConverter(cache.geometry(), to, engine);
-            mirror = new LayerConverter(cache.geometry().withMaterialsOf(cache.mirroredScene()), to, engine);
+            mirror = new LayerConverter(cache.mirroredGeometry(), to, engine);
             recomposer = new TileRecomposer(cache, engine, to.view());
         }
 

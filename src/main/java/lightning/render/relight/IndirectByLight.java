@@ -50,7 +50,7 @@ public final class IndirectByLight {
      * @throws java.util.concurrent.CancellationException if {@code progress} requested cancellation
      */
     Solution of(PixelCache picture, int light, Progress progress) {
-        if (picture.indirect() == null && picture.mirroredIndirect() == null) {
+        if (picture.indirect() == null && picture.mirrored().indirect() == null) {
             return Solution.NONE;
         }
         Solution known = solutions.get(light);
@@ -66,9 +66,9 @@ public final class IndirectByLight {
         String name = light < scene.lights().size() ? scene.lights().get(light).name() : null;
         try (var workers = new WorkerPool(1)) {
             float[][] shown = solve(picture.indirect(), picture.geometry(), scene, name, workers, progress);
-            boolean isSame = picture.mirroredIndirect() == picture.indirect() && picture.mirroredScene().equals(scene);
-            return new Solution(shown, isSame ? shown
-                    : solve(picture.mirroredIndirect(), picture.mirroredGeometry(), picture.mirroredScene(), name, workers, progress));
+            return new Solution(shown, picture.hasSameIndirectInMirrors() ? shown
+                    : solve(picture.mirrored().indirect(), picture.mirroredGeometry(), picture.mirrored().scene(), name, workers,
+                            progress));
         }
     }
 

@@ -62,10 +62,10 @@ public final class LightImage {
     static Film film(PixelCache cache, RenderOptions options, String light, WorkerPool workers, Progress progress) {
         Scene scene = scene(cache.scene(), light);
         WeightedLight[] top = WeightedLight.ofScene(scene);
-        WeightedLight[] mirrors = WeightedLight.ofScene(scene(cache.mirroredScene(), light));
+        WeightedLight[] mirrors = WeightedLight.ofScene(scene(cache.mirrored().scene(), light));
         float[][] indirect = indirect(cache.indirect(), cache.geometry(), top, scene, options, workers, progress);
-        float[][] mirroredIndirect = cache.mirroredIndirect() == cache.indirect() && cache.mirroredScene().equals(cache.scene()) ? indirect
-                : indirect(cache.mirroredIndirect(), cache.mirroredGeometry(), mirrors, scene(cache.mirroredScene(), light), options,
+        float[][] mirroredIndirect = cache.hasSameIndirectInMirrors() ? indirect
+                : indirect(cache.mirrored().indirect(), cache.mirroredGeometry(), mirrors, scene(cache.mirrored().scene(), light), options,
                         workers, progress);
         List<EngineWorkers<TileRecomposer>> recomposers = EngineWorkers.perThread(workers.count(), options.engines(), engine -> {
             TileRecomposer recomposer = new TileRecomposer(cache, engine, options.view());

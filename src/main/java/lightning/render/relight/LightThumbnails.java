@@ -84,7 +84,7 @@ public final class LightThumbnails {
     private static LightThumbnails of(PixelCache cache, int[] columns, int[] rows, IndirectByLight indirect, Progress progress) {
         WeightedLight[] top = WeightedLight.ofScene(cache.scene());
         var shares = new LightThumbnails(cache.scene(), columns.length, rows.length, top.length,
-                indirect != null || cache.indirect() == null && cache.mirroredIndirect() == null);
+                indirect != null || cache.indirect() == null && cache.mirrored().indirect() == null);
         Film film = cache.film();
         for (int i = 0; i < shares.image.length / 3; i++) {
             int x = columns[i % columns.length];
@@ -162,7 +162,7 @@ public final class LightThumbnails {
             depth = cache.scene().picture().depth();
             mirrorLights = new WeightedLight[top.length];
             mirrorLayer = new int[top.length];
-            WeightedLight[] known = WeightedLight.ofScene(cache.mirroredScene());
+            WeightedLight[] known = WeightedLight.ofScene(cache.mirrored().scene());
             for (int l = 0; l < top.length; l++) {
                 for (int m = 0; m < known.length; m++) {
                     if (known[m].light().name().equals(top[l].light().name())) {

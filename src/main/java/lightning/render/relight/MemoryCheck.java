@@ -5,7 +5,6 @@ import java.util.List;
 import java.util.concurrent.CancellationException;
 import lightning.render.cache.PixelCache;
 import lightning.render.gather.PathsTooLargeException;
-import lightning.render.relight.paper.MirrorStorage;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.render.trace.MeshMemory;
 import lightning.scene.PictureSettings;
@@ -44,9 +43,9 @@ final class MemoryCheck {
         if (required > memory) {
             List<PictureTooLargeException.Suggestion> suggestions =
                     new ArrayList<>(MemoryEstimate.suggestions(scene, lastForecast, required, memory));
-            RenderOptions shapes = options.withStorage(MirrorStorage.SMALLEST);
+            RenderOptions shapes = options.withSmallestMirrors();
             // Only callers that render all parts in one step offer the storage.
-            if (parts == PictureParts.ALL && options.storage().storesRows()
+            if (parts == PictureParts.ALL && options.storesMirrorRows()
                     && MemoryForecast.of(scene, shapes, parts, pictures).bytes(scene.picture()) <= memory) {
                 suggestions.add(new PictureTooLargeException.Suggestion.MirrorsAsShapes());
             }

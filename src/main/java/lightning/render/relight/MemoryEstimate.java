@@ -58,7 +58,7 @@ public final class MemoryEstimate {
         // A clear surface sends two rays, and each of these may send two again.
         long levels = clear ? (2L << picture.depth()) - 2 : mirrors ? picture.depth() : 0;
         long mirrored =
-                mirrors ? (clear ? 2 : 1) * BYTES_PER_COLOR + levels * (options.storage().storesRows() ? row : Integer.BYTES) : 0;
+                mirrors ? (clear ? 2 : 1) * BYTES_PER_COLOR + levels * (options.storesMirrorRows() ? row : Integer.BYTES) : 0;
         long samples = switch (sampling.antialias()) {
             case OFF -> 1;
             case EDGES -> parts == PictureParts.CENTERS ? 1 : 1L + sampling.samplesPerPixel();

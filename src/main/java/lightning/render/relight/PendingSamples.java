@@ -73,7 +73,7 @@ record PendingSamples(PixelCache finishedCache, UpdatePlan plan, WorkCounts defe
 
     /** Returns the scene that mirrors show after an update of the centers. */
     private static Scene mirroredScene(PixelCache centers, UpdatePlan.Relight next, Scene target) {
-        return next.mirrors() == null ? centers.mirroredScene() : target;
+        return next.mirrors() == null ? centers.mirrored().scene() : target;
     }
 
     /**
@@ -83,13 +83,13 @@ record PendingSamples(PixelCache finishedCache, UpdatePlan plan, WorkCounts defe
     boolean canReuseMirrors(PixelCache centers, UpdatePlan.Relight next, Scene target) {
         Scene mirrored = mirroredScene(centers, next, target);
         return finishedCache == null || mirrored.equals(target)
-                || mirrored.equals(finishedCache.mirroredScene()) && finishedCache.scene().picture().depth() == target.picture().depth();
+                || mirrored.equals(finishedCache.mirrored().scene()) && finishedCache.scene().picture().depth() == target.picture().depth();
     }
 
     /** Returns the plan from the finished picture to these centers; the newest update if there is none. */
     UpdatePlan plan(PixelCache centers) {
         return finishedCache == null ? plan
-                : Dispatcher.plan(finishedCache, centers.scene(), centers.geometry(), centers.mirroredScene().equals(centers.scene()),
+                : Dispatcher.plan(finishedCache, centers.scene(), centers.geometry(), centers.hasCurrentReflections(),
                         EXACT);
     }
 
@@ -99,6 +99,6 @@ record PendingSamples(PixelCache finishedCache, UpdatePlan plan, WorkCounts defe
     }
 
     private static List<CachedLight> mirroredLights(PixelCache from, LevelPlan plan) {
-        return plan == null ? from.mirroredLights() : plan.lightsAfter(EXACT, 1);
+        return plan == null ? from.mirrored().lights() : plan.lightsAfter(EXACT, 1);
     }
 }

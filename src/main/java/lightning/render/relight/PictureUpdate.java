@@ -147,7 +147,7 @@ record PictureUpdate(RenderOptions options, WorkerPool workers, RepeatedEditDete
         if (plan.resampled() && RenderJob.needsEdges(target)) {
             checkSampleMemory(target, old, options.memory() - (from.bytes() - old.centerBytes() - old.indirectBytes()));
         }
-        var scenes = new RenderedScenes(target, plan.mirrors() == null ? old.mirroredScene() : target);
+        var scenes = new RenderedScenes(target, plan.mirrors() == null ? old.mirrored().scene() : target);
         RenderJob job = RenderJob.relight(repeatedEdits.withKeys(plan), plan.shapes().after(old.geometry()), scenes, options, progress);
         CacheBuilder.BuildResult result = CacheBuilder.build(job, workers, old, centersOnly);
         return new Step(centersOnly ? new CentersOnly(result.cache(), samplesAfter(from, plan)) : finished(result), result.work());

@@ -51,7 +51,7 @@ class CommandTest {
         var update = renderer.render(document.scene(), Progress.NONE);
         frame = Optional
                 .of(new Frame(renderer.film(), renderer.film(), DisplayMode.FULL_PICTURE, renderer.scene(),
-                        renderer.cache().mirroredScene(), update,
+                        renderer.cache().mirrored().scene(), update,
                         renderer.cache().geometry(), null, Frame.Step.ALL_LIGHT, renderer.state().isFinished()));
     }
 
@@ -59,7 +59,7 @@ class CommandTest {
         var update = renderer.updateReflections(Progress.NONE);
         frame = Optional
                 .of(new Frame(renderer.film(), renderer.film(), DisplayMode.FULL_PICTURE, renderer.scene(),
-                        renderer.cache().mirroredScene(), update,
+                        renderer.cache().mirrored().scene(), update,
                         renderer.cache().geometry(), null, Frame.Step.ALL_LIGHT, renderer.state().isFinished()));
     }
 

@@ -68,7 +68,7 @@ class CacheConversionTest {
             renderer.setOptions(toRatio ? RATIO : EXACT);
             UpdateResult update = renderer.render(last, Progress.NONE);
             assertThat(update.rays()).isEqualTo(RayCounts.NONE);
-            SessionAssert.assertSameBits(renderer.film(), new ReferenceTracer(last, renderer.cache().mirroredScene()).trace(),
+            SessionAssert.assertSameBits(renderer.film(), new ReferenceTracer(last, renderer.cache().mirrored().scene()).trace(),
                     "switch", session, session.scenes().size() - 1, update.plan().description());
         }
     }

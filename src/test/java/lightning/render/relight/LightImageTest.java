@@ -48,7 +48,7 @@ class LightImageTest {
                 Film picture = renderer.film().copy();
                 for (Light light : scene.lights()) {
                     Film expected = new ReferenceTracer(LightImage.scene(scene, light.name()),
-                            LightImage.scene(renderer.cache().mirroredScene(), light.name()))
+                            LightImage.scene(renderer.cache().mirrored().scene(), light.name()))
                             .trace(ReferenceCheck.referenceTracer(renderer.cache().scenes()));
                     SessionAssert.assertSameBits(renderer.lightImage(light.name(), Progress.NONE), expected, "share", session, step,
                             light.name());
@@ -75,7 +75,7 @@ class LightImageTest {
                 }
                 Light light = scene.lights().get(step % scene.lights().size());
                 Scene one = LightImage.scene(renderer.scene(), light.name());
-                Scene mirrored = LightImage.scene(renderer.cache().mirroredScene(), light.name());
+                Scene mirrored = LightImage.scene(renderer.cache().mirrored().scene(), light.name());
                 Film expected = new TraditionalTracer(one, mirrored, renderer.cache().geometry()).trace(workers, Progress.NONE).film();
                 SessionAssert.assertSameBits(renderer.lightImage(light.name(), Progress.NONE), expected, "indirect share", session,
                         step,

@@ -86,7 +86,7 @@ class MaterialWorkTest {
 
     private static void assertExact(StudioRenderer studio, String name) {
         FilmAssert.assertSameBits(studio.renderer().film(),
-                new ReferenceTracer(studio.scene(), studio.renderer().cache().mirroredScene()).trace(), name);
+                new ReferenceTracer(studio.scene(), studio.renderer().cache().mirrored().scene()).trace(), name);
     }
 
     @ParameterizedTest

@@ -23,9 +23,9 @@ public record ErrorBound(double relative, double absolute) {
     private static final double HALF_STEP = 0.5 / 255;
 
     public static ErrorBound of(PixelCache cache) {
-        LayerStamp[] top = stamps(cache.lights());
-        LayerStamp[] mirrors = stamps(cache.mirroredLights());
-        int depth = cache.mirroredScene().picture().depth();
+        LayerStamp[] top = stamps(cache.shown().lights());
+        LayerStamp[] mirrors = stamps(cache.mirrored().lights());
+        int depth = cache.mirrored().scene().picture().depth();
         SamplingSettings sampling = cache.scene().picture().sampling();
         int samples = sampling.isSupersampled() ? sampling.samplesPerPixel() : 1;
         double relative = Math.max(RatioBound.relative(top, 0, samples), RatioBound.relative(mirrors, depth, samples));

@@ -1,7 +1,6 @@
 package lightning.render.relight.paper;
 
-import java.util.List;
-import lightning.render.cache.CachedLight;
+import lightning.render.cache.CachedScene;
 import lightning.render.cache.LayerStamp;
 import lightning.render.cache.PixelCache;
 import lightning.render.column.ColumnKind;
@@ -83,13 +82,13 @@ public record RatioMethod() implements UpdateMethod {
     public static UpdatePlan.Relight refresh(PixelCache cache) {
         int depth = cache.scene().picture().depth();
         MaterialTable materials = cache.geometry().materials();
-        return new UpdatePlan.Relight(refresh(cache.scene(), cache.lights(), materials),
-                cache.mirroredScene().equals(cache.scene()) ? refresh(cache.mirroredScene(), cache.mirroredLights(), materials) : null,
+        return new UpdatePlan.Relight(refresh(cache.shown(), materials),
+                cache.hasCurrentReflections() ? refresh(cache.mirrored(), materials) : null,
                 depth, depth, PathUpdate.unchanged(cache));
     }
 
-    private static LevelPlan refresh(Scene scene, List<CachedLight> lights, MaterialTable materials) {
-        return LevelPlan.refresh(scene, lights, materials, light -> light.stamp() instanceof ScaledStamp stamp && stamp.roundings() > 0
-                && scene.isActive(light.light()));
+    private static LevelPlan refresh(CachedScene known, MaterialTable materials) {
+        return LevelPlan.refresh(known, materials, light -> light.stamp() instanceof ScaledStamp stamp && stamp.roundings() > 0
+                && known.scene().isActive(light.light()));
     }
 }

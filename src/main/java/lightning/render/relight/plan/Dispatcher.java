@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import lightning.base.text.Messages;
 import lightning.render.cache.CachedLight;
+import lightning.render.cache.CachedScene;
 import lightning.render.cache.LayerStamp;
 import lightning.render.cache.PixelCache;
 import lightning.render.shading.LightSource;
@@ -65,13 +66,13 @@ public final class Dispatcher {
         }
         int oldDepth = known.picture().depth();
         int newDepth = target.picture().depth();
-        boolean refresh = resampled || reshaped || oldDepth != newDepth || mirrors && !cache.mirroredScene().hasSameImage(target);
+        boolean refresh = resampled || reshaped || oldDepth != newDepth || mirrors && !cache.mirrored().scene().hasSameImage(target);
         if (known.hasSameImage(target) && !refresh) {
             return new UpdatePlan.Nothing();
         }
         MaterialTable materials = shapes.after(cache.geometry()).withMaterialsOf(target).materials();
-        LevelPlan top = planLevel(cache.geometry(), known, cache.lights(), target, materials, shapes, method);
-        LevelPlan mirrored = refresh ? planLevel(cache.mirroredGeometry(), cache.mirroredScene(), cache.mirroredLights(), target,
+        LevelPlan top = planLevel(cache.geometry(), cache.shown(), target, materials, shapes, method);
+        LevelPlan mirrored = refresh ? planLevel(cache.mirroredGeometry(), cache.mirrored(), target,
                 materials, shapes, method) : null;
         if (resampled && !(top.materials().mirroringChanged().isEmpty() && mirrored.materials().mirroringChanged().isEmpty())) {
             return new UpdatePlan.FirstPass(Messages.key("anti-aliasing and reflections changed"));
@@ -85,15 +86,15 @@ public final class Dispatcher {
         return scene.picture().sampling().antialias() == AntialiasMode.EVERY;
     }
 
-    /** @param lights lights of {@code known} */
-    private static LevelPlan planLevel(Geometry shown, Scene known, List<CachedLight> lights, Scene target, MaterialTable materials,
-            ShapeChange shapes, UpdateMethod method) {
+    private static LevelPlan planLevel(Geometry shown, CachedScene before, Scene target, MaterialTable materials, ShapeChange shapes,
+            UpdateMethod method) {
+        Scene known = before.scene();
         LightMatcher match = new LightMatcher(known.rig().effectiveLights(), target.rig().effectiveLights());
         List<LayerPlan> layers = new ArrayList<>();
         boolean dropsLayers = false;
         for (int l = 0; l < match.after().size(); l++) {
             WeightedLight light = WeightedLight.of(match.after().get(l), target);
-            CachedLight origin = match.originIndex(l) < 0 ? null : lights.get(match.originIndex(l));
+            CachedLight origin = match.originIndex(l) < 0 ? null : before.lights().get(match.originIndex(l));
             boolean isReusable = origin != null && isReusable(origin, known, target, shapes, method);
             LightUpdate update =
                     planLight(isReusable ? origin.stamp() : null, origin == null || origin.stamp() == null, light, target, method);

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Predicate;
 import lightning.render.cache.CachedLight;
+import lightning.render.cache.CachedScene;
 import lightning.render.cache.TileLevel;
 import lightning.render.shading.WeightedLight;
 import lightning.render.shading.composition.BranchSums;
@@ -39,11 +40,13 @@ public record LevelPlan(List<LayerPlan> layers, List<String> droppedLights, bool
     /**
      * Creates a plan that recomputes some lights' contributions for the shown scene and keeps the rest.
      *
+     * @param known     the shown scene
      * @param refreshed selects the lights to recompute
      */
-    public static LevelPlan refresh(Scene scene, List<CachedLight> lights, MaterialTable materials, Predicate<CachedLight> refreshed) {
+    public static LevelPlan refresh(CachedScene known, MaterialTable materials, Predicate<CachedLight> refreshed) {
+        Scene scene = known.scene();
         List<LayerPlan> layers = new ArrayList<>();
-        for (CachedLight light : lights) {
+        for (CachedLight light : known.lights()) {
             layers.add(LayerPlan.of(WeightedLight.of(light.light(), scene), light,
                     refreshed.test(light) ? new LightUpdate.Refresh() : new LightUpdate.Keep(), ShapeChange.NONE, scene,
                     scene.stage(), ShapeChange.NONE));

@@ -7,6 +7,7 @@ import java.util.stream.Stream;
 import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
 import lightning.render.cache.CachedLight;
+import lightning.render.cache.CachedScene;
 import lightning.render.cache.CachedTile;
 import lightning.render.cache.FineTile;
 import lightning.render.cache.IndirectCache;
@@ -15,7 +16,6 @@ import lightning.render.cache.PixelCache;
 import lightning.render.engine.EngineWorkers;
 import lightning.render.relight.plan.LevelPlan;
 import lightning.render.shading.EdgeColors;
-import lightning.render.shading.RenderedScenes;
 import lightning.render.shading.WeightedLight;
 import lightning.render.shading.composition.EdgeDetector;
 import lightning.scene.AntialiasMode;
@@ -60,7 +60,7 @@ public final class CacheBuilder {
     public static BuildResult build(RenderJob planned, WorkerPool workers, PixelCache old, boolean centersOnly) {
         IndirectBuilder indirectBuilder = new IndirectBuilder(planned, workers, old);
         IndirectCache indirect = indirectBuilder.build();
-        IndirectCache mirroredIndirect = planned.mirrorTarget() == planned.target() ? indirect : old.mirroredIndirect();
+        IndirectCache mirroredIndirect = planned.mirrorTarget() == planned.target() ? indirect : old.mirrored().indirect();
         RenderJob job = planned.withIndirect(indirect, mirroredIndirect, old, indirectBuilder.pointChanges())
                 .withProgress(indirectBuilder.tileProgress());
         BuildResult tiles = new CacheBuilder(job, workers, old).buildTiles(indirect, mirroredIndirect, centersOnly);
@@ -75,7 +75,7 @@ public final class CacheBuilder {
      * @throws java.util.concurrent.CancellationException if the job's progress requested cancellation
      */
     public static BuildResult finish(RenderJob planned, WorkerPool workers, PixelCache old, PixelCache centers) {
-        RenderJob job = planned.withIndirect(centers.indirect(), centers.mirroredIndirect(), old, null);
+        RenderJob job = planned.withIndirect(centers.indirect(), centers.mirrored().indirect(), old, null);
         return new CacheBuilder(job, workers, old).addSamples(centers);
     }
 
@@ -84,11 +84,9 @@ public final class CacheBuilder {
         FineTile[] fine = centersOnly ? new FineTile[0] : buildSamples(centers, centers.length);
         List<CachedLight> lights = job.plan() == null ? CachedLight.ofScene(job.scene(), this::freshStamp) : lightsAfter(job.topPlan());
         List<CachedLight> mirrored =
-                job.plan() == null ? lights : job.mirrorPlan() == null ? oldCache.mirroredLights() : lightsAfter(job.mirrorPlan());
-        return new BuildResult(
-                new PixelCache(job.target().geometry(), centers, fine, new RenderedScenes(job.scene(), job.mirrorTarget().scene()), lights,
-                        mirrored, indirect, mirroredIndirect),
-                work());
+                job.plan() == null ? lights : job.mirrorPlan() == null ? oldCache.mirrored().lights() : lightsAfter(job.mirrorPlan());
+        return new BuildResult(new PixelCache(job.target().geometry(), centers, fine, new CachedScene(job.scene(), lights, indirect),
+                new CachedScene(job.mirrorTarget().scene(), mirrored, mirroredIndirect)), work());
     }
 
     private LayerStamp freshStamp(Light light) {
@@ -100,8 +98,8 @@ public final class CacheBuilder {
     }
 
     private BuildResult addSamples(PixelCache centers) {
-        return new BuildResult(new PixelCache(centers.geometry(), centers.tiles(), buildSamples(centers.tiles(), 0), centers.scenes(),
-                centers.lights(), centers.mirroredLights(), centers.indirect(), centers.mirroredIndirect()), work());
+        return new BuildResult(new PixelCache(centers.geometry(), centers.tiles(), buildSamples(centers.tiles(), 0), centers.shown(),
+                centers.mirrored()), work());
     }
 
     /**

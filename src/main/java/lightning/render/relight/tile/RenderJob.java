@@ -54,8 +54,8 @@ public record RenderJob(PreparedScene target, PreparedScene mirrorTarget, Render
     /** Creates the job that traces samples for existing centers, whose mirrors may show an older scene. */
     public static RenderJob samples(PixelCache centers, RenderOptions options, Progress progress) {
         PreparedScene shown = PreparedScene.of(centers.geometry(), centers.scene());
-        PreparedScene mirrored = centers.mirroredScene().equals(centers.scene()) ? shown
-                : PreparedScene.of(centers.geometry(), centers.mirroredScene());
+        PreparedScene mirrored = centers.hasCurrentReflections() ? shown
+                : PreparedScene.of(centers.geometry(), centers.mirrored().scene());
         return new RenderJob(shown, mirrored, options, null, progress);
     }
 
@@ -71,7 +71,7 @@ public record RenderJob(PreparedScene target, PreparedScene mirrorTarget, Render
         IndirectLight shownLight = light(shown);
         IndirectLight mirroredLight = light(mirrored);
         IndirectLight shownBefore = old == null ? null : light(old.indirect());
-        IndirectLight mirroredBefore = old == null ? null : light(old.mirroredIndirect());
+        IndirectLight mirroredBefore = old == null ? null : light(old.mirrored().indirect());
         PreparedScene top = target.withIndirect(shownLight, changes);
         IndirectChange change = IndirectChange.between(shownBefore, shownLight);
         return new RenderJob(top, mirrorTarget == target ? top : mirrorTarget.withIndirect(mirroredLight, null), options, plan, progress,
@@ -120,7 +120,7 @@ public record RenderJob(PreparedScene target, PreparedScene mirrorTarget, Render
 
     /** Returns whether mirror levels are stored as full rows. */
     boolean storesMirrorRows() {
-        return options.storage().storesRows();
+        return options.storesMirrorRows();
     }
 
     /** Returns whether rows must store their owner shapes. */

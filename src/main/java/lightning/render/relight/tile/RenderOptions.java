@@ -48,6 +48,16 @@ public record RenderOptions(Accuracy accuracy, ReflectionMode reflections, Mirro
         return withReflections(ReflectionMode.STALE);
     }
 
+    /** Returns whether mirror levels store rows and layers. */
+    public boolean storesMirrorRows() {
+        return storage.storesRows();
+    }
+
+    /** Returns these options with the storage of mirror levels that needs the least memory. */
+    public RenderOptions withSmallestMirrors() {
+        return withStorage(MirrorStorage.SMALLEST);
+    }
+
     /** Returns whether every edit updates mirror images. */
     public boolean keepsReflectionsCurrent() {
         return reflections == ReflectionMode.CURRENT;
