@@ -33,6 +33,7 @@ module lightning {
     exports lightning.format.image;
     exports lightning.render.image;
     exports lightning.render.relight;
+    exports lightning.render.relight.paper;
     exports lightning.render.relight.plan;
     exports lightning.render.relight.tile;
     exports lightning.render.shading;
