@@ -7,6 +7,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
 import lightning.base.work.Progress;
@@ -23,8 +24,12 @@ import lightning.format.gltf.GltfMeshReader;
 import lightning.format.gltf.GltfNode;
 import lightning.format.gltf.GltfPart;
 import lightning.format.gltf.GltfScene;
+import lightning.format.gltf.MeshFileWriter;
+import lightning.format.gltf.PosedMeshes;
+import lightning.format.jen.asset.JenLimits;
 import lightning.format.mesh.MeshException;
 import lightning.scene.Camera;
+import lightning.scene.asset.IesProfile;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightType;
 import lightning.scene.material.Material;
@@ -42,7 +47,11 @@ final class GltfImport {
     /** Minimum distance of the target from a camera among the objects, as a share of their radius. */
     private static final double MIN_TARGET_DISTANCE = 0.2;
 
+    /** Spots with a larger ratio of the inner to the outer angle have a hard edge. */
+    private static final double MAX_INNER_RATIO = 0.9999;
+
     private final SceneAssembler assembler;
+    private final SpotEdges spotEdges = new SpotEdges();
     private final LightUnits units;
     private final GltfScene file;
     private final List<GltfNode> nodes;
@@ -55,6 +64,9 @@ final class GltfImport {
     private final Map<String, String> nodeNames = new HashMap<>();
     private final SceneExtras extras;
     private final String meshFile;
+    private final PosedMeshes posed;
+    /** File of the posed meshes; empty if there are none. */
+    private final String posedFile;
 
     private GltfImport(Path source, Path sceneFile, LightUnits units, Progress progress) throws IOException, MeshException {
         this.units = units;
@@ -62,13 +74,19 @@ final class GltfImport {
         GltfFile gltf = GltfFile.read(source, progress);
         file = new GltfScene(gltf, assembler.notes);
         nodes = file.nodes(SceneLimits.MAX_SHAPES);
-        for (GltfPart part : GltfMeshReader.read(gltf, assembler.notes)) {
+        for (GltfPart part : GltfMeshReader.readAll(gltf, assembler.notes)) {
             parts.computeIfAbsent(part.mesh(), _ -> new ArrayList<>()).add(part);
         }
+        posed = PosedMeshes.of(gltf, nodes, parts);
         lights = file.lights();
         extras = new SceneExtras(file.settings());
-        meshFile = assembler.addFile(source);
-        for (Path buffer : file.bufferFiles()) {
+        if (parts.isEmpty() && lights.isEmpty() && gltf.cameraCount() == 0) {
+            throw new MeshException(source, "meshes", "must have triangles, lights or cameras");
+        }
+        meshFile = parts.isEmpty() ? source.getFileName().toString() : assembler.addFile(source);
+        posedFile =
+                posed.meshes().isEmpty() ? "" : assembler.addFile(assembler.stem() + ".posed.glb", MeshFileWriter.write(posed.meshes()));
+        for (Path buffer : parts.isEmpty() ? Set.<Path>of() : file.bufferFiles()) {
             assembler.addFileAsNamed(buffer);
         }
     }
@@ -80,7 +98,12 @@ final class GltfImport {
     private ImportedScene assemble() throws IOException, MeshException {
         var surfaces = new GltfMaterialImport(assembler, file, meshFile);
         for (GltfMaterial material : file.materials()) {
-            materials.add(assembler.addMaterial(material.name(), surfaces.convert(material)));
+            Material converted = surfaces.convert(material);
+            String name = assembler.addMaterial(material.name(), converted);
+            materials.add(name);
+            if (!material.isUnlit() && !converted.glow().isBlack()) {
+                assembler.rawGlows.add(name);
+            }
         }
         for (GltfNode node : nodes) {
             assembler.nodes.addAll(importNode(node, Transform.IDENTITY));
@@ -89,9 +112,16 @@ final class GltfImport {
         for (int i = 0; i < lightNodes.size(); i++) {
             importLight(lightNodes.get(i), lightTransforms.get(i), settings);
         }
+        spotEdges.addFiles(assembler);
         assembler.camera = assembler.camera.map(this::withTargetAtObjects);
         assembler.units = assembler.lights.isEmpty() ? Optional.empty() : Optional.of(units);
+        List<Material> before = List.copyOf(assembler.materials);
         extras.apply(assembler, nodeNames);
+        for (int i = 0; i < before.size(); i++) {
+            if (!before.get(i).glow().equals(assembler.materials.get(i).glow())) {
+                assembler.rawGlows.remove(before.get(i).name());
+            }
+        }
         return assembler.build();
     }
 
@@ -106,7 +136,16 @@ final class GltfImport {
             lightTransforms.add(world);
         }
         List<Placement> placements = TransformDecomposition.decompose(node.local());
-        List<GltfPart> nodeParts = node.mesh() < 0 ? List.of() : parts.getOrDefault(node.mesh(), List.of());
+        List<GltfPart> posedParts = posed.parts(node);
+        if (node.skin() >= 0 && !posedParts.isEmpty()) {
+            // The joints place a skinned mesh, and its node does not.
+            for (GltfPart part : posedParts) {
+                assembler.nodes.add(createShape(node.name(), posedFile, part, Placement.IDENTITY, Transform.IDENTITY));
+            }
+        }
+        List<GltfPart> nodeParts = node.mesh() < 0 || node.skin() >= 0 ? List.of()
+                : posedParts.isEmpty() ? parts.getOrDefault(node.mesh(), List.of()) : posedParts;
+        String file = posedParts.isEmpty() ? meshFile : posedFile;
         if (placements.isEmpty()) {
             assembler.notes.add("nodes that are flat, too small or too large, with their objects", nodeParts.isEmpty() ? 0 : 1);
             // Cameras and lights inside the node are imported anyway.
@@ -117,7 +156,7 @@ final class GltfImport {
         }
         if (nodeParts.size() == 1 && node.children().isEmpty()) {
             Transform outerTransform = placements.size() == 1 ? parentTransform : parentTransform.times(placements.getFirst().transform());
-            SceneNode shape = createShape(node.name(), nodeParts.getFirst(), placements.getLast(), outerTransform);
+            SceneNode shape = createShape(node.name(), file, nodeParts.getFirst(), placements.getLast(), outerTransform);
             nodeNames.putIfAbsent(node.name(), shape.name());
             return wrapInGroups(node, "", placements.subList(0, placements.size() - 1), List.of(shape));
         }
@@ -125,7 +164,7 @@ final class GltfImport {
         String groupName = nodeParts.isEmpty() ? "" : assembler.names.unique(node.name(), "group");
         List<SceneNode> children = new ArrayList<>();
         for (GltfPart part : nodeParts) {
-            children.add(createShape(node.name(), part, Placement.IDENTITY, world));
+            children.add(createShape(node.name(), file, part, Placement.IDENTITY, world));
         }
         for (GltfNode child : node.children()) {
             children.addAll(importNode(child, world));
@@ -152,10 +191,10 @@ final class GltfImport {
         return nodes;
     }
 
-    private SceneNode createShape(String nodeName, GltfPart part, Placement placement, Transform outer) {
+    private SceneNode createShape(String nodeName, String file, GltfPart part, Placement placement, Transform outer) {
         assembler.notes.add("objects without a material, imported as gray", part.material() < 0 ? 1 : 0);
         String material = part.material() < 0 ? Material.DEFAULT.name() : materials.get(part.material());
-        return assembler.createShape(nodeName.isEmpty() ? part.name() : nodeName, meshFile, part.name(), part.triangles(), material,
+        return assembler.createShape(nodeName.isEmpty() ? part.name() : nodeName, file, part.name(), part.triangles(), material,
                 placement, outer);
     }
 
@@ -221,8 +260,7 @@ final class GltfImport {
                 result = result.withDirection(world.transformVector(new Vec3(0, 0, -1)).normalized());
             }
             if (type.hasCone()) {
-                result = result.withAngle(Math.toDegrees(light.outerAngle())).withDropoff(dropoff(light));
-                assembler.notes.add("edges of spots, falloff approximated", light.innerAngle() < light.outerAngle() ? 1 : 0);
+                result = withEdge(result.withAngle(Math.toDegrees(light.outerAngle())).withDropoff(0), light);
             }
             assembler.lights.add(settings.restore(result, light));
             boolean isClamped =
@@ -233,16 +271,14 @@ final class GltfImport {
         }
     }
 
-    /**
-     * Returns the exponent of the spot's falloff that matches the file's half-intensity angle. The file uses the square of
-     * (cos a − cos outer) / (cos inner − cos outer), the scene a power of cos a.
-     */
-    private static double dropoff(GltfLight light) {
-        double inner = Math.cos(light.innerAngle());
-        double outer = Math.cos(light.outerAngle());
-        double half = outer + Math.sqrt(0.5) * (inner - outer);
-        double exponent = Math.log(0.5) / Math.log(half);
-        return light.innerAngle() < light.outerAngle() && half > 0 && half < 1 ? SceneAssembler.clamp(exponent, SceneLimits.MAX_DROPOFF)
-                : 0;
+    /** Adds the soft edge of a spot; a hard one if the angles are nearly equal. */
+    private Light withEdge(Light spot, GltfLight light) {
+        double inner = Math.toDegrees(light.innerAngle());
+        if (!(inner >= 0 && inner < spot.angle() * MAX_INNER_RATIO) || spot.angle() > 90) {
+            return spot;
+        }
+        Optional<IesProfile> profile = spotEdges.profile(inner, spot.angle());
+        assembler.notes.add("soft edges of spots after the first " + JenLimits.PROFILES, profile.isEmpty() ? 1 : 0);
+        return spot.withProfile(profile);
     }
 }

@@ -1,7 +1,6 @@
 package lightning.format.exchange;
 
 import java.io.IOException;
-import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
@@ -15,6 +14,7 @@ import lightning.format.gltf.GltfScene;
 import lightning.format.jen.asset.TextureDecoder;
 import lightning.format.mesh.MeshException;
 import lightning.scene.asset.TextureMap;
+import lightning.scene.asset.TextureUsage;
 import lightning.scene.material.AlphaCutout;
 import lightning.scene.material.BumpMapping;
 import lightning.scene.material.Material;
@@ -27,7 +27,6 @@ final class GltfMaterialImport {
     private final SceneAssembler assembler;
     private final GltfScene file;
     private final String meshFile;
-    private final Map<Integer, Optional<String>> images = new HashMap<>();
     private final Map<Integer, TextureMeans> textureMeans = new HashMap<>();
 
     /**
@@ -44,13 +43,16 @@ final class GltfMaterialImport {
     Material convert(GltfMaterial m) throws IOException, MeshException {
         Rgb base = assembler.clampColor(m.base(), 1, "base colors of materials");
         if (m.isUnlit()) {
-            assembler.notes.add("textures of unlit materials", m.baseImage() < 0 ? 0 : 1);
-            return Material.of("material").withAmbient(base).withDiffuse(Rgb.BLACK);
+            Optional<TextureMap> map = textureMap(m.baseImage(), TextureUsage.COLOR);
+            // Ambient light has no map, glow has.
+            Material unlit = Material.of("material").withDiffuse(Rgb.BLACK);
+            return withCutout(map.isEmpty() ? unlit.withAmbient(base) : unlit.withGlow(base).withGlowMap(map), m);
         }
         TextureMeans means = m.metallicRoughnessImage() < 0 ? TextureMeans.NONE : metallicRoughnessMeans(m.metallicRoughnessImage());
         Material material = withGlow(Material.of("material").withModel(ShadingModel.METALLIC).withBase(base), m)
                 .withMetalness(SceneAssembler.clamp(m.metallic() * means.metalness(), 1))
-                .withRoughness(SceneAssembler.clamp(m.roughness() * means.roughness(), 1)).withTexture(textureMap(m.baseImage()));
+                .withRoughness(SceneAssembler.clamp(m.roughness() * means.roughness(), 1))
+                .withTexture(textureMap(m.baseImage(), TextureUsage.COLOR));
         return withCutout(withNormalMap(withTransmission(MirrorMetals.reflect(withHighlights(material, m), assembler.notes), m), m), m);
     }
 
@@ -95,7 +97,7 @@ final class GltfMaterialImport {
         if (glow.isBlack() || m.emissionImage().isEmpty()) {
             return material.withGlow(glow);
         }
-        Optional<TextureMap> map = textureMap(m.emissionImage().getAsInt());
+        Optional<TextureMap> map = textureMap(m.emissionImage().getAsInt(), TextureUsage.COLOR);
         assembler.notes.add("emissiveTexture of materials", map.isEmpty() ? 1 : 0);
         return map.isEmpty() ? material : material.withGlow(glow).withGlowMap(map);
     }
@@ -108,7 +110,7 @@ final class GltfMaterialImport {
     private TextureMeans metallicRoughnessMeans(int image) throws IOException, MeshException {
         TextureMeans cached = textureMeans.get(image);
         if (cached == null) {
-            cached = TextureMeans.of(file.imageBytes(image)).orElse(TextureMeans.NONE);
+            cached = imageBytes(image).flatMap(TextureMeans::of).orElse(TextureMeans.NONE);
             textureMeans.put(image, cached);
         }
         assembler.notes.add(cached == TextureMeans.NONE ? "metallicRoughnessTexture of materials"
@@ -116,45 +118,53 @@ final class GltfMaterialImport {
         return cached;
     }
 
-    private Optional<TextureMap> textureMap(int image) throws IOException, MeshException {
-        if (image >= 0 && !images.containsKey(image)) {
-            images.put(image, importImage(image));
-        }
-        return image < 0 ? Optional.empty() : images.get(image).flatMap(SceneAssembler::placeholderTexture);
-    }
-
     private Material withNormalMap(Material material, GltfMaterial m) throws IOException, MeshException {
-        Optional<TextureMap> normals = textureMap(m.normalImage());
+        Optional<TextureMap> normals = textureMap(m.normalImage(), TextureUsage.DATA);
         return normals.isEmpty() ? material : material.withBumpMapping(BumpMapping.NONE.withNormalMap(normals)
                 .withStrength(Math.clamp(m.normalScale(), -SceneLimits.MAX_STRENGTH, SceneLimits.MAX_STRENGTH)));
     }
 
     /** Adds an opacity map from the texture's alpha. */
     private Material withCutout(Material material, GltfMaterial m) throws IOException, MeshException {
-        if (!(m.cutoff() > 0) || material.texture().isEmpty() || !TextureDecoder.hasAlpha(file.imageBytes(m.baseImage()))) {
+        Optional<TextureMap> opacity =
+                m.cutoff() > 0 && m.baseImage() >= 0 && imageBytes(m.baseImage()).filter(TextureDecoder::hasAlpha).isPresent()
+                        ? textureMap(m.baseImage(), TextureUsage.OPACITY) : Optional.empty();
+        if (opacity.isEmpty()) {
             assembler.notes.add("materials invisible by their alpha cutoff, imported as visible", m.cutoff() > m.alphaFactor() ? 1 : 0);
             return material;
         }
         assembler.notes.add("alpha-blended textures, imported as cutouts at half opacity", m.isBlended() ? 1 : 0);
-        return material.withCutout(new AlphaCutout(material.texture(), Math.min(m.cutoff() / m.alphaFactor(), 1)));
+        return material.withCutout(new AlphaCutout(opacity, Math.min(m.cutoff() / m.alphaFactor(), 1)));
     }
 
-    /** Returns the file name of an image; empty if its format is not supported. */
-    private Optional<String> importImage(int image) throws IOException, MeshException {
-        Optional<Path> path = file.imageFile(image);
-        if (path.isPresent()) {
-            if (SceneAssembler.isPngOrJpeg(path.get())) {
-                return Optional.of(assembler.addFile(path.get()));
-            }
-        } else {
-            byte[] bytes = file.imageBytes(image);
-            if (SceneAssembler.isPngOrJpeg(bytes)) {
-                String name = file.imageName(image);
-                String stem = meshFile.replaceFirst("\\.[^.]*$", "") + "-" + (name.isEmpty() ? "image" + image : name);
-                return Optional.of(assembler.addFile(stem + (bytes[1] == 'P' ? ".png" : ".jpg"), bytes));
-            }
+    /** Returns an image as a texture; empty if there is none or it cannot be used. */
+    private Optional<TextureMap> textureMap(int image, TextureUsage usage) throws IOException, MeshException {
+        if (image < 0) {
+            return Optional.empty();
         }
-        assembler.notes.add("textures that are not PNG or JPEG");
-        return Optional.empty();
+        Optional<String> reference = file.imageReference(image);
+        return reference.isPresent() ? assembler.images.file(reference.get(), usage)
+                : embeddedBytes(image).isEmpty() ? Optional.empty()
+                : assembler.images.embedded(stem(image), embeddedBytes(image).get(), usage);
+    }
+
+    /** Returns the content of an image; empty if it is missing. */
+    private Optional<byte[]> imageBytes(int image) throws IOException, MeshException {
+        Optional<String> reference = file.imageReference(image);
+        return reference.isPresent() ? assembler.images.bytes(reference.get()) : embeddedBytes(image);
+    }
+
+    private Optional<byte[]> embeddedBytes(int image) throws IOException {
+        try {
+            return Optional.of(file.imageBytes(image));
+        } catch (MeshException e) {
+            assembler.notes.add("embedded textures that are damaged");
+            return Optional.empty();
+        }
+    }
+
+    private String stem(int image) throws MeshException {
+        String name = file.imageName(image);
+        return meshFile.replaceFirst("\\.[^.]*$", "") + "-" + (name.isEmpty() ? "image" + image : name);
     }
 }

@@ -71,7 +71,8 @@ final class LightSettings {
         if (units.isEmpty()) {
             return imported;
         }
-        Light stored = AttributeJson.read(settings, imported, LightAttribute.ALL, assembler::hasFile, _ -> noteUnusable());
+        Light stored = AttributeJson.read(settings, imported.withProfile(Optional.empty()), LightAttribute.ALL, assembler::hasFile,
+                _ -> noteUnusable());
         Optional<LightGroup> group = lightGroup(stored, settings.path(LIGHT_GROUP_KEY));
         GltfLight exported =
                 PunctualLightExport.convert(
@@ -80,7 +81,8 @@ final class LightSettings {
                         units.get(), settings, new ConversionNotes());
         Light light = stored;
         if (!isSameShape(exported, gltfLight)) {
-            light = light.withType(imported.type()).withAngle(imported.angle()).withDropoff(imported.dropoff());
+            light = light.withType(imported.type()).withAngle(imported.angle()).withDropoff(imported.dropoff())
+                    .withProfile(imported.profile());
         }
         if (imported.type().hasPosition() && !isNear(imported.position(), stored.position(), Math.max(1, imported.position().maxAbs()))) {
             light = light.withPosition(imported.position());

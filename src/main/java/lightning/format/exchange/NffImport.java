@@ -51,7 +51,7 @@ final class NffImport {
         return new NffImport(source, sceneFile, progress).assemble();
     }
 
-    private ImportedScene assemble() throws MeshException {
+    private ImportedScene assemble() throws IOException, MeshException {
         assembler.world =
                 assembler.world.withBackground(assembler.clampColor(file.background(), SceneLimits.MAX_EMISSION, "background colors"));
         file.view().ifPresent(this::importCamera);

@@ -22,6 +22,7 @@ import lightning.format.mesh.obj.ObjFile;
 import lightning.format.mesh.obj.ObjReader;
 import lightning.format.mesh.ply.PlyReader;
 import lightning.scene.asset.TextureMap;
+import lightning.scene.asset.TextureUsage;
 import lightning.scene.material.AlphaCutout;
 import lightning.scene.material.Material;
 import lightning.scene.node.Mesh;
@@ -116,9 +117,9 @@ final class ObjImport {
             case CONSTANT -> constant(m, diffuse);
             case DIFFUSE, HIGHLIGHT, REFLECTION, GLASS, FRESNEL, REFRACTION, FRESNEL_REFRACTION, REFLECTION_MAP, GLASS_MAP,
                     SHADOW_CATCHER ->
-                    highlightMaterial(m).withDiffuse(diffuse).withTexture(textureMap(m.texture()));
+                    highlightMaterial(m).withDiffuse(diffuse).withTexture(textureMap(m.texture(), TextureUsage.COLOR));
         });
-        Optional<TextureMap> cutout = textureMap(m.cutout());
+        Optional<TextureMap> cutout = textureMap(m.cutout(), TextureUsage.OPACITY);
         assembler.notes.add("opacity maps (map_d), imported as cutouts at half opacity", cutout.isPresent() ? 1 : 0);
         return withTransmission(m, opaque).withCutout(AlphaCutout.NONE.withMap(cutout));
     }
@@ -129,14 +130,15 @@ final class ObjImport {
         if (m.emissionMap().isEmpty()) {
             return material.withGlow(emission);
         }
-        Optional<TextureMap> map = textureMap(m.emissionMap());
+        Optional<TextureMap> map = textureMap(m.emissionMap(), TextureUsage.COLOR);
         return map.isEmpty() ? material : material.withGlow(emission.isBlack() ? Rgb.WHITE : emission).withGlowMap(map);
     }
 
     /** Returns a surface of constant color, independent of lighting. It is ambient light, since the surface is no light source. */
-    private Material constant(MtlMaterial m, Rgb color) {
-        assembler.notes.add("textures of unlit materials", m.texture().isPresent() ? 1 : 0);
-        return Material.of("material").withAmbient(color).withDiffuse(Rgb.BLACK);
+    private Material constant(MtlMaterial m, Rgb color) throws IOException {
+        Optional<TextureMap> map = textureMap(m.texture(), TextureUsage.COLOR);
+        Material unlit = Material.of("material").withDiffuse(Rgb.BLACK);
+        return map.isEmpty() ? unlit.withAmbient(color) : unlit.withGlow(color).withGlowMap(map);
     }
 
     /** Returns a material with only the highlights and reflections of its illumination model. */
@@ -151,13 +153,8 @@ final class ObjImport {
                 .withShininess(SceneAssembler.clamp(m.shininess().orElse(result.shininess()), SceneLimits.MAX_SHININESS));
     }
 
-    private Optional<TextureMap> textureMap(Optional<String> file) throws IOException {
-        Optional<Path> path = file.isEmpty() ? Optional.empty() : siblingFile(file.get());
-        if (path.isPresent() && SceneAssembler.isPngOrJpeg(path.get())) {
-            return SceneAssembler.placeholderTexture(assembler.addFile(path.get()));
-        }
-        assembler.notes.add("textures that are missing, or not PNG or JPEG", file.isPresent() ? 1 : 0);
-        return Optional.empty();
+    private Optional<TextureMap> textureMap(Optional<String> file, TextureUsage usage) throws IOException {
+        return file.isEmpty() ? Optional.empty() : assembler.images.file(file.get(), usage);
     }
 
     /** Adds transmission; a model without refraction becomes a veil of its filter color. */

@@ -1,5 +1,6 @@
 package lightning.format.exchange;
 
+import java.util.OptionalDouble;
 import lightning.base.math.Rgb;
 import lightning.format.exchange.assembly.LightUnits;
 import lightning.format.gltf.GltfLight;
@@ -13,6 +14,9 @@ import tools.jackson.databind.JsonNode;
 final class PunctualLightExport {
     /** Largest ratio of the inner to the outer angle, which glTF requires to be larger. */
     private static final double MAX_INNER_RATIO = 1 - 1e-6;
+
+    /** Smallest outer angle in radians, which glTF requires to be above the inner one. */
+    private static final double MIN_OUTER = 1e-4;
 
     private PunctualLightExport() {}
 
@@ -28,7 +32,8 @@ final class PunctualLightExport {
         double scale = Math.max(light.color().max(), 1);
         Rgb color = light.color().times(1 / scale);
         double intensity = scale * light.intensity() * attenuationFactor(light, notes) / units.intensityOfOneUnit(type);
-        double outer = Math.toRadians(type.isSurface() ? 90 : Math.min(light.angle(), 90));
+        double outer = Math.max(Math.toRadians(type.isSurface() ? 90 : Math.min(light.angle(), 90)), MIN_OUTER);
+        OptionalDouble inner = type.hasCone() ? SpotEdges.inner(light) : OptionalDouble.empty();
         notes.add("area lights, exported as points", light.isArea() ? 1 : 0);
         notes.add("spots wider than 90 degrees", type.hasCone() && light.angle() > 90 ? 1 : 0);
         notes.add("edges of spots, falloff approximated", type.hasCone() && light.dropoff() > 0 || type.isSurface() ? 1 : 0);
@@ -38,7 +43,7 @@ final class PunctualLightExport {
         notes.add("barn doors", LightAttribute.DOORS.appliesTo(type) && !light.doors().isOpen() ? 1 : 0);
         notes.add("gobos", type.hasCone() && light.gobo().isPresent() ? 1 : 0);
         notes.add("textures of lights", light.faceImage().isPresent() ? 1 : 0);
-        notes.add("profiles", LightAttribute.PROFILE.appliesTo(type) && light.profile().isPresent() ? 1 : 0);
+        notes.add("profiles", LightAttribute.PROFILE.appliesTo(type) && light.profile().isPresent() && inner.isEmpty() ? 1 : 0);
         notes.add("light linking, exported as illuminating everything", light.isLinked() ? 1 : 0);
         notes.add("lights without shadows", light.contribution().castsShadows() ? 0 : 1);
         notes.add("diffuse and specular gains of lights",
@@ -48,7 +53,8 @@ final class PunctualLightExport {
             case POINT -> GltfLight.Type.POINT;
             case SPOT, RECT, DISC -> GltfLight.Type.SPOT;
         };
-        return new GltfLight(0, light.name(), gltfType, color, intensity, innerAngle(dropoff, outer), outer, false, settings);
+        return new GltfLight(0, light.name(), gltfType, color, intensity,
+                inner.isPresent() ? Math.toRadians(inner.getAsDouble()) : innerAngle(dropoff, outer), outer, false, settings);
     }
 
     /** Returns the light's intensity factor at distance 1, because glTF lights fall off with the square of the distance. */

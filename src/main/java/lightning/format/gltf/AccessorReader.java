@@ -16,7 +16,7 @@ final class AccessorReader {
     private static final int UNSIGNED_SHORT = 5123;
     private static final int UNSIGNED_INT = 5125;
     private static final int FLOAT = 5126;
-    private static final Map<String, Integer> COMPONENT_COUNTS = Map.of("SCALAR", 1, "VEC2", 2, "VEC3", 3, "VEC4", 4);
+    private static final Map<String, Integer> COMPONENT_COUNTS = Map.of("SCALAR", 1, "VEC2", 2, "VEC3", 3, "VEC4", 4, "MAT4", 16);
     private static final int MAX_STRIDE = 255;
 
     private final GltfFile file;
@@ -108,7 +108,7 @@ final class AccessorReader {
         String name = type.text().orElse("missing");
         Integer components = COMPONENT_COUNTS.get(name);
         if (components == null) {
-            throw type.problem("must be SCALAR, VEC2, VEC3 or VEC4, was " + Quote.of(name));
+            throw type.problem("must be SCALAR, VEC2, VEC3, VEC4 or MAT4, was " + Quote.of(name));
         }
         return components;
     }

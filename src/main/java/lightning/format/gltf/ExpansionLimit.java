@@ -46,12 +46,21 @@ final class ExpansionLimit {
     static void checkShapes(GltfFile file, List<GltfNode> nodes, long limit) throws IOException, MeshException {
         long shapes = countShapes(nodes, countPrimitives(file));
         var expansion = new ExpansionLimit(file);
-        long max = Math.min(limit, Math.max(MeshLimits.PARTS, expansion.fileBytes / BYTES_PER_SHAPE));
+        long max = expansion.maxShapes(limit);
         if (shapes > max) {
             throw file.array("nodes")
                     .problem("must show at most " + max + " shapes for a file and buffers of " + expansion.fileBytes
                             + " bytes, found " + shapes + "; each node shows every primitive of its mesh");
         }
+    }
+
+    /**
+     * Returns the maximum number of shapes.
+     *
+     * @param limit number of shapes allowed for any file size
+     */
+    long maxShapes(long limit) {
+        return Math.min(limit, Math.max(MeshLimits.PARTS, fileBytes / BYTES_PER_SHAPE));
     }
 
     private static long countShapes(List<GltfNode> nodes, int[] primitives) {

@@ -58,7 +58,7 @@ public final class GltfLightWriter {
         return new GltfLightWriter(file).replaceLights(lights);
     }
 
-    private byte[] replaceLights(List<PlacedLight> lights) throws MeshException {
+    private byte[] replaceLights(List<PlacedLight> lights) throws IOException, MeshException {
         var scene = new GltfScene(file, new ConversionNotes());
         List<GltfLight> oldLights = scene.lights();
         for (GltfNode node : scene.nodes()) {
@@ -76,7 +76,10 @@ public final class GltfLightWriter {
                 setTransform(node, placed);
                 nodes.add(node);
                 nodeIndex = nodes.size() - 1;
-                childArray((ObjectNode) childArray(root, "scenes").get(root.path("scene").asInt(0)), "nodes").add(nodeIndex);
+                if (root.path("scenes").get(root.path("scene").asInt(0)) instanceof ObjectNode shown) {
+                    // Without a scene, all nodes are shown.
+                    childArray(shown, "nodes").add(nodeIndex);
+                }
             } else if (!isPlacedAt(placed, nodeTransforms.get(nodeIndex))) {
                 setTransform((ObjectNode) nodes.get(nodeIndex), placed);
             }

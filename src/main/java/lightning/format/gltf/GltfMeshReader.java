@@ -33,6 +33,8 @@ public final class GltfMeshReader {
     private final List<GltfPart> parts = new ArrayList<>();
     /** Values of accessors already read, by accessor and requested form. */
     private final Map<String, float[]> cachedValues = new HashMap<>();
+    /** Whether colors of an accessor are transparent. */
+    private final Map<Integer, Boolean> transparentColors = new HashMap<>();
     /** Compacted index of each vertex of a pool; all −1 between two parts. */
     private int[] vertexMap = {};
     private long bytes;
@@ -52,6 +54,15 @@ public final class GltfMeshReader {
      * @throws IOException if an external file cannot be read
      */
     public static List<GltfPart> read(GltfFile file, ConversionNotes notes) throws IOException, MeshException {
+        List<GltfPart> parts = readAll(file, notes);
+        if (parts.isEmpty()) {
+            throw file.root().get("meshes").problem("must have triangles");
+        }
+        return parts;
+    }
+
+    /** Reads all meshes as {@link #read}; empty if there are none. */
+    public static List<GltfPart> readAll(GltfFile file, ConversionNotes notes) throws IOException, MeshException {
         return new GltfMeshReader(file, notes).read();
     }
 
@@ -64,14 +75,8 @@ public final class GltfMeshReader {
                 if (file.progress().isCanceled()) {
                     throw new CancellationException("canceled after " + parts.size() + " parts");
                 }
-                readPrimitive(i, name, primitives.element(j), primitives.size() > 1);
+                readPrimitive(i, j, name, primitives.element(j), primitives.size() > 1);
             }
-            if (meshes.element(i).get("weights").isPresent()) {
-                notes.add("meshes with morph targets");
-            }
-        }
-        if (parts.isEmpty()) {
-            throw file.root().get("meshes").problem("must have triangles");
         }
         return List.copyOf(parts);
     }
@@ -85,7 +90,8 @@ public final class GltfMeshReader {
         return mode(primitive) >= TRIANGLES_MODE && primitive.get("attributes").get("POSITION").isPresent();
     }
 
-    private void readPrimitive(int mesh, String name, JsonValue primitive, boolean hasSiblings) throws IOException, MeshException {
+    private void readPrimitive(int mesh, int index, String name, JsonValue primitive, boolean hasSiblings)
+            throws IOException, MeshException {
         int mode = mode(primitive);
         if (mode < TRIANGLES_MODE) {
             notes.add(mode == 0 ? "primitives of points" : "primitives of lines");
@@ -112,8 +118,11 @@ public final class GltfMeshReader {
         String materialName = materialIndex < 0 ? "" : file.array("materials").element(materialIndex).get("name").text().orElse("");
         String requestedName =
                 hasSiblings && !materialName.isEmpty() ? (name.isEmpty() ? materialName : name + " (" + materialName + ")") : name;
-        Mesh triangleMesh = mesh(primitive, triangles, vertices, materialIndex);
-        parts.add(new GltfPart(mesh, names.unique(requestedName, "mesh"), materialIndex, triangleMesh));
+        int[] used = compact(triangles, vertices);
+        Mesh triangleMesh = mesh(primitive, triangles, used, vertices, materialIndex);
+        boolean canBePosed = primitive.get("targets").isPresent() || primitive.get("attributes").get("JOINTS_0").isPresent();
+        parts.add(new GltfPart(mesh, index, names.unique(requestedName, "mesh"), materialIndex, triangleMesh,
+                canBePosed ? used : new int[0]));
     }
 
     private static int[] triangles(int mode, int[] indices, int vertices) {
@@ -132,10 +141,9 @@ public final class GltfMeshReader {
         return triangles;
     }
 
-    private Mesh mesh(JsonValue primitive, int[] triangles, int vertices, int material) throws IOException, MeshException {
+    private Mesh mesh(JsonValue primitive, int[] triangles, int[] used, int vertices, int material) throws IOException, MeshException {
         JsonValue attributes = primitive.get("attributes");
         TextureTransform textureCoordinates = TextureTransform.of(file, material);
-        int[] used = compact(triangles, vertices);
         JsonValue uvAccessor = attributes.get("TEXCOORD_" + textureCoordinates.set());
         reserveBytes(triangles.length
                 + (long) used.length * (3 + (attributes.get("NORMAL").isPresent() ? 3 : 0) + (uvAccessor.isPresent() ? 2 : 0)
@@ -151,6 +159,7 @@ public final class GltfMeshReader {
         }
         if (colors != null) {
             VertexColors.clamp(colors, used.length, notes);
+            notes.add("vertex colors with an alpha below 1, imported as opaque", hasAlpha(attributes.get("COLOR_0")) ? 1 : 0);
         }
         noteUnusedAttributes(primitive, textureCoordinates.set());
         if (normals != null) {
@@ -179,13 +188,35 @@ public final class GltfMeshReader {
         boolean tangents = hasTangents(primitive.get("attributes"));
         primitive.get("attributes").node().propertyNames().forEach(name -> {
             if (!name.equals("POSITION") && !name.equals("NORMAL") && !name.equals("COLOR_0") && !name.equals("TEXCOORD_" + set)
+                    && !name.startsWith("JOINTS_") && !name.startsWith("WEIGHTS_")
                     && !(tangents && name.equals("TANGENT"))) {
                 notes.add("attributes " + name + " of primitives");
             }
         });
-        if (primitive.get("targets").isPresent()) {
-            notes.add("primitives with morph targets");
+    }
+
+    /** Returns whether any vertex color is transparent. */
+    private boolean hasAlpha(JsonValue colors) throws IOException, MeshException {
+        int index = colors.index(file.array("accessors"));
+        Boolean known = transparentColors.get(index);
+        if (known == null) {
+            known = readAlpha(colors);
+            transparentColors.put(index, known);
         }
+        return known;
+    }
+
+    private boolean readAlpha(JsonValue colors) throws IOException, MeshException {
+        if (!colors.resolve(file.array("accessors")).get("type").text().orElse("").equals("VEC4")) {
+            return false;
+        }
+        float[] values = accessors.floats(colors, 4);
+        for (int i = 3; i < values.length; i += 4) {
+            if (values[i] < 1) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /** Returns whether tangents apply; those without normals must be ignored: glTF 2.0, §3.7.2.1. */

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.BitSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -26,6 +27,7 @@ public final class GltfScene {
     private final GltfFile file;
     private final ConversionNotes notes;
     private final boolean[] visited;
+    private final NodeInstances instances;
 
     /**
      * Creates a reader.
@@ -36,9 +38,8 @@ public final class GltfScene {
         this.file = file;
         this.notes = notes;
         visited = new boolean[file.array("nodes").size()];
-        for (String property : List.of("animations", "skins")) {
-            notes.add(property, file.array(property).size());
-        }
+        instances = new NodeInstances(file);
+        notes.add("animations", file.array("animations").size());
         file.noteExtensions(notes);
     }
 
@@ -55,30 +56,50 @@ public final class GltfScene {
         return nodes;
     }
 
-    /** Returns the nodes of the default scene. */
-    List<GltfNode> nodes() throws MeshException {
+    /** Returns the nodes of the default scene; all nodes if the file has no scene. */
+    List<GltfNode> nodes() throws IOException, MeshException {
         JsonValue scenes = file.array("scenes");
         if (scenes.size() == 0) {
-            throw file.root().get("scenes").problem("must have a scene");
+            return rootNodes();
         }
         notes.add("additional scenes", scenes.size() - 1);
         JsonValue scene = scenes.element(file.root().get("scene").integer(0, scenes.size() - 1, 0));
         return readNodes(scene.get("nodes"), 1);
     }
 
-    private List<GltfNode> readNodes(JsonValue indices, int nesting) throws MeshException {
+    private List<GltfNode> rootNodes() throws IOException, MeshException {
+        JsonValue all = file.array("nodes");
+        var children = new BitSet();
+        for (int i = 0; i < all.size(); i++) {
+            JsonValue indices = all.element(i).get("children");
+            for (int j = 0; j < indices.size(); j++) {
+                children.set(indices.element(j).index(all));
+            }
+        }
         List<GltfNode> nodes = new ArrayList<>();
-        for (int i = 0; i < indices.size(); i++) {
-            nodes.add(readNode(indices.element(i), nesting));
+        for (int i = children.nextClearBit(0); i < all.size(); i = children.nextClearBit(i + 1)) {
+            readNode(all.element(i), i, 1).ifPresent(nodes::add);
         }
         return List.copyOf(nodes);
     }
 
-    private GltfNode readNode(JsonValue reference, int nesting) throws MeshException {
+    private List<GltfNode> readNodes(JsonValue indices, int nesting) throws IOException, MeshException {
+        List<GltfNode> nodes = new ArrayList<>();
+        for (int i = 0; i < indices.size(); i++) {
+            readNode(indices.element(i), indices.element(i).index(file.array("nodes")), nesting).ifPresent(nodes::add);
+        }
+        return List.copyOf(nodes);
+    }
+
+    /**
+     * Reads a node; empty if it is hidden.
+     *
+     * @param reference place in the file, for messages
+     */
+    private Optional<GltfNode> readNode(JsonValue reference, int index, int nesting) throws IOException, MeshException {
         if (nesting > MAX_NESTING) {
             throw reference.problem("nodes must be nested at most " + MAX_NESTING + " deep");
         }
-        int index = reference.index(file.array("nodes"));
         if (visited[index]) {
             throw reference.problem("must be a node with a single parent, was " + index);
         }
@@ -87,10 +108,29 @@ public final class GltfScene {
         JsonValue mesh = node.get("mesh");
         JsonValue camera = node.get("camera");
         JsonValue light = node.get("extensions").get(LIGHTS).get("light");
-        return new GltfNode(index, node.get("name").text().orElse(""), localTransform(node),
-                mesh.isPresent() ? mesh.index(file.array("meshes")) : -1,
-                camera.isPresent() ? camera.index(file.array("cameras")) : -1, light.isPresent() ? light.index(lightArray()) : -1,
-                readNodes(node.get("children"), nesting + 1));
+        if (!node.get("extensions").get("KHR_node_visibility").get("visible").bool(true)) {
+            notes.add("hidden nodes (KHR_node_visibility), left out with all that is in them");
+            return Optional.empty();
+        }
+        String name = node.get("name").text().orElse("");
+        int meshIndex = mesh.isPresent() ? mesh.index(file.array("meshes")) : -1;
+        JsonValue skin = node.get("skin");
+        List<GltfNode> children = new ArrayList<>(readNodes(node.get("children"), nesting + 1));
+        List<Transform> copies = meshIndex < 0 ? List.of() : instances.of(node);
+        copies.forEach(copy -> children.add(GltfNode.copy(name, copy, meshIndex)));
+        return Optional.of(new GltfNode(index, name, localTransform(node), copies.isEmpty() ? meshIndex : -1,
+                skin.isPresent() ? skin.index(file.array("skins")) : -1, weights(node),
+                camera.isPresent() ? camera.index(file.array("cameras")) : -1,
+                light.isPresent() ? light.index(lightArray()) : -1, List.copyOf(children)));
+    }
+
+    private static List<Double> weights(JsonValue node) throws MeshException {
+        List<Double> weights = new ArrayList<>();
+        JsonValue array = node.get("weights");
+        for (int i = 0; i < array.size(); i++) {
+            weights.add(array.element(i).number());
+        }
+        return List.copyOf(weights);
     }
 
     private static Transform localTransform(JsonValue node) throws MeshException {
@@ -99,13 +139,22 @@ public final class GltfScene {
             double[] m = node.get("matrix").numbers(new double[16]);
             return new Transform(m[0], m[4], m[8], m[12], m[1], m[5], m[9], m[13], m[2], m[6], m[10], m[14]);
         }
-        double[] t = node.get("translation").numbers(0, 0, 0);
         double[] q = node.get("rotation").numbers(0, 0, 0, 1);
-        double[] s = node.get("scale").numbers(1, 1, 1);
-        double length = Math.sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
-        if (!(length > 0)) {
+        if (!(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3] > 0)) {
             throw node.get("rotation").problem("must not be zero");
         }
+        return transform(node.get("translation").numbers(0, 0, 0), q, node.get("scale").numbers(1, 1, 1));
+    }
+
+    /**
+     * Returns scaling, then rotation, then translation.
+     *
+     * @param t translation
+     * @param q quaternion x, y, z, w; not zero
+     * @param s scale
+     */
+    static Transform transform(double[] t, double[] q, double[] s) {
+        double length = Math.sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
         double x = q[0] / length;
         double y = q[1] / length;
         double z = q[2] / length;
@@ -184,14 +233,13 @@ public final class GltfScene {
         return file.array("images").element(image).get("name").text().orElse("");
     }
 
-    /** Returns the file of an image, in this file's folder; empty if it is embedded. */
-    public Optional<Path> imageFile(int image) throws IOException, MeshException {
+    /** Returns the reference to the file of an image, as written; empty if it is embedded. */
+    public Optional<String> imageReference(int image) throws MeshException {
         JsonValue uri = file.array("images").element(image).get("uri");
-        return !uri.isPresent() || uri.text().orElse("").startsWith("data:") ? Optional.empty()
-                : Optional.of(file.buffers().siblingFile(uri));
+        return !uri.isPresent() ? Optional.empty() : uri.text().filter(text -> !text.startsWith("data:"));
     }
 
-    /** Returns the bytes of an image, embedded or external. */
+    /** Returns the bytes of an embedded image. */
     public byte[] imageBytes(int image) throws IOException, MeshException {
         JsonValue json = file.array("images").element(image);
         if (json.get("uri").isPresent()) {

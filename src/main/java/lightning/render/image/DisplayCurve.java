@@ -2,27 +2,28 @@ package lightning.render.image;
 
 import java.util.function.DoubleUnaryOperator;
 import lightning.base.math.CurveTable;
+import lightning.base.math.SrgbCurve;
 import lightning.render.image.aces.Aces2Table;
 
 /** Tone curve from linear light to 8- or 16-bit display codes, correctly rounded. */
 public enum DisplayCurve {
     /** sRGB encoding (IEC 61966-2-1): {@code 12.92 · v} up to v = 0.0031308, else {@code 1.055 · v^(1/2.4) − 0.055}. */
-    SRGB("srgb", "sRGB", Srgb::encoded, 1),
+    SRGB("srgb", "sRGB", SrgbCurve::fromLinear, 1),
     /**
      * No curve: the linear value itself, {@code 255 · v}. Programs of 1998 sent it to the display unchanged, which shows midtones
      * and shadows too dark.
      */
     LINEAR("1998", "Linear (No Curve)", v -> v, 1),
     /** {@link ToneCurves#filmic}, then sRGB. */
-    FILMIC("filmic", "Filmic (Hable)", v -> Srgb.encoded(ToneCurves.filmic(v)), ToneCurves.FILMIC_WHITE),
+    FILMIC("filmic", "Filmic (Hable)", v -> SrgbCurve.fromLinear(ToneCurves.filmic(v)), ToneCurves.FILMIC_WHITE),
     /** {@link ToneCurves#aces}, then sRGB. */
-    ACES("aces", "ACES (Approximation)", v -> Srgb.encoded(ToneCurves.aces(v)), ToneCurves.ACES_WHITE),
+    ACES("aces", "ACES (Approximation)", v -> SrgbCurve.fromLinear(ToneCurves.aces(v)), ToneCurves.ACES_WHITE),
     /** {@link Aces2Table ACES 2}: mixes the channels. Single values are shown as grays. */
     ACES2("aces2", "ACES 2", Aces2Table::gray, Aces2Table.WHITE),
     /** {@link AgX}: mixes the channels. Single values are shown as grays. */
     AGX("agx", "AgX", AgX::gray, AgX.WHITE),
     /** {@link FalseColor}: exposure stops as colors. Single values are encoded as sRGB. */
-    FALSE("false", "False Color", Srgb::encoded, 1);
+    FALSE("false", "False Color", SrgbCurve::fromLinear, 1);
 
     private static final double WHITE_16 = 0xFFFF;
 

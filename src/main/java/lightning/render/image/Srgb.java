@@ -11,7 +11,7 @@ import lightning.base.math.SrgbCurve;
  */
 final class Srgb {
 
-    private static final CodeTable TABLE = CodeTable.of(Srgb::encoded, 1);
+    private static final CodeTable TABLE = CodeTable.of(SrgbCurve::fromLinear, 1);
 
     /** {@code THRESHOLD[c]} is the smallest float whose code is c; the last entry is never reached. */
     static final float[] THRESHOLD = TABLE.threshold();
@@ -22,12 +22,7 @@ final class Srgb {
 
     /** Returns the code, 0 to 255, of a linear value by the formula; below 0 and NaN count as 0, above 1 as 1. */
     static int formula(float linear) {
-        return CodeTable.formula(v -> encoded(Math.min(v, 1)), linear);
-    }
-
-    /** Returns the sRGB value of a linear value, both 0…1. */
-    static double encoded(double v) {
-        return v <= 0.0031308 ? 12.92 * v : 1.055 * StrictMath.pow(v, 1 / 2.4) - 0.055;
+        return CodeTable.formula(v -> SrgbCurve.fromLinear(Math.min(v, 1)), linear);
     }
 
     /** Returns the same code as {@link #formula} from the table. */

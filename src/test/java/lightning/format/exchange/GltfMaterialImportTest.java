@@ -168,7 +168,7 @@ class GltfMaterialImportTest {
         ImportedScene imported = importJson("{'emissiveTexture': {'index': 0}, 'emissiveFactor': [1, 0.5, 1]}");
         imported.write();
         Material glowing = JenReader.read(folder.resolve("a.jen")).scene().materials().getFirst();
-        assertThat(glowing.glow()).isEqualTo(new Rgb(1, 0.5, 1));
+        assertThat(glowing.glow()).isEqualTo(new Rgb(1, 0.5, 1).times(1 / 683.0));
         assertThat(glowing.glowMap().orElseThrow().image().channel(0, 0, 1)).isEqualTo((float) SrgbCurve.toLinear(192 / 255.0),
                 within(1e-6f));
         assertThat(imported.notes().keySet()).noneMatch(note -> note.contains("emissiveTexture"));
@@ -206,7 +206,7 @@ class GltfMaterialImportTest {
                         .replace("}}", "}, 'emissiveFactor': [0, 0.5, 1]}"));
         imported.write();
         assertThat(JenReader.read(folder.resolve("a.jen")).scene().materials()).isEqualTo(imported.scene().materials());
-        assertThat(imported.scene().materials().getFirst().glow()).isEqualTo(new Rgb(0, 0.5, 1));
+        assertThat(imported.scene().materials().getFirst().glow()).isEqualTo(new Rgb(0, 0.5, 1).times(1 / 683.0));
         assertThat(imported.scene().materials().getFirst().ambient()).isEqualTo(Rgb.BLACK);
     }
 

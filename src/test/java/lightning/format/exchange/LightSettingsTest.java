@@ -146,7 +146,7 @@ class LightSettingsTest {
                 .withAttenuation(dimmed.attenuation()).withLightGroup(""));
         Light narrowed = imported(changed(file, root -> ((ObjectNode) light(root).get("spot")).put("outerConeAngle", 1))).scene().lights()
                 .getFirst();
-        assertThat(narrowed).isEqualTo(original.withAngle(Math.toDegrees(1)).withDropoff(narrowed.dropoff()));
+        assertThat(narrowed).isEqualTo(original.withAngle(Math.toDegrees(1)).withDropoff(0).withProfile(narrowed.profile()));
     }
 
     @Example

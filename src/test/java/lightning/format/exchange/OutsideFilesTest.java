@@ -163,21 +163,31 @@ class OutsideFilesTest {
         }
     }
 
-    @ParameterizedTest
-    @ValueSource(strings = {"buffers", "images"})
-    void gltf_rejectsFilesOutside(String list) {
+    private static String gltf(String list, String path) {
+        String data = "\"uri\":\"data:application/octet-stream;base64," + "AAAA".repeat(12) + "\"";
+        String entry = list.equals("buffers") ? "\"buffers\":[{\"byteLength\":36,\"uri\":\"" + path + "\"}]"
+                : "\"buffers\":[{\"byteLength\":36," + data + "}],\"images\":[{\"uri\":\"" + path + "\"}]";
+        return "{\"asset\":{\"version\":\"2.0\"},\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}],\"meshes\":[{\"primitives\":[{"
+                + "\"attributes\":{\"POSITION\":0},\"material\":0}]}],\"materials\":[{\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":0}}}],"
+                + "\"textures\":[{\"source\":0}],\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"}],"
+                + "\"bufferViews\":[{\"buffer\":0,\"byteLength\":36}]," + entry + "}";
+    }
+
+    @Test
+    void gltf_rejectsBuffersOutside() {
         for (String path : outsidePaths("a.png").toList()) {
-            String entry = list.equals("buffers") ? "\"buffers\":[{\"byteLength\":36,\"uri\":\"" + path + "\"}]"
-                    : "\"buffers\":[{\"byteLength\":36,\"uri\":\"data:application/octet-stream;base64," + "AAAA".repeat(12)
-                            + "\"}],\"images\":[{\"uri\":\""
-                            + path + "\"}]";
-            String text =
-                    "{\"asset\":{\"version\":\"2.0\"},\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}],\"meshes\":[{\"primitives\":[{"
-                            + "\"attributes\":{\"POSITION\":0},\"material\":0}]}],\"materials\":[{\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":0}}}],"
-                            + "\"textures\":[{\"source\":0}],\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"}],"
-                            + "\"bufferViews\":[{\"buffer\":0,\"byteLength\":36}]," + entry + "}";
-            assertThatExceptionOfType(MeshException.class).isThrownBy(() -> imported("a.gltf", text))
+            assertThatExceptionOfType(MeshException.class).isThrownBy(() -> imported("a.gltf", gltf("buffers", path)))
                     .withMessageContaining("must be data or a file in the folder of this one");
+        }
+    }
+
+    @Test
+    void gltf_leavesImagesOutsideOut() throws Exception {
+        for (String path : outsidePaths("a.png").toList()) {
+            assertThat(imported("a.gltf", gltf("images", path)).notes()).as(path).containsEntry("textures that are missing", 1);
+            assertNothingIsRead("a.gltf", gltf("images", path));
+            TemporaryFolder.delete(output);
+            Files.createDirectory(output);
         }
     }
 

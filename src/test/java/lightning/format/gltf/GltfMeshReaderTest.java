@@ -147,7 +147,7 @@ class GltfMeshReaderTest {
         assertRejected(json("'2.0'", "7"), "asset.version: must be text in quotes, was '7'");
         assertRejected(json("'indices': 3", "'indices': 4"),
                 "meshes[0].primitives[0].indices: must be a whole number from 0 to 3, was '4'");
-        assertRejected(json("'VEC2'", "'MAT4'"), "accessors[2].type: must be SCALAR, VEC2, VEC3 or VEC4, was 'MAT4'");
+        assertRejected(json("'VEC2'", "'MAT3'"), "accessors[2].type: must be SCALAR, VEC2, VEC3, VEC4 or MAT4, was 'MAT3'");
         assertRejected(json("'componentType': 5123", "'componentType': 5126"), "accessors[3]: indices must be unsigned scalars");
         assertRejected(json("'scene': 0", "'extensionsRequired': ['KHR_draco_mesh_compression']"),
                 "extensionsRequired[0]: requires KHR_draco_mesh_compression, which Lightning does not support; export without it");

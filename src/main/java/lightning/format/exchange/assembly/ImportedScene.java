@@ -37,6 +37,7 @@ import lightning.scene.shot.Shot;
  *     numbers. Its textures are black placeholder pixels
  * @param shot animation of the scene, with tracks that it can have; empty for none
  * @param restored names of lights whose intensities are not raw numbers
+ * @param rawGlows names of materials whose glow is a raw number
  * @param units assumed units of the raw numbers; empty if the intensities are final
  * @param comments comment lines at the start of the scene file
  * @param sceneFile output file
@@ -45,7 +46,8 @@ import lightning.scene.shot.Shot;
  * @param subject what the file contains
  * @param closingComments comment lines at the end of the scene file
  */
-public record ImportedScene(Scene unscaledScene, Optional<Shot> shot, Set<String> restored, Optional<LightUnits> units,
+public record ImportedScene(Scene unscaledScene, Optional<Shot> shot, Set<String> restored, Set<String> rawGlows,
+        Optional<LightUnits> units,
         List<String> comments, Path sceneFile,
         List<AssetCopy> copies,
         Map<String, Integer> notes, ImportSubject subject, List<String> closingComments) {
@@ -61,7 +63,8 @@ public record ImportedScene(Scene unscaledScene, Optional<Shot> shot, Set<String
     /** Returns this scene with other light units, or this object if the file defines its units. */
     public ImportedScene inUnits(LightUnits newUnits) {
         return units.isEmpty() ? this
-                : new ImportedScene(unscaledScene, shot, restored, Optional.of(newUnits), comments, sceneFile, copies, notes, subject,
+                : new ImportedScene(unscaledScene, shot, restored, rawGlows, Optional.of(newUnits), comments, sceneFile, copies, notes,
+                        subject,
                         closingComments);
     }
 
@@ -77,7 +80,8 @@ public record ImportedScene(Scene unscaledScene, Optional<Shot> shot, Set<String
 
     /** Returns this scene with other settings of its image. */
     public ImportedScene withPicture(PictureSettings picture) {
-        return new ImportedScene(unscaledScene.withPicture(picture), shot, restored, units, comments, sceneFile, copies, notes, subject,
+        return new ImportedScene(unscaledScene.withPicture(picture), shot, restored, rawGlows, units, comments, sceneFile, copies, notes,
+                subject,
                 closingComments);
     }
 
@@ -95,7 +99,8 @@ public record ImportedScene(Scene unscaledScene, Optional<Shot> shot, Set<String
         Map<String, Integer> newNotes = new HashMap<>(notes);
         newNotes.remove(ADDED_LIGHT);
         newNotes.remove(ADDED_CAMERA);
-        return new ImportedScene(lit, shot.map(s -> validTracks(s, lit)), Set.of(), Optional.empty(), List.copyOf(newComments), sceneFile,
+        return new ImportedScene(lit, shot.map(s -> validTracks(s, lit)), Set.of(), Set.of(), Optional.empty(), List.copyOf(newComments),
+                sceneFile,
                 copies, Map.copyOf(newNotes),
                 subject, closingComments);
     }
@@ -119,7 +124,8 @@ public record ImportedScene(Scene unscaledScene, Optional<Shot> shot, Set<String
         }
         List<String> newComments = Stream.concat(comments.stream(), naming.comments().stream()).toList();
         naming.renamed().forEach(renamed);
-        return new ImportedScene(new FileRenaming(naming::newName).applyTo(unscaledScene), shot, restored, units, newComments, sceneFile,
+        return new ImportedScene(new FileRenaming(naming::newName).applyTo(unscaledScene), shot, restored, rawGlows, units, newComments,
+                sceneFile,
                 naming.copies(), notes, subject, closingComments);
     }
 
@@ -161,7 +167,9 @@ public record ImportedScene(Scene unscaledScene, Optional<Shot> shot, Set<String
         return units.isEmpty() ? unscaledScene : unscaledScene.withLights(unscaledScene.lights().stream()
                 .map(light -> restored.contains(light.name()) ? light
                         : light.withIntensity(light.intensity() * units.get().intensityOfOneUnit(light.type())))
-                .toList());
+                .toList()).withMaterials(unscaledScene.materials().stream()
+                        .map(m -> rawGlows.contains(m.name()) ? m.withGlow(m.glow().times(units.get().brightnessOfOneUnit())) : m)
+                        .toList());
     }
 
     /** Returns the text of the {@code .jen} file. */

@@ -36,6 +36,11 @@ public enum LightUnits {
         return watts / Math.PI;
     }
 
+    /** Returns the brightness in Lightning of a surface that glows with 1 in the file: a nit by the specification, else without a unit. */
+    public double brightnessOfOneUnit() {
+        return this == CANDELA ? 1 / LUMENS_PER_WATT : 1;
+    }
+
     /** Returns the units in words. */
     public String description() {
         return description;

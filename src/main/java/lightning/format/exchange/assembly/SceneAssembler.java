@@ -52,12 +52,15 @@ public final class SceneAssembler {
 
     public final ConversionNotes notes = new ConversionNotes();
     public final UniqueNames names = new UniqueNames();
+    public final ImageImport images;
     public final List<SceneNode> nodes = new ArrayList<>();
     public final List<Material> materials = new ArrayList<>();
     public final List<Light> lights = new ArrayList<>();
     public final List<LightGroup> lightGroups = new ArrayList<>();
     /** Names of lights whose intensities are not raw numbers of the file. */
     public final Set<String> restoredLights = new HashSet<>();
+    /** Names of materials whose glow is a raw number of the file. */
+    public final Set<String> rawGlows = new HashSet<>();
     public final Bounds bounds = new Bounds();
     public Optional<Camera> camera = Optional.empty();
     public PictureSettings picture = new PictureSettings(800, 600, PictureSettings.DEPTH.initial());
@@ -80,6 +83,7 @@ public final class SceneAssembler {
     public SceneAssembler(Path source, Path sceneFile) {
         this.source = source;
         this.sceneFile = sceneFile;
+        images = new ImageImport(this, source);
         materialNames.unique(Material.DEFAULT.name(), "");
         comments.add("imported from " + PrintableText.escape(String.valueOf(source.getFileName())));
     }
@@ -129,6 +133,18 @@ public final class SceneAssembler {
         }
         addCopy(name, null, bytes);
         return name;
+    }
+
+    /**
+     * Replaces a file by one from memory.
+     *
+     * @param name      name of the file, in the scene
+     * @param requested name of the new file
+     * @return its name in the scene
+     */
+    String replaceFile(String name, String requested, byte[] bytes) {
+        copies.remove(folder().resolve(name));
+        return addFile(requested, bytes);
     }
 
     /** Adds a file next to the scene under the relative path by which another file references it. */
@@ -203,8 +219,13 @@ public final class SceneAssembler {
         return (int) Math.rint(Math.clamp(pixels, 1, longest));
     }
 
-    /** Returns the scene; adds a camera that frames everything and a light if the file has none. */
-    public ImportedScene build() throws MeshException {
+    /**
+     * Returns the scene; adds a camera that frames everything and a light if the file has none, and reduces images that do not fit.
+     *
+     * @throws MeshException if it is not a valid scene
+     * @throws IOException   if an image cannot be read
+     */
+    public ImportedScene build() throws IOException, MeshException {
         try {
             Camera view = camera.orElseGet(this::defaultCamera);
             boolean hasLights = !lights.isEmpty() || isLit || world.environment().isPresent();
@@ -214,9 +235,10 @@ public final class SceneAssembler {
                 lights.add(defaultLight(view));
             }
             Stage stage = new Stage(List.copyOf(materials), List.copyOf(nodes));
-            Scene scene = new Scene(picture, view, world, stage,
-                    LightRig.of(lights.stream().map(light -> withValidLinks(light, stage)).toList(), lightGroups));
-            return new ImportedScene(scene, shot.map(s -> withValidTracks(s, scene)), Set.copyOf(restoredLights), units,
+            Scene scene = new FileRenaming(images.fit()).applyTo(new Scene(picture, view, world, stage,
+                    LightRig.of(lights.stream().map(light -> withValidLinks(light, stage)).toList(), lightGroups)));
+            return new ImportedScene(scene, shot.map(s -> withValidTracks(s, scene)), Set.copyOf(restoredLights), Set.copyOf(rawGlows),
+                    units,
                     List.copyOf(comments), sceneFile,
                     List.copyOf(copies.values()),
                     Map.copyOf(notes.counts()), new ImportSubject(bounds.min(), bounds.max(), camera.isPresent(), hasLights),

@@ -1,4 +1,4 @@
-package lightning.format.usd;
+package lightning.format.gltf;
 
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;

@@ -1,0 +1,106 @@
+package lightning.format.exchange.assembly;
+
+import java.awt.Transparency;
+import java.awt.color.ColorSpace;
+import java.awt.image.BufferedImage;
+import java.awt.image.ComponentColorModel;
+import java.awt.image.DataBuffer;
+import java.awt.image.WritableRaster;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.util.EnumSet;
+import java.util.Set;
+import javax.imageio.ImageIO;
+import lightning.base.math.SrgbCurve;
+import lightning.format.jen.asset.TextureDecoder;
+import lightning.format.jen.asset.UnusableFileException;
+import lightning.scene.asset.Texture;
+import lightning.scene.asset.TextureUsage;
+
+/** PNG or JPEG image of an imported scene, with what it is used for. */
+final class UsedImage {
+    private static final int MAX_CODE = 255;
+
+    /** Number of pixels. */
+    final long pixels;
+    final Set<TextureUsage> usages = EnumSet.noneOf(TextureUsage.class);
+    private final Content content;
+
+    /** Content of an image file. */
+    @FunctionalInterface
+    interface Content {
+        byte[] read() throws IOException;
+    }
+
+    UsedImage(long pixels, Content content) {
+        this.pixels = pixels;
+        this.content = content;
+    }
+
+    /** Returns the number of textures that a scene decodes from it. */
+    int usageCount() {
+        return usages.size();
+    }
+
+    /**
+     * Returns it as a PNG file with fewer pixels, each the mean of some: of colors in linear light, of data and opacity as they are.
+     *
+     * @param maxPixels maximum number of pixels
+     */
+    byte[] reduced(long maxPixels) throws IOException {
+        byte[] file = content.read();
+        try {
+            boolean isColor = !usages.contains(TextureUsage.DATA);
+            Texture colors = TextureDecoder.decodeReduced("image", file, isColor ? TextureUsage.COLOR : TextureUsage.DATA);
+            Texture opacity = TextureDecoder.hasAlpha(file) ? TextureDecoder.decodeReduced("image", file, TextureUsage.OPACITY) : null;
+            return png(colors, opacity, isColor, maxPixels);
+        } catch (UnusableFileException e) {
+            throw new IOException(e.getMessage());
+        }
+    }
+
+    private static byte[] png(Texture colors, Texture opacity, boolean isColor, long maxPixels) throws IOException {
+        int step = 1;
+        while ((long) Math.ceilDiv(colors.width(), step) * Math.ceilDiv(colors.height(), step) > maxPixels) {
+            step++;
+        }
+        int width = Math.ceilDiv(colors.width(), step);
+        int height = Math.ceilDiv(colors.height(), step);
+        int bands = opacity == null ? 3 : 4;
+        var model = new ComponentColorModel(ColorSpace.getInstance(ColorSpace.CS_sRGB), opacity != null, false,
+                opacity == null ? Transparency.OPAQUE : Transparency.TRANSLUCENT, DataBuffer.TYPE_BYTE);
+        WritableRaster raster = model.createCompatibleWritableRaster(width, height);
+        int[] row = new int[bands * width];
+        for (int y = 0; y < height; y++) {
+            for (int x = 0; x < width; x++) {
+                for (int c = 0; c < 3; c++) {
+                    double mean = mean(colors, x * step, y * step, step, c);
+                    row[bands * x + c] = code(isColor ? SrgbCurve.fromLinear(mean) : mean);
+                }
+                if (opacity != null) {
+                    row[bands * x + 3] = code(mean(opacity, x * step, y * step, step, 0));
+                }
+            }
+            raster.setPixels(0, y, width, 1, row);
+        }
+        var out = new ByteArrayOutputStream();
+        ImageIO.write(new BufferedImage(model, raster, false, null), "png", out);
+        return out.toByteArray();
+    }
+
+    private static int code(double v) {
+        return (int) Math.rint(MAX_CODE * Math.clamp(v, 0, 1));
+    }
+
+    private static double mean(Texture texture, int x0, int y0, int step, int channel) {
+        int x1 = Math.min(x0 + step, texture.width());
+        int y1 = Math.min(y0 + step, texture.height());
+        double sum = 0;
+        for (int y = y0; y < y1; y++) {
+            for (int x = x0; x < x1; x++) {
+                sum += texture.channel(x, y, channel);
+            }
+        }
+        return sum / ((double) (x1 - x0) * (y1 - y0));
+    }
+}
