@@ -1,37 +1,53 @@
 package lightning.format.exchange;
 
 import java.io.IOException;
-import java.nio.file.Files;
-import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Stream;
 import lightning.base.math.Rgb;
 import lightning.base.math.Transform;
 import lightning.base.work.Progress;
 import lightning.format.MeshFormat;
 import lightning.format.exchange.assembly.ImportedScene;
+import lightning.format.exchange.assembly.MirrorMetals;
 import lightning.format.exchange.assembly.SceneAssembler;
+import lightning.format.exchange.assembly.TextureMeans;
 import lightning.format.exchange.assembly.TransmissionImport;
+import lightning.format.gltf.MeshFileWriter;
+import lightning.format.jen.asset.TextureDecoder;
+import lightning.format.jen.asset.UnusableFileException;
 import lightning.format.mesh.ByteSource;
 import lightning.format.mesh.MeshException;
+import lightning.format.mesh.NamedMesh;
+import lightning.format.mesh.obj.MtlImage;
 import lightning.format.mesh.obj.MtlMaterial;
 import lightning.format.mesh.obj.MtlReader;
 import lightning.format.mesh.obj.ObjFile;
 import lightning.format.mesh.obj.ObjReader;
 import lightning.format.mesh.ply.PlyReader;
+import lightning.scene.asset.Texture;
 import lightning.scene.asset.TextureMap;
 import lightning.scene.asset.TextureUsage;
 import lightning.scene.material.AlphaCutout;
+import lightning.scene.material.BumpMapping;
 import lightning.scene.material.Material;
+import lightning.scene.material.ShadingModel;
 import lightning.scene.node.Mesh;
 import lightning.scene.value.Placement;
 import lightning.scene.value.SceneLimits;
 
 /** Converter for mesh-only files: OBJ with its material files, and PLY. */
 final class ObjImport {
+    private static final double MIN_REPEAT = 1e-6;
+    /** Height of a height map's white, as a share of the radius of the scene. */
+    private static final double BUMP_HEIGHT = 0.01;
+
     private final SceneAssembler assembler;
+    private double radius = 1;
     private final Path source;
     private final Progress progress;
     private final Map<String, MtlMaterial> mtlMaterials = new HashMap<>();
@@ -47,7 +63,7 @@ final class ObjImport {
         var importer = new ObjImport(source, sceneFile, progress);
         try (ByteSource bytes = ByteSource.open(source, progress)) {
             Mesh mesh = PlyReader.read(bytes, importer.assembler.notes);
-            importer.addPart(MeshFormat.SINGLE_PART_NAME, Material.DEFAULT.name(), mesh);
+            importer.addPart(importer.assembler.addFile(source), MeshFormat.SINGLE_PART_NAME, Material.DEFAULT.name(), mesh);
         }
         return importer.assembler.build();
     }
@@ -61,18 +77,69 @@ final class ObjImport {
         try (ByteSource bytes = ByteSource.open(source, progress)) {
             file = ObjReader.read(bytes, assembler.notes);
         }
-        for (String library : file.libraries()) {
-            readLibrary(library);
+        for (String libraries : file.libraries()) {
+            // A line names one file, whose name may have spaces, or several.
+            for (String library : siblingFile(libraries).isPresent() ? new String[] {libraries} : libraries.split("\\s+")) {
+                readLibrary(library);
+            }
         }
+        radius = radius(file.parts());
+        // Scenes have no offset of textures: meshes of such materials are written with other coordinates.
+        List<NamedMesh> moved = new ArrayList<>();
+        String movedFile = assembler.stem() + ".placed.glb";
         for (ObjFile.ObjPart part : file.parts()) {
-            addPart(part.name(), materialName(part.material()), part.mesh());
+            String material = materialName(part.material());
+            Optional<MtlImage> placed = Optional.ofNullable(mtlMaterials.get(part.material())).flatMap(ObjImport::placedImage)
+                    .filter(MtlImage::isMoved);
+            if (placed.isPresent() && part.mesh().coordinates() != null) {
+                Mesh mesh = moved(part.mesh(), placed.get());
+                moved.add(new NamedMesh(part.name(), mesh));
+                addPart(movedFile, part.name(), material, mesh);
+            } else {
+                addPart(assembler.addFile(source), part.name(), material, part.mesh());
+            }
+        }
+        if (!moved.isEmpty()) {
+            assembler.addFile(movedFile, MeshFileWriter.write(moved));
         }
         return assembler.build();
     }
 
-    private void addPart(String part, String material, Mesh mesh) {
-        assembler.nodes
-                .add(assembler.createShape(part, assembler.addFile(source), part, mesh, material, Placement.IDENTITY, Transform.IDENTITY));
+    /** Returns half the largest extent of all meshes along an axis. */
+    private static double radius(List<ObjFile.ObjPart> parts) {
+        double radius = 0;
+        for (int axis = 0; axis < 3; axis++) {
+            double min = Double.POSITIVE_INFINITY;
+            double max = Double.NEGATIVE_INFINITY;
+            for (ObjFile.ObjPart part : parts) {
+                float[] p = part.mesh().positions();
+                for (int i = axis; i < p.length; i += 3) {
+                    min = Math.min(min, p[i]);
+                    max = Math.max(max, p[i]);
+                }
+            }
+            radius = Math.max(radius, (max - min) / 2);
+        }
+        return radius;
+    }
+
+    /** Returns the image whose placement all images of a material share here. */
+    private static Optional<MtlImage> placedImage(MtlMaterial m) {
+        return m.texture().or(m::bump).or(m::emissionMap).or(m::cutout);
+    }
+
+    /** Returns a mesh whose coordinates have an image's offset, in units of its repetitions. */
+    private static Mesh moved(Mesh mesh, MtlImage image) {
+        float[] coordinates = mesh.coordinates().clone();
+        for (int i = 0; i < coordinates.length; i += 2) {
+            coordinates[i] += (float) (image.offsetU() / repeat(image.scaleU()));
+            coordinates[i + 1] += (float) (image.offsetV() / repeat(image.scaleV()));
+        }
+        return new Mesh(mesh.positions(), mesh.triangles(), mesh.normals(), coordinates, mesh.colors());
+    }
+
+    private void addPart(String file, String part, String material, Mesh mesh) {
+        assembler.nodes.add(assembler.createShape(part, file, part, mesh, material, Placement.IDENTITY, Transform.IDENTITY));
     }
 
     private void readLibrary(String name) throws IOException, MeshException {
@@ -88,13 +155,7 @@ final class ObjImport {
 
     /** Returns a file in this file's folder or below it. */
     private Optional<Path> siblingFile(String name) throws IOException {
-        try {
-            Path folder = source.toRealPath().getParent();
-            Path file = folder.resolve(name.replace('\\', '/')).normalize();
-            return Files.isRegularFile(file) && file.toRealPath().startsWith(folder) ? Optional.of(file) : Optional.empty();
-        } catch (InvalidPathException e) {
-            return Optional.empty();
-        }
+        return assembler.images.find(name);
     }
 
     private String materialName(String name) throws IOException {
@@ -113,7 +174,7 @@ final class ObjImport {
 
     private Material convert(MtlMaterial m) throws IOException {
         Rgb diffuse = assembler.clampColor(m.diffuse(), 1, "diffuse colors of materials");
-        Material opaque = withGlow(m, switch (m.illumination()) {
+        Material opaque = withGlow(m, m.physical().isPresent() ? physical(m, diffuse) : switch (m.illumination()) {
             case CONSTANT -> constant(m, diffuse);
             case DIFFUSE, HIGHLIGHT, REFLECTION, GLASS, FRESNEL, REFRACTION, FRESNEL_REFRACTION, REFLECTION_MAP, GLASS_MAP,
                     SHADOW_CATCHER ->
@@ -121,7 +182,44 @@ final class ObjImport {
         });
         Optional<TextureMap> cutout = textureMap(m.cutout(), TextureUsage.OPACITY);
         assembler.notes.add("opacity maps (map_d), imported as cutouts at half opacity", cutout.isPresent() ? 1 : 0);
-        return withTransmission(m, opaque).withCutout(AlphaCutout.NONE.withMap(cutout));
+        notePlacements(m);
+        return withBump(m, withTransmission(m, opaque).withCutout(AlphaCutout.NONE.withMap(cutout)));
+    }
+
+    /** Notes images that are placed apart from others of their material. */
+    private void notePlacements(MtlMaterial m) {
+        Optional<MtlImage> placed = placedImage(m);
+        boolean isApart = Stream.of(m.texture(), m.bump(), m.emissionMap(), m.cutout()).flatMap(Optional::stream)
+                .anyMatch(image -> !image.isMovedLike(placed.orElseThrow()));
+        assembler.notes.add("textures with another offset (-o) than others of their material, placed like them", isApart ? 1 : 0);
+    }
+
+    /** Adds a bump map. Writers use its statements for images of heights, which are gray, and of normals, which are mostly blue. */
+    private Material withBump(MtlMaterial m, Material material) throws IOException {
+        Optional<TextureMap> map = textureMap(m.bump(), TextureUsage.DATA);
+        if (map.isEmpty()) {
+            return material;
+        }
+        boolean isNormal =
+                m.bump().get().isNormal() || assembler.images.bytes(m.bump().get().path()).filter(ObjImport::isNormalMap).isPresent();
+        double multiplier = m.bump().get().multiplier();
+        if (isNormal) {
+            return material.withBumpMapping(BumpMapping.NONE.withNormalMap(map)
+                    .withStrength(Math.clamp(multiplier, -SceneLimits.MAX_STRENGTH, SceneLimits.MAX_STRENGTH)));
+        }
+        assembler.notes.add("height maps (map_Bump), whose height is guessed from the size of the scene");
+        return material.withBumpMapping(BumpMapping.NONE.withBump(map).withHeight(
+                SceneAssembler.clamp(Math.abs(multiplier) * BUMP_HEIGHT * radius, SceneLimits.MAX_HEIGHT) * Math.signum(multiplier)));
+    }
+
+    private static boolean isNormalMap(byte[] image) {
+        try {
+            Texture texture = TextureDecoder.decodeReduced("bump", image, TextureUsage.DATA);
+            return TextureMeans.mean(texture, 2) > 0.6 && Math.abs(TextureMeans.mean(texture, 0) - 0.5) < 0.15
+                    && Math.abs(TextureMeans.mean(texture, 1) - 0.5) < 0.15;
+        } catch (UnusableFileException e) {
+            return false;
+        }
     }
 
     /** Adds the emission. Some writers leave its color (Ke) black where an image (map_Ke) has the colors. */
@@ -132,6 +230,15 @@ final class ObjImport {
         }
         Optional<TextureMap> map = textureMap(m.emissionMap(), TextureUsage.COLOR);
         return map.isEmpty() ? material : material.withGlow(emission.isBlack() ? Rgb.WHITE : emission).withGlowMap(map);
+    }
+
+    /** Returns a surface of the metallic model, from the statements Pr, Pm and Ni. */
+    private Material physical(MtlMaterial m, Rgb base) throws IOException {
+        double f0 = m.ior() > 1 ? (m.ior() - 1) / (m.ior() + 1) : 0.2;
+        return MirrorMetals.reflect(Material.of("material").withModel(ShadingModel.METALLIC).withBase(base)
+                .withMetalness(SceneAssembler.clamp(m.physical().get().metalness(), 1))
+                .withRoughness(SceneAssembler.clamp(m.physical().get().roughness(), 1)).withF0(Math.min(f0 * f0, 1))
+                .withTexture(textureMap(m.texture(), TextureUsage.COLOR)), assembler.notes);
     }
 
     /** Returns a surface of constant color, independent of lighting. It is ambient light, since the surface is no light source. */
@@ -153,8 +260,14 @@ final class ObjImport {
                 .withShininess(SceneAssembler.clamp(m.shininess().orElse(result.shininess()), SceneLimits.MAX_SHININESS));
     }
 
-    private Optional<TextureMap> textureMap(Optional<String> file, TextureUsage usage) throws IOException {
-        return file.isEmpty() ? Optional.empty() : assembler.images.file(file.get(), usage);
+    private Optional<TextureMap> textureMap(Optional<MtlImage> image, TextureUsage usage) throws IOException {
+        return image.isEmpty() ? Optional.empty() : assembler.images.file(image.get().path(), usage)
+                .map(map -> map.withRepeatU(repeat(image.get().scaleU())).withRepeatV(repeat(image.get().scaleV())));
+    }
+
+    private static double repeat(double scale) {
+        double limited = Math.clamp(scale, -SceneLimits.MAX_REPEAT, SceneLimits.MAX_REPEAT);
+        return Math.abs(limited) < MIN_REPEAT ? 1 : limited;
     }
 
     /** Adds transmission; a model without refraction becomes a veil of its filter color. */

@@ -6,7 +6,7 @@ import lightning.base.text.Quote;
 import lightning.base.text.UserFacingException;
 
 /** Invalid mesh file; the one-line message contains the file, the position, and expected and found content. */
-public final class MeshException extends Exception implements UserFacingException {
+public class MeshException extends Exception implements UserFacingException {
     private static final long serialVersionUID = 1;
 
     /**

@@ -18,7 +18,10 @@ public final class TextTokenizer {
     /** Integers below this, multiplied by a power of ten of the table, are one rounding away from the nearest double. */
     private static final long MAX_EXACT_INTEGER = 1L << 53;
     private static final int MAX_DIGITS = 18;
-    private static final Pattern NAN_PATTERN = Pattern.compile("[-+]?nan(\\(\\w*\\))?", Pattern.CASE_INSENSITIVE);
+    private static final byte[] BYTE_ORDER_MARK = {(byte) 0xEF, (byte) 0xBB, (byte) 0xBF};
+    /** What C libraries write for values that are no numbers, or infinite. */
+    private static final Pattern NAN_PATTERN =
+            Pattern.compile("[-+]?(nan(\\(\\w*\\))?|inf(inity)?|1\\.#(ind|inf|[qs]nan)\\d*)", Pattern.CASE_INSENSITIVE);
 
     static {
         double power = 1;
@@ -46,6 +49,34 @@ public final class TextTokenizer {
     /** Creates a problem at this line. */
     public MeshException problem(String message) {
         return bytes.problem("line " + line, message);
+    }
+
+    /** Creates a problem of the content of this line alone. */
+    public BadLineException badLine(String message) {
+        return new BadLineException(bytes, line, message);
+    }
+
+    /** Skips a byte order mark of UTF-8, at the start of the file. */
+    public void skipByteOrderMark() throws IOException {
+        if (bytes.startsWith(BYTE_ORDER_MARK)) {
+            for (int i = 0; i < BYTE_ORDER_MARK.length; i++) {
+                bytes.next();
+            }
+        }
+    }
+
+    /**
+     * Continues this line with the next one if the last token ends with a backslash at the end of the line, and removes the backslash.
+     *
+     * @return false if the last token does not end so
+     */
+    public boolean continueLine() throws IOException {
+        if (length == 0 || token[length - 1] != '\\' || !isAtLineEnd()) {
+            return false;
+        }
+        length--;
+        nextLine();
+        return true;
     }
 
     /**
@@ -165,12 +196,12 @@ public final class TextTokenizer {
         }
         OptionalDouble parsed = DecimalNumber.parse(text());
         if (parsed.isEmpty() || !Double.isFinite(parsed.getAsDouble())) {
-            throw problem(label + " must be a decimal number, was " + Quote.of(text()));
+            throw badLine(label + " must be a decimal number, was " + Quote.of(text()));
         }
         return parsed.getAsDouble();
     }
 
-    /** Returns the last token as a number, or NaN for C's spellings of it: {@code nan}, {@code -NaN(ind)}. */
+    /** Returns the last token as a number, or NaN for C's spellings of it and of infinity: {@code nan}, {@code -NaN(ind)}, {@code 1.#INF}. */
     public double numberOrNaN(String label) throws MeshException {
         double v = parseQuickly();
         return !Double.isNaN(v) || NAN_PATTERN.matcher(text()).matches() ? v : number(label);
@@ -191,7 +222,7 @@ public final class TextTokenizer {
         }
         v = length > 0 && token[0] == '-' ? -v : v;
         if (!valid || v < min || v > max) {
-            throw problem(label + " must be a whole number from " + min + " to " + max + ", was " + Quote.of(text()));
+            throw badLine(label + " must be a whole number from " + min + " to " + max + ", was " + Quote.of(text()));
         }
         return v;
     }

@@ -57,6 +57,11 @@ public final class ImageImport {
         return texture(names.get(stem), usage);
     }
 
+    /** Returns a file that the imported file names, in its folder and below; empty if there is none. */
+    public Optional<Path> find(String reference) throws IOException {
+        return NearbyFile.of(source).find(reference);
+    }
+
     /** Returns the content of an image file that the imported file names; empty if it is missing or larger than a texture may be. */
     public Optional<byte[]> bytes(String reference) throws IOException {
         Optional<Path> file = NearbyFile.of(source).find(reference);

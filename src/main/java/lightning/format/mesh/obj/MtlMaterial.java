@@ -16,12 +16,23 @@ import lightning.base.math.Rgb;
  * @param opacity d, 1 for opaque
  * @param filter Tf, filter color of transmitted light
  * @param ior Ni, index of refraction
- * @param texture path of the diffuse image, as written
- * @param emissionMap path of the image that multiplies the emission, as written
- * @param cutout path of the opacity map, as written
+ * @param texture diffuse image
+ * @param emissionMap image that multiplies the emission
+ * @param cutout opacity map
+ * @param bump map_Bump, bump or norm: a height or normal map
+ * @param physical roughness and metalness; empty for materials without them
  */
 public record MtlMaterial(String name, IlluminationModel illumination, Rgb diffuse, Rgb specular, Rgb emission, OptionalDouble shininess,
-        double opacity, Rgb filter, double ior, Optional<String> texture, Optional<String> emissionMap, Optional<String> cutout) {
+        double opacity, Rgb filter, double ior, Optional<MtlImage> texture, Optional<MtlImage> emissionMap,
+        Optional<MtlImage> cutout, Optional<MtlImage> bump, Optional<Physical> physical) {
+    /**
+     * Statements of physically based materials.
+     *
+     * @param roughness Pr, 0 … 1
+     * @param metalness Pm, 0 … 1
+     */
+    public record Physical(double roughness, double metalness) {}
+
     /**
      * Minimum exponent: smaller ones give a lobe wider than the diffuse term; exporters write 0 for surfaces without a
      * highlight.

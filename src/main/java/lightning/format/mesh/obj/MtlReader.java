@@ -5,8 +5,12 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.regex.Pattern;
 import lightning.base.math.Rgb;
+import lightning.base.text.DecimalNumber;
+import lightning.base.text.PrintableText;
 import lightning.base.text.Quote;
+import lightning.format.mesh.BadLineException;
 import lightning.format.mesh.ByteSource;
 import lightning.format.mesh.ConversionNotes;
 import lightning.format.mesh.MeshException;
@@ -15,13 +19,19 @@ import lightning.format.mesh.TextTokenizer;
 
 /** Reader for MTL files: colors, shininess and images. Notes all other content. */
 public final class MtlReader {
+    /** Roughness of materials that have only a metalness. */
+    private static final double DEFAULT_ROUGHNESS = 0.5;
+    private static final Pattern NUMBER = Pattern.compile("[-+0-9.eE]+");
+
     private final TextTokenizer text;
     private final ConversionNotes notes;
+    private final String name;
     private final Map<String, MtlMaterial> materials = new LinkedHashMap<>();
     private MaterialBuilder current;
 
     private MtlReader(ByteSource source, ConversionNotes notes) {
         this.notes = notes;
+        name = PrintableText.escape(String.valueOf(source.file().getFileName()));
         text = new TextTokenizer(source);
     }
 
@@ -36,9 +46,14 @@ public final class MtlReader {
     }
 
     private Map<String, MtlMaterial> read() throws IOException, MeshException {
+        text.skipByteOrderMark();
         do {
-            if (text.readToken() && text.byteAt(0) != '#') {
-                readStatement();
+            try {
+                if (text.readToken() && text.byteAt(0) != '#') {
+                    readStatement();
+                }
+            } catch (BadLineException e) {
+                notes.add(name + ", " + e.note());
             }
         } while (text.nextLine());
         finishMaterial();
@@ -62,7 +77,7 @@ public final class MtlReader {
             return;
         }
         if (current == null) {
-            throw text.problem("newmtl must stand before " + keyword);
+            throw text.badLine("newmtl must stand before " + keyword);
         }
         switch (keyword) {
             case "Kd" -> current.diffuse = readColor(current.diffuse);
@@ -74,11 +89,15 @@ public final class MtlReader {
             case "Tr" -> current.transparency = readNumber();
             case "Tf" -> current.filter = readColor(current.filter);
             case "Ni" -> current.ior = readNumber();
-            case "map_Kd" -> current.texture = readTexturePath();
-            case "map_Ke" -> current.emissionMap = readTexturePath();
+            case "map_Kd" -> current.texture = readImage(false);
+            case "map_Ke" -> current.emissionMap = readImage(false);
             // Most writers use 1 for any surface, which would make it emit light.
             case "Ka" -> notes.add("ambient colors (Ka) of materials");
-            case "map_d" -> current.cutout = readTexturePath();
+            case "map_d" -> current.cutout = readImage(false);
+            case "map_Bump", "map_bump", "bump" -> current.setBump(readImage(false));
+            case "norm" -> current.setBump(readImage(true));
+            case "Pr" -> current.roughness = OptionalDouble.of(readNumber());
+            case "Pm" -> current.metalness = OptionalDouble.of(readNumber());
             default -> notes.add(keyword + " of materials");
         }
     }
@@ -113,18 +132,31 @@ public final class MtlReader {
         double transparency = Double.NaN;
         Rgb filter;
         double ior = 1.5;
-        Optional<String> texture = Optional.empty();
-        Optional<String> emissionMap = Optional.empty();
-        Optional<String> cutout = Optional.empty();
+        OptionalDouble roughness = OptionalDouble.empty();
+        OptionalDouble metalness = OptionalDouble.empty();
+        Optional<MtlImage> texture = Optional.empty();
+        Optional<MtlImage> emissionMap = Optional.empty();
+        Optional<MtlImage> cutout = Optional.empty();
+        Optional<MtlImage> bump = Optional.empty();
 
         MaterialBuilder(String name) {
             this.name = name;
         }
 
+        /** Sets the bump map; one that is surely a normal map wins. */
+        void setBump(Optional<MtlImage> image) {
+            bump = bump.filter(MtlImage::isNormal).or(() -> image);
+        }
+
+        private Optional<MtlMaterial.Physical> physical() {
+            return roughness.isEmpty() && metalness.isEmpty() ? Optional.empty()
+                    : Optional.of(new MtlMaterial.Physical(roughness.orElse(DEFAULT_ROUGHNESS), metalness.orElse(0)));
+        }
+
         MtlMaterial build() {
             return new MtlMaterial(name, illumination, diffuse, specular, emission, shininess, effectiveOpacity(),
                     filter == null ? Rgb.WHITE : filter,
-                    ior, texture, emissionMap, cutout);
+                    ior, texture, emissionMap, cutout, bump, physical());
         }
 
         /**
@@ -152,7 +184,7 @@ public final class MtlReader {
     /** Parses the last token as a number. */
     private double parseNumber() throws MeshException {
         if (text.length() == 0) {
-            throw text.problem("expected a number, found the end of the line");
+            throw text.badLine("expected a number, found the end of the line");
         }
         return text.number("it");
     }
@@ -170,27 +202,43 @@ public final class MtlReader {
         return new Rgb(red, text.number("green"), readNumber());
     }
 
-    /** Reads the path after the options; each option is a word with a hyphen and its arguments. */
-    private Optional<String> readTexturePath() throws IOException, MeshException {
+    /**
+     * Reads the path after the options; each option is a word with a hyphen and its arguments.
+     *
+     * @param isNormal true if the statement is for normal maps
+     */
+    private Optional<MtlImage> readImage(boolean isNormal) throws IOException, MeshException {
         String rest = text.restOfLine();
+        double multiplier = 1;
+        double[] scale = {1, 1};
+        double[] offset = {0, 0};
         while (rest.startsWith("-")) {
-            String[] words = rest.split("\\s+", 3);
-            notes.add("options " + words[0] + " of textures");
-            int numbers = switch (words[0]) {
+            String[] words = rest.split("\\s+", 2);
+            rest = words.length < 2 ? "" : words[1];
+            String option = words[0];
+            int most = switch (option) {
                 case "-mm" -> 2;
                 case "-o", "-s", "-t" -> 3;
                 default -> 1;
             };
-            rest = words.length < 2 ? "" : rest.substring(rest.indexOf(words[1], words[0].length()));
-            for (int i = 0; i < numbers && !rest.isEmpty(); i++) {
-                String[] split = rest.split("\\s+", 2);
-                // The last arguments of -o, -s and -t are optional.
-                if (i > 0 && !split[0].matches("[-+0-9.eE]+")) {
-                    break;
-                }
-                rest = split.length < 2 ? "" : split[1];
+            double[] numbers = new double[most];
+            int count = 0;
+            // The last arguments of -o, -s and -t are optional.
+            while (count < most && !rest.isEmpty() && (count == 0 || NUMBER.matcher(rest.split("\\s+", 2)[0]).matches())) {
+                String[] argument = rest.split("\\s+", 2);
+                numbers[count++] = DecimalNumber.parse(argument[0]).orElse(Double.NaN);
+                rest = argument.length < 2 ? "" : argument[1];
             }
+            boolean isRead = count > 0 && Double.isFinite(numbers[0]) && (count < 2 || Double.isFinite(numbers[1]));
+            switch (option) {
+                case "-bm" -> multiplier = isRead ? numbers[0] : 1;
+                case "-s" -> scale = isRead ? new double[] {numbers[0], count > 1 ? numbers[1] : 1} : scale;
+                case "-o" -> offset = isRead ? new double[] {numbers[0], count > 1 ? numbers[1] : 0} : offset;
+                default -> isRead = false;
+            }
+            notes.add("options " + option + " of textures", isRead ? 0 : 1);
         }
-        return rest.isEmpty() ? Optional.empty() : Optional.of(rest);
+        return rest.isEmpty() ? Optional.empty()
+                : Optional.of(new MtlImage(rest, isNormal, multiplier, scale[0], scale[1], offset[0], offset[1]));
     }
 }

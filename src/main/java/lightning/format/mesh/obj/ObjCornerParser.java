@@ -46,7 +46,7 @@ final class ObjCornerParser {
                 end++;
             }
             if (index > 2 || index == 0 && end == start) {
-                throw text.problem("a corner must be written as 3, 3/1, 3//2 or 3/1/2, was " + Quote.of(text.text()));
+                throw text.badLine("a corner must be written as 3, 3/1, 3//2 or 3/1/2, was " + Quote.of(text.text()));
             }
             if (end > start) {
                 switch (index) {
@@ -86,7 +86,7 @@ final class ObjCornerParser {
     private int index(int from, int to, int count, String label) throws MeshException {
         long v = number(from, to);
         if (v == 0 || Math.abs(v) > count) {
-            throw text.problem("a corner must reference one of " + count + " preceding " + label + ", was " + Quote.of(text.text()));
+            throw text.badLine("a corner must reference one of " + count + " preceding " + label + ", was " + Quote.of(text.text()));
         }
         return (int) (v < 0 ? count + v : v - 1);
     }

@@ -2,6 +2,7 @@ package lightning.format.mesh.obj;
 
 import java.io.IOException;
 import java.util.ArrayList;
+import java.util.BitSet;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -9,6 +10,7 @@ import java.util.Map;
 import lightning.base.math.SrgbCurve;
 import lightning.base.text.DecimalNumber;
 import lightning.base.text.Quote;
+import lightning.format.mesh.BadLineException;
 import lightning.format.mesh.ByteSource;
 import lightning.format.mesh.ConversionNotes;
 import lightning.format.mesh.FloatList;
@@ -43,9 +45,13 @@ public final class ObjReader {
     private final IntList positions = new IntList();
     private final IntList vertices = new IntList();
     private final IntList faceTriangles = new IntList();
+    /** Values of a line. */
+    private final float[] values = new float[3];
     private String object = "";
     private String material = "";
     private int smoothingGroup;
+    /** Positions that are no numbers. */
+    private final BitSet unreadable = new BitSet();
     private int triangles;
     /** Mesh of the current object and material; null until a face needs it. */
     private ObjMeshBuilder current;
@@ -69,13 +75,20 @@ public final class ObjReader {
     }
 
     private ObjFile read() throws IOException, MeshException {
+        text.skipByteOrderMark();
+        BadLineException first = null;
         do {
-            if (nextToken()) {
-                readStatement();
+            try {
+                if (nextToken()) {
+                    readStatement();
+                }
+            } catch (BadLineException e) {
+                first = first == null ? e : first;
+                notes.add(e.note());
             }
         } while (text.nextLine());
         if (triangles == 0) {
-            throw source.problem("", "must have faces");
+            throw first != null ? first : source.problem("", "must have faces");
         }
         return new ObjFile(parts(), List.copyOf(libraries));
     }
@@ -86,10 +99,9 @@ public final class ObjReader {
             if (text.byteAt(0) == '#') {
                 return false;
             }
-            if (!text.isToken("\\")) {
+            if (!text.continueLine() || text.length() > 0) {
                 return true;
             }
-            text.nextLine();
         }
         return false;
     }
@@ -100,14 +112,12 @@ public final class ObjReader {
             case "v" -> readPosition();
             case "vt" -> {
                 corners.checkOrder(ObjCornerParser.COORDINATES);
-                int count = readNumbers(points.coordinates, 1, 2, Mesh.MAX_TEXTURE_COORDINATE);
-                if (count == 1) {
-                    points.coordinates.add(0);
-                }
+                readValues(points.coordinates, 1, 2, Mesh.MAX_TEXTURE_COORDINATE, 0);
             }
             case "vn" -> {
                 corners.checkOrder(ObjCornerParser.NORMALS);
-                readNumbers(points.normals, 3, 3, Double.MAX_VALUE);
+                // Normals that are no numbers are replaced by those of the faces.
+                readValues(points.normals, 3, 3, Double.MAX_VALUE, Float.NaN);
             }
             case "f", "fo" -> readFace();
             case "o", "g" -> {
@@ -132,7 +142,9 @@ public final class ObjReader {
 
     private void readPosition() throws IOException, MeshException {
         int size = points.positions.size();
-        readNumbers(points.positions, 3, 3, Mesh.MAX_COORDINATE);
+        if (!readValues(points.positions, 3, 3, Mesh.MAX_COORDINATE, 0)) {
+            unreadable.set(size / 3);
+        }
         // One extra number is a weight for curves; three are a color; four are both.
         double[] extra = new double[4];
         int count = 0;
@@ -150,33 +162,48 @@ public final class ObjReader {
     }
 
     /**
-     * Reads {@code minCount} to {@code maxCount} numbers of this line, each with an absolute value of at most {@code
-     * maxValue}.
+     * Adds {@code maxCount} values of this line. Later lines count on them, so a line that is bad adds the fallback for each.
+     *
+     * @param minCount minimum number of values in the line; absent ones are 0
+     * @param maxValue largest absolute value
+     * @return false if a value is no number
      */
-    private int readNumbers(FloatList out, int minCount, int maxCount, double maxValue) throws IOException, MeshException {
+    private boolean readValues(FloatList out, int minCount, int maxCount, double maxValue, float fallback)
+            throws IOException, MeshException {
         if (out.size() >= 3 * MeshLimits.VERTICES) {
             throw text.problem("a file must have at most " + MeshLimits.VERTICES + " vertices, normals and texture coordinates each");
         }
         int count = 0;
-        while (count < maxCount && nextToken()) {
-            double v = text.number("a coordinate");
-            if (Math.abs(v) > maxValue) {
-                throw text.problem(
-                        "a coordinate must be at most " + DecimalNumber.format(maxValue) + " in absolute value, was "
-                                + Quote.of(text.text()));
+        boolean isNumeric = true;
+        boolean isComplete = false;
+        try {
+            while (count < maxCount && nextToken()) {
+                double v = text.numberOrNaN("a coordinate");
+                if (Math.abs(v) > maxValue) {
+                    throw text.badLine("a coordinate must be at most " + DecimalNumber.format(maxValue) + " in absolute value, was "
+                            + Quote.of(text.text()));
+                }
+                isNumeric &= !Double.isNaN(v);
+                values[count++] = (float) v;
             }
-            out.add((float) v);
-            count++;
+            if (count < minCount) {
+                throw text.badLine("expected " + minCount + " numbers, found " + count);
+            }
+            isComplete = true;
+        } finally {
+            for (int i = 0; i < maxCount; i++) {
+                out.add(!isComplete || !isNumeric ? fallback : i < count ? values[i] : 0);
+            }
+            if (!isComplete && out == points.positions) {
+                unreadable.set(out.size() / 3 - 1);
+            }
         }
-        if (count < minCount) {
-            throw text.problem("expected " + minCount + " numbers, found " + count);
-        }
-        return count;
+        return isNumeric;
     }
 
     private void readSmoothingGroup() throws IOException, MeshException {
         if (!nextToken()) {
-            throw text.problem("expected the number of a smoothing group, or off");
+            throw text.badLine("expected the number of a smoothing group, or off");
         }
         smoothingGroup = text.isToken("off") ? 0 : (int) text.integer("a smoothing group", 0, MAX_SMOOTHING_GROUP);
     }
@@ -190,6 +217,12 @@ public final class ObjReader {
             positions.add(corners.position());
         }
         int count = vertices.size();
+        for (int i = 0; i < count && !unreadable.isEmpty(); i++) {
+            if (unreadable.get(positions.get(i))) {
+                notes.add("faces with vertices that are no numbers");
+                return;
+            }
+        }
         if (count < 3) {
             notes.add("faces with fewer than three corners");
             return;

@@ -104,8 +104,9 @@ final class PlyVertices {
             Target target = targets[i];
             int numbers = property.isList() ? body.listLength(property) : 1;
             for (int j = 0; j < numbers; j++) {
-                double v = isColor(target) ? body.numberOrNaN(property.type()) : body.number(property.type());
+                double v = mayBeNaN(target) ? body.numberOrNaN(property.type()) : body.number(property.type());
                 if (target != null) {
+                    v = target.values == textureCoordinates && Double.isNaN(v) ? 0 : v;
                     target.values[target.components * vertex + target.index] =
                             target.linearTable == null ? (float) v : target.linearTable[colorCode(v, target.linearTable.length, body)];
                 }
@@ -113,9 +114,9 @@ final class PlyVertices {
         }
     }
 
-    /** Returns true for colors, where writers use {@code nan} for a missing one. */
-    private boolean isColor(Target target) {
-        return target != null && target.values == colors && target.linearTable == null;
+    /** Returns whether a missing value may be written as {@code nan}: of colors without conversion, normals and texture coordinates. */
+    private boolean mayBeNaN(Target target) {
+        return target != null && target.linearTable == null && target.values != positions;
     }
 
     private static int colorCode(double v, int codeCount, PlyBodyReader body) throws MeshException {

@@ -1,7 +1,6 @@
 package lightning.format.mesh.obj;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -38,8 +37,8 @@ class MtlReaderTest {
                 Ns 96.5
                 d 0.5
                 illum 3
-                map_Kd -s 2 2 -clamp on my wood.png
-                map_Bump bumps.png
+                map_Kd -s 2 2 -o 0.5 -clamp on my wood.png
+                map_Bump -bm 0.25 bumps.png
                 map_Ke lamps.png
                 map_d holes.png
                 newmtl plain
@@ -48,14 +47,15 @@ class MtlReaderTest {
         assertThat(materials).containsOnlyKeys("old oak", "plain");
         assertThat(materials.get("old oak"))
                 .isEqualTo(new MtlMaterial("old oak", IlluminationModel.REFLECTION, new Rgb(0.5, 0.25, 0.125), Rgb.gray(0.5),
-                        new Rgb(0, 0, 2), OptionalDouble.of(96.5), 0.5, Rgb.WHITE, 1.5, Optional.of("my wood.png"),
-                        Optional.of("lamps.png"), Optional.of("holes.png")));
+                        new Rgb(0, 0, 2), OptionalDouble.of(96.5), 0.5, Rgb.WHITE, 1.5,
+                        Optional.of(new MtlImage("my wood.png", false, 1, 2, 2, 0.5, 0)),
+                        Optional.of(new MtlImage("lamps.png")), Optional.of(new MtlImage("holes.png")),
+                        Optional.of(new MtlImage("bumps.png", false, 0.25, 1, 1, 0, 0)), Optional.empty()));
         assertThat(materials.get("plain"))
                 .isEqualTo(new MtlMaterial("plain", IlluminationModel.HIGHLIGHT, Rgb.gray(0.8), Rgb.BLACK, Rgb.BLACK,
                         OptionalDouble.empty(), 1,
-                        Rgb.WHITE, 1.5, Optional.empty(), Optional.empty(), Optional.empty()));
-        assertThat(notes.counts()).containsOnlyKeys("ambient colors (Ka) of materials", "options -s of textures",
-                "options -clamp of textures", "map_Bump of materials");
+                        Rgb.WHITE, 1.5, Optional.empty(), Optional.empty(), Optional.empty(), Optional.empty(), Optional.empty()));
+        assertThat(notes.counts()).containsOnlyKeys("ambient colors (Ka) of materials", "options -clamp of textures");
     }
 
     @ParameterizedTest
@@ -99,16 +99,35 @@ class MtlReaderTest {
     }
 
     @Test
-    void invalidLines_areReported() {
-        assertRejected("Kd 1 1 1\n", "line 1: newmtl must stand before Kd");
-        assertRejected("newmtl a\nKd 1 x 1\n", "line 2: green must be a decimal number, was 'x'");
-        assertRejected("newmtl a\nNs\n", "line 2: expected a number, found the end of the line");
-        assertRejected("newmtl a\nd\n", "line 2: expected a number, found the end of the line");
-        assertRejected("newmtl a\nd -halo\n", "line 2: expected a number, found the end of the line");
+    void invalidLines_areSkippedAndNoted() throws Exception {
+        assertSkipped("Kd 1 1 1\n", "line 1 skipped: newmtl must stand before Kd");
+        assertSkipped("newmtl a\nKd 1 x 1\n", "line 2 skipped: green must be a decimal number, was 'x'");
+        assertSkipped("newmtl a\nNs\n", "line 2 skipped: expected a number, found the end of the line");
+        assertSkipped("newmtl a\nd\n", "line 2 skipped: expected a number, found the end of the line");
+        assertSkipped("newmtl a\nd -halo\n", "line 2 skipped: expected a number, found the end of the line");
     }
 
-    private void assertRejected(String file, String message) {
-        assertThatExceptionOfType(MeshException.class).isThrownBy(() -> read(file)).withMessage(folder.resolve("a.mtl") + ": " + message);
+    private void assertSkipped(String file, String message) throws Exception {
+        assertThat(read(file + "newmtl good\nNs 5\n").get("good").shininess()).hasValue(5);
+        assertThat(notes.counts()).containsKey("a.mtl, " + message);
+    }
+
+    @Test
+    void byteOrderMark_isSkipped() throws Exception {
+        assertThat(read("\uFEFFnewmtl a\n")).containsOnlyKeys("a");
+    }
+
+    @Test
+    void physicalStatements_setRoughnessAndMetalness() throws Exception {
+        assertThat(read("newmtl a\nPr 0.25\nPm 1\n").get("a").physical()).contains(new MtlMaterial.Physical(0.25, 1));
+        assertThat(read("newmtl a\nPm 1\n").get("a").physical()).contains(new MtlMaterial.Physical(0.5, 1));
+        assertThat(read("newmtl a\n").get("a").physical()).isEmpty();
+    }
+
+    @Test
+    void normalMap_winsOverBumpMap() throws Exception {
+        assertThat(read("newmtl a\nmap_Bump b.png\nnorm n.png\nbump c.png\n").get("a").bump())
+                .contains(new MtlImage("n.png", true, 1, 1, 1, 0, 0));
     }
 
     private Map<String, MtlMaterial> read(String file) throws IOException, MeshException {

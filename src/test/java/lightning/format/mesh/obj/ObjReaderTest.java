@@ -133,7 +133,7 @@ class ObjReaderTest {
         assertRejected("v 0 0\n", "line 1: expected 3 numbers, found 2");
         assertRejected("v 0 0 x\n", "line 1: a coordinate must be a decimal number, was 'x'");
         assertRejected("v 0 0 0 1 x 1\n", "line 1: a vertex must be a decimal number, was 'x'");
-        assertRejected("v 0 nan 0\n", "line 1: a coordinate must be a decimal number, was 'nan'");
+        assertRejected("v 0 nan 0\n", "must have faces");
         assertRejected("v 0 0 1e13\n", "line 1: a coordinate must be at most 1e12 in absolute value, was '1e13'");
         assertRejected(CORNERS + "f 1 2 5\n", "line 5: a corner must reference one of 4 preceding vertices, was '5'");
         assertRejected(CORNERS + "f 1 2 0\n", "line 5: a corner must reference one of 4 preceding vertices, was '0'");
@@ -148,6 +148,39 @@ class ObjReaderTest {
                 "line 7: a corner must be written as 3, 3/1, 3//2 or 3/1/2, was '1/1/1/1'");
         assertRejected(CORNERS + "s one\n", "line 5: a smoothing group must be a whole number from 0 to 1073741824, was 'one'");
         assertRejected(CORNERS, "must have faces");
+    }
+
+    @Test
+    void badLines_areSkippedAndNoted() throws Exception {
+        Mesh mesh = onlyMesh(CORNERS + "f 1 2 x\nv 0 0 y\nvt 1 z\nf 1 2 5\nf 1 2 3\n");
+        assertThat(mesh.triangleCount()).isEqualTo(1);
+        assertThat(notes.counts().keySet()).containsExactly("line 5 skipped: a corner must reference one of 4 preceding vertices, was 'x'",
+                "line 6 skipped: a coordinate must be a decimal number, was 'y'",
+                "line 7 skipped: a coordinate must be a decimal number, was 'z'", "faces with vertices that are no numbers");
+    }
+
+    @Test
+    void lineThatEndsWithABackslash_isContinued() throws Exception {
+        assertThat(onlyMesh(CORNERS + "f 1 2\\\n 3 \\\r\n4\n").triangleCount()).isEqualTo(2);
+    }
+
+    @Test
+    void byteOrderMark_isSkipped() throws Exception {
+        assertThat(read("\uFEFFmtllib a.mtl\n" + CORNERS + "f 1 2 3\n").libraries()).containsExactly("a.mtl");
+        assertThat(notes.counts()).isEmpty();
+    }
+
+    /** By C libraries of several systems. */
+    @Test
+    void normalThatIsNoNumber_isThatOfTheFace() throws Exception {
+        Mesh mesh = onlyMesh("v 0 0 0\nv 1 0 0\nv 1 1 0\nvn nan -nan(ind) 0\nvn 1.#QNAN 0 -1.#IND000\nvn inf 0 0\nf 1//1 2//2 3//3\n");
+        assertThat(mesh.normals()).containsExactly(0, 0, 1, 0, 0, 1, 0, 0, 1);
+    }
+
+    @Test
+    void coordinatesThatAreNoNumbers_areZero() throws Exception {
+        assertThat(onlyMesh("v 0 0 0\nv 1 0 0\nv 1 1 0\nvt nan 1\nvt 1 1\nf 1/1 2/2 3/2\n").coordinates())
+                .containsExactly(0, 0, 1, 1, 1, 1);
     }
 
     private void assertRejected(String file, String message) {
