@@ -20,6 +20,8 @@ final class ExrAttributeReader {
     private ExrCompression compression;
     private int[] tileSize;
     private int[] dataWindow;
+    /** Window that a picture shows; null if it says none. */
+    private int[] displayWindow;
     private List<ExrChannel> channels;
     private final Map<String, ExrAttribute> attributes = new LinkedHashMap<>();
     private int chunkCount = -1;
@@ -85,8 +87,15 @@ final class ExrAttributeReader {
         if (isTiled && tileSize == null) {
             throw new IOException("has a damaged OpenEXR header: expected the size of its tiles");
         }
-        return new ExrPart(new ExrHeader((int) width, (int) height, channels, attributes), compression, dataWindow[1],
-                isTiled ? tileSize : null, number, tableOffset);
+        return new ExrPart(new ExrHeader((int) width, (int) height, channels, attributes), ExrWindow.of(dataWindow, displayWindow),
+                compression, dataWindow[1], isTiled ? tileSize : null, number, tableOffset);
+    }
+
+    private int[] readWindow(int size) throws IOException {
+        if (size != 4 * Integer.BYTES) {
+            throw new IOException("has a damaged OpenEXR header: a window must have 16 bytes, has " + size);
+        }
+        return new int[] {in.getInt(), in.getInt(), in.getInt(), in.getInt()};
     }
 
     private void readAttribute(String name, String type) throws IOException {
@@ -99,12 +108,8 @@ final class ExrAttributeReader {
         switch (name + " " + type) {
             case "channels chlist" -> channels = readChannels(end);
             case "compression compression" -> compression = readCompression(size);
-            case "dataWindow box2i" -> {
-                if (size != 4 * Integer.BYTES) {
-                    throw new IOException("has a damaged OpenEXR header: a data window must have 16 bytes, has " + size);
-                }
-                dataWindow = new int[] {in.getInt(), in.getInt(), in.getInt(), in.getInt()};
-            }
+            case "dataWindow box2i" -> dataWindow = readWindow(size);
+            case "displayWindow box2i" -> displayWindow = readWindow(size);
             case "chunkCount int" -> chunkCount = in.getInt();
             case "tiles tiledesc" -> tileSize = readTileSize(size);
             case "chromaticities chromaticities" -> attributes.put(name, readChromaticities(size));

@@ -18,21 +18,39 @@ public final class ExrColorReader {
     private ExrColorReader() {}
 
     /**
-     * Reads colors. Those of a file with other chromaticities than Rec. 709 are converted, so that its white becomes white (Bradford).
+     * Returns the channels of the colors: R, G and B; else those of the first layer with these; else luminance or the only channel, three
+     * times.
+     */
+    private static List<String> channels(ExrHeader header) {
+        List<String> names = header.channels().stream().map(ExrChannel::name).toList();
+        if (names.containsAll(COLORS)) {
+            return COLORS;
+        }
+        Optional<String> layer = names.stream().filter(name -> name.endsWith(".R")).map(name -> name.substring(0, name.length() - 1))
+                .filter(prefix -> names.contains(prefix + "G") && names.contains(prefix + "B")).findFirst();
+        if (layer.isPresent()) {
+            return COLORS.stream().map(color -> layer.get() + color).toList();
+        }
+        String gray = names.contains("Y") ? "Y" : names.size() == 1 ? names.getFirst() : "";
+        return gray.isEmpty() ? COLORS : List.of(gray, gray, gray);
+    }
+
+    /**
+     * Reads colors, or gray values of a file with luminance alone. Those of a file with other chromaticities than Rec. 709 are converted, so that its white becomes white (Bradford).
      * Colors outside Rec. 709 get negative components.
      *
-     * @param sink receives every pixel once, as red, green and blue
+     * @param sink receives each pixel as {@link ExrReader#read}, as red, green and blue
      * @throws IOException as {@link ExrReader#read}, or if the chromaticities are no color space
      */
     public static void read(ExrReader reader, ExrReader.PixelConsumer sink) throws IOException {
         Optional<Matrix3> matrix = toWorkingSpace(reader.header());
         if (matrix.isEmpty()) {
-            reader.read(COLORS, sink);
+            reader.read(channels(reader.header()), sink);
             return;
         }
         double[] m = matrix.get().m();
         float[] converted = new float[COLORS.size()];
-        reader.read(COLORS, (x, y, rgb) -> {
+        reader.read(channels(reader.header()), (x, y, rgb) -> {
             // Infinities of different signs would cancel to NaN.
             double red = finite(rgb[RED]);
             double green = finite(rgb[GREEN]);

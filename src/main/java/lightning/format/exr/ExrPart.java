@@ -3,13 +3,19 @@ package lightning.format.exr;
 /**
  * A part of a file: a picture with a size, channels and a compression of its own. Most files have one.
  *
- * @param header size, channels and attributes
+ * @param header size of the data, channels and attributes
+ * @param window what the picture shows of its data
  * @param top first line in the file's coordinates
  * @param tileSize width and height of tiles; null for scan lines
  * @param number number with which each of its chunks begins, from 0; −1 in a file of one part, whose chunks have none
  * @param tableOffset place of the table of its chunks, bytes
  */
-record ExrPart(ExrHeader header, ExrCompression compression, int top, int[] tileSize, int number, long tableOffset) {
+record ExrPart(ExrHeader header, ExrWindow window, ExrCompression compression, int top, int[] tileSize, int number, long tableOffset) {
+    /** Returns the header with the size of the picture. */
+    ExrHeader shown() {
+        return new ExrHeader(window.width(), window.height(), header.channels(), header.attributes());
+    }
+
     /** Returns the bytes at the start of a chunk: the number of its part, its place, and its size. */
     int chunkHeaderBytes() {
         return (tileSize == null ? 2 : 5) * Integer.BYTES + (number < 0 ? 0 : Integer.BYTES);

@@ -53,9 +53,9 @@ public final class ExrReader implements AutoCloseable {
         }
     }
 
-    /** Returns the header. The image size is not validated. */
+    /** Returns the header, with the size of the display window. The image size is not validated. */
     public ExrHeader header() {
-        return part.header();
+        return part.shown();
     }
 
     /** Receives pixel values. */
@@ -77,7 +77,7 @@ public final class ExrReader implements AutoCloseable {
      * Reads the pixels.
      *
      * @param names requested channels
-     * @param sink receives every pixel once
+     * @param sink receives once every pixel of the display window for which the file has data; the others are black
      * @throws IOException if a channel is missing, or the file is truncated or damaged
      */
     public void read(List<String> names, PixelConsumer sink) throws IOException {
@@ -112,10 +112,15 @@ public final class ExrReader implements AutoCloseable {
             var pixels = new ExrChunk(block, readChunk(offset + start.capacity(), start.getInt(), block, top));
             for (int y = 0; y < block.height(); y++) {
                 for (int x = 0; x < block.width(); x++) {
+                    int column = part.window().left() + left + x;
+                    int line = part.window().top() + top + y;
+                    if (column < 0 || column >= part.window().width() || line < 0 || line >= part.window().height()) {
+                        continue;
+                    }
                     for (int i = 0; i < channels.length; i++) {
                         values[i] = pixels.get(channels[i], x, y);
                     }
-                    sink.accept(left + x, top + y, values);
+                    sink.accept(column, line, values);
                 }
             }
         }

@@ -14,7 +14,7 @@ import lightning.scene.value.SceneLimits;
 
 /**
  * Reader for Radiance {@code .hdr} images: RGB with a shared 8-bit exponent (Ward, Real Pixels, Graphics Gems II, 1991),
- * flat or run-length encoded. Lines run from top to bottom, pixels from left to right; the header's exposure is divided out.
+ * flat or run-length encoded, also in the old way. The picture may be mirrored or turned; the header's exposure is divided out.
  */
 public final class HdrReader {
     /** Maximum file size in bytes: 64 MiB. */
@@ -23,7 +23,7 @@ public final class HdrReader {
     public static final int MAX_PIXELS = 8 << 20;
 
     private static final int MAX_HEADER_BYTES = 1 << 16;
-    private static final Pattern SIZE = Pattern.compile("-Y ([0-9]{1,18}) \\+X ([0-9]{1,18})");
+    private static final Pattern SIZE = Pattern.compile("([-+])([XY]) +([0-9]{1,18}) +([-+])([XY]) +([0-9]{1,18}) *");
     private static final Pattern EXPOSURE = Pattern.compile("EXPOSURE= *([0-9.]{1,20}(?:[eE][+-]?[0-9]{1,3})?) *");
 
     private final Path file;
@@ -53,33 +53,40 @@ public final class HdrReader {
 
     private EnvironmentMap environment() throws MeshException {
         Matcher size = readHeader();
-        int height = parseSide(size.group(1));
-        int width = parseSide(size.group(2));
+        // Scan lines run along the second side.
+        int height = parseSide(size.group(3));
+        int width = parseSide(size.group(6));
         long pixels = (long) width * height;
         if (pixels < 1 || pixels > MAX_PIXELS) {
-            throw problem("an image must have from 1 to " + MAX_PIXELS + " pixels, has " + size.group(2) + "×" + size.group(1));
+            throw problem("an image must have from 1 to " + MAX_PIXELS + " pixels, has " + size.group(6) + "×" + size.group(3));
         }
-        long minBytes = height * Math.min(4L * width, 4 + 8L * ((width + 126) / 127));
-        if (bytes.length - next < minBytes) {
-            throw problem(width + "×" + height + " pixels take at least " + minBytes + " bytes, found " + (bytes.length - next));
-        }
-        float[] rgb = new float[3 * width * height];
         byte[] pixel = new byte[4 * width];
+        // Read once without keeping it: a damaged file shall not take the memory of the size that it claims.
+        int start = next;
         for (int y = 0; y < height; y++) {
             readScanline(width, y, pixel);
-            for (int x = 0; x < width; x++) {
-                int e = pixel[3 * width + x] & 0xFF;
+        }
+        next = start;
+        boolean isTurned = size.group(2).equals("X");
+        boolean isUpward = size.group(isTurned ? 4 : 1).equals("+");
+        boolean isLeftward = size.group(isTurned ? 1 : 4).equals("-");
+        int columns = isTurned ? height : width;
+        int rows = isTurned ? width : height;
+        float[] rgb = new float[3 * width * height];
+        for (int line = 0; line < height; line++) {
+            readScanline(width, line, pixel);
+            for (int i = 0; i < width; i++) {
+                int column = isTurned ? line : i;
+                int row = isTurned ? i : line;
+                int at = (isUpward ? rows - 1 - row : row) * columns + (isLeftward ? columns - 1 - column : column);
+                int e = pixel[3 * width + i] & 0xFF;
                 double scale = e == 0 ? 0 : Math.scalb(1.0, e - 136) / exposure;
                 for (int c = 0; c < 3; c++) {
-                    rgb[3 * (y * width + x) + c] = (float) Math.min((pixel[c * width + x] & 0xFF) * scale, SceneLimits.MAX_EMISSION);
+                    rgb[3 * at + c] = (float) Math.min((pixel[c * width + i] & 0xFF) * scale, SceneLimits.MAX_EMISSION);
                 }
             }
         }
-        if (next != bytes.length) {
-            throw new MeshException(file, "",
-                    "expected nothing after the last of " + height + " lines, found " + (bytes.length - next) + " bytes");
-        }
-        return new EnvironmentMap(width, height, rgb);
+        return new EnvironmentMap(columns, rows, rgb);
     }
 
     /** Parses a side length in pixels, clamped to just above the maximum number of pixels. */
@@ -90,15 +97,13 @@ public final class HdrReader {
     /** Reads the header up to and including the resolution line. */
     private Matcher readHeader() throws MeshException {
         String first = readLine();
-        if (!first.equals("#?RADIANCE") && !first.equals("#?RGBE")) {
+        if (!first.startsWith("#?")) {
             throw problem("a Radiance HDR image must begin with #?RADIANCE or #?RGBE, was " + Quote.of(first));
         }
-        boolean hasFormat = false;
         for (String s = readLine(); !s.isEmpty(); s = readLine()) {
             Matcher m = EXPOSURE.matcher(s);
             if (s.startsWith("FORMAT=")) {
-                hasFormat = s.equals("FORMAT=32-bit_rle_rgbe");
-                if (!hasFormat) {
+                if (!s.strip().equals("FORMAT=32-bit_rle_rgbe")) {
                     throw problem("the format must be 32-bit_rle_rgbe, was " + Quote.of(s.substring(7)));
                 }
             } else if (m.matches()) {
@@ -107,12 +112,9 @@ public final class HdrReader {
                 throw problem("an exposure must be a number above 0, was " + Quote.of(s.substring(9)));
             }
         }
-        if (!hasFormat) {
-            throw problem("expected a line FORMAT=32-bit_rle_rgbe in the header, found none");
-        }
         String last = readLine();
         Matcher size = SIZE.matcher(last);
-        if (!size.matches()) {
+        if (!size.matches() || size.group(2).equals(size.group(5))) {
             throw problem("the size must be written as -Y HEIGHT +X WIDTH, was " + Quote.of(last));
         }
         return size;
@@ -137,7 +139,8 @@ public final class HdrReader {
         if (next == bytes.length) {
             throw problem("expected the end of the header, found the end of the file");
         }
-        return new String(bytes, start, next++ - start, StandardCharsets.ISO_8859_1);
+        String text = new String(bytes, start, next++ - start, StandardCharsets.ISO_8859_1);
+        return text.endsWith("\r") ? text.substring(0, text.length() - 1) : text;
     }
 
     /** Reads a scan line into four consecutive columns. */
@@ -145,15 +148,7 @@ public final class HdrReader {
         requireBytes(4, y);
         boolean isRunLength = width >= 8 && width < 1 << 15 && bytes[next] == 2 && bytes[next + 1] == 2 && bytes[next + 2] >= 0;
         if (!isRunLength) {
-            requireBytes(4 * width, y);
-            for (int x = 0; x < width; x++) {
-                for (int c = 0; c < 4; c++) {
-                    out[c * width + x] = bytes[next++];
-                }
-                if (out[x] == 1 && out[width + x] == 1 && out[2 * width + x] == 1) {
-                    throw rowProblem(y, "old-style runs of equal pixels are not supported");
-                }
-            }
+            readOldScanline(width, y, out);
             return;
         }
         int encodedWidth = (bytes[next + 2] & 0xFF) << 8 | bytes[next + 3] & 0xFF;
@@ -176,6 +171,26 @@ public final class HdrReader {
                 }
                 next += isRun ? 1 : 0;
             }
+        }
+    }
+
+    /** Reads single pixels; one of the color 1 1 1 repeats the pixel before, by its exponent times 256 for each such pixel before it. */
+    private void readOldScanline(int width, int y, byte[] out) throws MeshException {
+        int shift = 0;
+        for (int x = 0; x < width;) {
+            requireBytes(4, y);
+            boolean isRun = bytes[next] == 1 && bytes[next + 1] == 1 && bytes[next + 2] == 1;
+            long count = isRun ? (long) (bytes[next + 3] & 0xFF) << shift : 1;
+            if (isRun && (x == 0 || x + count > width)) {
+                throw rowProblem(y, "a run must follow a pixel and have at most " + (width - x) + " pixels, has " + count);
+            }
+            for (int end = x + (int) count; x < end; x++) {
+                for (int c = 0; c < 4; c++) {
+                    out[c * width + x] = isRun ? out[c * width + x - 1] : bytes[next + c];
+                }
+            }
+            shift = isRun ? Math.min(shift + 8, 24) : 0;
+            next += 4;
         }
     }
 

@@ -3,7 +3,10 @@ package lightning.format.ies;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
+import java.util.stream.IntStream;
 import lightning.base.file.RegularFile;
 import lightning.format.mesh.MeshException;
 import lightning.scene.value.Photometry;
@@ -70,14 +73,46 @@ public final class IesReader {
                 angles("vertical angle", verticalCount, type == Photometry.Type.C ? 0 : -90, type == Photometry.Type.C ? 180 : 90);
         double[] horizontalAngles =
                 angles("horizontal angle", horizontalCount, type == Photometry.Type.C ? 0 : -90, type == Photometry.Type.C ? 360 : 90);
-        checkSymmetry(type, horizontalAngles[0], horizontalAngles[horizontalCount - 1]);
-        return new Photometry(type, verticalAngles, horizontalAngles, candela(verticalCount * horizontalCount));
+        double last = horizontalAngles[horizontalCount - 1];
+        boolean isOpen = type == Photometry.Type.C && horizontalAngles[0] == 0 && last > 180 && last < 360;
+        checkSymmetry(type, horizontalAngles[0], isOpen ? 360 : last);
+        return withoutFaults(type, verticalAngles, horizontalAngles, candela(verticalCount * horizontalCount), isOpen);
     }
 
+    /**
+     * Mends what other readers mend: planes and angles that occur twice, and a last plane that is missing because it equals the first.
+     *
+     * @param isOpen whether the last plane is missing
+     */
+    private static Photometry withoutFaults(Photometry.Type type, double[] verticals, double[] horizontals, double[] candela,
+            boolean isOpen) {
+        int[] rows = increasing(verticals);
+        List<Integer> planes = new ArrayList<>(Arrays.stream(increasing(horizontals)).boxed().toList());
+        double[] angles = planes.stream().mapToDouble(p -> horizontals[p]).toArray();
+        if (isOpen) {
+            planes.add(planes.getFirst());
+            angles = Arrays.copyOf(angles, angles.length + 1);
+            angles[angles.length - 1] = 360;
+        }
+        double[] values = new double[rows.length * planes.size()];
+        for (int p = 0; p < planes.size(); p++) {
+            for (int r = 0; r < rows.length; r++) {
+                values[p * rows.length + r] = candela[planes.get(p) * verticals.length + rows[r]];
+            }
+        }
+        return new Photometry(type, Arrays.stream(rows).mapToDouble(r -> verticals[r]).toArray(), angles, values);
+    }
+
+    /** Returns the indices of angles without those that equal the one before. */
+    private static int[] increasing(double[] angles) {
+        return IntStream.range(0, angles.length).filter(i -> i == 0 || angles[i] > angles[i - 1]).toArray();
+    }
+
+    /** Reads intensities; small negative ones are errors of measurement. */
     private double[] candela(int count) throws MeshException {
         double[] candela = new double[count];
         for (int i = 0; i < count; i++) {
-            candela[i] = tokens.number("intensity", 0, 1e12);
+            candela[i] = Math.max(0, tokens.number("intensity", -1, 1e12));
         }
         if (Arrays.stream(candela).allMatch(c -> c < Float.MIN_NORMAL)) {
             throw tokens.problem("one intensity must be above 0, found none");
@@ -89,7 +124,7 @@ public final class IesReader {
         double[] angles = new double[count];
         for (int i = 0; i < count; i++) {
             angles[i] = tokens.number(label, min, max);
-            if (i > 0 && !(angles[i] > angles[i - 1])) {
+            if (i > 0 && !(angles[i] >= angles[i - 1])) {
                 throw tokens.problem(label + "s must increase, found " + angles[i] + " after " + angles[i - 1]);
             }
         }

@@ -4,15 +4,15 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.OptionalDouble;
+import java.util.regex.Pattern;
 import lightning.base.text.DecimalNumber;
 import lightning.base.text.Quote;
 import lightning.format.mesh.MeshException;
 
 /** Tokens after the {@code TILT=} line of a file, separated by spaces, commas and line ends, with their line numbers. */
 final class IesTokens {
-    private static final String TILT = "TILT=";
+    private static final Pattern TILT = Pattern.compile("TILT\\s*=\\s*(.*)", Pattern.CASE_INSENSITIVE);
     /** End-of-file character that some programs append. */
     private static final String END_OF_FILE = "\u001a";
 
@@ -26,13 +26,13 @@ final class IesTokens {
         this.file = file;
         String[] fileLines = new String(bytes, StandardCharsets.ISO_8859_1).split("\r\n|\r|\n", -1);
         int start = 0;
-        while (start < fileLines.length && !fileLines[start].strip().toUpperCase(Locale.ROOT).startsWith(TILT)) {
+        while (start < fileLines.length && !TILT.matcher(fileLines[start].strip()).matches()) {
             start++;
         }
         if (start == fileLines.length) {
-            throw new MeshException(file, "", "an IES file must have a line that begins with " + TILT + ", found none");
+            throw new MeshException(file, "", "an IES file must have a line that begins with TILT=, found none");
         }
-        tilt = fileLines[start].strip().substring(TILT.length()).strip();
+        tilt = TILT.matcher(fileLines[start].strip()).replaceFirst("$1").strip();
         for (int i = start + 1; i < fileLines.length; i++) {
             for (String token : fileLines[i].split("[ \t,]+")) {
                 if (!token.isEmpty() && !token.equals(END_OF_FILE)) {
@@ -49,12 +49,12 @@ final class IesTokens {
     }
 
     /**
-     * Requires an exact number of remaining tokens.
+     * Requires a number of remaining tokens. Others may follow: some programs write text at the end.
      *
-     * @throws MeshException if another number remains
+     * @throws MeshException if fewer remain
      */
     void requireRemaining(long count) throws MeshException {
-        if (tokens.size() - next != count) {
+        if (tokens.size() - next < count) {
             throw problem("expected " + count + " angles and intensities, found " + (tokens.size() - next));
         }
     }

@@ -5,6 +5,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import lightning.base.file.RegularFile;
 import lightning.base.text.DecimalNumber;
@@ -14,7 +15,7 @@ import lightning.render.image.CubeLut;
 /**
  * Reader for {@code .cube} LUTs (Cube LUT Specification 1.0, Adobe, 2013): {@code TITLE}, {@code LUT_1D_SIZE} or {@code
  * LUT_3D_SIZE}, {@code DOMAIN_MIN}, {@code DOMAIN_MAX}, then three numbers per line, red fastest. {@code LUT_1D_INPUT_RANGE}
- * and {@code LUT_3D_INPUT_RANGE} of other programs set the same domain for all channels.
+ * and {@code LUT_3D_INPUT_RANGE} of other programs set the same domain for all channels of one table; their files may have curves before a lattice.
  */
 public final class CubeLutReader {
     /** Maximum file size in bytes: 64 MiB. */
@@ -29,12 +30,22 @@ public final class CubeLutReader {
 
     private final Path file;
     private int line;
-    private boolean is3d;
-    private int size;
-    private float[] colors = new float[0];
-    private int filledCount;
-    private float[] min = {0, 0, 0};
-    private float[] max = {1, 1, 1};
+    private final Table curves = new Table();
+    private final Table lattice = new Table();
+
+    /** One of the tables that a file can have. */
+    private static final class Table {
+        private int size;
+        private float[] colors = new float[0];
+        private int filledCount;
+        private float[] min = {0, 0, 0};
+        private float[] max = {1, 1, 1};
+        private boolean hasRange;
+
+        boolean isFull() {
+            return filledCount == colors.length;
+        }
+    }
 
     private CubeLutReader(Path file) {
         this.file = file;
@@ -52,7 +63,7 @@ public final class CubeLutReader {
     }
 
     private CubeLut readTable(String text) throws IOException {
-        int start = 0;
+        int start = text.startsWith("\uFEFF") ? 1 : 0;
         while (start < text.length()) {
             int end = text.indexOf('\n', start);
             end = end < 0 ? text.length() : end;
@@ -60,18 +71,36 @@ public final class CubeLutReader {
             readLine(text.substring(start, end).strip());
             start = end + 1;
         }
-        if (size == 0) {
+        if (curves.size == 0 && lattice.size == 0) {
             throw problem("LUT_1D_SIZE or LUT_3D_SIZE", "the end of the file");
         }
-        if (filledCount < colors.length) {
-            throw problem(colors.length / 3 + " lines of three numbers", filledCount / 3 + " before the end of the file");
-        }
-        for (int c = 0; c < 3; c++) {
-            if (!(min[c] < max[c])) {
-                throw problem("DOMAIN_MIN below DOMAIN_MAX in each channel", min[c] + " and " + max[c]);
+        for (Table table : List.of(curves, lattice)) {
+            if (!table.isFull()) {
+                throw problem(table.colors.length / 3 + " lines of three numbers", table.filledCount / 3 + " before the end of the file");
             }
         }
-        return new CubeLut(file, is3d, size, colors, min, max);
+        if (curves.size == 0) {
+            return lut(lattice, Optional.empty());
+        }
+        CubeLut first = lut(curves, Optional.empty());
+        if (lattice.size == 0) {
+            return first;
+        }
+        if (!lattice.hasRange) {
+            // The file's domain is that of its input.
+            lattice.min = new float[] {0, 0, 0};
+            lattice.max = new float[] {1, 1, 1};
+        }
+        return lut(lattice, Optional.of(first));
+    }
+
+    private CubeLut lut(Table table, Optional<CubeLut> shaper) throws IOException {
+        for (int c = 0; c < 3; c++) {
+            if (!(table.min[c] < table.max[c])) {
+                throw problem("DOMAIN_MIN below DOMAIN_MAX in each channel", table.min[c] + " and " + table.max[c]);
+            }
+        }
+        return new CubeLut(file, table == lattice, table.size, table.colors, table.min, table.max, shaper);
     }
 
     private void readLine(String text) throws IOException {
@@ -81,53 +110,65 @@ public final class CubeLutReader {
         String[] words = text.split("[ \t]+", 5);
         switch (words[0]) {
             case "TITLE" -> {}
-            case "LUT_1D_SIZE" -> readSize(words, false, CubeLut.MAX_ENTRIES);
-            case "LUT_3D_SIZE" -> readSize(words, true, CubeLut.MAX_POINTS);
-            case "DOMAIN_MIN" -> min = readDomain(words);
-            case "DOMAIN_MAX" -> max = readDomain(words);
-            case "LUT_1D_INPUT_RANGE", "LUT_3D_INPUT_RANGE" -> {
-                float[] range = readNumbers(words, 1, 2);
-                Arrays.fill(min, range[0]);
-                Arrays.fill(max, range[1]);
+            case "LUT_1D_SIZE" -> readSize(words, curves, CubeLut.MAX_ENTRIES);
+            case "LUT_3D_SIZE" -> readSize(words, lattice, CubeLut.MAX_POINTS);
+            case "DOMAIN_MIN" -> {
+                curves.min = readDomain(words);
+                lattice.min = curves.min.clone();
             }
+            case "DOMAIN_MAX" -> {
+                curves.max = readDomain(words);
+                lattice.max = curves.max.clone();
+            }
+            case "LUT_1D_INPUT_RANGE" -> readRange(words, curves);
+            case "LUT_3D_INPUT_RANGE" -> readRange(words, lattice);
             default -> readColor(words, text);
         }
     }
 
-    private void readSize(String[] words, boolean isCubic, int maxSize) throws IOException {
-        if (size > 0) {
-            throw problem("one size in a file", words[0] + " again");
+    private void readRange(String[] words, Table table) throws IOException {
+        float[] range = readNumbers(words, 1, 2);
+        Arrays.fill(table.min, range[0]);
+        Arrays.fill(table.max, range[1]);
+        table.hasRange = true;
+    }
+
+    private void readSize(String[] words, Table table, int maxSize) throws IOException {
+        if (table.size > 0) {
+            throw problem("one size of a table in a file", words[0] + " again");
         }
         float[] count = readNumbers(words, 1, 1);
         if (!(count[0] >= 2 && count[0] <= maxSize) || count[0] != Math.rint(count[0])) {
             throw problem("a whole number from 2 to " + maxSize + " after " + words[0], Quote.of(words[1]));
         }
-        is3d = isCubic;
-        size = (int) count[0];
-        colors = new float[3 * (isCubic ? size * size * size : size)];
+        table.size = (int) count[0];
+        table.colors = new float[3 * (table == lattice ? table.size * table.size * table.size : table.size)];
     }
 
     private float[] readDomain(String[] words) throws IOException {
-        if (filledCount > 0) {
-            throw problem(words[0] + " before the table", "it after " + filledCount / 3 + " lines of numbers");
+        int filled = curves.filledCount + lattice.filledCount;
+        if (filled > 0) {
+            throw problem(words[0] + " before the table", "it after " + filled / 3 + " lines of numbers");
         }
         return readNumbers(words, 1, 3);
     }
 
+    /** Reads a line of the table; curves stand before the lattice. */
     private void readColor(String[] words, String text) throws IOException {
         boolean isNumber = DecimalNumber.parse(words[0]).isPresent();
         if (!isNumber) {
             throw problem("three numbers or one of " + String.join(", ", KEYWORDS), quoted(text));
         }
-        if (size == 0) {
+        if (curves.size == 0 && lattice.size == 0) {
             throw problem("LUT_1D_SIZE or LUT_3D_SIZE before the numbers", quoted(text));
         }
         float[] color = readNumbers(words, 0, 3);
-        if (filledCount == colors.length) {
-            throw problem(colors.length / 3 + " lines of three numbers", "one more");
+        Table table = curves.isFull() ? lattice : curves;
+        if (table.isFull()) {
+            throw problem((curves.colors.length + lattice.colors.length) / 3 + " lines of three numbers", "one more");
         }
-        System.arraycopy(color, 0, colors, filledCount, 3);
-        filledCount += 3;
+        System.arraycopy(color, 0, table.colors, table.filledCount, 3);
+        table.filledCount += 3;
     }
 
     private float[] readNumbers(String[] words, int start, int count) throws IOException {

@@ -1,6 +1,7 @@
 package lightning.render.image;
 
 import java.nio.file.Path;
+import java.util.Optional;
 
 /**
  * Color lookup table of the Cube LUT Specification 1.0 (Adobe, 2013): one curve per channel, or a 3D lattice.
@@ -21,6 +22,7 @@ public final class CubeLut {
     private final float[] colors;
     private final float[] min;
     private final double[] scale;
+    private final Optional<CubeLut> shaper;
 
     /**
      * @param lattice true if {@code colors} is {@code float[3 * size³]}, red first and fastest, then green, then blue; otherwise
@@ -28,6 +30,12 @@ public final class CubeLut {
      * @param min     lower bound of each channel's domain, below {@code max}
      */
     public CubeLut(Path file, boolean lattice, int size, float[] colors, float[] min, float[] max) {
+        this(file, lattice, size, colors, min, max, Optional.empty());
+    }
+
+    /** @param shaper curves that change a color before this table does; empty for none */
+    public CubeLut(Path file, boolean lattice, int size, float[] colors, float[] min, float[] max, Optional<CubeLut> shaper) {
+        this.shaper = shaper;
         this.file = file;
         this.is3d = lattice;
         this.size = size;
@@ -46,7 +54,7 @@ public final class CubeLut {
 
     /** Returns the size as text, for example {@code 33 × 33 × 33}. */
     public String sizeText() {
-        return is3d ? size + " × " + size + " × " + size : "3 × " + size;
+        return shaper.map(curves -> curves.sizeText() + ", ").orElse("") + (is3d ? size + " × " + size + " × " + size : "3 × " + size);
     }
 
     /**
@@ -55,6 +63,7 @@ public final class CubeLut {
      * @param color {@code double[3]}: red, green and blue; NaN counts as the lower bound of the domain
      */
     void apply(double[] color) {
+        shaper.ifPresent(curves -> curves.apply(color));
         for (int c = 0; c < 3; c++) {
             double at = (color[c] - min[c]) * scale[c];
             // NaN is not above 0.

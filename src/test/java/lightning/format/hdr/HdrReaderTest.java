@@ -70,15 +70,13 @@ class HdrReaderTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {
-        "#?RADIANCE | #?RADIANTE | line 1: a Radiance HDR image must begin with #?RADIANCE or #?RGBE, was '#?RADIANTE'",
+        "#?RADIANCE | RADIANCE | line 1: a Radiance HDR image must begin with #?RADIANCE or #?RGBE, was 'RADIANCE'",
         "rgbe | xyze | line 3: the format must be 32-bit_rle_rgbe, was '32-bit_rle_xyze'",
-        "FORMAT= | FOR= | line 4: expected a line FORMAT=32-bit_rle_rgbe in the header, found none",
-        "-Y 1 +X 2 | +X 2 -Y 1 | line 5: the size must be written as -Y HEIGHT +X WIDTH, was '+X 2 -Y 1'",
+        "-Y 1 +X 2 | +X 2 -X 1 | line 5: the size must be written as -Y HEIGHT +X WIDTH, was '+X 2 -X 1'",
         "-Y 1 +X 2 | -Y 0 +X 2 | line 5: an image must have from 1 to 8388608 pixels, has 2×0",
         "-Y 1 +X 2 | -Y 99999 +X 99999 | line 5: an image must have from 1 to 8388608 pixels, has 99999×99999",
         "-Y 1 +X 2 | -Y 2000000000 +X 2000000000 | line 5: an image must have from 1 to 8388608 pixels, has 2000000000×2000000000",
-        "-Y 1 +X 2 | -Y 2048 +X 4096 | line 5: 4096×2048 pixels take at least 548864 bytes, found 8",
-        "-Y 1 +X 2 | -Y 1 +X 1 | expected nothing after the last of 1 lines, found 4 bytes",
+        "-Y 1 +X 2 | -Y 2048 +X 4096 | row 1: expected more pixels, found the end of the file",
         "# by hand | EXPOSURE=0 | line 2: an exposure must be a number from 1e-30 to 1e30, was '0'",
         "# by hand | EXPOSURE=nan | line 2: an exposure must be a number above 0, was 'nan'"})
     void invalidFile_isReportedWithLocation(String valid, String invalid, String message) {
@@ -102,10 +100,31 @@ class HdrReaderTest {
         assertThat(Path.of("textures/evening_sky.hdr")).hasBinaryContent(EnvironmentMaker.evening());
     }
 
+    /** A run of 2, then one of 1 · 256 pixels. */
     @Test
-    void oldRunLengthEncoding_isRejected() {
-        assertThatThrownBy(() -> read(HEADER, new byte[] {9, 9, 9, 9, 1, 1, 1, 1}))
-                .hasMessageEndingWith("row 1: old-style runs of equal pixels are not supported");
+    void oldRuns_areExpanded() throws Exception {
+        EnvironmentMap environment = read(HEADER.replace("+X 2", "+X 260"),
+                new byte[] {(byte) 128, 64, 32, (byte) 129, 1, 1, 1, 2, 1, 1, 1, 1, 0, (byte) 128, 0, (byte) 129});
+        assertThat(environment.channel(258, 0, 0)).isEqualTo(1);
+        assertThat(environment.channel(259, 0, 0)).isZero();
+        assertThat(environment.channel(259, 0, 1)).isEqualTo(1);
+        assertThatThrownBy(() -> read(HEADER, new byte[] {9, 9, 9, 9, 1, 1, 1, 2}))
+                .hasMessageEndingWith("row 1: a run must follow a pixel and have at most 1 pixels, has 2");
+    }
+
+    /** Of two pixels, the first in the file has red 1. */
+    @ParameterizedTest
+    @CsvSource({"-Y 1 +X 2, 2, 0, 0", "-Y 1 -X 2, 2, 1, 0", "+Y 2 +X 1, 1, 0, 1", "+X 2 -Y 1, 2, 0, 0", "-X 2 +Y 1, 2, 1, 0",
+        "+X 1 -Y 2, 1, 0, 0", "+X 1 +Y 2, 1, 0, 1"})
+    void everyOrientation_isRead(String size, int width, int x, int y) throws Exception {
+        EnvironmentMap environment = read(HEADER.replace("-Y 1 +X 2", size), TWO_PIXELS);
+        assertThat(environment.width()).isEqualTo(width);
+        assertThat(environment.channel(x, y, 0)).isEqualTo(1);
+    }
+
+    @Test
+    void headerWithoutFormat_andBytesAtTheEnd_areAccepted() throws Exception {
+        assertThat(read(HEADER.replace("FORMAT=32-bit_rle_rgbe\n", "").replace("+X 2", "+X 1"), TWO_PIXELS).channel(0, 0, 0)).isEqualTo(1);
     }
 
     /** An image with any overwritten byte is read as finite, nonnegative values, or rejected with a message. */

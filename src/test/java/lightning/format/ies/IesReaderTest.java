@@ -85,10 +85,10 @@ class IesReaderTest {
         "3 2 1 2 | line 3: expected 19 angles and intensities, found 11 | 4 3 1 2",
         "3 2 1 2 | line 2: photometric type must be a number from 1 to 3, was '4' | 3 2 4 2",
         "3 2 1 2 | line 2: number of horizontal angles must be a whole number, was 1.5 | 3 1.5 1 2",
-        "0 45 90 | line 4: vertical angles must increase, found 45.0 after 45.0 | 45 45 90",
+        "0 45 90 | line 4: vertical angles must increase, found 45.0 after 90.0 | 0 90 45",
         "0 45 90 | line 4: vertical angle must be a number from 0 to 180, was 'nan' | 0 nan 90",
-        "100 50 0 | line 6: intensity must be a number from 0 to 1e12, was '-50' | 100 -50 0",
-        "100 50 0 | line 6: intensity must be a number from 0 to 1e12, was '1e999' | 100 1e999 0",
+        "100 50 0 | line 6: intensity must be a number from -1 to 1e12, was '-50' | 100 -50 0",
+        "100 50 0 | line 6: intensity must be a number from -1 to 1e12, was '1e999' | 100 1e999 0",
         "0 90 | line 5: horizontal angles must go from 0 to 0, 90, 180 or 360, or from 90 to 270, went from 0.0 to 80.0 | 0 80"})
     void invalidValue_isReportedWithItsLine(String valid, String message, String invalid) {
         String text =
@@ -96,6 +96,21 @@ class IesReaderTest {
                         : PLAIN.replace(valid, invalid == null ? "" : invalid);
         assertThatThrownBy(() -> read(text)).isInstanceOf(MeshException.class)
                 .hasMessageEndingWith(message);
+    }
+
+    /** Planes of 0 to 270 degrees go on to 360, where the first one is again. */
+    @Test
+    void missingLastPlane_isTheFirst() throws Exception {
+        Photometry p = read("TILT=NONE\n1 1 1 1 4 1 2 0 0 0 1 1 1 0 0 90 180 270 4 3 2 1");
+        assertThat(p.sample(0, 315)).isEqualTo(0.625);
+        assertThat(p.sample(0, 360)).isEqualTo(1);
+    }
+
+    @Test
+    void smallFaults_areMended() throws Exception {
+        assertThat(read(PLAIN.replace("TILT=NONE", "Tilt = NONE") + "\nEND OF FILE\n").sample(0, 90)).isEqualTo(1);
+        assertThat(read(PLAIN.replace("100 50 0", "100 50 -0.01")).sample(90, 0)).isZero();
+        assertThat(read(PLAIN.replace("0 45 90", "0 45 45")).sample(45, 0)).isEqualTo(0.25);
     }
 
     @Test

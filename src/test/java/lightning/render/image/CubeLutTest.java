@@ -128,7 +128,7 @@ class CubeLutTest {
         "LUT_1D_SIZE 1 | line 1: expected a whole number from 2 to 65536 after LUT_1D_SIZE, found '1'",
         "LUT_3D_SIZE 130 | line 1: expected a whole number from 2 to 129 after LUT_3D_SIZE, found '130'",
         "LUT_3D_SIZE 2.5 | line 1: expected a whole number from 2 to 129 after LUT_3D_SIZE, found '2.5'",
-        "LUT_1D_SIZE 2;LUT_3D_SIZE 2 | line 2: expected one size in a file, found LUT_3D_SIZE again",
+        "LUT_1D_SIZE 2;LUT_1D_SIZE 2 | line 2: expected one size of a table in a file, found LUT_1D_SIZE again",
         "0 0 0 | line 1: expected LUT_1D_SIZE or LUT_3D_SIZE before the numbers, found '0 0 0'",
         "# nothing | line 1: expected LUT_1D_SIZE or LUT_3D_SIZE, found the end of the file",
         "JPEG | line 1: expected three numbers or one of TITLE, LUT_1D_SIZE",
@@ -138,6 +138,15 @@ class CubeLutTest {
     void problems_reportLineExpectedAndFound(String text, String problem) {
         assertThatThrownBy(() -> table(text.replace(';', '\n'))).isInstanceOf(IOException.class).hasMessageContaining("look.cube, ")
                 .hasMessageContaining(problem);
+    }
+
+    /** Curves of 0 to 2 that invert, then a lattice that inverts again; after a byte order mark. */
+    @Test
+    void curvesBeforeALattice_areBothApplied() throws IOException {
+        String text = "\uFEFFLUT_1D_SIZE 2\nLUT_1D_INPUT_RANGE 0 2\nLUT_3D_SIZE 2\nLUT_3D_INPUT_RANGE 0 1\n1 1 1\n0 0 0\n"
+                + "1 1 1\n0 1 1\n1 0 1\n0 0 1\n1 1 0\n0 1 0\n1 0 0\n0 0 0\n";
+        assertThat(of(table(text), 0.5, 1, 2)).containsExactly(new double[] {0.25, 0.5, 1}, within(1e-7));
+        assertThat(table(text).sizeText()).isEqualTo("3 × 2, 2 × 2 × 2");
     }
 
     @Test
