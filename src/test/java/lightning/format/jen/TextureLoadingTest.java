@@ -83,6 +83,43 @@ class TextureLoadingTest {
         assertThat(t.channel(0, 0, 0)).isZero();
     }
 
+    /** JPEG files of 200, 100, 50 by the inks 0, 128, 191 and 55 of 255, with and without chroma. */
+    @ParameterizedTest
+    @ValueSource(strings = {"inks.jpg", "inks-chroma.jpg"})
+    void fourInks_areColors(String name) throws Exception {
+        Files.copy(Path.of("src/test/resources/lightning/format/jen", name), scenes.resolve("a.jpg"));
+        Texture texture = load("a.jpg");
+        int[] expected = {200, 100, 50};
+        for (int c = 0; c < 3; c++) {
+            assertThat(255 * Math.pow(texture.channel(3, 3, c), 1 / 2.2)).as("channel %s", c).isCloseTo(expected[c], within(4.0));
+        }
+    }
+
+    /** A color that counts as transparent is a chunk of its own beside gray and RGB pixels. */
+    @Test
+    void transparentColor_isAlpha() throws Exception {
+        var image = new BufferedImage(2, 1, BufferedImage.TYPE_INT_RGB);
+        image.setRGB(0, 0, 0x102030);
+        var out = new ByteArrayOutputStream();
+        ImageIO.write(image, "png", out);
+        byte[] transparent = withChunk(out.toByteArray(), "tRNS", new byte[] {0, 0x10, 0, 0x20, 0, 0x30});
+        assertThat(TextureDecoder.hasAlpha(out.toByteArray())).isFalse();
+        assertThat(TextureDecoder.hasAlpha(transparent)).isTrue();
+        Texture opacity = TextureDecoder.decodeReduced("a", transparent, TextureUsage.OPACITY);
+        assertThat(new float[] {opacity.channel(0, 0, 0), opacity.channel(1, 0, 0)}).containsExactly(0, 1);
+    }
+
+    /** Inserts a chunk after the header of a PNG file. */
+    private static byte[] withChunk(byte[] png, String type, byte[] data) {
+        int header = 8 + 25;
+        ByteBuffer out = ByteBuffer.allocate(png.length + 12 + data.length).put(png, 0, header);
+        byte[] name = type.getBytes(StandardCharsets.US_ASCII);
+        var sum = new CRC32();
+        sum.update(name);
+        sum.update(data);
+        return out.putInt(data.length).put(name).put(data).putInt((int) sum.getValue()).put(png, header, png.length - header).array();
+    }
+
     @ParameterizedTest
     @ValueSource(ints = {BufferedImage.TYPE_INT_RGB, BufferedImage.TYPE_INT_ARGB, BufferedImage.TYPE_3BYTE_BGR,
         BufferedImage.TYPE_BYTE_GRAY, BufferedImage.TYPE_USHORT_GRAY, BufferedImage.TYPE_BYTE_INDEXED, BufferedImage.TYPE_BYTE_BINARY})

@@ -1,5 +1,6 @@
 package lightning.format.jen.asset;
 
+import java.awt.color.ColorSpace;
 import java.awt.image.BufferedImage;
 import java.awt.image.IndexColorModel;
 import java.awt.image.Raster;
@@ -26,7 +27,7 @@ import lightning.scene.asset.TextureUsage;
  * Decoder for PNG and JPEG files to linear light.
  *
  * <p>Color samples s are interpreted as sRGB in 0…1, regardless of the file's color profile, and decoded by {@link
- * SrgbCurve} in double, rounded once to float; numeric samples are not decoded. Transparency is ignored unless requested; a
+ * SrgbCurve} in double, rounded once to float; numeric samples are not decoded. Four inks are converted without a profile. Transparency is ignored unless requested; a
  * gray sample applies to all channels.
  */
 public final class TextureDecoder {
@@ -225,7 +226,8 @@ public final class TextureDecoder {
             ImageReader reader = reader("", in);
             try {
                 reader.setInput(in, true, true);
-                return reader.getRawImageType(0) != null && reader.getRawImageType(0).getColorModel().hasAlpha();
+                // Not the raw type: a gray or RGB image may have a color that counts as transparent.
+                return reader.getImageTypes(0).next().getColorModel().hasAlpha();
             } finally {
                 reader.dispose();
             }
@@ -237,6 +239,9 @@ public final class TextureDecoder {
     private static Texture texture(BufferedImage image, boolean isColor) {
         int width = image.getWidth();
         int height = image.getHeight();
+        if (image.getColorModel().getColorSpace().getType() == ColorSpace.TYPE_CMYK) {
+            return new Texture(width, height, inkCodes(image.getRaster()), linearTable(CODE_BITS, isColor));
+        }
         if (image.getColorModel() instanceof IndexColorModel) {
             return new Texture(width, height, paletteCodes(image), linearTable(CODE_BITS, isColor));
         }
@@ -254,6 +259,22 @@ public final class TextureDecoder {
         float[] rgb = new float[3 * width * height];
         forEachSample(raster, (i, band, sample) -> rgb[i] = linear[band][sample]);
         return new Texture(width, height, rgb);
+    }
+
+    /** Returns red, green and blue of an image of four inks, 0 … 255 for each. */
+    private static byte[] inkCodes(Raster raster) {
+        int width = raster.getWidth();
+        byte[] codes = new byte[3 * width * raster.getHeight()];
+        int[] row = new int[4 * width];
+        for (int y = 0; y < raster.getHeight(); y++) {
+            raster.getPixels(0, y, width, 1, row);
+            for (int x = 0; x < width; x++) {
+                for (int c = 0; c < 3; c++) {
+                    codes[3 * (y * width + x) + c] = (byte) Math.round((255 - row[4 * x + c]) * (255 - row[4 * x + 3]) / 255f);
+                }
+            }
+        }
+        return codes;
     }
 
     private static byte[] paletteCodes(BufferedImage image) {
