@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 from output import Output, world_matrix
@@ -15,9 +16,17 @@ def chosen_camera(stage: Usd.Stage, cameras: list[Usd.Prim]) -> Usd.Prim:
     return next((prim for prim in cameras if prim.GetPath() in targets), cameras[0])
 
 
+def resolution(stage: Usd.Stage) -> list[int] | None:
+    """Returns the width and height of the picture by the render settings; None if they say none."""
+    settings = UsdRender.Settings.GetStageRenderSettings(stage)
+    size = settings.GetResolutionAttr().Get() if settings and settings.GetResolutionAttr().HasAuthoredValue() else None
+    return [int(size[0]), int(size[1])] if size and size[0] > 0 and size[1] > 0 else None
+
+
 def camera(prim: Usd.Prim, time: Usd.TimeCode, out: Output) -> dict[str, Any]:
     """Returns a camera at a time."""
     view = UsdGeom.Camera(prim)
+    scale = view.ComputeLinearExposureScale(time) if hasattr(view, "ComputeLinearExposureScale") else 2.0 ** (view.GetExposureAttr().Get(time) or 0.0)
     if view.GetFStopAttr().Get(time):
         out.note("depth of field of cameras")
 
@@ -33,5 +42,6 @@ def camera(prim: Usd.Prim, time: Usd.TimeCode, out: Output) -> dict[str, Any]:
         "height": number(view.GetVerticalApertureAttr(), 15.2908),
         "offset_x": number(view.GetHorizontalApertureOffsetAttr(), 0.0),
         "offset_y": number(view.GetVerticalApertureOffsetAttr(), 0.0),
+        "exposure": math.log2(scale) if 0 < scale < math.inf else 0.0,
         "focus": number(view.GetFocusDistanceAttr(), 0.0),
     }

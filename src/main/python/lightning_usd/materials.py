@@ -25,7 +25,9 @@ class Materials:
 
     def of(self, prim: Usd.Prim) -> int:
         """Returns the index of the material that is bound to a prim; -1 if none can be imported."""
-        return self.index(UsdShade.MaterialBindingAPI(prim).ComputeBoundMaterial()[0])
+        api = UsdShade.MaterialBindingAPI(prim)
+        bound = [api.ComputeBoundMaterial(purpose)[0] for purpose in (UsdShade.Tokens.allPurpose, UsdShade.Tokens.preview, UsdShade.Tokens.full)]
+        return self.index(next((material for material in bound if material), bound[0]))
 
     def subsets(self, prim: Usd.Prim) -> list[dict[str, Any]]:
         """Returns the parts of a mesh with other materials."""
@@ -33,7 +35,10 @@ class Materials:
         for subset in UsdShade.MaterialBindingAPI(prim).GetMaterialBindSubsets():
             faces = subset.GetIndicesAttr().Get(self.time)
             if faces:
-                result.append({"name": subset.GetPrim().GetName(), "faces": self.out.array(faces), "material": self.of(subset.GetPrim())})
+                material = self.of(subset.GetPrim())
+                if self.placement_of(material) != self.placement_of(self.of(prim)):
+                    self.out.note("textures of parts of a mesh with another rotation or translation than those of the mesh, placed like them")
+                result.append({"name": subset.GetPrim().GetName(), "faces": self.out.array(faces), "material": material})
         return result
 
     def coordinates(self, material: int) -> str:
@@ -48,14 +53,16 @@ class Materials:
         if not values:
             return -1
         is_constant = color.GetInterpolation() == "constant"
-        rgb = amounts(values[0]) if is_constant else [1.0, 1.0, 1.0]
+        rgb = amounts(first(color, values)) if is_constant else [1.0, 1.0, 1.0]
         if len(rgb) != 3:
             self.out.note("display colors of another type")
             return -1
         rgb = self.out.vector(prim, "displayColor", rgb, [1.0] * 3)
         opacity = api.FindPrimvarWithInheritance("displayOpacity")
         alphas = opacity.Get(self.time) if opacity and opacity.HasValue() else None
-        alpha = self.out.number(prim, "displayOpacity", alphas[0], 1.0) if alphas else 1.0
+        if alphas and len(set(alphas)) > 1 and opacity.GetInterpolation() != "constant":
+            self.out.note("display opacities that vary over an object, imported as the first")
+        alpha = self.out.number(prim, "displayOpacity", first(opacity, alphas), 1.0) if alphas else 1.0
         key = ("display", *rgb, alpha)
         if key not in self.known:
             self.known[key] = len(self.all)
@@ -95,6 +102,7 @@ class Materials:
 
     def keep(self, material: UsdShade.Material, surface: dict[str, Any]) -> int:
         """Adds a surface."""
+        self.note_placements(surface)
         self.all.append({"name": material.GetPrim().GetName(), **surface})
         return len(self.all) - 1
 
@@ -220,10 +228,7 @@ class Materials:
                 return
             kind = str(shader.GetIdAttr().Get() or "")
             if kind == "UsdTransform2d":
-                scale = self.value(shader, "scale", (1, 1))
-                texture["repeat"] = self.out.vector(shader.GetPrim(), "inputs:scale", scale, [1.0, 1.0])
-                if self.value(shader, "rotation", 0.0) or any(self.value(shader, "translation", (0, 0))):
-                    self.out.note("rotations and translations of textures")
+                self.transform(shader, texture, result)
             elif kind.startswith("ND_place2d"):
                 texture["repeat"] = [1 / v if v else 1.0 for v in self.out.vector(shader.GetPrim(), "inputs:scale", self.value(shader, "scale", (1, 1)), [1.0, 1.0])]
                 if self.value(shader, "rotate", 0.0) or any(self.value(shader, "offset", (0, 0))):
@@ -231,6 +236,30 @@ class Materials:
             elif kind.startswith(("UsdPrimvarReader", "ND_UsdPrimvarReader", "ND_geompropvalue")):
                 result["coordinates"] = str(self.value(shader, "geomprop" if "geomprop" in kind else "varname", "st"))
                 return
+
+    def transform(self, shader: UsdShade.Shader, texture: dict[str, Any], result: dict[str, Any]) -> None:
+        """Adds a UsdTransform2d: its scale to the texture, or, if it turns or moves, all of it to the coordinates of the meshes."""
+        prim = shader.GetPrim()
+        scale = self.out.vector(prim, "inputs:scale", self.value(shader, "scale", (1, 1)), [1.0, 1.0])
+        angle = math.radians(self.out.number(prim, "inputs:rotation", self.value(shader, "rotation", 0.0), 0.0))
+        shift = self.out.vector(prim, "inputs:translation", self.value(shader, "translation", (0, 0)), [0.0, 0.0])
+        if not angle and not any(shift):
+            texture["repeat"] = scale
+            return
+        cosine, sine = math.cos(angle), math.sin(angle)
+        placement = [cosine * scale[0], -sine * scale[1], shift[0], sine * scale[0], cosine * scale[1], shift[1]]
+        texture["placement"] = placement
+        result.setdefault("placement", placement)
+
+    def note_placements(self, surface: dict[str, Any]) -> None:
+        """Notes textures that are placed apart from others of their material: meshes have one set of coordinates here."""
+        shared = surface.get("placement")
+        if shared and any(texture.get("placement") != shared for texture in surface["textures"].values()):
+            self.out.note("textures with another rotation or translation than others of their material, placed like them")
+
+    def placement_of(self, material: int) -> list[float] | None:
+        """Returns the map of texture coordinates that a material needs, u' = p0 u + p1 v + p2 and v' = p3 u + p4 v + p5; None for none."""
+        return self.all[material].get("placement") if material >= 0 else None
 
     def value(self, shader: UsdShade.Shader, name: str, fallback: Any) -> Any:
         """Returns the value of an input, also one that the material passes on."""
@@ -243,6 +272,13 @@ class Materials:
 def is_output(attribute: Usd.Attribute) -> bool:
     """Returns whether an attribute is the output of a shader, not a value."""
     return UsdShade.Utils.GetType(attribute.GetName()) == UsdShade.AttributeType.Output
+
+
+def first(primvar: UsdGeom.Primvar, values: Any) -> Any:
+    """Returns the first value of a primvar, by its indices if it has some."""
+    indices = primvar.GetIndices() if primvar.IsIndexed() else None
+    index = indices[0] if indices else 0
+    return values[index] if 0 <= index < len(values) else values[0]
 
 
 def amounts(value: Any) -> list[float]:

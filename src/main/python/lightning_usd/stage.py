@@ -7,7 +7,7 @@ from typing import Any
 
 import mtlx
 from layers import open_layers
-from cameras import camera, chosen_camera
+from cameras import camera, chosen_camera, resolution
 from lights import is_light, light, linked_nodes
 from materials import Materials
 from meshes import Meshes, SOLIDS, solid
@@ -76,6 +76,7 @@ class Walk:
             "meters": float(UsdGeom.GetStageMetersPerUnit(self.stage)),
             "frames": None if not frames else [frames[0] - first_shift, frames[1] - first_shift, self.rate()],
             "shift": first_shift,
+            "resolution": resolution(self.stage),
             "cameras": self.described(cameras, lambda prim: self.over_time(prim, camera, frames)),
             "lights": self.described(self.lights, lambda prim: self.describe_light(prim, frames)),
             "nodes": self.nodes,

@@ -16,6 +16,7 @@ import lightning.format.mesh.ConversionNotes;
 import lightning.format.mesh.MeshException;
 import lightning.format.usd.UsdStage;
 import lightning.scene.Camera;
+import lightning.scene.ViewSettings;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightAttribute;
 import lightning.scene.shot.Shot;
@@ -74,6 +75,7 @@ public final class UsdImport {
         if (cameras.size() > 0) {
             importCamera(cameras.element(0));
         }
+        importResolution();
         if (hasShot()) {
             importShot();
         }
@@ -168,6 +170,7 @@ public final class UsdImport {
             Camera camera = camera(in, isShifted);
             assembler.camera = Optional.of(camera);
             assembler.notes.add("orthographic cameras, imported as perspective", in.get("orthographic").bool(false) ? 1 : 0);
+            importExposure(in);
             double aspect = in.get("width").number(1) / in.get("height").number(1);
             if (aspect > 0 && aspect < Double.POSITIVE_INFINITY) {
                 assembler.setAspectRatio(aspect);
@@ -182,6 +185,31 @@ public final class UsdImport {
         } catch (IllegalArgumentException | ArithmeticException e) {
             assembler.notes.add("cameras that cannot be placed");
         }
+    }
+
+    /** Sets the size of the picture by the render settings of the stage. */
+    private void importResolution() throws MeshException {
+        JsonValue size = root.get("resolution");
+        if (!size.node().isNull() && size.size() == 2) {
+            int width = size.element(0).integer(1, Integer.MAX_VALUE);
+            int height = size.element(1).integer(1, Integer.MAX_VALUE);
+            if (width <= SceneLimits.MAX_SIZE && height <= SceneLimits.MAX_SIZE) {
+                assembler.picture = assembler.picture.withSize(width, height);
+            } else {
+                assembler.notes.add("resolutions of render settings that a picture cannot have");
+            }
+        }
+    }
+
+    /** Sets the exposure of the camera, in stops; it does not change over a shot. */
+    private void importExposure(JsonValue in) throws MeshException {
+        double stops = UsdNumbers.rounded(Math.clamp(in.get("exposure").number(0), -ViewSettings.MAX_EXPOSURE, ViewSettings.MAX_EXPOSURE));
+        assembler.picture = assembler.picture.withView(assembler.picture.view().withExposure(stops));
+        boolean isAnimated = false;
+        for (int i = 0; i < in.get("frames").size(); i++) {
+            isAnimated |= in.get("frames").element(i).get("exposure").number(0) != in.get("exposure").number(0);
+        }
+        assembler.notes.add("animated exposures of cameras, imported as at the first frame", isAnimated ? 1 : 0);
     }
 
     private Camera camera(JsonValue in, boolean isShifted) throws MeshException {

@@ -1,0 +1,134 @@
+package lightning.format.exchange;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.data.Offset.offset;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import lightning.base.math.Rgb;
+import lightning.base.work.Progress;
+import lightning.format.exchange.assembly.ImportedScene;
+import lightning.format.exchange.assembly.LightUnits;
+import lightning.sample.PythonPrograms;
+import lightning.scene.node.Mesh;
+import lightning.scene.node.Solid;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Settings of stages that change the picture: of render settings, cameras, bindings and primvars; through usd-core. */
+class UsdSettingsTest {
+    private static final String SQUARE = """
+            int[] faceVertexCounts = [4]
+            int[] faceVertexIndices = [0, 1, 2, 3]
+            point3f[] points = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)]
+            uniform token subdivisionScheme = "none"
+            texCoord2f[] primvars:st = [(0, 0), (1, 0), (1, 1), (0, 1)] ( interpolation = "vertex" )
+            """;
+    private static final String MATERIAL = """
+            def Material "red" {
+                token outputs:surface.connect = </red/s.outputs:surface>
+                def Shader "s" {
+                    uniform token info:id = "UsdPreviewSurface"
+                    color3f inputs:diffuseColor = (1, 0, 0)
+                    %s
+                    token outputs:surface
+                }
+                def Shader "image" {
+                    uniform token info:id = "UsdUVTexture"
+                    asset inputs:file = @w.png@
+                    float2 inputs:st.connect = </red/move.outputs:result>
+                    float3 outputs:rgb
+                }
+                def Shader "move" {
+                    uniform token info:id = "UsdTransform2d"
+                    float2 inputs:in.connect = </red/uv.outputs:result>
+                    float2 inputs:scale = (2, 1)
+                    float inputs:rotation = 90
+                    float2 inputs:translation = (0.5, 0.25)
+                    float2 outputs:result
+                }
+                def Shader "uv" {
+                    uniform token info:id = "UsdPrimvarReader_float2"
+                    string inputs:varname = "st"
+                    float2 outputs:result
+                }
+            }
+            """;
+    @TempDir
+    private Path folder;
+
+    @BeforeEach
+    void requireUsd() {
+        PythonPrograms.require("pxr");
+    }
+
+    private ImportedScene imported(String metadata, String prims) throws Exception {
+        Path file = Files.writeString(folder.resolve("a.usda"),
+                "#usda 1.0\n(\n upAxis = \"Y\"\n metersPerUnit = 1\n" + metadata + ")\n" + prims);
+        return SceneImporter.read(file, folder.resolve("a.jen"), LightUnits.CANDELA, Progress.NONE);
+    }
+
+    private static String square(String more) {
+        return "def Mesh \"thing\" ( prepend apiSchemas = [\"MaterialBindingAPI\"] )\n{\n" + SQUARE + more + "\n}\n";
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"material:binding", "material:binding:full", "material:binding:preview"})
+    void bindingOfAnyPurpose_isUsed(String binding) throws Exception {
+        ImportedScene scene = imported("", square("rel " + binding + " = </red>") + MATERIAL.replace("%s", ""));
+        assertThat(scene.scene().placedShapes().getFirst().material().base()).isEqualTo(new Rgb(1, 0, 0));
+    }
+
+    @Test
+    void bindingOfAllPurposes_winsOverPreviewAndFull() throws Exception {
+        ImportedScene scene = imported("", square("rel material:binding = </red>\nrel material:binding:full = </other>")
+                + MATERIAL.replace("%s", "") + MATERIAL.replace("%s", "").replace("red", "other").replace("(1, 0, 0)", "(0, 1, 0)"));
+        assertThat(scene.scene().placedShapes().getFirst().material().name()).isEqualTo("red");
+    }
+
+    @Test
+    void indexedConstantColor_isThatOfItsIndex() throws Exception {
+        ImportedScene scene = imported("", square("""
+                color3f[] primvars:displayColor = [(1, 0, 0), (0, 1, 0)] ( interpolation = "constant" )
+                int[] primvars:displayColor:indices = [1]
+                """));
+        assertThat(scene.scene().placedShapes().getFirst().material().diffuse()).isEqualTo(new Rgb(0, 1, 0));
+    }
+
+    /** 2 stops; a time of 1/50 s with ISO 200 at f/2 is 1/100. */
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', value = {"float exposure = 2 | 2",
+        "float exposure:time = 0.02; float exposure:iso = 200; float exposure:fStop = 2 | -6.643856189"})
+    void exposureOfCamera_isThatOfThePicture(String attributes, double stops) throws Exception {
+        ImportedScene scene = imported("", square("") + "def Camera \"eye\" {\n" + attributes.replace("; ", "\n") + "\n}\n");
+        assertThat(scene.scene().picture().view().exposure()).isCloseTo(stops, offset(1e-6));
+    }
+
+    @Test
+    void resolutionOfRenderSettings_isThatOfThePicture() throws Exception {
+        ImportedScene scene = imported(" renderSettingsPrimPath = \"/settings\"\n",
+                square("") + "def RenderSettings \"settings\" {\nuniform int2 resolution = (320, 200)\n}\n");
+        assertThat(scene.scene().picture().width()).isEqualTo(320);
+        assertThat(scene.scene().picture().height()).isEqualTo(200);
+    }
+
+    /** Scale by 2 along u, then a quarter turn, then the translation: (u, v) goes to (2u, v), (−v, 2u) and (0.5 − v, 0.25 + 2u). */
+    @Test
+    void transformOfTexture_movesTheCoordinates() throws Exception {
+        Files.write(folder.resolve("w.png"), new byte[] {});
+        ImportedScene scene = imported("", square("rel material:binding = </red>")
+                + MATERIAL.replace("%s", "color3f inputs:diffuseColor.connect = </red/image.outputs:rgb>").replaceFirst(
+                        "color3f inputs:diffuseColor = \\(1, 0, 0\\)", ""));
+        Mesh mesh = ((Solid.TriangleMesh) scene.scene().placedShapes().getFirst().shape().solid()).mesh();
+        for (int v = 0; v < 4; v++) {
+            float u = mesh.positions()[3 * v];
+            assertThat(mesh.coordinates()[2 * v]).isCloseTo(0.5f - mesh.positions()[3 * v + 1], offset(1e-6f));
+            assertThat(mesh.coordinates()[2 * v + 1]).isCloseTo(0.25f + 2 * u, offset(1e-6f));
+        }
+        assertThat(scene.notes().keySet()).noneMatch(note -> note.contains("rotation"));
+    }
+}
