@@ -10,7 +10,6 @@ import java.nio.file.attribute.PosixFilePermissions;
 import java.time.Duration;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.atomic.AtomicInteger;
-import java.util.stream.Stream;
 import lightning.base.file.SearchPath;
 import lightning.base.work.Progress;
 import lightning.format.mesh.MeshException;
@@ -38,18 +37,12 @@ class UsdConverterTest {
                 written -> Files.readString(written.resolve("stage.json")));
     }
 
-    private static long scratchFolders() throws IOException {
-        try (Stream<Path> files = Files.list(Path.of(System.getProperty("java.io.tmpdir")))) {
-            return files.filter(f -> f.getFileName().toString().startsWith("lightning-scratch-") && Files.exists(f.resolve("stage")))
-                    .count();
-        }
-    }
-
     @Test
     void writtenFolder_isReadAndRemoved() throws Exception {
-        long before = scratchFolders();
-        assertThat(convert("printf found > $4/stage.json", Duration.ofMinutes(1), Progress.NONE)).isEqualTo("found");
-        assertThat(scratchFolders()).isEqualTo(before);
+        Path place = folder.resolve("place");
+        assertThat(convert("echo $4 > " + place + "; printf found > $4/stage.json", Duration.ofMinutes(1), Progress.NONE))
+                .isEqualTo("found");
+        assertThat(Path.of(Files.readString(place).strip())).as("the folder that it wrote into").doesNotExist();
     }
 
     @Test
@@ -72,12 +65,12 @@ class UsdConverterTest {
 
     @Test
     void endlessProcess_isEnded() throws IOException {
-        long before = scratchFolders();
-        assertThatThrownBy(() -> convert("sleep 100", SECOND, Progress.NONE)).isInstanceOf(MeshException.class)
+        Path place = folder.resolve("place");
+        assertThatThrownBy(() -> convert("echo $4 > " + place + "; sleep 100", SECOND, Progress.NONE)).isInstanceOf(MeshException.class)
                 .hasMessageEndingWith("shot.usda: usd-core did not read it within 1 s");
         assertThat(ProcessHandle.current().descendants().filter(ProcessHandle::isAlive)
                 .anyMatch(p -> p.info().commandLine().orElse("").contains(folder.toString()))).isFalse();
-        assertThat(scratchFolders()).isEqualTo(before);
+        assertThat(Path.of(Files.readString(place).strip())).as("the folder that it wrote into").doesNotExist();
     }
 
     @Test
