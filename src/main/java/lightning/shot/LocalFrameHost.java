@@ -18,6 +18,7 @@ import lightning.render.relight.tile.MirrorStorage;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.render.trace.Geometry;
 import lightning.scene.Scene;
+import org.jspecify.annotations.Nullable;
 
 /** Frame host in this process. */
 public final class LocalFrameHost implements FrameHost {
@@ -26,7 +27,7 @@ public final class LocalFrameHost implements FrameHost {
     /** Renderers that no job uses. */
     private final ArrayDeque<Renderer> idleRenderers = new ArrayDeque<>();
     /** Geometry of the last frame, because most frames show the same shapes. */
-    private Geometry sharedGeometry;
+    private @Nullable Geometry sharedGeometry;
     private boolean closed;
 
     /**
@@ -119,7 +120,7 @@ public final class LocalFrameHost implements FrameHost {
         }
     }
 
-    private synchronized Geometry sharedGeometry() {
+    private synchronized @Nullable Geometry sharedGeometry() {
         return sharedGeometry;
     }
 

@@ -1,5 +1,7 @@
 package lightning.format.exchange;
 
+import static java.util.Objects.requireNonNull;
+
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.HashMap;
@@ -120,7 +122,7 @@ final class GltfMaterialImport {
         if (image >= 0 && !images.containsKey(image)) {
             images.put(image, importImage(image));
         }
-        return image < 0 ? Optional.empty() : images.get(image).flatMap(SceneAssembler::placeholderTexture);
+        return image < 0 ? Optional.empty() : requireNonNull(images.get(image)).flatMap(SceneAssembler::placeholderTexture);
     }
 
     private Material withNormalMap(Material material, GltfMaterial m) throws IOException, MeshException {

@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
+import lightning.base.file.ParentFolder;
 import lightning.base.math.Rgb;
 import lightning.base.math.Transform;
 import lightning.base.work.Progress;
@@ -88,7 +89,7 @@ final class ObjImport {
     /** Returns a file in this file's folder or below it. */
     private Optional<Path> siblingFile(String name) throws IOException {
         try {
-            Path folder = source.toRealPath().getParent();
+            Path folder = ParentFolder.of(source.toRealPath());
             Path file = folder.resolve(name.replace('\\', '/')).normalize();
             return Files.isRegularFile(file) && file.toRealPath().startsWith(folder) ? Optional.of(file) : Optional.empty();
         } catch (InvalidPathException e) {
