@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.stream.Stream;
+import lightning.base.file.ParentFolder;
 import lightning.base.work.WorkerPool;
 import lightning.cli.option.LayerOptions;
 import lightning.cli.option.PictureOptions;
@@ -36,6 +37,7 @@ import lightning.render.relight.plan.Accuracy;
 import lightning.render.relight.tile.MirrorStorage;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Scene;
+import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -98,7 +100,7 @@ final class RelightCommand implements Callable<Integer> {
     private boolean skipsSavings;
     @Option(names = "--save", paramLabel = "edited.jen",
             description = "Write the edited scene; keeps comments, order and unedited text.")
-    private Path saveFile;
+    private @Nullable Path saveFile;
 
     private final List<RelightReport.Step> reports = new ArrayList<>();
 
@@ -138,7 +140,7 @@ final class RelightCommand implements Callable<Integer> {
             mattes.get().check(last, inputs);
         }
         if (saveFile != null) {
-            InputFiles.referencedBy(edited.getLast(), input.path().toAbsolutePath().getParent()).check(saveFile);
+            InputFiles.referencedBy(edited.getLast(), ParentFolder.of(input.path())).check(saveFile);
         }
         Scene before = picture.apply(document.scene());
         RenderOptions options =
@@ -217,7 +219,7 @@ final class RelightCommand implements Callable<Integer> {
         Scene current = scene;
         for (List<EditStep> group : EditStep.splitGroups(steps)) {
             for (EditStep step : group) {
-                List<Scene> next = step.apply(current, input.path().toAbsolutePath().getParent());
+                List<Scene> next = step.apply(current, ParentFolder.of(input.path()));
                 scenes.addAll(next.subList(0, next.size() - 1));
                 current = next.getLast();
             }

@@ -39,6 +39,7 @@ import lightning.shot.movie.FrameFiles;
 import lightning.shot.movie.FrameSequenceRenderer;
 import lightning.shot.movie.MovieFormat;
 import lightning.shot.movie.MovieWriter;
+import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -139,7 +140,7 @@ final class ShotRenderCommand implements Callable<Integer> {
         return ExitCode.OK;
     }
 
-    private void report(ShotFrames shot, String file, int skipped) {
+    private void report(ShotFrames shot, @Nullable String file, int skipped) {
         console.report().setResult(new ShotRenderReport(file, shot.shot().rate(), skipped, counts[0], milliseconds[0], counts[1],
                 milliseconds[1], reports));
     }

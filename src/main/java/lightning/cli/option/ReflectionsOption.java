@@ -2,6 +2,7 @@ package lightning.cli.option;
 
 import lightning.cli.output.BadInputException;
 import lightning.render.relight.plan.ReflectionMode;
+import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Option;
 
 /** Option {@code --reflections}. */
@@ -9,7 +10,7 @@ public final class ReflectionsOption {
     @Option(names = "--reflections", paramLabel = "WHEN",
             description = "current (reflections follow each edit) or stale (1998 method: reflections are updated on request only) "
                     + "(default: current).")
-    private ReflectionMode reflections;
+    private @Nullable ReflectionMode reflections;
 
     /** Returns the requested mode, or the default. */
     public ReflectionMode value() {
