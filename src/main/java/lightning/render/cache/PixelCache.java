@@ -7,6 +7,7 @@ import lightning.render.image.Film;
 import lightning.render.shading.RenderedScenes;
 import lightning.render.trace.Geometry;
 import lightning.scene.Scene;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Pixel cache of an image, with the scenes that it shows.
@@ -21,8 +22,8 @@ public final class PixelCache {
     private final RenderedScenes scenes;
     private final List<CachedLight> lights;
     private final List<CachedLight> mirroredLights;
-    private final IndirectCache indirect;
-    private final IndirectCache mirroredIndirect;
+    private final @Nullable IndirectCache indirect;
+    private final @Nullable IndirectCache mirroredIndirect;
 
     /**
      * @param tiles pixel centers; empty if all pixels have several samples
@@ -30,11 +31,11 @@ public final class PixelCache {
      * @param scenes scene of the film and the first level, and scene of the reflection levels and Cr
      * @param lights all lights of the scene, in order
      * @param mirroredLights all lights of the reflected scene, in order
-     * @param indirect indirect light of the scene, or null
-     * @param mirroredIndirect indirect light of the reflected scene, or null
+     * @param indirect indirect light of the scene
+     * @param mirroredIndirect indirect light of the reflected scene
      */
     public PixelCache(Geometry geometry, CachedTile[] tiles, FineTile[] fineTiles, RenderedScenes scenes, List<CachedLight> lights,
-            List<CachedLight> mirroredLights, IndirectCache indirect, IndirectCache mirroredIndirect) {
+            List<CachedLight> mirroredLights, @Nullable IndirectCache indirect, @Nullable IndirectCache mirroredIndirect) {
         this.geometry = geometry;
         this.tiles = tiles;
         this.fineTiles = fineTiles;
@@ -120,12 +121,12 @@ public final class PixelCache {
     }
 
     /** Returns the indirect light of the scene; null if it has none. */
-    public IndirectCache indirect() {
+    public @Nullable IndirectCache indirect() {
         return indirect;
     }
 
     /** Returns the indirect light of the reflected scene; null if it has none. */
-    public IndirectCache mirroredIndirect() {
+    public @Nullable IndirectCache mirroredIndirect() {
         return mirroredIndirect;
     }
 
@@ -137,6 +138,7 @@ public final class PixelCache {
         float[][] blue = new float[count][];
         for (int i = 0; i < count; i++) {
             float[][] film = fineTiles.length > 0 ? fineTiles[i].film() : tiles[i].film;
+            assert film != null;
             red[i] = film[0];
             green[i] = film[1];
             blue[i] = film[2];

@@ -1,5 +1,7 @@
 package lightning.render.relight.paper;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.List;
 import lightning.render.cache.CachedLight;
 import lightning.render.cache.LayerStamp;
@@ -19,6 +21,7 @@ import lightning.render.shading.layer.LightKernel;
 import lightning.render.trace.MaterialTable;
 import lightning.scene.Scene;
 import lightning.scene.light.Light;
+import org.jspecify.annotations.Nullable;
 
 /** The paper's method: layers hold finished contributions, which edits scale by ratios, with a running error bound. */
 public record RatioMethod() implements UpdateMethod {
@@ -45,8 +48,8 @@ public record RatioMethod() implements UpdateMethod {
     }
 
     @Override
-    public LayerStamp stamp(LayerStamp before, Light light, boolean weight, boolean falloff, double minFalloff) {
-        return RatioBound.stampAfterScaling(before, light, weight, falloff, minFalloff);
+    public LayerStamp stamp(@Nullable LayerStamp before, Light light, boolean weight, boolean falloff, double minFalloff) {
+        return RatioBound.stampAfterScaling(requireNonNull(before), light, weight, falloff, minFalloff);
     }
 
     @Override
