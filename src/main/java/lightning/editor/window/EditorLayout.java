@@ -228,7 +228,7 @@ final class EditorLayout extends BorderPane {
     void showPage(Region page) {
         page.setMaxHeight(Double.MAX_VALUE);
         StackPane.setAlignment(page, Pos.CENTER_RIGHT);
-        page.maxWidthProperty().bind(Bindings.createDoubleBinding(this::pageWidth, requireNonNull(traced).boundsInParentProperty(),
+        page.maxWidthProperty().bind(Bindings.createDoubleBinding(this::pageWidth, tracedPane().boundsInParentProperty(),
                 canvases.boundsInParentProperty(), upperArea.boundsInParentProperty(), center.widthProperty()));
         center.getChildren().add(page);
     }
@@ -236,7 +236,7 @@ final class EditorLayout extends BorderPane {
     private double pageWidth() {
         boolean isTracedVisible = canvases.getItems().size() == 2 && canvases.getItems().contains(traced);
         double right = isTracedVisible
-                ? center.sceneToLocal(requireNonNull(traced).localToScene(requireNonNull(traced).getBoundsInLocal())).getMaxX() : 0;
+                ? center.sceneToLocal(tracedPane().localToScene(tracedPane().getBoundsInLocal())).getMaxX() : 0;
         return Math.max(Math.min(MIN_PAGE_WIDTH, center.getWidth()),
                 center.getWidth() - Math.max(right, center.getWidth() * MIN_LEFT_SHARE));
     }
@@ -260,11 +260,11 @@ final class EditorLayout extends BorderPane {
             // The toolkit would focus the first button of the tool bar, which the next key would press.
             canvases.requestFocus();
         }
-        requireNonNull(traced).setInset(null);
+        tracedPane().setInset(null);
         canvases.getItems().retainAll(visible);
         requireNonNull(preview).setCompact(choice.hasInset());
         if (choice.hasInset()) {
-            traced.setInset(preview);
+            tracedPane().setInset(preview);
         }
         for (int i = 0; i < visible.size(); i++) {
             if (!canvases.getItems().contains(visible.get(i))) {
@@ -310,5 +310,10 @@ final class EditorLayout extends BorderPane {
     /** Returns whether Tab should move the focus: from a text field, or from a control that was reached by the keyboard, not by a click. */
     private static boolean needsTab(Node focusOwner) {
         return focusOwner instanceof TextInputControl || focusOwner instanceof Control && focusOwner.isFocusVisible();
+    }
+
+    /** Returns the pane of the traced picture, which was added with the other panes. */
+    private TracedPane tracedPane() {
+        return requireNonNull(traced);
     }
 }

@@ -122,8 +122,8 @@ final class LightAnimation {
 
     private void recordFrame() {
         if (recording.get()) {
-            editor.scene().light(light).ifPresent(requireNonNull(recorder)::recordFrame);
-            frame.set(requireNonNull(recorder).frameCount() - 1);
+            editor.scene().light(light).ifPresent(currentRecorder()::recordFrame);
+            frame.set(currentRecorder().frameCount() - 1);
         }
     }
 
@@ -139,7 +139,7 @@ final class LightAnimation {
     void stop() {
         player.stop();
         if (recording.get()) {
-            recorded.set(requireNonNull(recorder).recordedShot().orElse(null));
+            recorded.set(currentRecorder().recordedShot().orElse(null));
             frame.set(lastFrame());
             recording.set(false);
         }
@@ -200,5 +200,10 @@ final class LightAnimation {
         recording.set(false);
         model.previewSettings().framesProperty().removeListener(frameListener);
         editor.endAnimation();
+    }
+
+    /** Returns the recorder of the running recording. */
+    private MotionRecorder currentRecorder() {
+        return requireNonNull(recorder);
     }
 }

@@ -100,7 +100,7 @@ public final class TracedRaster implements RenderListener {
         int tilesAcross = Film.tilesAlong(width);
         int left = tile % tilesAcross * Film.TILE_SIZE;
         int top = tile / tilesAcross * Film.TILE_SIZE;
-        view.packTile(film[0], film[1], film[2], left, top, width, requireNonNull(pixels).pixels());
+        view.packTile(film[0], film[1], film[2], left, top, width, currentPixels().pixels());
         tiles.put(tile, film);
         isUnfinished = true;
         unreported = unreported.plus(left, top, Math.min(left + Film.TILE_SIZE, width), Math.min(top + Film.TILE_SIZE, height));
@@ -208,7 +208,7 @@ public final class TracedRaster implements RenderListener {
         if (!hasSize(film.width(), film.height())) {
             return;
         }
-        int[] all = requireNonNull(pixels).pixels();
+        int[] all = currentPixels().pixels();
         for (int y = part.top(); y < part.bottom(); y++) {
             for (int x = part.left(); x < part.right(); x++) {
                 all[y * film.width() + x] = view.pack(film.red(x, y), film.green(x, y), film.blue(x, y));
@@ -235,9 +235,9 @@ public final class TracedRaster implements RenderListener {
     private void packCoarse(Film film, int width, int height) {
         int[] small = view.toPixels(film);
         if (view.curve() == DisplayCurve.FALSE || view.marksClipping()) {
-            CoarseScaling.repeat(small, film.width(), film.height(), requireNonNull(pixels).pixels(), width, height);
+            CoarseScaling.repeat(small, film.width(), film.height(), currentPixels().pixels(), width, height);
         } else {
-            CoarseScaling.smooth(small, film.width(), film.height(), requireNonNull(pixels).pixels(), width, height);
+            CoarseScaling.smooth(small, film.width(), film.height(), currentPixels().pixels(), width, height);
         }
         dirty = dirty.plus(0, 0, width, height);
     }
@@ -278,11 +278,16 @@ public final class TracedRaster implements RenderListener {
 
     /** Packs tiles in parallel: packing takes as long as a small edit. */
     private void pack(Film film, int[] tiles) {
-        Arrays.stream(tiles).parallel().forEach(tile -> view.packTile(film, tile, requireNonNull(pixels).pixels()));
+        Arrays.stream(tiles).parallel().forEach(tile -> view.packTile(film, tile, currentPixels().pixels()));
         for (int tile : tiles) {
             int left = tile % film.tilesX() * Film.TILE_SIZE;
             int top = tile / film.tilesX() * Film.TILE_SIZE;
             dirty = dirty.plus(left, top, Math.min(left + Film.TILE_SIZE, film.width()), Math.min(top + Film.TILE_SIZE, film.height()));
         }
+    }
+
+    /** Returns the pixels, which exist while there are tiles or films. */
+    private Pixels currentPixels() {
+        return requireNonNull(pixels);
     }
 }

@@ -86,26 +86,31 @@ final class LightGroupRow extends HBox {
 
     /** Returns the text for screen readers. */
     String text() {
-        return Messages.tr("{0}, light group", requireNonNull(group).name()) + (requireNonNull(group).on() ? "" : Messages.tr(", off"))
-                + (group.solo() ? Messages.tr(", solo") : "");
+        return Messages.tr("{0}, light group", shownGroup().name()) + (shownGroup().on() ? "" : Messages.tr(", off"))
+                + (shownGroup().solo() ? Messages.tr(", solo") : "");
     }
 
     private void toggleExpanded() {
-        if (!collapsedGroups.remove(requireNonNull(group).name())) {
-            collapsedGroups.add(group.name());
+        if (!collapsedGroups.remove(shownGroup().name())) {
+            collapsedGroups.add(shownGroup().name());
         }
     }
 
     private void edit(UnaryOperator<LightGroup> edit) {
-        String groupName = requireNonNull(group).name();
+        String groupName = shownGroup().name();
         editor.editOrReport(scene -> LightGroupEdits.edit(scene, groupName, edit));
     }
 
     void startRename() {
-        field.open(requireNonNull(group).name());
+        field.open(shownGroup().name());
     }
 
     private void endRename() {
         field.close();
+    }
+
+    /** Returns the group of the row, which shows one before its controls are used. */
+    private LightGroup shownGroup() {
+        return requireNonNull(group);
     }
 }

@@ -57,12 +57,12 @@ final class OutlineCell extends NamedCell<OutlineRow> {
         foldButton.setGraphic(arrow);
         foldButton.getStyleClass().addAll("flat", "fold");
         foldButton.setFocusTraversable(false);
-        foldButton.setOnAction(_ -> pane.toggleExpanded(requireNonNull(shownNode).name()));
+        foldButton.setOnAction(_ -> pane.toggleExpanded(node().name()));
         kind.getStyleClass().add("light-type");
         eye.setGraphic(eyeIcon);
         eye.setOnAction(_ -> {
             editor.editOrReport(
-                    scene -> NodeEdits.setVisible(scene, requireNonNull(shownNode).name(), !requireNonNull(shownNode).visible()));
+                    scene -> NodeEdits.setVisible(scene, node().name(), !node().visible()));
             show();
         });
         LinkDrop.installOnShape(this, () -> shownNode == null ? null : shownNode.name(), editor);
@@ -129,5 +129,10 @@ final class OutlineCell extends NamedCell<OutlineRow> {
     @Override
     Optional<String> renameTarget() {
         return Optional.ofNullable(shownNode).map(SceneNode::name);
+    }
+
+    /** Returns the node of the cell, whose buttons are shown only with one. */
+    private SceneNode node() {
+        return requireNonNull(shownNode);
     }
 }

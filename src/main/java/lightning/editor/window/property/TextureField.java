@@ -106,7 +106,7 @@ final class TextureField extends VBox {
     private ArrowWidget repeatWidget(String id, String label, String title, RepeatEdit edit) {
         var widget = new ArrowWidget(label, title,
                 NumberSetting.of(title, new StepRange(1, -SceneLimits.MAX_REPEAT, SceneLimits.MAX_REPEAT),
-                        (v, gesture) -> editor.edit(scene -> MaterialEdits.edit(scene, requireNonNull(shownMaterial).name(),
+                        (v, gesture) -> editor.edit(scene -> MaterialEdits.edit(scene, editedMaterial().name(),
                                 m -> attribute.with(m, attribute.get(m).map(map -> edit.apply(map, v)))), gesture)));
         widget.setId(id);
         return widget;
@@ -167,7 +167,7 @@ final class TextureField extends VBox {
     }
 
     private void set(String fileName) {
-        String material = requireNonNull(shownMaterial).name();
+        String material = editedMaterial().name();
         if (fileName.isEmpty()) {
             editor.edit(scene -> MaterialEdits.set(scene, material, attribute, Optional.empty())).ifPresent(this::showRefusal);
             return;
@@ -180,9 +180,9 @@ final class TextureField extends VBox {
     }
 
     private void browse() {
-        String material = requireNonNull(shownMaterial).name();
+        String material = editedMaterial().name();
         files.promptAndImport(Command.CHOOSE_TEXTURE.plainTitle(), FileKind.TEXTURE, name -> {
-            if (requireNonNull(shownMaterial).name().equals(material)) {
+            if (editedMaterial().name().equals(material)) {
                 set(name);
             }
         }, this::showRefusal);
@@ -194,5 +194,10 @@ final class TextureField extends VBox {
             case EditOutcome.Applied to -> editor.edit(scene -> MaterialEdits.edit(scene, material,
                     m -> attribute.copy(to.scene().materialsByName().get(material), m))).ifPresentOrElse(this::showRefusal, this::revert);
         }
+    }
+
+    /** Returns the material of the field, which is hidden without one. */
+    private Material editedMaterial() {
+        return requireNonNull(shownMaterial);
     }
 }

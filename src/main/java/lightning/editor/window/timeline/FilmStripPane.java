@@ -224,7 +224,7 @@ final class FilmStripPane extends StackPane implements AutoCloseable {
     }
 
     private boolean isSameFolder() {
-        return !(requireNonNull(strip).frames() instanceof RemoteFrames remote) || remote.folder().equals(folder());
+        return !(currentStrip().frames() instanceof RemoteFrames remote) || remote.folder().equals(folder());
     }
 
     private void stripChanged() {
@@ -301,7 +301,7 @@ final class FilmStripPane extends StackPane implements AutoCloseable {
         progress.setVisible(!text.isEmpty());
         // Without machines there are no new thumbnails, so the message may cover them.
         statusBox.setMaxWidth(
-                isRemote && requireNonNull(strip).frames().machineCount().orElseThrow() == 0 ? MESSAGE_WIDTH : TrackCell.NAME_WIDTH);
+                isRemote && currentStrip().frames().machineCount().orElseThrow() == 0 ? MESSAGE_WIDTH : TrackCell.NAME_WIDTH);
         localButton.setVisible(isRemote);
         localButton.setManaged(isRemote);
     }
@@ -343,18 +343,23 @@ final class FilmStripPane extends StackPane implements AutoCloseable {
         slot.frame = frame;
         slot.setId("strip-" + frame);
         slot.number.setText(String.valueOf(frame));
-        FrameState state = requireNonNull(strip).state(frame);
-        slot.pseudoClassStateChanged(STALE, state != FrameState.FAILED && !strip.isUpToDate(frame));
+        FrameState state = currentStrip().state(frame);
+        slot.pseudoClassStateChanged(STALE, state != FrameState.FAILED && !currentStrip().isUpToDate(frame));
         slot.pseudoClassStateChanged(MISSING, state == FrameState.MISSING);
         slot.pseudoClassStateChanged(FAILED, state == FrameState.FAILED);
         slot.pseudoClassStateChanged(CURRENT, frame == currentFrame);
-        FilmStrip.Thumbnail thumbnail = strip.thumbnail(frame).orElse(null);
+        FilmStrip.Thumbnail thumbnail = currentStrip().thumbnail(frame).orElse(null);
         int[] pixels = thumbnail == null ? null : thumbnail.pixels();
         if (pixels != slot.pixels) {
             slot.pixels = pixels;
             slot.image.setImage(thumbnail == null ? null : PixelImage.of(thumbnail.film().width(), thumbnail.film().height(), pixels));
         }
-        slot.setAccessibleText(FilmStripText.frameText(strip, frame));
+        slot.setAccessibleText(FilmStripText.frameText(currentStrip(), frame));
         slot.resizeRelocate(TrackCell.NAME_WIDTH + position.x(), 2, width - 2, HEIGHT);
+    }
+
+    /** Returns the strip, which exists while slots or machines are shown. */
+    private FilmStrip currentStrip() {
+        return requireNonNull(strip);
     }
 }

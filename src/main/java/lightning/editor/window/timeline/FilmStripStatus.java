@@ -46,11 +46,11 @@ final class FilmStripStatus implements ShotListener {
 
     /** Requests all frames of a new revision. */
     synchronized void edit(ShotRevision take) {
-        for (int frame = requireNonNull(shot).first(); frame <= requireNonNull(shot).last(); frame++) {
+        for (int frame = connectedShot().first(); frame <= connectedShot().last(); frame++) {
             pendingFrames.add(frame);
         }
         problems.clear();
-        shot.setRevision(take);
+        connectedShot().setRevision(take);
     }
 
     @Override
@@ -120,7 +120,7 @@ final class FilmStripStatus implements ShotListener {
 
     /** Returns whether the film of a frame shows the newest edit. */
     synchronized boolean isCurrent(int frame) {
-        return !pendingFrames.contains(frame) && requireNonNull(shot).state(frame) == FrameState.CURRENT;
+        return !pendingFrames.contains(frame) && connectedShot().state(frame) == FrameState.CURRENT;
     }
 
     /** Returns the reason why a frame cannot show the newest edit; empty if there is none. */
@@ -131,5 +131,10 @@ final class FilmStripStatus implements ShotListener {
     /** Returns whether a machine was lost and its frames have not all been rendered again. */
     synchronized boolean hasLostMachine() {
         return hasLostMachine;
+    }
+
+    /** Returns the shot, which is connected before its first edit. */
+    private ShotRelighter connectedShot() {
+        return requireNonNull(shot);
     }
 }

@@ -199,11 +199,11 @@ final class LightPlacer {
             pointer.pick(picker).ifPresentOrElse(hit -> {
                 switch (requireNonNull(tool)) {
                     case Tool.PlacementTool(Goal act) -> {
-                        var placing = LightPlacement.start(requireNonNull(startLight), act, hit.point());
+                        var placing = LightPlacement.start(draggedLight(), act, hit.point());
                         drag = new Drag.PlacementDrag(placing, picker);
                         place(placing, hit, pointer.canvas(), false);
                     }
-                    case Tool.ShadowTool() -> drag = new Drag.ShadowDrag(requireNonNull(startLight), hit, picker);
+                    case Tool.ShadowTool() -> drag = new Drag.ShadowDrag(draggedLight(), hit, picker);
                     case Tool.CasterTool(ScenePicker.SurfaceHit target) -> {
                         drag = new Drag.CasterDrag(target, picker);
                         placeShadow(target, hit, pointer.canvas(), false);
@@ -259,7 +259,7 @@ final class LightPlacer {
     }
 
     private void placeShadow(ScenePicker.SurfaceHit target, ScenePicker.SurfaceHit caster, Viewport canvas, boolean isSnapping) {
-        place(LightPlacement.start(requireNonNull(startLight), new Goal.Shadow(caster.point()), target.point()), target, canvas,
+        place(LightPlacement.start(draggedLight(), new Goal.Shadow(caster.point()), target.point()), target, canvas,
                 isSnapping);
     }
 
@@ -277,7 +277,7 @@ final class LightPlacer {
 
     private void show(LightPlacement placing, ScenePicker.SurfaceHit hit, Light placed, Viewport canvas, Optional<String> snapText) {
         Light light = snapText.isPresent() ? placed
-                : DragRounding.round(requireNonNull(startLight), placed, PreviewCamera.of(editor.scene()), canvas);
+                : DragRounding.round(draggedLight(), placed, PreviewCamera.of(editor.scene()), canvas);
         if (editor.editOrReport(scene -> LightEdits.edit(scene, light.name(), _ -> light), gesture).isEmpty()) {
             ring = new Ring(placing, hit, light);
             double distance = light.position().minus(hit.point()).length();
@@ -303,9 +303,14 @@ final class LightPlacer {
 
     /** Reverts the drag and cancels the tool. */
     void cancelDrag() {
-        editor.edit(scene -> LightEdits.edit(scene, requireNonNull(startLight).name(), _ -> startLight), gesture);
+        editor.edit(scene -> LightEdits.edit(scene, draggedLight().name(), _ -> draggedLight()), gesture);
         drag = null;
         clearRing();
         clearTool();
+    }
+
+    /** Returns the light as it was when the drag or the tool began. */
+    private Light draggedLight() {
+        return requireNonNull(startLight);
     }
 }

@@ -63,7 +63,7 @@ public final class PictureView extends Region {
 
     /** Updates a region whose pixels changed. */
     public void updateRegion(int left, int top, int right, int bottom) {
-        requireNonNull(buffer).updateBuffer(_ -> new Rectangle2D(left, top, right - left, bottom - top));
+        shownBuffer().updateBuffer(_ -> new Rectangle2D(left, top, right - left, bottom - top));
     }
 
     /** Shows a note that needs no style sheet; empty for none. */
@@ -77,8 +77,8 @@ public final class PictureView extends Region {
 
     /** Returns the displayed pixels, {@code int[width * height]}, opaque 0xFFRRGGBB, top row first. */
     public int[] pixels() {
-        int width = requireNonNull(buffer).getWidth();
-        int height = buffer.getHeight();
+        int width = shownBuffer().getWidth();
+        int height = shownBuffer().getHeight();
         int[] pixels = new int[width * height];
         image.getImage().getPixelReader().getPixels(0, 0, width, height, PixelFormat.getIntArgbInstance(), pixels, 0, width);
         return pixels;
@@ -155,7 +155,7 @@ public final class PictureView extends Region {
         }
         int px = (int) Math.floor((x - image.getLayoutX()) / scale());
         int py = (int) Math.floor((y - image.getLayoutY()) / scale());
-        boolean inside = px >= 0 && py >= 0 && px < requireNonNull(buffer).getWidth() && py < requireNonNull(buffer).getHeight();
+        boolean inside = px >= 0 && py >= 0 && px < shownBuffer().getWidth() && py < shownBuffer().getHeight();
         return inside ? Optional.of(new Pixel(px, py)) : Optional.empty();
     }
 
@@ -163,8 +163,8 @@ public final class PictureView extends Region {
     public Pixel nearestPixel(double x, double y) {
         double px = Math.floor((x - image.getLayoutX()) / scale());
         double py = Math.floor((y - image.getLayoutY()) / scale());
-        return new Pixel((int) Math.clamp(px, 0, requireNonNull(buffer).getWidth() - 1),
-                (int) Math.clamp(py, 0, requireNonNull(buffer).getHeight() - 1));
+        return new Pixel((int) Math.clamp(px, 0, shownBuffer().getWidth() - 1),
+                (int) Math.clamp(py, 0, shownBuffer().getHeight() - 1));
     }
 
     /** Bounds of the whole picture in the view, logical pixels; they may exceed the view. */
@@ -196,7 +196,7 @@ public final class PictureView extends Region {
         if (!fitsView || isEmpty()) {
             return zoom;
         }
-        double fitScale = Math.min(getWidth() / requireNonNull(buffer).getWidth(), getHeight() / requireNonNull(buffer).getHeight());
+        double fitScale = Math.min(getWidth() / shownBuffer().getWidth(), getHeight() / shownBuffer().getHeight());
         return Math.max(fitScale, 1e-3);
     }
 
@@ -209,8 +209,8 @@ public final class PictureView extends Region {
             return;
         }
         double scale = scale();
-        double width = requireNonNull(buffer).getWidth() * scale;
-        double height = buffer.getHeight() * scale;
+        double width = shownBuffer().getWidth() * scale;
+        double height = shownBuffer().getHeight() * scale;
         image.setFitWidth(width);
         image.setFitHeight(height);
         // Magnified pixels stay sharp squares, so that single ones can be judged.
@@ -219,5 +219,10 @@ public final class PictureView extends Region {
         if (wipe.isStored()) {
             wipe.layout(image.getLayoutX(), image.getLayoutY(), width, height, image.isSmooth());
         }
+    }
+
+    /** Returns the buffer of the view, which is not empty. */
+    private PixelBuffer<IntBuffer> shownBuffer() {
+        return requireNonNull(buffer);
     }
 }
